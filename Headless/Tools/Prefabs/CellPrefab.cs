@@ -1,6 +1,5 @@
 using Nowpose.Unity;
 using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace Nowpose.Prefabs;
 
@@ -36,49 +35,10 @@ sealed class CellPrefab
 
         var anchor = Child("Base Anchor");
         anchor.AddComponent<BaseAnchor>();
-        var displayed = AddDisplayed(anchor.transform);
-        AddGhost(anchor.transform, displayed);
+        var displayed = new RobotObjects(_assets, _robot, _session).AddTo(anchor.transform);
         AddNudge(displayed, loader);
         AddPanel();
         return _assets.Prefab(_session.gameObject);
-    }
-
-    RobotRig AddDisplayed(Transform anchor)
-    {
-        var occluder = _assets.Load<Material>(PackagePaths.Occluder);
-        var rig = Rig(anchor, occluder, _assets.Load<Material>(PackagePaths.Hologram), out var gripper);
-        Fields.Set(rig.GetComponent<PoseAppearance>(), "_words", GripperPrefab.WordsOf(gripper));
-        return rig;
-    }
-
-    /// <summary>Adds the ghost, which is hidden until the user enables it. It has no text, because the displayed robot has one.</summary>
-    void AddGhost(Transform anchor, RobotRig displayed)
-    {
-        var look = _assets.Load<Material>(PackagePaths.Ghost);
-        var rig = Rig(anchor, look, look, out var gripper);
-        rig.name = "Ghost";
-        Fields.Set(rig, "_shows", RigPose.Held);
-        Fields.Set(rig.gameObject.AddComponent<Ghost>(), "_displayed", displayed);
-        foreach (var part in gripper.GetComponentsInChildren<MeshFilter>(includeInactive: true))
-            part.GetComponent<MeshRenderer>().sharedMaterial = look;
-        GripperPrefab.WordsOf(gripper).gameObject.SetActive(false);
-        rig.gameObject.SetActive(false);
-    }
-
-    /// <summary>Creates the rig. The parent of the gripper is the flange or, if the robot is not known yet, the rig.</summary>
-    RobotRig Rig(Transform anchor, Material arm, Material tool, out GameObject gripper)
-    {
-        var rig = Rigs.Build(_robot, anchor, arm, tool);
-        Fields.Set(rig, "_session", _session);
-        if (rig.Flange != null) Rigs.HideBelow(rig.Flange);
-        gripper = _assets.Instantiate(PackagePaths.Gripper, rig.Flange != null ? rig.Flange : rig.transform);
-
-        // Replaces the appearance of the gripper with one for the complete rig, including parts that are built at run time.
-        Object.DestroyImmediate(gripper.GetComponent<PoseAppearance>());
-        var appearance = rig.gameObject.AddComponent<PoseAppearance>();
-        Fields.Set(appearance, "_session", _session);
-        Fields.Set(appearance, "_substitute", tool);
-        return rig;
     }
 
     /// <summary>Adds the component for calibration by eye, disabled by default.</summary>

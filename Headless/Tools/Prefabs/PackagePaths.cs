@@ -42,8 +42,11 @@ static class PackagePaths
     public const string Gripper = Runtime + "Prefabs/Virtual Gripper.prefab";
     public const string Cell = Runtime + "Prefabs/Nowpose Robot Cell.prefab";
     public const string CellUr5 = Runtime + "Prefabs/Nowpose Robot Cell UR5.prefab";
+    public const string Robot = Runtime + "Prefabs/Nowpose Robot.prefab";
     public const string VirtualSettings = Virtual + "Virtual Cell Settings.asset";
     public const string VirtualScene = Virtual + "Virtual Robot Cell.unity";
+    public const string TwoArmsSettings = Virtual + "Two Arms Settings.asset";
+    public const string TwoArmsScene = Virtual + "Virtual Robot Cell (Two Arms).unity";
     public const string CellAnyRobot = Runtime + "Prefabs/Nowpose Robot Cell (Any Robot).prefab";
     public const string ConnectSettings = Connect + "Gateway Settings.asset";
     public const string ConnectScene = Connect + "Connect to a Gateway.unity";

@@ -18,10 +18,12 @@ static class RobotAssets
     }
 
     /// <summary>Creates settings with the default values of the class: a gateway on this machine, without calibration.</summary>
-    public static string Settings(PackageAssets assets, string path)
+    /// <param name="robotNamespace">Namespace of the session's own robot.</param>
+    public static string Settings(PackageAssets assets, string path, string robotNamespace = "")
     {
         var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>();
         asset.name = Path.GetFileNameWithoutExtension(path);
+        Fields.Set(asset, "_robotNamespace", robotNamespace);
         return assets.Asset(asset);
     }
 }

@@ -22,28 +22,6 @@ static class Scenes
         return Save(assets, cell);
     }
 
-    /// <summary>Creates a scene that also draws the real arm, at its simulated position. The arm hides the virtual parts behind it.</summary>
-    public static string VirtualRobotCell(PackageAssets assets)
-    {
-        var cell = Cell(assets, PackagePaths.Cell, PackagePaths.VirtualSettings);
-        foreach (var part in Arm(assets, cell)) part.enabled = false;
-        cell.GetComponentInChildren<Ghost>(includeInactive: true).gameObject.SetActive(true);
-        var session = cell.GetComponent<MrilSession>();
-        Fields.Set(session, "_connectOnEnable", false);
-
-        var robot = assets.Load<RobotDescriptionAsset>(PackagePaths.Youbot);
-        var control = new GameObject("Simulated Control System").AddComponent<SimulatedControlSystem>();
-        Fields.Set(control, "_session", session);
-        Fields.Set(control, "_robot", robot);
-        var solid = assets.Load<Material>(PackagePaths.Solid);
-        var real = Rigs.Build(robot, null, solid, solid);
-        real.name = "Real Robot";
-        Fields.Set(real.gameObject.AddComponent<TruthRig>(), "_controlSystem", control);
-        TransformRounding.Apply(real.transform);
-        var objects = WorkObjects.Build(assets, session, robot.Read());
-        return Save(assets, control.gameObject, real.gameObject, cell, objects);
-    }
-
     /// <summary>Creates a scene for a headset. In the editor without a headset, the camera stays at the origin and sees all objects.</summary>
     public static string DisplayCalibration(PackageAssets assets)
     {
@@ -68,24 +46,30 @@ static class Scenes
     }
 
     /// <summary>Returns the invisible renderers of the arm, which hide the gripper where it is behind the real arm.</summary>
-    static IEnumerable<MeshRenderer> Arm(PackageAssets assets, GameObject cell)
+    internal static IEnumerable<MeshRenderer> Arm(PackageAssets assets, RobotRig displayed)
     {
         var occluder = assets.Load<Material>(PackagePaths.Occluder);
-        return cell.transform.Find("Base Anchor/Robot").GetComponentsInChildren<MeshRenderer>(includeInactive: true)
+        return displayed.GetComponentsInChildren<MeshRenderer>(includeInactive: true)
             .Where(r => r.sharedMaterial == occluder);
     }
+
+    /// <summary>Returns the displayed rig of an instance of the cell prefab.</summary>
+    internal static RobotRig DisplayedIn(GameObject cell) => cell.transform.Find("Base Anchor/Robot").GetComponent<RobotRig>();
 
     /// <summary>Makes the arm visible, even if it is built at run time.</summary>
     static void Draw(PackageAssets assets, GameObject cell)
     {
         var material = assets.Load<Material>(PackagePaths.Arm);
-        foreach (var part in Arm(assets, cell)) part.sharedMaterial = material;
-        Fields.Set(cell.transform.Find("Base Anchor/Robot").GetComponent<RobotRig>(), "_armMaterial", material);
+        var displayed = DisplayedIn(cell);
+        foreach (var part in Arm(assets, displayed)) part.sharedMaterial = material;
+        Fields.Set(displayed, "_armMaterial", material);
     }
 
-    static string Save(PackageAssets assets, params GameObject[] robots)
-    {
-        var props = new[] { Props.Camera(new Vector3(0, 0.75f, -1.25f), new Vector3(20, 0, 0)), Props.Light(), Props.Ground(assets) };
-        return assets.Scene(props.Concat(robots).ToArray());
-    }
+    static string Save(PackageAssets assets, params GameObject[] robots) => Desktop(assets, InFront(), robots);
+
+    /// <summary>Creates a camera in front of a robot at the origin.</summary>
+    internal static GameObject InFront() => Props.Camera(new Vector3(0, 0.75f, -1.25f), new Vector3(20, 0, 0));
+
+    internal static string Desktop(PackageAssets assets, GameObject camera, params GameObject[] robots) =>
+        assets.Scene(new[] { camera, Props.Light(), Props.Ground(assets) }.Concat(robots).ToArray());
 }

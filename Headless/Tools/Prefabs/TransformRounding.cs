@@ -19,7 +19,7 @@ static class TransformRounding
         }
     }
 
-    static Vector3 Rounded(Vector3 v) => new(Rounded(v.x), Rounded(v.y), Rounded(v.z));
+    public static Vector3 Rounded(Vector3 v) => new(Rounded(v.x), Rounded(v.y), Rounded(v.z));
 
     // Adding 0.0 converts -0 to 0.
     static float Rounded(float value) => (float)(Math.Round((double)value, Digits) + 0.0);

@@ -1,5 +1,4 @@
 using Nowpose.Kinematics;
-using Nowpose.Motion;
 using Nowpose.Simulation.Work;
 using Nowpose.Unity;
 using UnityEngine;
@@ -24,20 +23,26 @@ static class WorkObjects
     /// <summary>Number of points on each straight section of the belt.</summary>
     const int PointsPerSection = 2;
 
-    public static GameObject Build(PackageAssets assets, MrilSession session, RobotModel robot)
+    public static GameObject Build(PackageAssets assets, MrilSession session, CellWork work)
     {
-        var work = new CellWork(robot, new PickAndPlaceMotion(robot));
         var (virtualPart, workpiece) = (assets.Load<Material>(PackagePaths.Hologram), assets.Load<Material>(PackagePaths.Workpiece));
         var uncompensated = assets.Load<Material>(PackagePaths.Ghost);
         var root = new GameObject("Cell Objects");
         var conveyor = Shown<StationaryObject>(CellWork.Conveyor, CellWork.Conveyor, root, session, virtualPart);
-        AddBelt(conveyor, work, virtualPart);
-        AddStop(conveyor, work, session, virtualPart);
         // White, so that a lit lamp does not look like a workpiece.
-        AddStackLight(conveyor, work, session, virtualPart, assets.Load<Material>(PackagePaths.Timestamp));
-        var fixture = Shown<StationaryObject>(work.Robots[0].Fixture, work.Robots[0].Fixture, root, session, virtualPart);
+        var lit = assets.Load<Material>(PackagePaths.Timestamp);
+        for (var i = 0; i < work.Robots.Count; i++)
+        {
+            AddBelt(conveyor, work, i, virtualPart);
+            AddStop(conveyor, work, i, session, virtualPart);
+            AddStackLight(conveyor, work, i, session, virtualPart, lit);
+        }
         var below = RigidTransform.FromXyzRpy(0, 0, -Thickness / 2, 0, 0, 0);
-        AddCube(fixture, "Plate", below, new Vector3(2 * Width, Thickness, 2 * Width), virtualPart);
+        foreach (var robot in work.Robots)
+        {
+            var fixture = Shown<StationaryObject>(robot.Fixture, robot.Fixture, root, session, virtualPart);
+            AddCube(fixture, "Plate", below, new Vector3(2 * Width, Thickness, 2 * Width), virtualPart);
+        }
         foreach (var name in work.Names)
         {
             AddWorkpiece(Shown<TrackedObject>(name, name, root, session, virtualPart), workpiece);
@@ -68,10 +73,10 @@ static class WorkObjects
     static void AddWorkpiece(GameObject parent, Material material) =>
         AddCube(parent, "Cube", RigidTransform.Identity, Vector3.one * (float)CellWork.Size, material);
 
-    // Draws straight sections between points on the upper side of the belt.
-    static void AddBelt(GameObject conveyor, CellWork work, Material material)
+    // Draws straight sections between points on the upper side of the belt that leads to a robot.
+    static void AddBelt(GameObject conveyor, CellWork work, int robot, Material material)
     {
-        var points = work.BeltBehind(0).Select(point => work.ConveyorPose.Inverse * point).Where((_, i) => i % PointsPerSection == 0).ToArray();
+        var points = BeltTo(work, robot).Select(point => work.ConveyorPose.Inverse * point).Where((_, i) => i % PointsPerSection == 0).ToArray();
         for (var i = 1; i < points.Length; i++)
         {
             var (from, to) = (points[i - 1], points[i]);
@@ -79,16 +84,16 @@ static class WorkObjects
             var length = Math.Sqrt(x * x + y * y + z * z);
             var middle = RigidTransform.FromXyzRpy(
                 from.X + x / 2, from.Y + y / 2, from.Z + z / 2 - Thickness / 2, 0, -Math.Asin(z / length), Math.Atan2(y, x));
-            AddCube(conveyor, "Section " + i, middle, new Vector3(Width, Thickness, (float)length), material);
+            AddCube(conveyor, NameOf(work, robot, "Section") + " " + i, middle, new Vector3(Width, Thickness, (float)length), material);
         }
     }
 
     // The stop at the end of the belt is up while the belt runs, and holds the workpiece that arrives.
-    static void AddStop(GameObject conveyor, CellWork work, MrilSession session, Material material)
+    static void AddStop(GameObject conveyor, CellWork work, int robot, MrilSession session, Material material)
     {
-        var arriving = (BeltEnd(work).Inverse * work.BeltBehind(0).SkipLast(1).Last()).Y;
+        var arriving = (BeltEnd(work, robot).Inverse * BeltTo(work, robot).SkipLast(1).Last()).Y;
         var ahead = -Math.Sign(arriving) * (CellWork.Size + StopThickness) / 2;
-        var stop = AtBeltEnd("Stop", conveyor, work, RigidTransform.FromXyzRpy(0, ahead, 0, 0, 0, 0));
+        var stop = AtBeltEnd("Stop", conveyor, work, robot, RigidTransform.FromXyzRpy(0, ahead, 0, 0, 0, 0));
         var part = stop.AddComponent<ActuatedPart>();
         Fields.Set(part, "_session", session);
         Fields.Set(part, "_signal", CellWork.BeltRunning);
@@ -100,13 +105,13 @@ static class WorkObjects
     }
 
     // The stack light beside the end of the belt shows the signals of the robot.
-    static void AddStackLight(GameObject conveyor, CellWork work, MrilSession session, Material off, Material on)
+    static void AddStackLight(GameObject conveyor, CellWork work, int robot, MrilSession session, Material off, Material on)
     {
-        var light = AtBeltEnd("Stack Light", conveyor, work, RigidTransform.FromXyzRpy(LightDistance, 0, 0, 0, 0, 0));
+        var light = AtBeltEnd("Stack Light", conveyor, work, robot, RigidTransform.FromXyzRpy(LightDistance, 0, 0, 0, 0, 0));
         var post = RigidTransform.FromXyzRpy(0, 0, PostHeight / 2, 0, 0, 0);
         AddCube(light, "Post", post, new Vector3(PostWidth, PostHeight, PostWidth), off);
-        AddLamp(light, work.Robots[0].PartPresent, PostHeight + LampSize / 2, session, off, on);
-        AddLamp(light, work.Robots[0].GripperClosed, PostHeight + 2 * LampSize, session, off, on);
+        AddLamp(light, work.Robots[robot].PartPresent, PostHeight + LampSize / 2, session, off, on);
+        AddLamp(light, work.Robots[robot].GripperClosed, PostHeight + 2 * LampSize, session, off, on);
     }
 
     // The lit lamp is slightly larger and hides the dark lamp, so that a single call switches between both.
@@ -121,18 +126,24 @@ static class WorkObjects
         Calls.AddDynamic(component, "_onState", lit, nameof(GameObject.SetActive));
     }
 
-    // Returns the world pose of the point of the belt's surface where the first robot takes workpieces. The x axis points away from the robot.
-    static RigidTransform BeltEnd(CellWork work)
+    // Returns points of the belt that leads to a robot, in the world. A single robot's belt leads back to itself.
+    static IEnumerable<RigidTransform> BeltTo(CellWork work, int robot) => work.BeltBehind((robot + work.Robots.Count - 1) % work.Robots.Count);
+
+    // Returns the world pose of the point of the belt's surface where a robot takes workpieces. The x axis points away from the robot.
+    static RigidTransform BeltEnd(CellWork work, int robot)
     {
-        var taken = work.Robots[0].Taken;
-        return RigidTransform.FromXyzRpy(taken.X, taken.Y, work.ConveyorPose.Z, 0, 0, Math.Atan2(taken.Y, taken.X));
+        var (taken, from) = (work.Robots[robot].Taken, work.Robots[robot].Base);
+        return RigidTransform.FromXyzRpy(taken.X, taken.Y, work.ConveyorPose.Z, 0, 0, Math.Atan2(taken.Y - from.Y, taken.X - from.X));
     }
 
+    // Numbers the parts only if there are several robots.
+    static string NameOf(CellWork work, int robot, string name) => work.Robots.Count == 1 ? name : name + " " + (robot + 1);
+
     /// <param name="offset">Pose relative to <see cref="BeltEnd"/>.</param>
-    static GameObject AtBeltEnd(string name, GameObject conveyor, CellWork work, in RigidTransform offset)
+    static GameObject AtBeltEnd(string name, GameObject conveyor, CellWork work, int robot, in RigidTransform offset)
     {
-        var place = UnityPoses.ToWorld(work.ConveyorPose.Inverse * BeltEnd(work) * offset);
-        return Child(name, conveyor, place.position, place.rotation);
+        var place = UnityPoses.ToWorld(work.ConveyorPose.Inverse * BeltEnd(work, robot) * offset);
+        return Child(NameOf(work, robot, name), conveyor, place.position, place.rotation);
     }
 
     static GameObject Child(string name, GameObject parent, Vector3 position, Quaternion rotation)

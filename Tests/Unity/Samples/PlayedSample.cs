@@ -31,10 +31,10 @@ sealed class PlayedSample : IDisposable
         Truth.gameObject.AddComponent<TruthRig>().With("_controlSystem", Control);
     }
 
-    PlayedSample(string scene)
+    PlayedSample(ScenePath scene)
     {
         Player = new Player(new AssetLibrary(RepositoryFiles.Root));
-        Player.LoadScene(scene);
+        Player.LoadScene(scene.Path);
         Session = Player.Find<MrilSession>();
         Session.HeadsetClock = Clock;
         // Restarts the session, which has already started with the clock of this machine.
@@ -43,7 +43,7 @@ sealed class PlayedSample : IDisposable
         Displayed = Cell.transform.Find("Base Anchor/Robot").GetComponent<RobotRig>();
         Held = Cell.transform.Find("Base Anchor/Ghost").GetComponent<RobotRig>();
         Control = Player.Find<SimulatedControlSystem>();
-        Truth = Player.Find<TruthRig>().GetComponent<RobotRig>();
+        Truth = GameObject.Find("Real Robot").GetComponent<RobotRig>();
     }
 
     public Player Player { get; }
@@ -65,7 +65,8 @@ sealed class PlayedSample : IDisposable
     public List<double> HoldErrors { get; } = [];
 
     /// <summary>Loads the scene of the sample, and activates it.</summary>
-    public static PlayedSample OfScene() => new("Packages/com.nowpose.mril/Samples~/Virtual Robot Cell/Virtual Robot Cell.unity");
+    public static PlayedSample OfScene(string scene = "Packages/com.nowpose.mril/Samples~/Virtual Robot Cell/Virtual Robot Cell.unity") =>
+        new(new ScenePath(scene));
 
     public PlayedSample Start()
     {
@@ -104,6 +105,9 @@ sealed class PlayedSample : IDisposable
         made.SetActive(false);
         return made;
     }
+
+    // Distinguishes the path of a scene from the name of a robot.
+    readonly record struct ScenePath(string Path);
 
     RobotRig Rig(string name, RigPose shows)
     {

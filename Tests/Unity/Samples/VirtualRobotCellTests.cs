@@ -6,6 +6,7 @@ using Nowpose.Network;
 using Nowpose.Simulation.Work;
 using Nowpose.Samples;
 using Nowpose.Session;
+using Nowpose.Signals;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
@@ -139,6 +140,56 @@ public class VirtualRobotCellTests
         Assert.That(Complaints(sample), Is.Empty);
 
         void Count(string name, bool isOn) => seen[name] = isOn ? (seen[name].On + 1, seen[name].Off) : (seen[name].On, seen[name].Off + 1);
+    }
+
+    [Test]
+    public void Scene_Played_FingersFollowTheSignalOfTheGripperInPhase()
+    {
+        using var sample = PlayedSample.OfScene().Run(6);
+        var robot = RobotFiles.Load("youbot");
+        var work = new CellWork(robot, new PickAndPlaceMotion(robot));
+        var fingers = sample.Displayed.GetComponentInChildren<VirtualGripper>().GetComponentsInChildren<ActuatedPart>();
+        Assert.That(fingers, Has.Length.EqualTo(2));
+        var stroke = new ActuatedStroke(0, 1, 0.322);
+        var (isClosed, hasArrived, moving, steady) = ((bool?)null, false, 0, 0);
+
+        for (var frame = 0; frame < 30 * 60; frame++)
+        {
+            sample.Step();
+            // The robot starts to work in the first frame, at 100 s. The display time of a frame is 40 ms after its start.
+            var seconds = sample.Session.Frame.Start.SinceEpoch.TotalSeconds + 0.04 - 100;
+            var isOn = SteadyValue(work, work.Robots[0].GripperClosed, seconds, 0) == true;
+            var since = LastChange(work, seconds);
+            if (isOn != isClosed)
+            {
+                stroke.Change(isOn ? 1 : 0, ControlTime.FromSeconds(since));
+                (isClosed, hasArrived) = (isOn, false);
+            }
+            hasArrived |= seconds - since > MaxSignalDelay || Math.Abs(fingers[0].Share - (isOn ? 0 : 1)) > 1e-6;
+            if (!hasArrived) continue;
+            // From the arrival of the message on, the finger has moved since the control cycle in which the signal changed.
+            var expected = stroke.At(ControlTime.FromSeconds(seconds));
+            foreach (var finger in fingers) Assert.That(finger.Share, Is.EqualTo(expected).Within(0.05), $"at {seconds} s");
+            if (expected is > 0.01 and < 0.99) moving++;
+            else steady++;
+        }
+
+        Assert.That(moving, Is.GreaterThan(20));
+        Assert.That(steady, Is.GreaterThan(500));
+    }
+
+    // Returns the time of the newest change of the gripper's signal, s.
+    static double LastChange(CellWork work, double seconds)
+    {
+        Span<double> values = stackalloc double[work.Signals.Count];
+        work.SignalsAt(seconds, values);
+        var (value, back) = (values[0], seconds);
+        while (values[0] == value && back > 0)
+        {
+            back -= 0.001;
+            work.SignalsAt(back, values);
+        }
+        return back + 0.001;
     }
 
     /// <summary>Maximum time from a change of a signal until the scene shows it, s: latency and network, with bursts, plus a frame.</summary>

@@ -1,10 +1,13 @@
+using UnityEngine.Serialization;
+
 namespace UnityEngine;
 
 public sealed class LineRenderer : Renderer
 {
+    [SerializeField, SerializedName("m_UseWorldSpace")] bool _useWorldSpace = true;
     Vector3[] _positions = new Vector3[2];
 
-    public bool useWorldSpace { get; set; } = true;
+    public bool useWorldSpace { get => _useWorldSpace; set => _useWorldSpace = value; }
 
     public float widthMultiplier { get; set; } = 1;
 

@@ -24,6 +24,8 @@ static class EngineClasses
         Component<MeshFilter>(33, "m_Mesh"),
         Component<TextMesh>(102, ("serializedVersion", "3"), "m_Text", "m_OffsetZ", "m_CharacterSize", "m_LineSpacing", "m_Anchor", "m_Alignment",
             "m_TabSize", "m_FontSize", ("m_FontStyle", "0"), "m_RichText", Slot.Constant("m_Font", BuiltInAssets.Font.Write()), "m_Color"),
+        Component<LineRenderer>(120, ("serializedVersion", "2"), "m_Enabled", ("m_CastShadows", "0"), "m_ReceiveShadows", "m_Materials",
+            Slot.Constant("m_Parameters", LineParameters()), "m_UseWorldSpace", ("m_Loop", "0")),
         new OpaqueClass(65, "BoxCollider"),
         new OpaqueClass(108, "Light"),
         new OpaqueClass(223, "Canvas"),
@@ -47,6 +49,26 @@ static class EngineClasses
     {
         return new ObjectClass(id, typeof(T).Name, typeof(T), Headers.Component.Concat(fields.Select(f => f.Of(typeof(T)))).ToArray());
     }
+
+    /// <summary>Returns the parameters of a line with the same width everywhere. The width itself is set while the scene plays.</summary>
+    static YamlMappingNode LineParameters() => Nodes.Lines(
+        ("serializedVersion", Nodes.Number(3)),
+        ("widthMultiplier", Nodes.Number(1)),
+        ("widthCurve", Nodes.Lines(
+            ("serializedVersion", Nodes.Number(2)),
+            ("m_Curve", new YamlSequenceNode(Nodes.Lines(
+                ("serializedVersion", Nodes.Number(3)),
+                ("time", Nodes.Number(0)),
+                ("value", Nodes.Number(1)),
+                ("inSlope", Nodes.Number(0)),
+                ("outSlope", Nodes.Number(0)),
+                ("tangentMode", Nodes.Number(0)),
+                ("weightedMode", Nodes.Number(0)),
+                ("inWeight", Nodes.Text("0.33333334")),
+                ("outWeight", Nodes.Text("0.33333334"))))),
+            ("m_PreInfinity", Nodes.Number(2)),
+            ("m_PostInfinity", Nodes.Number(2)),
+            ("m_RotationOrder", Nodes.Number(4)))));
 
     static IEnumerable<Slot> GameObjectSlots()
     {

@@ -7,8 +7,8 @@ using Nowpose.Simulation.Work;
 namespace Nowpose.Simulation
 {
     /// <summary>
-    /// A control system with its robot and a network, in one process and without sockets. Feeds a session as a gateway does, and computes
-    /// the robot's true position. Deterministic: the same seed and times give the same run. Not thread-safe.
+    /// A control system with its robots and a network, in one process and without sockets. Feeds a session as a gateway does, and computes
+    /// the robots' true positions. Deterministic: the same seed and times give the same run. Not thread-safe.
     /// </summary>
     /// <remarks>Settings and clock may change at run time; packets in transit keep their arrival times.</remarks>
     public sealed class VirtualCell
@@ -41,9 +41,14 @@ namespace Nowpose.Simulation
         /// <c>belt_running</c> and <c>part_present</c>.
         /// </summary>
         /// <inheritdoc cref="VirtualCell(IMotion, VirtualClock, VirtualCellSettings, int, HeadsetTime)"/>
+        /// <param name="robots">
+        /// Number of robots, 1 or 2. Two robots share the conveyor and move at the same time. They have the namespaces <c>arm1</c> and <c>arm2</c>, a
+        /// frame for each base, the fixtures <c>fixture_1</c> and <c>fixture_2</c>, six workpieces, and the signals <c>gripper_closed_1</c>,
+        /// <c>gripper_closed_2</c>, <c>part_present_1</c> and <c>part_present_2</c>.
+        /// </param>
         public static VirtualCell WithWorkpieces(
-            RobotModel robot, PickAndPlaceMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start) =>
-            new VirtualCell(motion, clock, settings, seed, start, new CellWork(robot, motion));
+            RobotModel robot, PickAndPlaceMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start, int robots = 1) =>
+            new VirtualCell(motion, clock, settings, seed, start, new CellWork(robot, motion, robots));
 
         /// <param name="work">Workpieces and signals of the robot's task; null if the cell has none.</param>
         internal VirtualCell(IMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start, CellWork work)
@@ -52,15 +57,16 @@ namespace Nowpose.Simulation
             _motion = motion;
             _start = start;
             _clock = clock;
-            _samples = new VirtualSamples(motion, clock, unchecked(seed * 100), start);
+            var robots = NamespacesOf(work);
+            _samples = new VirtualSamples(motion, robots, clock, unchecked(seed * 100), start);
             _exchanges = new VirtualExchanges(clock, unchecked(seed * 100 + 50), start);
-            _plans = new VirtualPlans(motion, clock, unchecked(seed * 100 + 70), start);
+            _plans = new VirtualPlans(motion, robots, clock, unchecked(seed * 100 + 70), start);
             Settings = settings;
         }
 
         public VirtualCellSettings Settings { get; set; }
 
-        /// <summary>Delay of the robot behind its set-points; null if it publishes none. A change takes effect within 0.25 s.</summary>
+        /// <summary>Delay of the robots behind their set-points; null if they publish none. A change takes effect within 0.25 s.</summary>
         public TimeSpan? PlanLag { get; set; }
 
         /// <summary>Passes the messages that have arrived to the session. Allocates only the messages.</summary>
@@ -75,8 +81,16 @@ namespace Nowpose.Simulation
             if (PlanLag.HasValue) _plans.Run(from, now, PlanLag.Value, Settings, session);
         }
 
-        /// <summary>Computes the robot's true position; allocates nothing.</summary>
+        /// <summary>Computes the true position of each robot; allocates nothing.</summary>
         /// <param name="joints">Receives one position per joint of the motion, rad or m.</param>
         public void TruthAt(HeadsetTime t, Span<double> joints) => _motion.At(ClockTicks.Seconds(t - _start), joints);
+
+        static string[] NamespacesOf(CellWork work)
+        {
+            if (work == null) return new[] { "" };
+            var names = new string[work.Robots.Count];
+            for (var i = 0; i < names.Length; i++) names[i] = work.Robots[i].Namespace;
+            return names;
+        }
     }
 }

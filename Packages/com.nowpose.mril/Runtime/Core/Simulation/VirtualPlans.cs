@@ -9,6 +9,7 @@ namespace Nowpose.Simulation
     /// <summary>Sends the set-points of a <see cref="VirtualCell"/> in advance. Messages arrive in order. Not thread-safe.</summary>
     sealed class VirtualPlans
     {
+        readonly string[] _robots;
         readonly VirtualClock _clock;
         readonly HeadsetTime _start;
         readonly SetPointsAhead _setPoints;
@@ -17,8 +18,10 @@ namespace Nowpose.Simulation
         HeadsetTime _next;
         HeadsetTime _inOrder;
 
-        public VirtualPlans(IMotion motion, VirtualClock clock, int seed, HeadsetTime start)
+        /// <param name="robots">Namespaces of the robots, which all have this motion.</param>
+        public VirtualPlans(IMotion motion, string[] robots, VirtualClock clock, int seed, HeadsetTime start)
         {
+            _robots = robots;
             _clock = clock;
             _start = _next = _inOrder = start;
             _setPoints = new SetPointsAhead(motion);
@@ -33,7 +36,7 @@ namespace Nowpose.Simulation
             while (_underway.Count > 0 && _underway.Peek().At <= now)
             {
                 var (message, at) = _underway.Dequeue();
-                session.Listener.Planned(message, at);
+                foreach (var robot in _robots) session.Listener.Planned(message, at, robot);
             }
         }
 

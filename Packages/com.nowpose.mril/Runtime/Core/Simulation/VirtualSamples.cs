@@ -10,6 +10,7 @@ namespace Nowpose.Simulation
     sealed class VirtualSamples
     {
         readonly IMotion _motion;
+        readonly string[] _robots;
         readonly VirtualClock _clock;
         readonly string[] _names;
         readonly HeadsetTime _start;
@@ -20,8 +21,10 @@ namespace Nowpose.Simulation
         HeadsetTime _lastTaken;
         HeadsetTime _inOrder;
 
-        public VirtualSamples(IMotion motion, VirtualClock clock, int seed, HeadsetTime start)
+        /// <param name="robots">Namespaces of the robots, which all have this motion.</param>
+        public VirtualSamples(IMotion motion, string[] robots, VirtualClock clock, int seed, HeadsetTime start)
         {
+            _robots = robots;
             _motion = motion;
             _clock = clock;
             _names = new List<string>(motion.JointNames).ToArray();
@@ -37,7 +40,7 @@ namespace Nowpose.Simulation
             while (_lastTaken + settings.SamplingInterval <= now) Take(_lastTaken += settings.SamplingInterval, settings);
             var arrived = 0;
             for (; arrived < _underway.Count && _underway[arrived].At <= now; arrived++)
-                session.Listener.Received(_underway[arrived].Message, _underway[arrived].At);
+                foreach (var robot in _robots) session.Listener.Received(_underway[arrived].Message, _underway[arrived].At, robot);
             _underway.RemoveRange(0, arrived);
         }
 

@@ -9,11 +9,11 @@ using UnityEngine;
 namespace Nowpose.Samples
 {
     /// <summary>
-    /// Simulates a control system in the scene: a robot that takes workpieces from a conveyor, its clock, and the network to the headset.
+    /// Simulates a control system in the scene: one or two robots that take workpieces from a conveyor, its clock, and the network to the headset.
     /// </summary>
     /// <remarks>
     /// Replaces a gateway: supplies a session that is not connected with samples, sync exchanges and the robot's description. All settings except the
-    /// seed can be changed while the scene plays.
+    /// number of robots and the seed can be changed while the scene plays.
     /// </remarks>
     [AddComponentMenu("Nowpose/Samples/Simulated Control System")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder - 1)]
@@ -26,6 +26,17 @@ namespace Nowpose.Samples
         [SerializeField, Tooltip("The robot that moves. The youBot has its own motion cycle; for other robots the cycle is derived from their "
             + "limits.")]
         RobotDescriptionAsset _robot = null;
+
+        [SerializeField, Tooltip("Adds a second robot of the same kind that shares the conveyor, read at the start of the simulation. The robots then "
+            + "have the namespaces arm1 and arm2. Enter arm1 as Robot Namespace in the session's settings.")]
+        bool _hasSecondRobot = false;
+
+        [SerializeField, Tooltip("Publish the set-points of the next second, as a motion planner does. They are needed for Planned Path. If Follow "
+            + "Plan is on in the session's settings, they also make the prediction more accurate.")]
+        bool _publishesSetPoints = false;
+
+        [SerializeField, Range(0, 500), Tooltip("Delay of the robots behind their set-points in ms.")]
+        float _followingErrorMs = 20;
 
         [Header("Sampling")]
         [SerializeField, Range(5, 1000), Tooltip("Sampling interval T_s of the joints in ms. 50 ms is usual for a controller's interface. Beyond "
@@ -116,6 +127,7 @@ namespace Nowpose.Samples
             _described = session;
             _clock.Set(now, ClockAhead, _skewPpm * 1e-6);
             _cell.Settings = Knobs();
+            _cell.PlanLag = _publishesSetPoints ? Milliseconds(_followingErrorMs) : (TimeSpan?)null;
             _cell.Run(now, session);
         }
 
@@ -123,11 +135,17 @@ namespace Nowpose.Samples
         {
             _time = _session.HeadsetClock;
             _clock = new VirtualClock(now, ClockAhead, _skewPpm * 1e-6);
-            _cell = VirtualCell.WithWorkpieces(Robot, new PickAndPlaceMotion(Robot), _clock, Knobs(), _seed, now);
+            _cell = VirtualCell.WithWorkpieces(Robot, new PickAndPlaceMotion(Robot), _clock, Knobs(), _seed, now, _hasSecondRobot ? 2 : 1);
+            var (used, needed) = (_session.Settings.RobotNamespace, _hasSecondRobot ? "arm1" : "");
+            if (used != needed)
+                Debug.LogError("[Nowpose] control system '" + name + "' needs the Robot Namespace '" + needed + "' in the settings of its session, not '"
+                    + used + "'; change it there", this);
         }
 
         // TimeSpan.FromSeconds is not used, because in Unity it rounds to whole milliseconds.
         TimeSpan ClockAhead => TimeSpan.FromTicks((long)((double)_clockAheadSeconds * TimeSpan.TicksPerSecond));
+
+        static TimeSpan Milliseconds(float ms) => TimeSpan.FromTicks((long)((double)ms * TimeSpan.TicksPerMillisecond));
 
         VirtualCellSettings Knobs() => new VirtualCellSettings(
             _samplingMs, _latencyMinMs, Mathf.Max(_latencyMinMs, _latencyMaxMs), _jitterMs, _loss, NetworkProfile.All[(int)_network]);
