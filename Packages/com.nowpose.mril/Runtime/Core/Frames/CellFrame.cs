@@ -23,6 +23,8 @@ namespace Nowpose.Frames
         ReachPlace _reach, _nextReach;
         SourceRest _sourceRest;
         double _displayed = double.NaN;
+        double _evaluated = double.NaN;
+        double _speed;
         int _waitingCount;
         bool _isStationary, _isNextStationary, _isReachWaiting, _hasPose;
 
@@ -146,9 +148,11 @@ namespace Nowpose.Frames
                 : isParentCurrent ? FrameState.Current : FrameState.ParentNotCurrent;
             if (kind == PredictionKind.None) return;
             var now = parent * pose;
-            if (_shown is RigidTransform shown) _handOver = new HandOver(time, shown, now);
+            if (_shown is RigidTransform shown) _handOver = new HandOver(time, shown, now, _speed);
             _shown = null;
-            World = _handOver.At(time, now);
+            var displayed = _handOver.At(time, now);
+            Measure(time, displayed);
+            World = displayed;
             _hasPose = true;
         }
 
@@ -164,10 +168,20 @@ namespace Nowpose.Frames
             _shown = null;
             _reach = Reach?.WithoutTime();
             _isReachWaiting = false;
-            _displayed = double.NaN;
+            _displayed = _evaluated = double.NaN;
+            _speed = 0;
             if (_isStationary) return;
             _predictor.Reset();
             _newest = null;
+        }
+
+        // Measures the speed of the displayed object. During a hand-over, the second evaluation for the same time does not change it.
+        void Measure(double time, in RigidTransform next)
+        {
+            if (double.IsNaN(time)) return;
+            if (_hasPose && time > _evaluated)
+                _speed = new Vector3D(next.X - World.X, next.Y - World.Y, next.Z - World.Z).Length / (time - _evaluated);
+            _evaluated = time;
         }
 
         // A source that has no data about the gripper repeats the pose from before the grip. Therefore, only a different pose shows that the object

@@ -7,7 +7,8 @@ namespace Nowpose.Frames
     /// <remarks>
     /// D is the former pose relative to the new one at the hand-over. At a later time t, the displayed pose is T(t) · D^w, where w falls from
     /// 1 to 0 within <see cref="Seconds"/> without a jump of the velocity. A difference as small as the corrections by each sample is ignored,
-    /// so that a gripped object is in the gripper at once. A large one is ignored too, because the object must have been moved elsewhere.
+    /// so that a gripped object is in the gripper at once. A large one that the object's speed does not explain is ignored too, because the object
+    /// must have been moved elsewhere.
     /// <c>default</c> is a hand-over that has ended.
     /// </remarks>
     readonly struct HandOver
@@ -20,8 +21,16 @@ namespace Nowpose.Frames
         /// <summary>Differences up to these values are ignored because they are small, in m and rad.</summary>
         const double MinShift = 0.002, MinTurn = 0.02;
 
-        /// <summary>Differences from this value on are ignored because they are large, in m.</summary>
+        /// <summary>Differences from this value on are ignored because they are large, in m. For a fast object, the limit is larger.</summary>
         const double MaxShift = 0.25;
+
+        /// <summary>
+        /// Time for which an object may have moved with the former parent although it already had the new one, in s: the default horizon cap.
+        /// </summary>
+        const double MaxLateness = 0.3;
+
+        /// <summary>Limit of the difference for an object of any speed, in m.</summary>
+        const double MaxShiftOfFastObject = 1;
 
         readonly double _start;
         readonly Vector3D _shift;
@@ -31,13 +40,14 @@ namespace Nowpose.Frames
         /// <param name="start">Time of the hand-over, s.</param>
         /// <param name="shown">Pose in the world at that time, according to the former parent.</param>
         /// <param name="now">Pose in the world at that time, according to the new parent.</param>
-        public HandOver(double start, in RigidTransform shown, in RigidTransform now)
+        /// <param name="speed">Speed of the displayed object before the hand-over, m/s.</param>
+        public HandOver(double start, in RigidTransform shown, in RigidTransform now, double speed = 0)
         {
             var difference = now.Inverse * shown;
             _start = start;
             _shift = new Vector3D(difference.X, difference.Y, difference.Z);
             _turn = UnitQuaternion.Of(difference).Log();
-            _isOpen = (_shift.Length > MinShift || _turn.Length > MinTurn) && _shift.Length < MaxShift;
+            _isOpen = (_shift.Length > MinShift || _turn.Length > MinTurn) && _shift.Length < Math.Max(MaxShift, Math.Min(speed * MaxLateness, MaxShiftOfFastObject));
         }
 
         // Returns whether the hand-over has ended at a time; true if this time or the start is unknown.

@@ -202,6 +202,32 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
+        public void HandOver_FastObjectStopsAndTheNewsIsLate_MovesToItsPlaceWithoutAJump()
+        {
+            const double frameSeconds = 1 / 60.0, speed = 2, stopped = 1.0, late = 0.2;
+            var tree = NewTree();
+            tree.Add(Pose(0, "world", "stop", speed * stopped), isStationary: true);
+            var (sample, greatest, last) = (0, 0.0, (RigidTransform?)null);
+            for (var frame = 0; frame * frameSeconds < 2; frame++)
+            {
+                var now = frame * frameSeconds;
+                for (; sample * Sampling <= now - late; sample++)
+                {
+                    var t = sample * Sampling;
+                    tree.Add(t < stopped ? Pose(t, "world", "part", speed * t) : Pose(t, "stop", "part"), isStationary: false);
+                }
+                tree.Evaluate(At(now));
+                if (sample < 6) continue;
+                var world = FrameOf(tree, "part").World;
+                if (last is RigidTransform before) greatest = System.Math.Max(greatest, Distance(before, world));
+                last = world;
+            }
+
+            Assert.That(last.Value.X, Is.EqualTo(speed * stopped).Within(1e-9));
+            Assert.That(greatest, Is.LessThan(0.1), "m in a frame; the jump would be 0.4 m");
+        }
+
+        [Test]
         public void HandOver_OnePoseInTheNewParent_IsAssumedAtRestUpToTheHorizonCap()
         {
             var tree = NewTree();

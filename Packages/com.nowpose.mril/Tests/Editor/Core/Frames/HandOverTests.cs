@@ -22,6 +22,13 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(handOver.At(5 + HandOver.Seconds, At(0)).X, Is.Zero);
         }
 
+        [TestCase(0.4, 1.5, true)] // 1.5 m/s for 0.3 s is 0.45 m
+        [TestCase(0.5, 1.5, false)]
+        [TestCase(0.4, 0.5, false)]
+        [TestCase(1.1, 100, false)]
+        public void At_LargeDifference_FadesOutOnlyIfTheSpeedExplainsIt(double shift, double speed, bool isContinuous) =>
+            Assert.That(new HandOver(5, At(shift), At(0), speed).At(5, At(0)).X, Is.EqualTo(isContinuous ? shift : 0).Within(1e-12));
+
         [TestCase(0.0015, 0.01)] // as small as the corrections by each sample
         [TestCase(0.5, 0)] // moved elsewhere
         public void At_TooSmallOrTooLargeDifference_ReturnsTheNewPoseImmediately(double shift, double turn) =>
