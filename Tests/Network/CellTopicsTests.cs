@@ -72,7 +72,8 @@ public class CellTopicsTests
         using var folder = new TemporaryFolder();
         using var server = new FakeWebSocketServer();
         using var session = new CompensationSession(
-            new SessionSettings(new ConnectionSettings("127.0.0.1", webSocketPort: server.Port), default), RobotFiles.Load("youbot"), new StopwatchHeadsetClock());
+            new SessionSettings(new ConnectionSettings("127.0.0.1", webSocketPort: server.Port), default), RobotFiles.Load("youbot"),
+            new StopwatchHeadsetClock());
         session.Connect();
         var socket = await server.AcceptAsync();
         await NextAsync(socket, RosTopics.JointStates);

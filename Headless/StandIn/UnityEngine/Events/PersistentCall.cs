@@ -54,9 +54,10 @@ sealed class PersistentCall
             return;
         }
 
+        var arguments = KeepsArgument ? new[] { _arguments.ValueFor(_mode) } : _mode == PersistentListenerMode.Void ? null : eventArguments;
         try
         {
-            method.Invoke(_target, KeepsArgument ? new[] { _arguments.ValueFor(_mode) } : ArgumentTypes(eventTypes).Length == 0 ? null : eventArguments);
+            method.Invoke(_target, arguments);
         }
         catch (TargetInvocationException e)
         {

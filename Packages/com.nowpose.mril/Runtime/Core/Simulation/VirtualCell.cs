@@ -47,7 +47,8 @@ namespace Nowpose.Simulation
         /// <c>gripper_closed_2</c>, <c>part_present_1</c> and <c>part_present_2</c>.
         /// </param>
         public static VirtualCell WithWorkpieces(
-            RobotModel robot, PickAndPlaceMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start, int robots = 1) =>
+            RobotModel robot, PickAndPlaceMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start,
+            int robots = 1) =>
             new VirtualCell(motion, clock, settings, seed, start, new CellWork(robot, motion, robots));
 
         /// <param name="work">Workpieces and signals of the robot's task; null if the cell has none.</param>

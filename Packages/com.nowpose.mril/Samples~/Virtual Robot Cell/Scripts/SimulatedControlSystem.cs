@@ -27,8 +27,8 @@ namespace Nowpose.Samples
             + "limits.")]
         RobotDescriptionAsset _robot = null;
 
-        [SerializeField, Tooltip("Adds a second robot of the same kind that shares the conveyor, read at the start of the simulation. The robots then "
-            + "have the namespaces arm1 and arm2. Enter arm1 as Robot Namespace in the session's settings.")]
+        [SerializeField, Tooltip("Adds a second robot of the same kind that shares the conveyor. Read at the start of the simulation. The robots "
+            + "then have the namespaces arm1 and arm2. Enter arm1 as Robot Namespace in the session's settings.")]
         bool _hasSecondRobot = false;
 
         [SerializeField, Tooltip("Publish the set-points of the next second, as a motion planner does. They are needed for Planned Path. If Follow "
@@ -138,8 +138,8 @@ namespace Nowpose.Samples
             _cell = VirtualCell.WithWorkpieces(Robot, new PickAndPlaceMotion(Robot), _clock, Knobs(), _seed, now, _hasSecondRobot ? 2 : 1);
             var (used, needed) = (_session.Settings.RobotNamespace, _hasSecondRobot ? "arm1" : "");
             if (used != needed)
-                Debug.LogError("[Nowpose] control system '" + name + "' needs the Robot Namespace '" + needed + "' in the settings of its session, not '"
-                    + used + "'; change it there", this);
+                Debug.LogError("[Nowpose] control system '" + name + "' needs the Robot Namespace '" + needed + "' in the settings of its session, "
+                    + "not '" + used + "'; change it there", this);
         }
 
         // TimeSpan.FromSeconds is not used, because in Unity it rounds to whole milliseconds.

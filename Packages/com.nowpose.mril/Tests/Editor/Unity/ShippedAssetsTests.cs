@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Unity
         [Test]
         public void Files_OfEachKind_AreFound()
         {
-            Assert.That(Prefabs.Count(), Is.EqualTo(4));
+            Assert.That(Prefabs.Count(), Is.EqualTo(5));
             Assert.That(Materials.Count(), Is.EqualTo(9));
             Assert.That(Robots.Count(), Is.EqualTo(6));
         }
@@ -59,7 +59,9 @@ namespace Nowpose.Tests.Unity
                 Assert.That(renderer.sharedMaterial.shader.name, Does.StartWith("Nowpose/"), renderer.name);
             }
             var empty = components.OfType<MonoBehaviour>().SelectMany(c => Empty(c, c.GetType().Name + ".")).Except(MayBeEmpty);
-            Assert.That(string.Join(", ", empty), Is.EqualTo(path.Contains("Any Robot") ? "MrilSession._robot" : ""));
+            // A further robot uses the session above it.
+            var expected = path.Contains("Any Robot") ? "MrilSession._robot" : path.EndsWith("/Nowpose Robot.prefab") ? "RobotRig._session" : "";
+            Assert.That(string.Join(", ", empty), Is.EqualTo(expected));
         }
 
         [TestCaseSource("Materials")]
