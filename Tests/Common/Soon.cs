@@ -19,13 +19,17 @@ static class Soon
     public static Task<TimeSpan> BecomesAsync(Func<bool> condition, string what) => BecomesAsync(condition, () => what);
 
     /// <param name="what">Describes the condition and the current state in the message of a failure.</param>
-    public static async Task<TimeSpan> BecomesAsync(Func<bool> condition, Func<string> what)
+    /// <param name="intervalMs">
+    /// Time between two polls, ms. A condition that sends requests to another process needs a longer one, because the requests take processor time
+    /// from the processes that are tested.
+    /// </param>
+    public static async Task<TimeSpan> BecomesAsync(Func<bool> condition, Func<string> what, int intervalMs = 5)
     {
         var since = Stopwatch.GetTimestamp();
         while (!condition())
         {
             if (Stopwatch.GetElapsedTime(since) > Limit) Assert.Fail($"waited {Limit.TotalSeconds} s in vain: {what()}");
-            await Task.Delay(5);
+            await Task.Delay(intervalMs);
         }
         return Stopwatch.GetElapsedTime(since);
     }

@@ -20,6 +20,9 @@ public class PlantFaultTests
     /// <summary>Maximum time on a busy machine, or if the kernel does not measure the time in which tasks wait for a processor.</summary>
     static readonly TimeSpan Limit = TimeSpan.FromSeconds(15);
 
+    /// <summary>Time between two readings of the status, ms. Each reading sends three requests, which take more processor time than the plant.</summary>
+    const int ReadingIntervalMs = 50;
+
     TemporaryFolder _folder;
     MovingPlant _plant;
     PeerProcess _gateway;
@@ -67,7 +70,8 @@ public class PlantFaultTests
         var seen = await ResultOfAsync(before);
         using var after = StartHeadset();
         var status = default(ShownStatus);
-        await Soon.BecomesAsync(() => (status = ReadAsync().GetAwaiter().GetResult()).IsHeadsetWithout(Joint), () => $"a headset without {Joint}; {status}");
+        await Soon.BecomesAsync(
+            () => (status = ReadAsync().GetAwaiter().GetResult()).IsHeadsetWithout(Joint), () => $"a headset without {Joint}; {status}", ReadingIntervalMs);
         var repaired = await _plant.CommandAsync("repair", Joint);
         var good = await GoodEverywhereAsync(repaired);
         var end = await ReadAsync();
@@ -106,7 +110,7 @@ public class PlantFaultTests
         var shown = await ReadAsync();
         var lastEvent = LastEvent(shown);
 
-        for (var rest = _plant.CommandAsync("rest", "3000"); !rest.IsCompletedSuccessfully || shown.Joints.Any(joint => Text(joint, "state") != "live"); await Task.Delay(50))
+        for (var rest = _plant.CommandAsync("rest", "3000"); !rest.IsCompletedSuccessfully || shown.Joints.Any(joint => Text(joint, "state") != "live"); await Task.Delay(ReadingIntervalMs))
         {
             if (rest.IsFaulted) await rest;
             shown = await ReadAsync();
@@ -157,7 +161,7 @@ public class PlantFaultTests
                 foreach (var place in showing) first.TryAdd(place, new Delay(DateTimeOffset.UtcNow - since, ProcessorPressure.Waited() - waited));
                 return showing.Count == Places.Count;
             },
-            () => $"{what}; only {string.Join(", ", first.Keys)}; {status}\n{_gateway.All}");
+            () => $"{what}; only {string.Join(", ", first.Keys)}; {status}\n{_gateway.All}", ReadingIntervalMs);
         return first;
     }
 
