@@ -10,24 +10,20 @@ namespace Nowpose.Protocol
         /// <summary>Maximum length of a cached name in bytes: a valid name has at most 3 bytes of UTF-8 per UTF-16 code unit.</summary>
         const int MaxBytes = 3 * ProtocolLimits.NameLength;
 
-        readonly (byte[] Utf8, string Text)[] _table;
         readonly int _capacity;
+        // Created with the first name, because most readers never read a message of most topics.
+        (byte[] Utf8, string Text)[] _table;
         int _count;
 
         /// <param name="capacity">Maximum number of names. When it is reached, the cache is cleared.</param>
-        public JsonNameCache(int capacity)
-        {
-            _capacity = capacity;
-            var size = 4;
-            while (size < 2 * capacity) size *= 2;
-            _table = new (byte[], string)[size];
-        }
+        public JsonNameCache(int capacity) => _capacity = capacity;
 
         public string this[JsonText name]
         {
             get
             {
                 if (name.IsEscaped || name.Raw.Length > MaxBytes) return name.ToString();
+                _table ??= new (byte[], string)[SizeFor(_capacity)];
                 var place = Find(name.Raw);
                 if (_table[place].Text != null) return _table[place].Text;
                 if (_count == _capacity)
@@ -41,6 +37,13 @@ namespace Nowpose.Protocol
                 _table[place] = (name.Raw.ToArray(), name.ToString());
                 return _table[place].Text;
             }
+        }
+
+        static int SizeFor(int capacity)
+        {
+            var size = 4;
+            while (size < 2 * capacity) size *= 2;
+            return size;
         }
 
         // Returns the index of the name, or of the free place for it. The table is never full.
