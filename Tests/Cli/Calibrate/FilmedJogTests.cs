@@ -20,12 +20,19 @@ public class FilmedJogTests : VideoFolder
     static string Box((double X, double Y) middle) =>
         string.Create(CultureInfo.InvariantCulture, $"{Math.Round(middle.X) - Patch / 2},{Math.Round(middle.Y) - Patch / 2},{Patch},{Patch}");
 
-    string Video()
+    double[] _times;
+    byte[][] _pictures;
+
+    // All tests use the same pictures, because drawing them takes longer than reading them.
+    [OneTimeSetUp]
+    public void Draw()
     {
-        var times = Enumerable.Range(0, Frames).Select(i => i / Fps + (i % 7 == 0 ? 0.002 : 0)).ToArray();
+        _times = [.. Enumerable.Range(0, Frames).Select(i => i / Fps + (i % 7 == 0 ? 0.002 : 0))];
         var random = new Random(5);
-        return Video("jog.mp4", Width, Height, times.Select(time => Drawn(RobotAt(time), HologramAt(time), random)), times);
+        _pictures = [.. _times.Select(time => Drawn(RobotAt(time), HologramAt(time), random))];
     }
+
+    string Video() => Video("jog.mp4", Width, Height, _pictures, _times);
 
     static byte[] Drawn((double X, double Y) robot, (double X, double Y) hologram, Random random)
     {

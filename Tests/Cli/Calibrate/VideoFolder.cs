@@ -42,7 +42,11 @@ public abstract class VideoFolder : CalibrationFolder
     static byte[] InColour(byte[] grey, double[] colour)
     {
         var pixels = new byte[colour.Length * grey.Length];
-        for (var i = 0; i < pixels.Length; i++) pixels[i] = (byte)(colour[i % colour.Length] * grey[i / colour.Length]);
+        for (var channel = 0; channel < colour.Length; channel++)
+        {
+            var share = colour[channel];
+            for (int i = 0, at = channel; i < grey.Length; i++, at += colour.Length) pixels[at] = (byte)(share * grey[i]);
+        }
         return pixels;
     }
 
