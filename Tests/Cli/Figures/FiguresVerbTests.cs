@@ -12,7 +12,26 @@ public partial class FiguresVerbTests
 {
     static readonly FigureSettings Least = new() { Phases = 1, ClockRuns = 1, ClockSeconds = 30, SwingSeconds = 4, RandomSeconds = 4, Profile = SwingProfile.Of(40) };
 
-    string _folder;
+    string _folder, _plain, _withPictures;
+
+    string Pictures => Path.Combine(_withPictures, "images");
+
+    // Two runs serve all tests of their results, because a run takes longer than all checks.
+    [OneTimeSetUp]
+    public void RunTwice()
+    {
+        _plain = Directory.CreateTempSubdirectory("nowpose-figures-").FullName;
+        _withPictures = Directory.CreateTempSubdirectory("nowpose-figures-").FullName;
+        Assert.That(FiguresVerb.Run(Least, _plain, pictures: null, CancellationToken.None), Is.EqualTo(0));
+        Assert.That(FiguresVerb.Run(Least, _withPictures, Pictures, CancellationToken.None), Is.EqualTo(0));
+    }
+
+    [OneTimeTearDown]
+    public void RemoveResults()
+    {
+        Directory.Delete(_plain, recursive: true);
+        Directory.Delete(_withPictures, recursive: true);
+    }
 
     [SetUp]
     public void MakeFolder() => _folder = Directory.CreateTempSubdirectory("nowpose-figures-").FullName;
@@ -23,18 +42,15 @@ public partial class FiguresVerbTests
     [Test]
     public void Run_Completed_WritesEachFigureAndThePage()
     {
-        var status = FiguresVerb.Run(Least, _folder, pictures: null, CancellationToken.None);
-
-        Assert.That(status, Is.EqualTo(0));
         foreach (var number in FigureSet.Numbers)
         {
-            var lines = File.ReadAllLines(Path.Combine(_folder, $"figure-{number}.csv"));
+            var lines = File.ReadAllLines(Path.Combine(_plain, $"figure-{number}.csv"));
             Assert.That(lines, Has.Length.GreaterThan(2), number);
             Assert.That(lines[0], Does.Match("^[A-Za-z0-9_]+(,[A-Za-z0-9_]+)+$"), number);
             foreach (var line in lines.Skip(1)) Assert.That(line, Does.Match(Row()), number);
             Assert.That(lines.Select(line => line.Count(c => c == ',')).Distinct().Count(), Is.EqualTo(1), number);
         }
-        var page = File.ReadAllText(Path.Combine(_folder, "figures.html"));
+        var page = File.ReadAllText(Path.Combine(_plain, "figures.html"));
         Assert.That(page, Does.Contain("recomputed").And.Not.Contain("__REPORT_DATA__"));
         Assert.That(page.Contains("\"missing\":[]", StringComparison.Ordinal) || !Nowpose.Web.FiguresPage.HasPlots);
     }
@@ -42,22 +58,15 @@ public partial class FiguresVerbTests
     [Test]
     public void Run_Twice_WritesTheSameNumbers()
     {
-        FiguresVerb.Run(Least, _folder, pictures: null, CancellationToken.None);
-        var first = FigureSet.Numbers.Select(n => File.ReadAllText(Path.Combine(_folder, $"figure-{n}.csv"))).ToArray();
+        string[] NumbersIn(string folder) => [.. FigureSet.Numbers.Select(n => File.ReadAllText(Path.Combine(folder, $"figure-{n}.csv")))];
 
-        FiguresVerb.Run(Least, _folder, pictures: null, CancellationToken.None);
-
-        Assert.That(FigureSet.Numbers.Select(n => File.ReadAllText(Path.Combine(_folder, $"figure-{n}.csv"))), Is.EqualTo(first));
+        Assert.That(NumbersIn(_withPictures), Is.EqualTo(NumbersIn(_plain)));
     }
 
     [Test]
     public void Run_PicturesOption_WritesSvgFilesWithEmbeddedStyles()
     {
-        var pictures = Path.Combine(_folder, "images");
-
-        FiguresVerb.Run(Least, _folder, pictures, CancellationToken.None);
-
-        var files = Directory.GetFiles(pictures);
+        var files = Directory.GetFiles(Pictures);
         Assert.That(files.Select(Path.GetFileName), Does.Contain("swing.svg").And.Contain("error-over-stamp-error.svg").And.Contain("arm.svg"));
         foreach (var file in files)
         {
