@@ -78,7 +78,7 @@ sealed class PlayedCell : IDisposable
     /// <param name="prefab">Name of the prefab. If it has no robot, its robot is the UR5.</param>
     public MrilSession NewSessionOf(string prefab)
     {
-        _assets ??= new AssetLibrary(RepositoryFiles.Root);
+        _assets ??= RepositoryAssets.NewLibrary();
         var asset = _assets.Load<GameObject>($"Packages/com.nowpose.mril/Runtime/Prefabs/{prefab}.prefab");
         // The copy of an inactive object is inactive.
         asset.SetActive(false);

@@ -167,7 +167,7 @@ public class PlayedRobotTests
     [Test]
     public void Rig_BuiltWithoutMaterials_UsesThePackagesShaderWithoutLeakingMaterials()
     {
-        var shader = new AssetLibrary(RepositoryFiles.Root).Load<Material>(RepositoryFiles.Package + "/Runtime/Materials/Hologram.mat").shader;
+        var shader = RepositoryAssets.NewLibrary().Load<Material>(RepositoryFiles.Package + "/Runtime/Materials/Hologram.mat").shader;
         var rig = new GameObject("Plain").AddComponent<RobotRig>();
 
         rig.Bind(RobotFiles.Load("ur5"));

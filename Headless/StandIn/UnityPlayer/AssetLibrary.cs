@@ -36,7 +36,12 @@ public sealed class AssetLibrary
     {
     }
 
-    AssetLibrary(IEnumerable<(string Name, string FullPath)> folders) => _files = new AssetFiles(new AssetIndex(folders));
+    AssetLibrary(IEnumerable<(string Name, string FullPath)> folders)
+        : this(new AssetFiles(new AssetIndex(folders)))
+    {
+    }
+
+    AssetLibrary(AssetFiles files) => _files = files;
 
     internal LoadedAssets Loaded => _loaded.GetValue(World.Current, _ => new LoadedAssets(_files));
 
@@ -57,6 +62,9 @@ public sealed class AssetLibrary
     /// <param name="prefab">A prefab returned by <see cref="Load{T}"/>.</param>
     /// <exception cref="AssetException">The object is not a prefab of this library.</exception>
     public GameObject InstantiatePrefab(GameObject prefab) => Loaded.InstantiatePrefab(prefab);
+
+    /// <summary>Returns a library for the same files, without any loaded object. Files that have been read are not read again.</summary>
+    public AssetLibrary Unloaded() => new AssetLibrary(_files);
 
     internal LoadedScene LoadScene(string path)
     {

@@ -66,7 +66,7 @@ public sealed class PackageAssetsTests
     static IEnumerable<string> Hierarchies => OwnAssets.Where(f => Path.GetExtension(f) is ".prefab" or ".unity");
 
     [SetUp]
-    public void SetUp() => _library = new AssetLibrary(RepositoryFiles.Root);
+    public void SetUp() => _library = RepositoryAssets.NewLibrary();
 
     [Test]
     public void Assets_InTheRepository_MatchTheOutputOfTheTool()

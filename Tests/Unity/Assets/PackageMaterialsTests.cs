@@ -23,7 +23,7 @@ public sealed class PackageMaterialsTests
     static IEnumerable<string> Hierarchies => Files.Where(f => Path.GetExtension(f) is ".prefab" or ".unity");
 
     [SetUp]
-    public void SetUp() => _library = new AssetLibrary(RepositoryFiles.Root);
+    public void SetUp() => _library = RepositoryAssets.NewLibrary();
 
     GameObject[] Roots(string path) =>
         Path.GetExtension(path) == ".unity" ? _library.LoadScene(path).Roots.ToArray() : [_library.Load<GameObject>(path)];

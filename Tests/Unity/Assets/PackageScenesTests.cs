@@ -48,7 +48,7 @@ public sealed class PackageScenesTests
 
     static Player Play(string path)
     {
-        var player = new Player(new AssetLibrary(RepositoryFiles.Root));
+        var player = new Player(RepositoryAssets.NewLibrary());
         player.LoadScene(path, roots =>
         {
             foreach (var session in roots.SelectMany(r => r.GetComponents<MrilSession>())) session.With("_connectOnEnable", false);

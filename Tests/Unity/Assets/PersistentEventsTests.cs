@@ -85,7 +85,7 @@ public sealed class PersistentEventsTests
 
     static List<(string Place, UnityEventBase Event)> EventsOf(string path)
     {
-        var library = new AssetLibrary(RepositoryFiles.Root);
+        var library = RepositoryAssets.NewLibrary();
         var roots = Path.GetExtension(path) == ".unity" ? library.LoadScene(path).Roots : [library.Load<GameObject>(path)];
         return roots.SelectMany(r => r.GetComponentsInChildren<MonoBehaviour>(true)).SelectMany(EventFaults.EventsOf).ToList();
     }

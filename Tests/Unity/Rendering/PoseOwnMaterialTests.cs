@@ -156,7 +156,7 @@ public sealed class PoseOwnMaterialTests
     [TestCase("Text.mat", "Text")]
     public void Show_MaterialOfThePackage_KeepsIt(string file, string expected)
     {
-        _played.Tool.sharedMaterial = new AssetLibrary(RepositoryFiles.Root).Load<Material>(Materials + file);
+        _played.Tool.sharedMaterial = RepositoryAssets.NewLibrary().Load<Material>(Materials + file);
         _played.BeCurrent();
 
         _played.Hold();

@@ -21,7 +21,7 @@ public sealed class AnyOpenXrHeadsetTests
     public void Begin()
     {
         Controls.Clear();
-        _cell = new PlayedCell(new AssetLibrary(RepositoryFiles.Root));
+        _cell = new PlayedCell(RepositoryAssets.NewLibrary());
         _cell.Player.LoadScene(Scene, roots =>
         {
             _session = roots.SelectMany(root => root.GetComponents<MrilSession>()).Single().With("_connectOnEnable", false);

@@ -21,7 +21,7 @@ public sealed class DisplayCalibrationTests
     public void Begin()
     {
         _folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
-        _cell = new PlayedCell(new AssetLibrary(RepositoryFiles.Root));
+        _cell = new PlayedCell(RepositoryAssets.NewLibrary());
         _cell.Player.LoadScene("Packages/com.nowpose.mril/Samples~/Display Calibration/Display Calibration.unity", roots =>
         {
             _session = roots.SelectMany(root => root.GetComponents<MrilSession>()).Single().With("_connectOnEnable", false);

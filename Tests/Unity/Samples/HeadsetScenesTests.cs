@@ -79,7 +79,7 @@ public sealed class HeadsetScenesTests
 
     static Player Play(string path, out IReadOnlyList<GameObject> roots)
     {
-        var player = new Player(new AssetLibrary(RepositoryFiles.Root));
+        var player = new Player(RepositoryAssets.NewLibrary());
         IReadOnlyList<GameObject> loaded = null;
         player.LoadScene(path, all =>
         {

@@ -20,7 +20,7 @@ sealed class PlayedHoloLens : IDisposable
     public PlayedHoloLens()
     {
         _folder = Directory.CreateTempSubdirectory("nowpose-hololens-").FullName;
-        Cell = new PlayedCell(new AssetLibrary(RepositoryFiles.Root));
+        Cell = new PlayedCell(RepositoryAssets.NewLibrary());
         Cell.Player.World.Host.PersistentDataPath = _folder;
         Speech = new SpokenKeywords();
         XRSubsystemHelpers.Provide(Speech);

@@ -33,7 +33,7 @@ sealed class PlayedSample : IDisposable
 
     PlayedSample(ScenePath scene)
     {
-        Player = new Player(new AssetLibrary(RepositoryFiles.Root));
+        Player = new Player(RepositoryAssets.NewLibrary());
         Player.LoadScene(scene.Path);
         Session = Player.Find<MrilSession>();
         Session.HeadsetClock = Clock;

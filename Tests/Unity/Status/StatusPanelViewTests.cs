@@ -29,7 +29,7 @@ public sealed class StatusPanelViewTests(string scene)
     [SetUp]
     public void Begin()
     {
-        _cell = new PlayedCell(new AssetLibrary(RepositoryFiles.Root));
+        _cell = new PlayedCell(RepositoryAssets.NewLibrary());
         _cell.Player.LoadScene(RepositoryFiles.Package + "/" + scene, roots =>
         {
             foreach (var session in roots.SelectMany(root => root.GetComponentsInChildren<MrilSession>(true)))

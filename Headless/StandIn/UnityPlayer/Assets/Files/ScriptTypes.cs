@@ -14,13 +14,13 @@ namespace Nowpose.UnityPlayer.Assets.Files;
 /// </summary>
 sealed class ScriptTypes
 {
-    readonly AssetIndex _index;
+    readonly ILookup<string, AssetFile> _scripts;
     readonly Dictionary<string, string> _assemblyOfFolder;
     readonly ConcurrentDictionary<string, Type> _types = new ConcurrentDictionary<string, Type>();
 
     public ScriptTypes(AssetIndex index)
     {
-        _index = index;
+        _scripts = index.Files.Where(f => f.Extension == ".cs").ToLookup(f => f.Name, StringComparer.Ordinal);
         _assemblyOfFolder = index.Files.Where(f => f.Extension == ".asmdef").ToDictionary(f => FolderOf(f.Path), f => f.Name);
     }
 
@@ -37,7 +37,7 @@ sealed class ScriptTypes
     public AssetFile FileOf(Type type, Place place)
     {
         var assembly = type.Assembly.GetName().Name;
-        var found = _index.Files.Where(f => f.Extension == ".cs" && f.Name == type.Name && (AssemblyOf(f) ?? assembly) == assembly).ToList();
+        var found = _scripts[type.Name].Where(f => (AssemblyOf(f) ?? assembly) == assembly).ToList();
         return found.Count == 1
             ? found[0]
             : throw place.Error("the class " + type.FullName + " is in " + found.Count + " script files of its name; Unity needs one");

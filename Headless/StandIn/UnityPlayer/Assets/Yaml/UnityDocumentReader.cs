@@ -62,7 +62,7 @@ static class UnityDocumentReader
         if (!Numbers.TryRead(head.Groups[2].Value, out long fileId) || fileId == 0)
             throw new AssetException(where + ": not a fileID (a 64-bit integer other than 0)");
         var start = head.Index + head.Length;
-        var root = Body(text.Substring(start, end - start), where, LineOf(text, start));
+        var root = Body(text, start, end, where);
         if (root.Children.Count != 1) throw new AssetException(where + ": has to hold one class name with its fields");
         foreach (var entry in root.Children)
         {
@@ -73,16 +73,16 @@ static class UnityDocumentReader
         throw new AssetException(where + ": is empty");
     }
 
-    static YamlMappingNode Body(string body, string where, int firstLine)
+    static YamlMappingNode Body(string text, int start, int end, string where)
     {
         var stream = new YamlStream();
         try
         {
-            stream.Load(new StringReader(body));
+            stream.Load(new StringReader(text.Substring(start, end - start)));
         }
         catch (YamlException exception)
         {
-            throw new AssetException(where + " line " + (firstLine + exception.Start.Line - 1) + ": " + exception.Message, exception);
+            throw new AssetException(where + " line " + (LineOf(text, start) + exception.Start.Line - 1) + ": " + exception.Message, exception);
         }
         if (stream.Documents.Count != 1 || !(stream.Documents[0].RootNode is YamlMappingNode root))
             throw new AssetException(where + ": has to hold one class name with its fields");
