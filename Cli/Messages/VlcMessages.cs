@@ -3,8 +3,8 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Warnings and results of the command <c>calibrate vlc</c>, with remedies.</summary>
 static class VlcMessages
 {
-    public static string OtherSweep(int joined, int pictures, string reason) =>
-        $"--sweep: the log has the frames of only {joined} of {pictures} pictures; {reason}";
+    public static string OtherSweep(int joined, int pictures) =>
+        $"--sweep: the log has the frames of only {joined} of {pictures} pictures; use the log of the sweep that the pictures show";
 
     public static string NotInSweep(int missing, int pictures) =>
         $"{missing} of {pictures} pictures show a frame that is not in the sweep log; use the log of the sweep in which they were taken";
@@ -13,10 +13,8 @@ static class VlcMessages
         $"{others} of {all} render times of the sweep were measured with a source other than {source} and are not used";
 
     public static string OrderUnknown(double periodSeconds) =>
-        FormattableString.Invariant($"the codes repeat after {periodSeconds:0.0} s, but the sweep is longer, and the pictures are not in the order ")
-        + "in which they were taken: name the files so that they sort in that order";
-
-    public const string UseSweepOfPictures = "use the log of the sweep that the pictures show";
+        FormattableString.Invariant($"--sweep: the codes repeat after {periodSeconds:0.0} s, but the sweep is longer, and the names of the pictures do not ")
+        + "sort in the order in which they were taken: name the files so that they sort in that order, or repeat the measurement with a shorter sweep";
 
     public static string LatePictures(int late, int pictures) =>
         $"{late} of {pictures} pictures show a frame that was displayed late, and were not used. If they were taken at several loads, add the "

@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <summary>Finds the frame of a sweep that each picture shows, by the headset's code.</summary>
 /// <remarks>
 /// Codes repeat after 65.5 s. In a shorter sweep, a code matches one frame, and the pictures can have any order. In a longer sweep, a code
-/// can match several frames, and the order of the pictures decides between them: the order in which they were taken, or its reverse.
+/// can match several frames, and the order of the pictures' names decides between them: the order in which they were taken, or its reverse.
 /// The method uses the assignment that keeps this order and assigns the most pictures. A picture that was misread, or whose frame is not
 /// in the log, stays unassigned and does not affect the others. The camera can start at any time.
 /// </remarks>
@@ -27,7 +27,7 @@ sealed class SweepJoin
     /// <summary>Whether the sweep is longer than the code's period, so that the pictures need an order.</summary>
     public bool NeedsOrder => _rows.Count > 0 && (_rows[^1].FrameStart - _rows[0].FrameStart).TotalMilliseconds >= TimestampCode.PeriodMs - 1;
 
-    /// <param name="pictures">Pictures that were not read are skipped.</param>
+    /// <param name="pictures">Pictures in any order. Those that were not read are skipped.</param>
     /// <returns>One entry for each picture whose frame is in the log, in the order of the frames.</returns>
     public IReadOnlyList<MeasuredPicture> Join(IEnumerable<PictureResult> pictures) =>
         [.. Orders([.. pictures.Where(picture => picture.IsRead)]).Select(LongestRun).MaxBy(run => run.Count).Select(
@@ -36,7 +36,11 @@ sealed class SweepJoin
     /// <summary>Gets the orders in which the pictures can have been taken.</summary>
     IEnumerable<IReadOnlyList<PictureResult>> Orders(IReadOnlyList<PictureResult> read)
     {
-        if (NeedsOrder) return [read, [.. read.Reverse()], TimeOrder.Of(read).Pictures];
+        if (NeedsOrder)
+        {
+            var named = TimeOrder.ByName(read);
+            return [named, [.. named.Reverse()]];
+        }
         var first = _rows.Count > 0 ? TimestampCode.ValueOf(_rows[0].FrameStart) : 0;
         return [[.. read.OrderBy(picture => ((int)picture.HeadsetMs - first) & (TimestampCode.PeriodMs - 1)).ThenBy(picture => picture.File, StringComparer.Ordinal)]];
     }

@@ -15,11 +15,6 @@ sealed class VlcEvaluation
     /// <summary>Minimum share of pictures found in the sweep. Some codes match the log of another recording by chance.</summary>
     const double MinShareJoined = 0.2;
 
-    /// <summary>
-    /// Minimum share of pictures found in the sweep if their order is needed but unknown. In a wrong order, most pictures do not match.
-    /// </summary>
-    const double MinShareJoinedInUnknownOrder = 0.9;
-
     /// <summary>Minimum share of pictures near the median. At one load, only a few frames wait behind a slow one.</summary>
     const double MinShareNear = 0.9;
 
@@ -57,10 +52,9 @@ sealed class VlcEvaluation
     IReadOnlyList<MeasuredPicture> Joined(IReadOnlyList<SweepRow> sweep, RenderTimeSourceKind source)
     {
         var join = new SweepJoin(sweep, source);
+        if (join.NeedsOrder && !TimeOrder.IsOrderOfNames(_result.Pictures)) throw new InputException(VlcMessages.OrderUnknown(TimestampCode.PeriodMs / 1000.0));
         var joined = join.Join(_result.Pictures);
-        var isOrderUnknown = join.NeedsOrder && !TimeOrder.Of(_result.Pictures).IsGivenOrder;
-        if (joined.Count < (isOrderUnknown ? MinShareJoinedInUnknownOrder : MinShareJoined) * _result.Read.Count)
-            throw new InputException(VlcMessages.OtherSweep(joined.Count, _result.Read.Count, ReasonOf(isOrderUnknown)));
+        if (joined.Count < MinShareJoined * _result.Read.Count) throw new InputException(VlcMessages.OtherSweep(joined.Count, _result.Read.Count));
         if (joined.Count < _result.Read.Count)
             _warnings.Add(VlcMessages.NotInSweep(_result.Read.Count - joined.Count, _result.Read.Count));
         var (measured, others) = (sweep.Count(row => row.RenderMs.HasValue), sweep.Count(row => row.RenderMs.HasValue && row.Source != source));
@@ -68,10 +62,6 @@ sealed class VlcEvaluation
             _warnings.Add(VlcMessages.OtherSource(others, measured, RenderTimeSourceNames.NameOf(source)));
         return joined;
     }
-
-    static string ReasonOf(bool isOrderUnknown) => isOrderUnknown
-        ? VlcMessages.OrderUnknown(TimestampCode.PeriodMs / 1000.0)
-        : VlcMessages.UseSweepOfPictures;
 
     // Returns null if no range can be determined. Adds the reason to the warnings.
     RangeFitResult FitOf(LoadSensitivity sensitivity)

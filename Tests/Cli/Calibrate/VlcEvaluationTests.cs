@@ -1,6 +1,7 @@
 using System.Text.Json;
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Sweep;
@@ -126,15 +127,32 @@ public sealed class VlcEvaluationTests
 
     /// <summary>The simulated sweep lasts 126 s, which is the default duration.</summary>
     [Test]
-    public void Evaluation_LongSweep_RequiresPicturesInOrder()
+    public void Evaluation_LongSweep_IsIndependentOfTheGivenOrder([Values(1, 2, 3)] int seed)
     {
         var (rows, result) = Sweep(ms => ms, framesPerLoad: 360);
         PictureResult[] shuffled = [.. result.Pictures];
-        new Random(1).Shuffle(shuffled);
+        new Random(seed).Shuffle(shuffled);
 
-        foreach (var ordered in new[] { result, new VlcResult([.. result.Pictures.Reverse()]) })
-            Assert.That(Evaluate(ordered, rows).Profile.Range.Limit.TotalMilliseconds, Is.EqualTo(15.17).Within(0.3));
-        Assert.That(() => Evaluate(new VlcResult(shuffled), rows), Throws.TypeOf<InputException>().With.Message.Contains("not in the order"));
+        var inOrder = Evaluate(result, rows);
+        foreach (var given in new[] { new VlcResult([.. result.Pictures.Reverse()]), new VlcResult(shuffled) })
+        {
+            var evaluation = Evaluate(given, rows);
+            Assert.That(evaluation.Pictures, Is.EqualTo(inOrder.Pictures), $"seed {seed}");
+            Assert.That(evaluation.Profile.Range.Limit, Is.EqualTo(inOrder.Profile.Range.Limit), $"seed {seed}");
+        }
+        Assert.That(inOrder.Profile.Range.Limit.TotalMilliseconds, Is.EqualTo(15.17).Within(0.3));
+    }
+
+    [Test]
+    public void Evaluation_LongSweepWithNamesInAnotherOrder_IsRejected([Values(1, 2, 3)] int seed)
+    {
+        var (rows, result) = Sweep(ms => ms, framesPerLoad: 360);
+        string[] names = [.. result.Pictures.Select(picture => picture.File)];
+        new Random(seed).Shuffle(names);
+
+        var renamed = new VlcResult([.. result.Pictures.Zip(names, (picture, name) => picture with { File = name })]);
+
+        Assert.That(() => Evaluate(renamed, rows), Throws.TypeOf<InputException>().With.Message.EqualTo(VlcMessages.OrderUnknown(65.536)), $"seed {seed}");
     }
 
     [Test]
