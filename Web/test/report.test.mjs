@@ -198,6 +198,22 @@ describe('any window and any text', () => {
     });
   }
 
+  for (const width of [400, 1000, 1280]) {
+    it(`shows all columns of the results and the claims in a window of ${width} px`, async () => {
+      const data = report();
+      data.summary = ['RMS', 'P95', 'Maximum'].map(label => ({ label, unit: 'mm', uncompensated: 133.513, compensated: 11.268 }));
+      data.claims = [{ figure: '16', claim: 'The signal follows.', paper: '−80 %', measured: '81 % ± 2 %', verdict: 'does not hold' }];
+      data.figures = figures().figures.filter(f => f.number === '16');
+
+      const page = await browser.open(data, { viewport: { width, height: 800 } });
+
+      for (const section of ['.overview', '#claims']) {
+        const [content, shown] = await page.locator(`${section} .table`).evaluate(table => [table.scrollWidth, table.clientWidth]);
+        assert.ok(content <= shown, `${section}: ${content} px of ${shown} px`);
+      }
+    });
+  }
+
   it('refits the plots when the window changes', async () => {
     const page = await browser.open(report());
 
@@ -283,6 +299,25 @@ describe('a report of the paper’s scenario', () => {
     assert.deepEqual(plain(rows[1]).slice(2), ['–', '81 % ± 2 %', 'does not hold']);
     await page.locator('#claims a').first().click();
     assert.match(page.url(), /#fig-8$/);
+  });
+
+  it('shows an undecided claim as undecided, not as held or failed', async () => {
+    const data = ofPaper();
+    const [clock] = data.figures;
+    Object.assign(data.claims[0], { measured: '0.9 ms ± 0.3 ms', verdict: 'undecided' });
+    clock.verdict = 'undecided';
+    Object.assign(clock.criteria[0], { is_met: null, is_undecided: true, measured: '0.9 ms ± 0.3 ms' });
+
+    const page = await browser.open(data);
+
+    assert.deepEqual(page.complaints, []);
+    const badges = page.locator('#claims tr:first-child .badge, #fig-8 h2 .badge');
+    assert.deepEqual(await badges.allInnerTexts(), ['undecided', 'undecided']);
+    const ink = await page.locator('#claims .badge').evaluateAll(all => all.map(badge => getComputedStyle(badge).color));
+    assert.notEqual(ink[0], ink[1], 'undecided and does not hold');
+    const criterion = page.locator('#fig-8 .criteria li').first();
+    assert.equal(await criterion.locator('.sign').getAttribute('aria-label'), 'undecided:');
+    assert.match(await criterion.innerText(), /^\?[^]*Measured: 0\.9\sms ± 0\.3\sms\.$/);
   });
 
   it('links only claims whose figure is on the page', async () => {
