@@ -24,8 +24,10 @@ export interface CellLight {
  * Along the whole edge between two adjacent cells, the light changes by the difference between the cells. An edge of the scene crosses this
  * edge and affects only a few samples. The model of the light is therefore the sum of the light of the cells and of a scene that is quadratic in
  * the position. The model is fitted with the minimum sum of absolute residuals, so a few outliers have no effect, however bright they are.
+ *
+ * @param hidden Band of the code that is ignored.
  */
-export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Kind): CellLight {
+export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Kind, hidden?: Band): CellLight {
   const { side } = pattern;
   const cell = cellAt(pattern, kind);
   // Order of the unknowns: light of the ring, light of the cells of pairs, five coefficients of the scene.
@@ -39,6 +41,7 @@ export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Ki
   const sampled = samplesOf(picture, quad, side);
   const apart = (2 * across.reduce((a, b) => a + b)) / across.length / samples / side;
   eachEdge(side, (row, column, nextRow, nextColumn) => {
+    if (hidden !== undefined && isWithinBand(hidden, (column + nextColumn + 1) / 2 / side, (row + nextRow + 1) / 2 / side)) return;
     const isBeside = row === nextRow;
     const before = unknownAt(row, column);
     const after = unknownAt(nextRow, nextColumn);

@@ -110,7 +110,7 @@ export class Finder {
 
   #deviationOf({ kind, quad, hidden }: Fit, light: Light): number {
     const seen = this.#pattern.kinds[this.#matcher.kinds[kind]];
-    return pairDeviation(cellLight(light, quad, this.#pattern, seen).levels, this.#pattern, seen, hidden!);
+    return pairDeviation(cellLight(light, quad, this.#pattern, seen, hidden).levels, this.#pattern, seen, hidden!);
   }
 
   #foundAs({ kind, quad, share }: Fit, isWeak: boolean, light: Light, grey: Grey): Found {

@@ -1,7 +1,7 @@
 import { homography, type Quad } from './geometry';
 import { sampleLight, type Light } from './levels';
 import { medianOf } from './median';
-import { Band, Expected, isWithinBand, outer, stepsOf, type Pattern, type Step } from './pattern';
+import { bands, Expected, isWithinBand, outer, stepsOf, type Band, type Pattern, type Step } from './pattern';
 
 /** Agreement of a quad with a kind of code. The quad's first corner is the top left corner of the code. */
 export interface Agreement {
@@ -91,8 +91,6 @@ const none: Agreement = { light: 0, share: 0 };
 const block = 8;
 /** Bound of the relative rounding error of a sum. */
 const rounding = 1e-9;
-
-const bands = [Band.Top, Band.Right, Band.Bottom, Band.Left, Band.Columns, Band.Rows];
 
 /** Steps of a code or of a part of it: first those at which the light rises, then those within pairs, then those without a change of light. */
 class Steps {

@@ -46,7 +46,10 @@ export interface Step {
   expected: Expected;
 }
 
-/** Bands of a code that an object can hide: along each side, in the order of a quad's sides, and across the middle. */
+/**
+ * Bands of a code that an object can hide: along each side, in the order of a quad's sides, and across the middle. Side bands have two widths: a third
+ * and a half of the code.
+ */
 export enum Band {
   Top,
   Right,
@@ -54,21 +57,36 @@ export enum Band {
   Left,
   Columns,
   Rows,
+  TopHalf,
+  RightHalf,
+  BottomHalf,
+  LeftHalf,
 }
 
+/** All bands, the narrow ones first. */
+export const bands = Array.from({ length: 10 }, (_, band) => band as Band);
+
+export const isHalf = (band: Band) => band >= Band.TopHalf;
+
 /** Width of a band relative to the side of the code: a third, rounded up to whole cells. */
-const bandWidth = 3 / 8;
+const third = 3 / 8;
+/** A half. The steps across the middle of the code are within the band, too. */
+const half = 0.51;
 
 /** Returns whether a point of the code is within a band. Lengths are relative to the side of the code, from its top left corner. */
 export function isWithinBand(band: Band, x: number, y: number): boolean {
-  const far = 1 - bandWidth;
-  const isMiddle = (at: number) => Math.abs(at - 0.5) < bandWidth / 2;
-  return [y < bandWidth, x > far, y > far, x < bandWidth, isMiddle(x), isMiddle(y)][band];
+  const width = isHalf(band) ? half : third;
+  const isMiddle = (at: number) => Math.abs(at - 0.5) < third / 2;
+  const isInside = [y < width, x > 1 - width, y > 1 - width, x < width, isMiddle(x), isMiddle(y)];
+  return isInside[isHalf(band) ? band - Band.TopHalf : band];
 }
 
 /** Returns a band as it is named after the first corner of the quad has moved by a number of quarter turns. */
-export const turnedBand = (band: Band, turns: number): Band =>
-  band >= Band.Columns ? (turns & 1 ? Band.Columns + Band.Rows - band : band) : (band - turns) & 3;
+export function turnedBand(band: Band, turns: number): Band {
+  if (isHalf(band)) return ((band - Band.TopHalf - turns) & 3) + Band.TopHalf;
+  if (band >= Band.Columns) return turns & 1 ? Band.Columns + Band.Rows - band : band;
+  return (band - turns) & 3;
+}
 
 /** Returns a function that returns the kind of a cell of a code. Cells outside the code are dark. */
 export function cellAt({ side, pairs, ring }: Pattern, { lit }: Kind): (row: number, column: number) => Cell {

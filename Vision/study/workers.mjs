@@ -1,0 +1,50 @@
+// Starts worker processes and sends requests to them, as the command line does.
+import { spawn } from 'node:child_process';
+import { dirname, join } from 'node:path';
+import { createInterface } from 'node:readline';
+import { fileURLToPath } from 'node:url';
+import { pattern } from './pictures.mjs';
+
+/** Path of the worker. The environment variable WORKER selects another one, for a comparison. */
+export const workerPath = process.env.WORKER ?? join(dirname(fileURLToPath(import.meta.url)), '..', 'dist', 'worker.mjs');
+
+/** Starts a worker. Returns a function that sends it a request and returns the answer, and a function that ends it. */
+export function startWorker() {
+  const child = spawn('node', [workerPath], { stdio: ['pipe', 'pipe', 'inherit'] });
+  const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
+  let last = Promise.resolve();
+  const ask = request => {
+    child.stdin.write(JSON.stringify(request) + '\n');
+    last = last.then(async () => {
+      const { value, done } = await lines.next();
+      if (done) throw new Error(`the worker ended at ${JSON.stringify(request).slice(0, 200)}`);
+      return JSON.parse(value);
+    });
+    return last;
+  };
+  ask({ pattern });
+  return { ask, end: () => child.kill() };
+}
+
+/** Returns the answers of several workers to independent requests, in the order of the requests. */
+export async function shareOut(requests, workers) {
+  const answers = Array(requests.length);
+  let next = 0;
+  await Promise.all(workers.map(async ({ ask }) => {
+    while (next < requests.length) {
+      const at = next++;
+      answers[at] = await ask(requests[at]);
+    }
+  }));
+  return answers;
+}
+
+/** Returns the answers of two new workers to all requests. */
+export async function askAll(requests) {
+  const workers = [startWorker(), startWorker()];
+  try {
+    return await shareOut(requests, workers);
+  } finally {
+    for (const { end } of workers) end();
+  }
+}
