@@ -87,7 +87,7 @@ public sealed partial class MessageCatalogueTests
         ["SyncServerMessages"] = ["Closed", "NotAccepted"],
         ["UnityProjectMessages"] = ["Backup", "EntryKept"],
         ["UnityVersionMessages"] = ["Compiled2022", "NotTestedOnDevice"],
-        ["VlcMessages"] = ["NothingRead", "OtherSource", "OtherSweep", "Result"],
+        ["VlcMessages"] = ["NothingRead", "OtherSource", "Result"],
     };
 
     static IEnumerable<Type> Catalogues => Assemblies.Select(Assembly.Load).SelectMany(assembly => assembly.GetTypes())

@@ -185,10 +185,13 @@ public class SwingFigureTests
         Assert.That(Criterion.Judge(Figure16.Criteria(ratio, steady, curved)).Words(), Is.EqualTo(verdict));
     }
 
-    [Test]
-    public void Figure17_GapRatioAboveOneHalf_CriterionIsNotMet()
+    [TestCase(new[] { 0.45, 0.2, 0.3 }, "holds")]
+    [TestCase(new[] { 0.45, 0.55, 0.3 }, "holds partly")]
+    [TestCase(new[] { 0.55, 0.6, 0.7 }, "does not hold")]
+    public void Figure17_GapRatios_DecideTheVerdict(double[] ratios, string verdict)
     {
-        Assert.That(Figure17.Criterion("A", 0.45).IsMet, Is.True);
-        Assert.That(Figure17.Criterion("A", 0.55).IsMet, Is.False);
+        var criteria = ratios.Select((ratio, i) => Figure17.Criterion("ABC"[i].ToString(), ratio)).ToList();
+
+        Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
     }
 }
