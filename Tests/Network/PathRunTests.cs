@@ -6,9 +6,6 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>Tests the estimate of the clock while the delays of a path change, in virtual time.</summary>
-/// <remarks>The runs take more processor time than those of any other fixture, so they use all cores.</remarks>
-[Parallelizable(ParallelScope.All)]
 public class PathRunTests
 {
     const double SizeMs = 4, SmallMs = 0.5;

@@ -4,7 +4,6 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Shaders;
 
 /// <summary>Tests that every variant of every shader compiles for both render pipelines, with substitutes for Unity's includes.</summary>
-[Parallelizable(ParallelScope.All)]
 public sealed class ShaderCompileTests
 {
     const string Broken = """
