@@ -12,7 +12,8 @@ public sealed class HeadsetScenesTests
 {
     static readonly string[] Desktop =
     {
-        "Demo.unity", "Virtual Robot Cell.unity", "Connect to a Gateway.unity", "Connect to a Gateway (Any Robot).unity",
+        "Demo.unity", "Virtual Robot Cell.unity", "Virtual Robot Cell (Two Arms).unity", "Connect to a Gateway.unity",
+        "Connect to a Gateway (Any Robot).unity",
     };
 
     static IEnumerable<string> Scenes =>
