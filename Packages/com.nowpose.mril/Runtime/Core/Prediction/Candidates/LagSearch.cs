@@ -41,7 +41,7 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         const double CompareInterval = 0.2;
 
-        /// <summary>Number of lags that are tested together for a low cost.</summary>
+        /// <summary>Number of lags that are tested together for a low cost: two vectors of four.</summary>
         const int Block = 8;
 
         /// <summary>
@@ -124,7 +124,7 @@ namespace Nowpose.Prediction.Candidates
             FindMinima(lags, minLag, Math.Min(newest, MotionHistory.Capacity) - MotionHistory.Margin);
         }
 
-        // Vectors of four take a third of the time.
+        // Computing with vectors of four takes a third of the time.
         void AddSquares(Span<float> costs, Span<float> positions, float position)
         {
             var vectors = MemoryMarshal.Cast<float, Vector4>(costs);
@@ -148,20 +148,20 @@ namespace Nowpose.Prediction.Candidates
             Count = 0;
             var (worst, last) = (new Vector4(float.PositiveInfinity), lags - 1);
             var vectors = MemoryMarshal.Cast<float, Vector4>(_costs);
-            for (int i = 0, first = 0; first <= last; i += 2, first += 8)
+            for (var start = 0; start <= last; start += Block)
             {
                 // Most lags have a higher cost than those that are kept.
-                if (Vector4.Min(Vector4.Min(vectors[i], vectors[i + 1]), worst) == worst) continue;
-                for (var lag = Math.Max(2, first); lag <= Math.Min(last, first + 7); lag++) KeepMinimum(lag, minLag, end);
+                if (Vector4.Min(Vector4.Min(vectors[start / 4], vectors[start / 4 + 1]), worst) == worst) continue;
+                for (var i = Math.Max(2, start); i <= Math.Min(last, start + Block - 1); i++) KeepMinimum(i, minLag, end);
                 worst = new Vector4(Worst);
             }
         }
 
-        // Keeps the lag of a cost if it is a local minimum.
+        // Keeps the lag of the cost with this index if the cost is a local minimum.
         void KeepMinimum(int i, int minLag, long end)
         {
-            var cost = _costs[i];
-            if (cost < Worst && cost < _costs[i + 1] && cost <= _costs[i - 1] && minLag + i * _step < end) Keep(minLag + (i - 1) * _step, cost);
+            var (lag, cost) = (minLag + (i - 1) * _step, _costs[i]);
+            if (cost < Worst && cost < _costs[i + 1] && cost <= _costs[i - 1] && lag + _step < end) Keep(lag, cost);
         }
 
         // Cost below which a further lag is kept.
