@@ -29,7 +29,7 @@ namespace Nowpose.Prediction.Candidates
 
         readonly MotionHistory _history;
 
-        // The compared samples, newest first: grid index and position.
+        // The compared samples, newest first: grid index, nearest grid point, and position.
         readonly double[] _indices = new double[2 * ComparedSamples];
         readonly int[] _nearest = new int[2 * ComparedSamples];
         readonly double[] _positions = new double[2 * ComparedSamples];
