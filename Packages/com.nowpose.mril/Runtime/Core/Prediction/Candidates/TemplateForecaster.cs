@@ -17,7 +17,7 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Duration of the newest motion that is compared with the history, in s.</summary>
         const double Window = 0.4;
 
-        /// <summary>Minimum number of intervals before the history starts. The mean interval then determines the grid step.</summary>
+        /// <summary>Number of intervals before the history starts. Their mean determines the grid step.</summary>
         const int MinSamples = 8;
 
         /// <summary>Minimum grid step, in s.</summary>
@@ -29,8 +29,11 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         const int MinMoving = 2;
 
-        /// <summary>Number of samples at rest after which the search is suspended.</summary>
-        const int LongRest = 16;
+        /// <summary>
+        /// Maximum number of samples at a standstill with a search. In a longer standstill, all parts of the history at rest are equal, so the matches
+        /// would drift; their lags determine when the next move starts.
+        /// </summary>
+        const int MaxStill = 2;
 
         /// <summary>Maximum gap in the history, in s.</summary>
         const double MaxGap = 2;
@@ -132,11 +135,11 @@ namespace Nowpose.Prediction.Candidates
             _history.Add(_newestTime, _newestPosition);
             _search.Update(MinLag);
             var isSoon = _newestTime - _matchedAt < _matchInterval;
-            if (before > 0 && (isSoon || motion.Rest.StillSamples > LongRest)) KeepMatches(before);
+            if (before > 0 && (isSoon || motion.Rest.StillSamples > MaxStill)) KeepMatches(before);
             else Match(motion);
         }
 
-        // Keeps the matches between two searches, and during a long rest, in which all parts of the history at rest are equal.
+        // Keeps the matches between two searches and during a standstill.
         void KeepMatches(int matches)
         {
             for (var i = 0; i < matches; i++)

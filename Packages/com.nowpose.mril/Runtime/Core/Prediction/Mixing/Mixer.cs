@@ -183,7 +183,7 @@ namespace Nowpose.Prediction.Mixing
                 if (!snapshot.HasForecast(CandidateTable(i))) continue;
                 var position = snapshot.At(CandidateTable(i), time);
                 var displacement = Math.Max(Math.Abs(truth - snapshot.Position), Math.Abs(position - snapshot.Position));
-                _candidates[i].Score(position - truth, mixtureError, Math.Min(displacement, threshold), snapshot.WasStill);
+                _candidates[i].Score(position - truth, mixtureError, Math.Min(displacement, threshold), snapshot.WasStill, motion.Samples.NewestTime);
             }
         }
 

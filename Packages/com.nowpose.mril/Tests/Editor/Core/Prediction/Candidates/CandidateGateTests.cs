@@ -29,12 +29,12 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         }
 
         [Test]
-        public void At_AccurateCandidate_IsUsedAfterADozenScores()
+        public void At_AccurateCandidate_IsUsedAfterAFewScores()
         {
-            Feed(0, 10);
+            Feed(0, 5);
             Assert.That(IsOpen, Is.False);
 
-            Feed(10, 30);
+            Feed(5, 30);
 
             Assert.That(IsOpen);
             var t = 29 * Interval + Ahead;
@@ -90,8 +90,8 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             var worse = new CandidateGate(_candidate, 0.3);
             for (var i = 0; i < 20; i++)
             {
-                _gate.Score(0.1, 1, 1, wasStill: false);
-                worse.Score(0.2, 1, 1, wasStill: false);
+                _gate.Score(0.1, 1, 1, wasStill: false, time: 0);
+                worse.Score(0.2, 1, 1, wasStill: false, time: 0);
             }
 
             Assert.That(_gate.ErrorRatio(isStill: false), Is.EqualTo(0.01).Within(1e-9));
@@ -99,13 +99,29 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             Assert.That(_gate.ErrorRatio(isStill: true), Is.EqualTo(double.PositiveInfinity), "forecasts made at a standstill are recorded separately");
         }
 
+        // In the first cycle of a motion, no forecast of a start can be correct. Each later cycle has only two scores of a start.
+        [Test]
+        public void Score_FalseStartsInTheFirstCycle_AreForgottenAfterTwoCycles()
+        {
+            for (var i = 0; i < 40; i++) _gate.Score(0.5, 0.01, 0.5, wasStill: true, time: i * Interval);
+            Assert.That(_gate.ErrorRatio(isStill: true), Is.EqualTo(double.PositiveInfinity));
+
+            foreach (var start in new[] { 10.0, 20 })
+            {
+                _gate.Score(0.001, 0.01, 0.5, wasStill: true, time: start);
+                _gate.Score(0.001, 0.02, 0.5, wasStill: true, time: start + Interval);
+            }
+
+            Assert.That(_gate.ErrorRatio(isStill: true), Is.LessThan(0.02));
+        }
+
         [Test]
         public void Score_NotFinite_IsIgnored()
         {
-            for (var i = 0; i < 20; i++) _gate.Score(0.1, 1, 1, wasStill: false);
+            for (var i = 0; i < 20; i++) _gate.Score(0.1, 1, 1, wasStill: false, time: 0);
 
-            _gate.Score(1e200, 1, 1e200, wasStill: false);
-            _gate.Score(double.NaN, 1, 1, wasStill: false);
+            _gate.Score(1e200, 1, 1e200, wasStill: false, time: 0);
+            _gate.Score(double.NaN, 1, 1, wasStill: false, time: 0);
 
             Assert.That(_gate.ErrorRatio(isStill: false), Is.EqualTo(0.01).Within(1e-9));
         }

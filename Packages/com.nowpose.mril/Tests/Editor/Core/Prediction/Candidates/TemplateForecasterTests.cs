@@ -28,6 +28,30 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             Assert.That(RmsError(interval, 3 * Cycle, 6 * Cycle, 0), Is.LessThan(0.03 * RmsOfHold(interval, 3 * Cycle, 6 * Cycle)));
         }
 
+        // In a dwell that is longer than the compared motion, all parts of the history at rest are equal.
+        [TestCase(0.020)]
+        [TestCase(0.050)]
+        [TestCase(0.0333)]
+        public void At_EndOfALongDwell_StartIsPredicted(double interval)
+        {
+            const double dwell = 2;
+            var predictor = Alone();
+            double squares = 0, hold = 0;
+            for (var i = 0; i * interval < 6 * (Cycle + dwell); i++)
+            {
+                var t = i * interval;
+                predictor.Add(t, Dwelling(t));
+                if (t < 3 * (Cycle + dwell) || Dwelling(t) != Dwelling(t - 1)) continue;
+                squares += Math.Pow(predictor.At(t + Ahead).Position - Dwelling(t + Ahead), 2);
+                hold += Math.Pow(Dwelling(t) - Dwelling(t + Ahead), 2);
+            }
+
+            Assert.That(hold, Is.GreaterThan(1));
+            Assert.That(Math.Sqrt(squares / hold), Is.LessThan(0.05));
+
+            double Dwelling(double t) => Position(Math.Min(t % (Cycle + dwell), Cycle));
+        }
+
         // With these intervals, the number of compared lags is largest. The product compares objects with their history every 0.14 s.
         [Test]
         public void Add_LongestHistory_StaysPredicted(
