@@ -1,9 +1,5 @@
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Virtual;
-using Nowpose.Gateway.Plants;
-using Nowpose.Motion;
-using Nowpose.Simulation;
-using Nowpose.Simulation.Work;
 using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
@@ -11,16 +7,7 @@ namespace Nowpose.Unity.Tests.Demo;
 /// <summary>Tests the errors of the cell's objects in a demo in virtual time.</summary>
 public class BodiesInDemoTests
 {
-    static DemoSettings Settings(int seed, string predictor = "adaptive")
-    {
-        var robot = RobotFiles.Load("youbot", out var urdf);
-        var motion = new PickAndPlaceMotion(robot);
-        return new DemoSettings
-        {
-            Seconds = 20, Network = NetworkProfile.Wifi, Robot = robot, RobotText = urdf, Motion = motion, Work = new CellWork(robot, motion),
-            Predictor = predictor, SamplingMs = 50, Acquisition = new(55, 105), VisualisationMs = 40, Seed = seed,
-        };
-    }
+    static DemoSettings Settings(int seed, string predictor = "adaptive") => VirtualDemo.Settings(20, "wifi", seed, predictor);
 
     [TestCase(1)]
     [TestCase(2)]
