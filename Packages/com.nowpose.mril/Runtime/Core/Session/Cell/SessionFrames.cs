@@ -1,6 +1,7 @@
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Network;
+using Nowpose.Prediction.Mixing;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -27,7 +28,8 @@ namespace Nowpose.Session.Cell
         public SessionFrames(PredictionSettings prediction, Subscriptions subscriptions, DropCounters drops)
         {
             _drops = drops;
-            Tree = new FrameTree(prediction.CreateBody);
+            var shared = new SharedForecasters();
+            Tree = new FrameTree(() => prediction.CreateBody(shared));
             _needed = new NeededFrames(Tree);
             subscriptions.Add(RosTopics.Tf, RosTopics.TransformsType);
             subscriptions.Add(RosTopics.TfStatic, RosTopics.TransformsType);
