@@ -59,41 +59,35 @@ const square = (size: number) => cv.getStructuringElement(cv.MORPH_RECT, new cv.
 
 function quadsIn(binary: Mat): Quad[] {
   const contours = new cv.MatVector();
-  const hierarchy = new cv.Mat();
+  const [hierarchy, hull, corners] = [new cv.Mat(), new cv.Mat(), new cv.Mat()];
   const quads: Quad[] = [];
   cv.findContours(binary, contours, hierarchy, cv.RETR_LIST, cv.CHAIN_APPROX_SIMPLE);
   for (let i = 0; i < contours.size(); i++) {
     const contour = contours.get(i);
-    quads.push(...quadsOf(contour));
+    quads.push(...quadsOf(contour, hull, corners));
     contour.delete();
   }
-  contours.delete();
-  hierarchy.delete();
+  for (const made of [contours, hierarchy, hull, corners]) made.delete();
   return quads;
 }
 
-function quadsOf(contour: Mat): Quad[] {
+/** @param hull Receives the hull of the contour, as `corners` receives the corners. All contours of a picture use the same two matrices. */
+function quadsOf(contour: Mat, hull: Mat, corners: Mat): Quad[] {
   const { width, height } = cv.boundingRect(contour);
   const size = Math.max(width, height);
   if (size * block < 0.8 * minSide || Math.min(width, height) < 0.4 * size) return [];
-  const hull = new cv.Mat();
-  const corners = new cv.Mat();
-  try {
-    cv.convexHull(contour, hull, false, true);
-    const around = cv.arcLength(hull, true);
-    const quads: Quad[] = [];
-    for (const share of [0.03, 0.06, 0.1]) {
-      cv.approxPolyDP(hull, corners, share * around, true);
-      if (corners.rows !== 4) continue;
-      quads.push(clockwise(Array.from({ length: 4 }, (_, i) => inPicture(corners.data32S[2 * i], corners.data32S[2 * i + 1]))));
-      break;
-    }
-    quads.push(clockwise(cv.RotatedRect.points(cv.minAreaRect(hull)).map((p: { x: number; y: number }) => inPicture(p.x, p.y))));
-    return quads.filter(quad => isPlausible(quad, 0.7 * minSide));
-  } finally {
-    hull.delete();
-    corners.delete();
+  cv.convexHull(contour, hull, false, true);
+  const around = cv.arcLength(hull, true);
+  const quads: Quad[] = [];
+  for (const share of [0.03, 0.06, 0.1]) {
+    cv.approxPolyDP(hull, corners, share * around, true);
+    if (corners.rows !== 4) continue;
+    const at = corners.data32S;
+    quads.push(clockwise([0, 2, 4, 6].map(i => inPicture(at[i], at[i + 1]))));
+    break;
   }
+  quads.push(clockwise(cv.RotatedRect.points(cv.minAreaRect(hull)).map((p: { x: number; y: number }) => inPicture(p.x, p.y))));
+  return quads.filter(quad => isPlausible(quad, 0.7 * minSide));
 }
 
 const inPicture = (x: number, y: number): Point => [(x + 0.5) * block, (y + 0.5) * block];

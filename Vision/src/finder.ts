@@ -1,6 +1,6 @@
 import { candidatesIn } from './candidates';
 import { cellLight, pairDeviation, whiteShare, type CellLight } from './cellLight';
-import { distance, isWithin, scaled, sizeOf, type Quad } from './geometry';
+import { areNear, isWithin, scaled, sizeOf, type Quad } from './geometry';
 import { inPicture, layerFor, layersOf, smooth, type Layer } from './layers';
 import { brightened, coloursOf, lightOf, type Grey, type Light } from './levels';
 import { Matcher } from './match';
@@ -175,12 +175,6 @@ function distinct(quads: Quad[], side: number): Quad[] {
   return kept;
 }
 
-/** Returns whether the corners of two quads nearly coincide, starting at any corner. Plain loops, because it runs for each pair of candidates. */
-function isSame(quad: Quad, other: Quad, near: number): boolean {
-  for (let turns = 0; turns < 4; turns++) {
-    let i = 0;
-    while (i < 4 && distance(quad[i], other[(i + turns) & 3]) <= near) i++;
-    if (i === 4) return true;
-  }
-  return false;
-}
+/** Returns whether the corners of two quads nearly coincide, starting at any corner. */
+const isSame = (quad: Quad, other: Quad, near: number) =>
+  areNear(quad, other, near, 0) || areNear(quad, other, near, 1) || areNear(quad, other, near, 2) || areNear(quad, other, near, 3);

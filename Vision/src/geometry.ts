@@ -45,18 +45,28 @@ export const turned = (q: Quad, turns: number): Quad => [0, 1, 2, 3].map(i => q[
 export const distance = (a: Point, b: Point): number => Math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2);
 
 /** Mean length of the sides, px. */
-export const sizeOf = (q: Quad): number => q.reduce((sum, p, i) => sum + distance(p, q[(i + 1) & 3]), 0) / 4;
+export const sizeOf = ([a, b, c, d]: Quad): number => (distance(a, b) + distance(b, c) + distance(c, d) + distance(d, a)) / 4;
 
-export const centreOf = (q: Quad): Point => [q.reduce((s, p) => s + p[0], 0) / 4, q.reduce((s, p) => s + p[1], 0) / 4];
+export const centreOf = ([a, b, c, d]: Quad): Point => [(a[0] + b[0] + c[0] + d[0]) / 4, (a[1] + b[1] + c[1] + d[1]) / 4];
 
-export const scaled = (q: Quad, factor: number): Quad => q.map(p => [p[0] * factor, p[1] * factor]) as Quad;
+/** Returns a quad with its corners transformed. Without `map`, because it runs millions of times. */
+export const mapped = ([a, b, c, d]: Quad, to: (p: Point) => Point): Quad => [to(a), to(b), to(c), to(d)];
 
-export const shiftedBy = (q: Quad, dx: number, dy: number): Quad => q.map(p => [p[0] + dx, p[1] + dy]) as Quad;
+export const scaled = (q: Quad, factor: number): Quad => mapped(q, p => [p[0] * factor, p[1] * factor]);
+
+export const shiftedBy = (q: Quad, dx: number, dy: number): Quad => mapped(q, p => [p[0] + dx, p[1] + dy]);
+
+/** Returns whether corresponding corners of two quads have at most a given distance. */
+export const areNear = (q: Quad, other: Quad, reach: number, turns = 0): boolean =>
+  distance(q[0], other[turns & 3]) <= reach
+  && distance(q[1], other[(turns + 1) & 3]) <= reach
+  && distance(q[2], other[(turns + 2) & 3]) <= reach
+  && distance(q[3], other[(turns + 3) & 3]) <= reach;
 
 /** Scales a quad around its centre. */
 export function grownBy(q: Quad, factor: number): Quad {
   const [x, y] = centreOf(q);
-  return q.map(p => [x + (p[0] - x) * factor, y + (p[1] - y) * factor]) as Quad;
+  return mapped(q, p => [x + (p[0] - x) * factor, y + (p[1] - y) * factor]);
 }
 
 /**

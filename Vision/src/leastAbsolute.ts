@@ -41,7 +41,7 @@ export class Equations {
     }
   }
 
-  /** Computes the normal equations, AᵀWA and AᵀWy. */
+  /** Computes the normal equations, AᵀWA and AᵀWy. Of AᵀWA, only the lower triangle, which is the one that OpenCV's Cholesky decomposition reads. */
   setNormal(weights: Float64Array, squares: Float64Array, products: Float64Array): void {
     const count = products.length;
     squares.fill(0);
@@ -52,7 +52,8 @@ export class Equations {
         const unknown = this.#unknowns[at];
         const weight = weights[i] * this.#factors[at];
         products[unknown] += weight * this.#measured[i];
-        for (let by = this.#starts[i]; by < this.#starts[i + 1]; by++) squares[unknown * count + this.#unknowns[by]] += weight * this.#factors[by];
+        for (let by = this.#starts[i]; by < this.#starts[i + 1]; by++)
+          if (this.#unknowns[by] <= unknown) squares[unknown * count + this.#unknowns[by]] += weight * this.#factors[by];
       }
   }
 }

@@ -46,12 +46,15 @@ export function clearestPart(candidates: Quad[], fits: Placed[], known: Fit[], l
         .filter(({ share }) => share >= minShareOnTheWay)
         .map(part => inPicture(layer.refiner.refineLast(part), layer)),
     );
-  const scored = parts
-    .map(part => ({ part, needed: isHalf(part.hidden!) ? minScoreOfHalf : minScore }))
-    .filter(({ part, needed }) => part.share >= needed)
-    .map(({ part, needed }) => ({ part, surplus: part.share - deviationOf(part) - needed }))
-    .filter(({ surplus }) => surplus >= 0);
-  return scored.sort((a, b) => b.surplus - a.surplus)[0]?.part;
+  const surplusOf = ({ share, hidden }: Fit) => share - (isHalf(hidden!) ? minScoreOfHalf : minScore);
+  let best: { part: Fit; surplus: number } | undefined;
+  for (const part of parts.sort((a, b) => surplusOf(b) - surplusOf(a))) {
+    // A deviation only lowers the score, so the remaining parts cannot be better.
+    if (surplusOf(part) < (best?.surplus ?? 0)) break;
+    const surplus = surplusOf(part) - deviationOf(part);
+    if (surplus >= 0 && !(best && best.surplus >= surplus)) best = { part, surplus };
+  }
+  return best?.part;
 }
 
 /** Extends a candidate that is too short in one direction to a square, on one side or the other, and refines both results without the added part. */

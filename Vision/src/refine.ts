@@ -1,4 +1,4 @@
-import { centreOf, distance, grownBy, isPlausible, shiftedBy, sizeOf, turned, type Quad } from './geometry';
+import { areNear, centreOf, distance, grownBy, isPlausible, mapped, shiftedBy, sizeOf, turned, type Quad } from './geometry';
 import type { Light } from './levels';
 import type { Agreement, Matcher } from './match';
 import { turnedBand, type Band } from './pattern';
@@ -138,7 +138,7 @@ export class Refiner {
     const { kind, hidden } = fit;
     const cell = sizeOf(fit.quad) / this.#matcher.side;
     let best = fit;
-    const isNear = (quad: Quad) => quad.every((p, i) => distance(p, fit.quad[i]) <= maxDistance * cell);
+    const isNear = (quad: Quad) => areNear(quad, fit.quad, maxDistance * cell);
     for (const { by, reach, minShare } of stepsToTake) {
       const at = (quad: Quad, needed?: number) => this.#matcher.agreement(this.#picture, quad, kind, this.#reach(kind, reach), hidden, needed);
       best = climb({ ...best, ...at(best.quad) }, by * cell, 3, at, isNear);
@@ -208,8 +208,11 @@ const shifted =
     shiftedBy(quad, dx * by, dy * by);
 const cornered =
   (corner: number, dx: number, dy: number): Move =>
-  (quad, by) =>
-    quad.map((p, i) => (i === corner ? [p[0] + dx * by, p[1] + dy * by] : p)) as Quad;
+  (quad, by) => {
+    const moved = quad.slice() as Quad;
+    moved[corner] = [quad[corner][0] + dx * by, quad[corner][1] + dy * by];
+    return moved;
+  };
 const grown =
   (sign: number): Move =>
   (quad, by) =>
@@ -221,21 +224,21 @@ const rotated =
     const angle = (sign * 1.4 * by) / sizeOf(quad);
     const c = Math.cos(angle);
     const s = Math.sin(angle);
-    return quad.map(p => [x + (p[0] - x) * c - (p[1] - y) * s, y + (p[0] - x) * s + (p[1] - y) * c]) as Quad;
+    return mapped(quad, p => [x + (p[0] - x) * c - (p[1] - y) * s, y + (p[0] - x) * s + (p[1] - y) * c]);
   };
 
 const edged =
   (side: number, sign: number): Move =>
   (quad, by) => {
     // Moves both corners of a side away from the opposite side or towards it.
-    const next = (side + 1) & 3;
-    const across = [(side + 3) & 3, (side + 2) & 3];
-    return quad.map((p, i) => {
-      if (i !== side && i !== next) return p;
-      const q = quad[across[i === side ? 0 : 1]];
+    const moved = quad.slice() as Quad;
+    for (const corner of [side, (side + 1) & 3]) {
+      const p = quad[corner];
+      const q = quad[corner === side ? (side + 3) & 3 : (side + 2) & 3];
       const length = distance(p, q);
-      return [p[0] + (sign * by * (p[0] - q[0])) / length, p[1] + (sign * by * (p[1] - q[1])) / length];
-    }) as Quad;
+      moved[corner] = [p[0] + (sign * by * (p[0] - q[0])) / length, p[1] + (sign * by * (p[1] - q[1])) / length];
+    }
+    return moved;
   };
 
 const moves: Move[] = [
