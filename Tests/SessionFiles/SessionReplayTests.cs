@@ -236,6 +236,22 @@ public class SessionReplayTests
         Assert.That(ofSession.Output, Is.EqualTo(ofLog.Output));
     }
 
+    [Test]
+    public async Task SyncPage_Session_HasTheDataOfItsExchanges()
+    {
+        var recording = VirtualRecording.To(_path);
+        using var log = new TemporaryFile("t1_ns,t2_ns,t3_ns,t4_ns\n" + string.Join('\n', recording.Exchanges) + "\n");
+        string In(string name) => Path.Combine(_folder, name);
+
+        var ofSession = await Run("sync", _path, "--estimator", "ransac", "--page", In("of-session.html"));
+        var ofLog = await Run("sync", log.Path, "--estimator", "ransac", "--page", In("of-log.html"));
+
+        Assert.That((ofSession.ExitStatus, ofLog.ExitStatus), Is.EqualTo((0, 0)), ofSession.Errors + ofLog.Errors);
+        Assert.That(File.ReadAllText(In("of-session.html")), Does.Contain(Path.GetFileName(_path)));
+        Assert.That(File.ReadAllText(In("of-session.csv")), Is.EqualTo(File.ReadAllText(In("of-log.csv"))));
+        Assert.That(File.ReadLines(In("of-session.csv")).Count(), Is.EqualTo(recording.Exchanges.Count + 1));
+    }
+
     static double RmsOf(CliRun run)
     {
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
