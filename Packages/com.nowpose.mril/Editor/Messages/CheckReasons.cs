@@ -39,7 +39,7 @@ namespace Nowpose.Editor.Messages
             + "components are not compiled, and the sample HoloLens 2 (MRTK3) shows missing scripts.";
 
         public const string NearClip =
-            "The headset stabilises the picture with a 16-bit depth buffer. A closer near clip plane makes the depth steps larger: at a distance "
+            "The headset stabilises the image with a 16-bit depth buffer. A closer near clip plane makes the depth steps larger: at a distance "
             + "of 1.5 m, a step is 0.34 mm with the plane at 0.1 m, and 1.7 mm with the plane at 0.02 m, as in MRTK3's rig.";
 
         public const string OpenXrLoader = "Without OpenXR, the app is a flat window in front of the wearer.";
@@ -53,7 +53,7 @@ namespace Nowpose.Editor.Messages
         public const string HandInteraction = "This feature provides the pinch and the pointing ray of each hand for MRTK3.";
         public const string EyeGaze = "Needed by MRTK3 to select a button by looking at it and pinching.";
         public const string DepthSubmission =
-            "The headset stabilises the picture with the depth of the scene. 24 bits are slower and improve the picture little.";
+            "The headset stabilises the image with the depth of the scene. A 24-bit depth buffer is slower and hardly improves the image.";
         public const string InternetClient = "Needed to connect to a gateway on another network or by its public address.";
         public const string PrivateNetwork = "Needed to connect to a gateway on the same private network, which is the usual case.";
         public const string WebCam = "Needed to find the robot's base by a marker with the headset's camera.";

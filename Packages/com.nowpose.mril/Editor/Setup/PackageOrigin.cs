@@ -20,13 +20,13 @@ namespace Nowpose.Editor.Setup
 
         public string Name { get; }
 
-        /// <summary>Name or address to pass to the Package Manager; null if the project must first add a scoped registry for the package.</summary>
+        /// <summary>Name or URL to pass to the Package Manager; null if the project must first add a scoped registry for the package.</summary>
         public string Identifier { get; }
 
-        /// <summary>Value of the dependency in a manifest: a version or an address.</summary>
+        /// <summary>Value of the dependency in a manifest: a version or a URL.</summary>
         public string Reference { get; }
 
-        /// <summary>Scoped registry of the package; null for Unity's own packages and for packages that are installed from an address.</summary>
+        /// <summary>Scoped registry of the package; null for Unity's own packages and for packages that are installed from a URL.</summary>
         public ScopedRegistry Registry { get; }
 
         /// <summary>Description of the supported versions; null if all versions are supported.</summary>
@@ -50,10 +50,10 @@ namespace Nowpose.Editor.Setup
             string name, string version, string min = null, string below = null, bool isEditorsChoice = false) =>
             new PackageOrigin(name, isEditorsChoice ? name : name + "@" + version, version, null, min, below);
 
-        /// <summary>Creates the origin of a package that is installed from an address.</summary>
-        /// <param name="address">Address for the Package Manager: a Git URL, or file: and a path.</param>
-        public static PackageOrigin At(string name, string address, string min = null, string below = null) =>
-            new PackageOrigin(name, address, address, null, min, below);
+        /// <summary>Creates the origin of a package that is installed from a URL.</summary>
+        /// <param name="url">URL for the Package Manager: a Git URL, or file: and a path.</param>
+        public static PackageOrigin At(string name, string url, string min = null, string below = null) =>
+            new PackageOrigin(name, url, url, null, min, below);
 
         public static PackageOrigin Of(ScopedRegistry registry, string name, string version, string min = null, string below = null) =>
             new PackageOrigin(name, null, version, registry, min, below);

@@ -22,7 +22,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Name of the signal on /signals. Empty: the name of this object.")]
         string _signal = "";
 
-        [SerializeField, Tooltip("Displacement from the place at 0 to the place at 1, in the parent's axes, metres.")]
+        [SerializeField, Tooltip("Displacement from the position for 0 to the position for 1, in the parent's axes, metres.")]
         Vector3 _wayMetres = Vector3.zero;
 
         [SerializeField, Tooltip("Rotation from 0 to 1 about the object's own axes, Euler angles in degrees.")]

@@ -45,8 +45,8 @@ namespace Nowpose.Unity
 
         [FormerlySerializedAs("_mostObliqueDegrees")]
         [SerializeField, Range(10, 89), Tooltip("Maximum viewing angle in degrees, measured between the marker's normal and the line to the "
-            + "head. Markers seen at a larger angle are ignored. Default 60: there, a code appears half as wide, and its angle becomes "
-            + "uncertain.")]
+            + "head. Markers seen at a larger angle are ignored. Default 60: at this angle, a code appears half as wide, and its measured "
+            + "angle becomes uncertain.")]
         float _maxViewingAngleDegrees = 60;
 
         [SerializeField, Range(0.0001f, 0.1f), Tooltip("Maximum position error for locking, metres, estimated from the scatter of a marker's "

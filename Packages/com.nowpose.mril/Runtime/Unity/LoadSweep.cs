@@ -53,8 +53,8 @@ namespace Nowpose.Unity
         [SerializeField, Range(0.5f, 600), Tooltip("Duration of each load in seconds. Default 5: about 40 pictures at eight per second.")]
         float _secondsPerLoad = 5;
 
-        [SerializeField, Range(0, 60), Tooltip("Additional time in seconds before each load, until the GPU's queue has settled. It is logged, "
-            + "too.")]
+        [SerializeField, Range(0, 60), Tooltip("Waiting time in seconds before each load, in which the GPU's queue settles. Frames in this time "
+            + "are logged too, but do not affect the fit.")]
         float _settleSeconds = 1;
 
         [SerializeField, Tooltip("Repeat the loads in reverse order. Otherwise, a processor that becomes warm would look like an effect of the "

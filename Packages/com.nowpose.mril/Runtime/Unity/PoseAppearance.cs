@@ -28,7 +28,8 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The session whose pose is shown. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("Text that shows the state. It turns to the viewer and keeps a legible size. Empty: no text.")]
+        [SerializeField, Tooltip("Text mesh of the label that shows the state. It turns to face the viewer and keeps a legible size. Empty: no "
+            + "label.")]
         TextMesh _words = null;
 
         [SerializeField, Tooltip("Replaces opaque materials whose shader lacks _Hatch or _Fade while the pose is not current. Its own shader "

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Asset with the URDF of a robot. Scenes and prefabs can refer to it, also in a build.</summary>
+    /// <summary>Asset with the URDF of a robot. Scenes and prefabs can reference it, including in a build.</summary>
     [CreateAssetMenu(menuName = "Nowpose/Robot Description", fileName = "Robot")]
     public sealed class RobotDescriptionAsset : ScriptableObject
     {

@@ -63,12 +63,12 @@ namespace Nowpose.Unity
         RenderTimeSourceKind _renderTimeLimitSource = RenderTimeSourceKind.None;
 
         [SerializeField, Tooltip("Response while the render time is outside the constant-latency range. Fade: shows the predicted pose, fainter. "
-            + "Go On: the predicted pose, hardly fainter. Hold: the newest samples. A striped surface and a text mark the robot in each "
-            + "case. Default Fade, because a late prediction is more accurate than the newest samples.")]
+            + "Go On: the predicted pose, only slightly fainter. Hold: the newest samples. Stripes and a label mark the robot in each case. "
+            + "Default Fade, because a late prediction is more accurate than the newest samples.")]
         OutsideRangeResponse _outsideRange = OutsideRangeResponse.Fade;
 
-        [SerializeField, Tooltip("Compute the pose again right before rendering, with a newer time. This shortens the prediction by a few ms and "
-            + "doubles the work. Calibrate L_visu with the same choice.")]
+        [SerializeField, Tooltip("Compute the pose again right before rendering, with a newer estimate of the display time. This shortens the "
+            + "prediction by a few ms and doubles the computation. Calibrate L_visu with the same setting.")]
         bool _rewriteBeforeRender = false;
 
         [Header("Prediction")]
@@ -88,8 +88,8 @@ namespace Nowpose.Unity
             + "0: the joint jumps. 14 ms costs less than 5 % of accuracy. Frequent samples shorten it.")]
         double _blendMs = PredictionSettings.DefaultBlendMs;
 
-        [SerializeField, Tooltip("Show joints by the set-points that the control system publishes ahead of time, with the delay at which the "
-            + "joints follow them. Joints that do not follow their set-points are predicted.")]
+        [SerializeField, Tooltip("Display joints at the set-points that the control system publishes ahead of time, delayed by the lag of the "
+            + "joints. Joints that do not follow their set-points are predicted.")]
         bool _followPlan = true;
 
         [SerializeField, Tooltip("Maximum speed of the robot's programs in percent of the URDF's velocity limits, 1 to 100. The predictor adaptive "

@@ -8,7 +8,10 @@ namespace Nowpose.Prediction
         /// <summary>No sample yet: the position is a placeholder (0) and must not be shown as a pose.</summary>
         None,
 
-        /// <summary>A constant value: the newest sample's position, or the section's value at the horizon cap or at its oldest sample.</summary>
+        /// <summary>
+        /// A constant value: the position of the newest sample, or the value of the predicted curve at the end of its range. The range ends at the
+        /// horizon cap and at the oldest sample that the curve uses.
+        /// </summary>
         Held,
 
         /// <summary>The time is not later than the newest sample.</summary>

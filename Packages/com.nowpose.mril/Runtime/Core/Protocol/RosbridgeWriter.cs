@@ -93,11 +93,11 @@ namespace Nowpose.Protocol
                 json.WriteEndObject();
             });
 
-        /// <summary>Writes the response of a service whose values are already JSON text.</summary>
+        /// <summary>Writes a service response whose values are already JSON text.</summary>
         internal static string ServiceResponse(string service, string id, string values) =>
             Response(service, id, true, json => json.WriteRawValue(values));
 
-        /// <summary>Writes the response of a failed call.</summary>
+        /// <summary>Writes the response to a failed call.</summary>
         public static string FailedResponse(string service, string id, string why) =>
             Response(service, id, false, json => json.WriteValue(why));
 

@@ -29,10 +29,10 @@ namespace Nowpose.Recording
         /// <summary>The sync exchange; used by sync records.</summary>
         public SyncExchange Exchange { get; set; }
 
-        /// <inheritdoc cref="Exchange"/>
+        /// <summary>The estimator's decision about the exchange; used by sync records.</summary>
         public SyncVerdict Verdict { get; set; }
 
-        /// <inheritdoc cref="Exchange"/>
+        /// <summary>Reason why the exchange is invalid, if it is; used by sync records.</summary>
         public SyncExchangeFault Fault { get; set; }
 
         /// <summary>The sample; used by sample records. The message is referenced, not copied, because no code modifies it.</summary>
@@ -53,13 +53,13 @@ namespace Nowpose.Recording
         /// <summary>The pose of a frame of the cell; used by pose records.</summary>
         public FrameTransform Transform { get; set; }
 
-        /// <inheritdoc cref="Transform"/>
+        /// <summary>Whether the frame does not move; used by pose records.</summary>
         public bool IsStationary { get; set; }
 
         /// <summary>The value; used by signal records.</summary>
         public SignalValue Signal { get; set; }
 
-        /// <inheritdoc cref="Signal"/>
+        /// <summary>Time stamp of the value; used by signal records.</summary>
         public ControlTime Stamp { get; set; }
 
         /// <summary>Reason why the message was dropped; used by sample, plan, pose and signal records.</summary>
@@ -80,7 +80,7 @@ namespace Nowpose.Recording
         /// <summary>State of the constant-latency range; used by display records.</summary>
         public RangeState Range { get; set; }
 
-        /// <inheritdoc cref="Range"/>
+        /// <summary>Reprojection mode of the display; used by display records.</summary>
         public ReprojectionMode Reprojection { get; set; }
 
         /// <summary>The clock model; used by clock and statistics records.</summary>

@@ -17,8 +17,8 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Duration of the newest motion that is compared with the history, in s.</summary>
         const double Window = 0.4;
 
-        /// <summary>Number of intervals before the history starts. Their mean determines the grid step.</summary>
-        const int MinSamples = 8;
+        /// <summary>Minimum number of sampling intervals before the history starts. Their mean then determines the grid step.</summary>
+        const int MinIntervals = 8;
 
         /// <summary>Minimum grid step, in s.</summary>
         const double MinStep = 0.02;
@@ -150,11 +150,11 @@ namespace Nowpose.Prediction.Candidates
         // The grid step is a multiple of the sampling interval, so that samples lie on grid points and need no interpolation.
         void Begin(SampleHistory samples, double interval)
         {
-            if (samples.Count <= MinSamples || samples.CountWithoutGap(_maximumGap) <= MinSamples) return;
+            if (samples.Count <= MinIntervals || samples.CountWithoutGap(_maximumGap) <= MinIntervals) return;
             _interval = interval;
             _history.Start(_interval * Math.Ceiling(MinStep / _interval - 1e-6));
             _search.Start();
-            for (var i = MinSamples; i >= 0; i--) _history.Add(samples[i].Time, samples[i].Position);
+            for (var i = MinIntervals; i >= 0; i--) _history.Add(samples[i].Time, samples[i].Position);
         }
 
         void Match(MotionState motion)

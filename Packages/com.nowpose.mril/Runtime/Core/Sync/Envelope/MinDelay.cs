@@ -64,7 +64,9 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Negative logarithm of the probability that all bounds of a window are late by chance, for independent delays.</summary>
         const double Significance = 20;
 
-        /// <summary>Significance after a change of the other direction, which makes a change of this direction likely.</summary>
+        /// <summary>
+        /// Required significance after the delay in the other direction has changed. The delay in this direction has then probably changed too.
+        /// </summary>
         const double ExpectedSignificance = 7;
 
         /// <summary>Significance of a change that may be hidden by a wrong skew. Such a change only widens the error.</summary>
@@ -169,7 +171,7 @@ namespace Nowpose.Sync.Envelope
         {
             var violation = Math.Min(_excess, _tightness[0] - Tightest(1, count));
             if (violation <= 0) return;
-            // A remaining excess below half the minimum change is not a change of the path but the lateness of single exchanges, so it is removed.
+            // A remaining excess below half the minimum change is caused by individual late exchanges, not by a path change, so it is removed.
             if (_excess - violation < MinChange / 2) violation = _excess;
             // A small violation means that the excess was overestimated; a large violation means that the path changed again with this exchange.
             var isEstimate = violation < 3 * _excessError;

@@ -143,7 +143,7 @@ namespace Nowpose.Tests.Core.Sync
 
         /// <summary>The exchanges are the same as after a clock step of 4 ms, so this change counts as a step.</summary>
         [Test]
-        public void Steps_OneWayDelaysChangeOppositelyByTheSameAmount_IncreaseByOne()
+        public void Steps_OneWayDelaysChangeByOppositeAmounts_IncreaseByOne()
         {
             var link = Link("wifi", FirstSeed);
             link.LongerDownMs = 4;

@@ -97,7 +97,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase("UniversalRenderPipelineAsset", "Good", "URP")]
         [TestCase("HDRenderPipelineAsset", "Missing", "HDRP")]
         [TestCase("OwnPipelineAsset", "Unknown", "OwnPipelineAsset")]
-        public void RenderPipeline_Asset_IsNamedWithItsConsequence(string asset, string state, string words)
+        public void RenderPipeline_Asset_ReportsPipelineAndShaderSupport(string asset, string state, string words)
         {
             _project.RenderPipeline = asset;
             var check = new RenderPipelineCheck();
