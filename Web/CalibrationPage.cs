@@ -1,6 +1,8 @@
 namespace Nowpose.Web;
 
-/// <summary>Creates the page of a calibration: one HTML file that needs no network. It has plots unless it was built without Node.js.</summary>
+/// <summary>
+/// Creates the page of a calibration: one HTML file that needs no network. The page has plots unless Nowpose was built without Node.js.
+/// </summary>
 public static class CalibrationPage
 {
     static readonly PageTemplate Template = PageTemplate.Named("calibration.html");

@@ -37,24 +37,24 @@ export function textsOfPage(html) {
 }
 
 const FAULTS = [
-  [/undefined|\bnull\b|\bNaN\b|\[object|=>/, 'contains a value that is missing or not a text'],
-  [/^\s|\s$|[\n\t]| {2}/, 'has a space too many'],
+  [/undefined|\bnull\b|\bNaN\b|\[object|=>/, 'contains a missing value or a value that is not a string'],
+  [/^\s|\s$|[\n\t]| {2}/, 'has an extra space or a line break'],
   [/ [,;:.?!](\s|$)/, 'has a space before a punctuation mark'],
   [/[,;:.?!]{2}/, 'has two punctuation marks in a row'],
-  [/[.!] \p{Ll}/u, 'has a sentence that begins with a small letter'],
+  [/[.!] \p{Ll}/u, 'has a sentence that begins with a lower-case letter'],
   [/\b(\w{2,}) \1\b/, 'repeats a word'],
 ];
 
 const count = (text, mark) => text.split(mark).length - 1;
 
 /**
- * Gets descriptions of the formal errors in a string.
+ * Returns descriptions of the formatting errors in a string.
  * @param isSentence Whether the string consists of complete sentences. If not, it is part of a sentence.
  */
 export function faultsIn(text, isSentence) {
   const faults = FAULTS.filter(([pattern]) => pattern.test(text)).map(([, fault]) => fault);
   if (count(text, '(') !== count(text, ')') || count(text, '“') !== count(text, '”')) faults.push('has an unpaired bracket or quotation mark');
-  if (isSentence && !/[.?!]$/.test(text)) faults.push('is a sentence without an end');
+  if (isSentence && !/[.?!]$/.test(text)) faults.push('does not end with a full stop, question mark or exclamation mark');
   if (!isSentence && /[.,;:!]$/.test(text)) faults.push('is part of a sentence but ends with a punctuation mark');
   return faults;
 }

@@ -22,5 +22,5 @@ static class RecommendMessages
 
     public static string Repeats(double percent) =>
         FormattableString.Invariant($"{percent:0.0} % of a moving joint's samples repeat the previous one: the robot's sampling interval ")
-        + "or rounding is coarser than the recording; record at the robot's own rate";
+        + "or resolution is coarser than that of the recording; record at the robot's own rate";
 }

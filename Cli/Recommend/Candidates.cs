@@ -2,7 +2,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>Lists the candidates: all predictors that can be selected in the settings, and polynomials with other histories.</summary>
+/// <summary>Lists the candidates: all predictors that can be selected in the settings, and polynomials with other history lengths.</summary>
 static class Candidates
 {
     const int MaxHistory = 6;

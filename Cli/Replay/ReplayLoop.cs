@@ -31,7 +31,7 @@ sealed class ReplayLoop
     }
 
     /// <summary>Runs once to the end of the recording, or until it is cancelled.</summary>
-    /// <param name="positionsAt">Gets the values of a sample at a time, as a new array.</param>
+    /// <param name="positionsAt">Returns the sample values at the given time in s, as a new array.</param>
     /// <param name="take">Called for each sample when it has arrived.</param>
     /// <param name="score">Called for each scored frame with its time.</param>
     /// <returns>Number of scored frames; at least 1.</returns>

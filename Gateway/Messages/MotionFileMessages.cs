@@ -11,7 +11,7 @@ static class MotionFileMessages
     public static string Empty(string path) => $"{path}: is empty; a header such as t,joint_1,joint_2 is needed";
 
     public static string BodyHeader(string header, string expected) =>
-        $"the header is {header}; the header of a rigid body is exactly {expected}";
+        $"the header is {header}; the header of a rigid-body file must be exactly {expected}";
 
     public static string FirstColumn(string header) =>
         $"first column is {header}; the header must begin with t or t_s, the time in seconds, and its columns must be separated by commas";

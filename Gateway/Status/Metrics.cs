@@ -46,9 +46,9 @@ static class Metrics
             .Add(clock.IsServed ? 1 : 0, ("source", clock.Source));
         text.One("nowpose_clock_error_bound_seconds", Gauge, "Error bound of the served control clock.", clock.ErrorBoundUs * Micro);
         text.One("nowpose_clock_skew_ratio", Gauge, "Rate of the control clock relative to the gateway's counter, minus one.", clock.SkewPpm * Micro);
-        text.One("nowpose_clock_resolution_seconds", Gauge, "Step of the control clock.", clock.ResolutionUs * Micro);
+        text.One("nowpose_clock_resolution_seconds", Gauge, "Resolution of the control clock.", clock.ResolutionUs * Micro);
         text.One("nowpose_clock_warning", Gauge, "1 while stamps of sources contradict the control clock.", clock.Warning == null ? 0 : 1);
-        text.One("nowpose_clock_steps_total", Counter, "Steps of the control clock since the start.", clock.Steps);
+        text.One("nowpose_clock_steps_total", Counter, "Clock steps of the control clock since the gateway started.", clock.Steps);
     }
 
     static void AddPlantClocks(PrometheusText text, IReadOnlyList<PlantClockView> clocks)

@@ -7,7 +7,9 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Runs a gateway with the plant, a real broker, and a second gateway as in another hall. Two bridge processes connect them.</summary>
+/// <summary>
+/// Runs a gateway with the plant, a real broker, and a second gateway, as if in another building. Two bridge processes connect them.
+/// </summary>
 public class BrokerBridgeTests
 {
     const string Topic = "nowpose/cell-1";

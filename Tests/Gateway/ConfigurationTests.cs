@@ -214,7 +214,8 @@ public class ConfigurationTests
         }
     }
 
-    // No user, not even root, can create files in /proc. Only a check reports the folder: a start continues, as if the disk failed later.
+    // No user, not even root, can create files in /proc. Only --check reports the folder. A normal start continues, as it does when the disk
+    // fails later.
     [Test]
     [Platform("Linux")]
     public async Task Check_RecordingsFolderNotWritable_ReportsItWithItsLineNumber()

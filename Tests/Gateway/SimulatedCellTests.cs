@@ -15,7 +15,7 @@ public class SimulatedCellTests
     static readonly CellTiming Timing = new(TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20), TimeSpan.FromMilliseconds(40));
 
     [Test]
-    public async Task Publish_RealTime_SendsTheTruePositionsOfTheTimeStampAfterTheDelay()
+    public async Task Publish_RealTime_SendsTruePositionsAtTheStampAfterTheDelay()
     {
         var clock = new StopwatchControlClock(ControlTime.FromSeconds(50), 100e-6);
         await using var gateway = await Gateways.StartAsync(clock: clock);

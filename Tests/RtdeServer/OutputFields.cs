@@ -76,7 +76,7 @@ static partial class OutputFields
     }
 
     /// <summary>
-    /// Returns the type of a general-purpose register. Bit registers have the numbers 64 to 127, other registers the numbers 0 to 47.
+    /// Returns the type of a general-purpose register. Bit registers are numbered 64 to 127, all other registers 0 to 47.
     /// </summary>
     public static string RegisterType(string name)
     {

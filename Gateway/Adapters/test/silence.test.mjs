@@ -121,7 +121,7 @@ describe('silence', () => {
     assert.deepEqual([cell.stateOf('a'), cell.stateOf('b')], ['fault', 'live']);
     // The documentation promises that a headset shows the fault within two seconds.
     assert.ok(cell.faultMs - 1000 * Math.PI * 3 <= 700, `${cell.faultMs} ms`);
-    // The limit is 1.5 times the largest deceleration of the motion (1.2 rad/s²) or four times that of the last samples.
+    // The limit is 1.5 times the largest deceleration of the motion (1.2 rad/s²), or four times the increase of the deceleration in the last samples.
     assert.match(cell.status.values()['joint/a'], like(silenceMessages.stopTooHard(ANY, ANY, 'rad/s²', 'observed')));
     assert.match(cell.status.values()['joint/a'], / 1\d\.\d rad\/s².* 1\.\d rad\/s²/);
   });

@@ -72,7 +72,7 @@ static BillOfMaterials Joined(string notices, string adapterLicences, string oth
     var shipped = Notices.ShippedIn(notices).Concat(Notices.BundledIn(adapterLicences)).ToHashSet(StringComparer.Ordinal);
     var joined = new BillOfMaterials();
     foreach (var bill in bills.Select(path => JsonNode.Parse(File.ReadAllText(path)).AsObject()))
-        // npm's bill of materials also lists packages that only the build uses. NuGet's bill marks such packages itself.
+        // npm's SBOM also lists packages that only the build uses. NuGet's SBOM marks such packages.
         joined.Add(bill, IsOfNpm(bill) ? shipped.Contains : _ => true);
     foreach (var line in File.ReadLines(others).Select(line => line.Split('\t'))) joined.Add(line[0], line[1]);
     return joined;

@@ -65,8 +65,8 @@ public sealed class InvalidAssetTests
         "&12 Transform.m_GameObject: differs from the object that lists this component")]
     [TestCase("  - component: {fileID: 3}\n", "", "&3 MonoBehaviour: is a component that no GameObject lists")]
     [TestCase("  - component: {fileID: 3}\n", "  - component: {fileID: 4}\n", "&1 GameObject.m_Component: the file has no object 4")]
-    [TestCase("  - component: {fileID: 2}\n", "", "a GameObject has one Transform, its first component")]
-    [TestCase("!u!4 &12\nTransform", "!u!33 &12\nMeshFilter", "a GameObject has one Transform, its first component")]
+    [TestCase("  - component: {fileID: 2}\n", "", "a GameObject must have exactly one Transform, as its first component")]
+    [TestCase("!u!4 &12\nTransform", "!u!33 &12\nMeshFilter", "a GameObject must have exactly one Transform, as its first component")]
     [TestCase("!u!114 &3\nMonoBehaviour", "!u!999 &3\nWobble", "&3 Wobble: the stand-in does not support class Wobble")]
     [TestCase("m_Layer: 5", "m_Lair: 5", "&1 GameObject: GameObject has no serialised field m_Lair")]
     public void Load_InvalidHierarchy_IsRefused(string good, string bad, string expected)

@@ -21,10 +21,10 @@ const VERSION_ANSWER_MS = 1000;
 const SILENT_MS = 2000;
 const CHECK_MS = 250;
 
-/** Interval of the requests whose answers give upper bounds of the clock. */
+/** Interval between the requests whose responses bound the controller's clock from above. */
 const ASK_MS = 50;
 
-/** Minimum step back of the timestamp that means that the controller was restarted. */
+/** Minimum backward step of the timestamp that indicates a controller restart. */
 const RESTART_S = 0.5;
 
 /** First major version of e-Series controllers. A controller that does not answer with a version counts as e-Series. */

@@ -54,7 +54,7 @@ function chainOf(joints: DhJoint[], nominal: Rigid[]): Rigid[] {
   return [...chain, times(inverse(before), axis)];
 }
 
-/** Moves a frame by the shortest way such that its z axis lies on the z axis of another frame. */
+/** Applies the smallest displacement that puts a frame's z axis on the z axis of another frame. */
 function onAxis(frame: Rigid, { z, at }: Rigid): Rigid {
   const along = dot(plus(frame.at, at, -1), z);
   // Rotates about the normal n of both axes: v + n × v + n × (n × v) / (1 + cos).

@@ -85,7 +85,7 @@ sealed class HierarchyBuilder
     void MakeComponent(FileObject described, GameObject owner, bool isFirst)
     {
         if (_objects.ContainsKey(described.FileId)) throw described.Place.Error("is listed twice as a component");
-        if (isFirst != described.IsTransform) throw described.Place.Error("a GameObject has one Transform, its first component");
+        if (isFirst != described.IsTransform) throw described.Place.Error("a GameObject must have exactly one Transform, as its first component");
         var known = described.ClassName == ScriptClass.ClassName
             ? ScriptClass.Of(_assets.ScriptAt(described, typeof(MonoBehaviour)))
             : EngineClasses.Find(described.ClassId, described.ClassName)
