@@ -77,7 +77,7 @@ public sealed record GatewayOptions
     /// <summary>Maximum number of connections to the WebSocket port before authentication, from all addresses together.</summary>
     internal int MaxPendingInAll => Math.Max(MaxConnections, MaxPendingConnections);
 
-    /// <summary>Minimum interval between the answers to an address that has sent too many wrong tokens.</summary>
+    /// <summary>Minimum interval between the responses to an address that has sent too many wrong tokens.</summary>
     public TimeSpan WrongTokenDelay { get; init; } = TimeSpan.FromSeconds(1);
 
     /// <summary>Maximum number of messages that a client may send per second. Further messages are dropped before they are read.</summary>

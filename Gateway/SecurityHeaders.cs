@@ -1,11 +1,11 @@
 namespace Nowpose.Gateway;
 
 /// <summary>
-/// Adds headers to every answer. They prevent browsers from guessing content types, and other sites from showing a page in a frame.
+/// Adds headers to every response. They prevent browsers from guessing content types, and other sites from showing a page in a frame.
 /// </summary>
 static class SecurityHeaders
 {
-    /// <summary>Content security policy for answers that are not pages: a browser must not run or load anything from them.</summary>
+    /// <summary>Content security policy for responses that are not pages: a browser must not run or load anything from them.</summary>
     const string NoPage = "default-src 'none'; frame-ancestors 'none'";
 
     public static Task AddAsync(HttpContext context, RequestDelegate next)

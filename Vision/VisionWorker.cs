@@ -36,7 +36,7 @@ sealed class VisionWorker : IDisposable
         }
     }
 
-    /// <summary>Whether the process is running and has answered each request.</summary>
+    /// <summary>Whether the process is running and has responded to each request.</summary>
     public bool IsIdle => _isAnswered && !_process.HasExited;
 
     /// <param name="request">Request as one line of JSON.</param>

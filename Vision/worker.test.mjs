@@ -32,10 +32,10 @@ const headset = { corners: square(800, 360, 150, 3.3), lit: lit('Headset'), ligh
 const workers = [startWorker(), startWorker()];
 after(() => workers.forEach(({ end }) => end()));
 
-/** Answers for rendered pictures, by request, because several tests read the same picture. */
+/** Responses for rendered pictures, by request, because several tests read the same picture. */
 const read = new Map();
 
-/** Returns the answers of one worker to all requests, in their order. */
+/** Returns the responses of one worker to all requests, in their order. */
 const ask = (...requests) => Promise.all(requests.map(request => {
   if (!request.shot || request.to) return workers[0].ask(request);
   const key = JSON.stringify(request);
@@ -43,7 +43,7 @@ const ask = (...requests) => Promise.all(requests.map(request => {
   return read.get(key);
 }));
 
-/** Returns the answers to many independent requests. */
+/** Returns the responses to many independent requests. */
 const askAll = requests => shareOut(requests, workers);
 
 test('finds both codes in any orientation and reads their cells', async () => {
@@ -236,7 +236,7 @@ test('finds no codes in a picture without codes', async () => {
   assert.deepEqual(codes, []);
 });
 
-test('answers a missing file with an error and reads the next picture', async () => {
+test('responds to a missing file with an error and reads the next picture', async () => {
   const [missing, next] = await ask({ file: '/nowhere/a.png' }, { shot: shot([control, headset]) });
 
   assert.match(missing.error, /no such file/);

@@ -49,7 +49,7 @@ static class StalledHeadset
     {
         using var socket = await LeanSocket.OpenAsync(server, LittleBytes);
         await LeanSocket.SendTextAsync(socket, RosbridgeWriter.Subscribe(RosTopics.JointStates));
-        // The gateway answers each of these messages with the complete robot description, which soon fills all buffers.
+        // The gateway responds to each of these messages with the complete robot description, which soon fills all buffers.
         for (var i = 0; i < Descriptions; i++)
             await LeanSocket.SendTextAsync(socket, RosbridgeWriter.Subscribe(RosTopics.RobotDescription));
         await Task.Delay(StallTime, stop);

@@ -11,7 +11,7 @@ namespace Nowpose.Gateway.Clock;
 public sealed class PlantClock
 {
     /// <summary>
-    /// Time without an answer after which another adapter may offer this clock. It is shorter than the timeout of a lost connection's pings.
+    /// Time without a response after which another adapter may offer this clock. It is shorter than the timeout of a lost connection's pings.
     /// </summary>
     internal static readonly TimeSpan TakeoverTimeout = TimeSpan.FromSeconds(3);
 
@@ -43,7 +43,7 @@ public sealed class PlantClock
     /// <summary>Number of usable exchanges since the start.</summary>
     public long Exchanges => Interlocked.Read(ref _exchanges);
 
-    /// <summary>Number of requests without a usable answer since the start.</summary>
+    /// <summary>Number of requests without a usable response since the gateway started.</summary>
     public long Failures => Interlocked.Read(ref _failures);
 
     /// <summary>The reason for the newest failure; null if there is none.</summary>
@@ -57,7 +57,7 @@ public sealed class PlantClock
 
     internal ClockSynchroniser Synchroniser => _synchroniser;
 
-    /// <summary>Whether an adapter may take over this clock: no adapter offers it, or the current one has not answered for 3 s.</summary>
+    /// <summary>Whether an adapter may take over this clock: no adapter offers it, or the current one has not responded for 3 s.</summary>
     internal bool IsFree
     {
         get
@@ -85,7 +85,7 @@ public sealed class PlantClock
         return true;
     }
 
-    /// <summary>Records that an adapter has answered, with or without a time.</summary>
+    /// <summary>Records that an adapter has responded, with or without a time.</summary>
     /// <returns>Whether this adapter is the current one.</returns>
     internal bool TryHear(PlantClockCaller caller)
     {

@@ -31,9 +31,9 @@ sealed class PlantClockCaller : IDisposable
     public void Start() => _ = Task.Run(AskAsync);
 
     /// <summary>
-    /// Takes an answer of the adapter. Thread-safe. Ignores a late answer, because its request has already been counted as a failure.
+    /// Processes a response from the adapter. Thread-safe. Ignores a late response, because its request has already been counted as a failure.
     /// </summary>
-    /// <param name="arrival">Time at which the last byte of the answer was read.</param>
+    /// <param name="arrival">Time at which the last byte of the response was read.</param>
     public void Answer(RosbridgeMessage response, HeadsetTime arrival)
     {
         var question = _open;
@@ -79,7 +79,7 @@ sealed class PlantClockCaller : IDisposable
         }
         catch (TimeoutException)
         {
-            _clock.Failed($"no answer within {ProtocolLimits.SyncReplyTimeout.TotalSeconds} s");
+            _clock.Failed($"no response within {ProtocolLimits.SyncReplyTimeout.TotalSeconds} s");
         }
 
         _open = null;

@@ -6,7 +6,7 @@ using Nowpose.Gateway.Security;
 namespace Nowpose.Gateway.Codes;
 
 /// <summary>
-/// Serves a page that shows the control time as a code for cameras, for calibration with a monitor instead of LEDs. Answers the page's
+/// Serves a page that shows the control time as a code for cameras, for calibration with a monitor instead of LEDs. Handles the page's
 /// requests for the time.
 /// </summary>
 /// <remarks>
@@ -25,7 +25,7 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, AccessControl
     public bool IsBuilt => _page.IsBuilt;
 
     /// <summary>
-    /// Answers requests for the page and for the time. Passes all other requests to the next handler, including WebSocket requests to these paths.
+    /// Handles requests for the page and for the time. Passes all other requests to the next handler, including WebSocket requests to these paths.
     /// </summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {

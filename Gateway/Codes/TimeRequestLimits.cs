@@ -10,7 +10,7 @@ namespace Nowpose.Gateway.Codes;
 /// <remarks>Connections stay open between requests, because the time to connect again would be measured as network latency.</remarks>
 sealed class TimeRequestLimits(GatewayOptions options, ConnectionCounters counters, Action<string> log)
 {
-    /// <summary>Checks whether a request may be served. Otherwise, answers it with the refusal and ends its connection.</summary>
+    /// <summary>Checks whether a request may be served. Otherwise, rejects it and ends its connection.</summary>
     /// <returns>True if the request may be served.</returns>
     public async Task<bool> AdmitAsync(HttpContext context)
     {

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Answers to clients without access, and log lines about them.</summary>
+/// <summary>Responses to clients without access, and log lines about them.</summary>
 static class AccessMessages
 {
     public static string OtherOrigin(string allowed) => $"the Origin header does not name a page of the gateway; allowed: {allowed}";

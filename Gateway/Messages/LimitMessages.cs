@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Answers to connections and requests beyond a limit, and error messages about the limits.</summary>
+/// <summary>Responses to connections and requests beyond a limit, and error messages about the limits.</summary>
 static class LimitMessages
 {
     public static string Connections(int max) => $"no more than {max} connections are allowed";

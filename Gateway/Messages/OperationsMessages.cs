@@ -2,7 +2,7 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Answers of the operations page, and log lines about it.</summary>
+/// <summary>Responses of the operations page, and log lines about it.</summary>
 static class OperationsMessages
 {
     public const string PageMissing =

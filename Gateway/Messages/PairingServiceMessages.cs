@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Answers of the pairing page and of the pairing service, and log lines about them.</summary>
+/// <summary>Responses of the pairing page and of the pairing service, and log lines about them.</summary>
 static class PairingServiceMessages
 {
     public static string MarkerSize(string text) => $"marker size: '{text}' is not a size; allowed: 10 to 999 mm";

@@ -13,7 +13,7 @@ static class PlantClockMessages
 
     public static string ExchangeUnusable(SyncExchangeFault fault) => $"the exchange cannot be used: {fault}";
 
-    public const string NoTime = "the adapter's answer contains no time";
+    public const string NoTime = "the adapter's response contains no time";
     public const string SkewOutOfRange = "a clock's skew must be within ±0.1 (100 000 ppm)";
 
     public static string State(string clock, string state, bool isControlClock) =>

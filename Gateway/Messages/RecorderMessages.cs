@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Error messages and answers of the recorder.</summary>
+/// <summary>Error messages and responses of the recorder.</summary>
 static class RecorderMessages
 {
     public const string Deleted = "the file was deleted during the recording, and its lines are lost";

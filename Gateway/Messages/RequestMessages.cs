@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Answers to requests of rosbridge clients, and log lines about them.</summary>
+/// <summary>Responses to requests from rosbridge clients, and log lines about them.</summary>
 static class RequestMessages
 {
     public static string ClosedForRate(Closure why) => $"websocket: closed a connection (reason: {why})";

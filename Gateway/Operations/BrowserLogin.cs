@@ -12,7 +12,7 @@ sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, C
 {
     readonly WrongTokens _wrong = new(options.Time);
 
-    /// <summary>Answers POST /operations/login, whose body is {"token": …}.</summary>
+    /// <summary>Handles POST /operations/login, whose body is {"token": …}.</summary>
     public async Task LogInAsync(HttpContext context)
     {
         if (await RefuseBlockedAsync(context)) return;
@@ -32,7 +32,7 @@ sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, C
         }
     }
 
-    /// <summary>Answers POST /operations/logout.</summary>
+    /// <summary>Handles POST /operations/logout.</summary>
     public Task LogOutAsync(HttpContext context)
     {
         CloseSession(context);

@@ -14,7 +14,7 @@ sealed class OperationsRoutes(GatewayOptions options, AccessControl accessContro
     readonly HtmlPage _page = new(html);
     readonly BrowserLogin _login = new(options, accessControl, counters, log);
 
-    /// <summary>Answers requests for the page and the login. Passes on all others, including WebSocket requests on these paths.</summary>
+    /// <summary>Handles requests for the page and the login. Passes on all others, including WebSocket requests on these paths.</summary>
     public async Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         var request = context.Request;

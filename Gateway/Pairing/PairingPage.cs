@@ -7,7 +7,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Pairing;
 
 /// <summary>
-/// Serves the pairing page, which shows the pairing code and prints markers, and answers the requests of the page. Available to browsers on
+/// Serves the pairing page, which shows the pairing code and prints markers, and handles the requests of the page. Available to browsers on
 /// this machine and to operators.
 /// </summary>
 /// <remarks>
@@ -29,13 +29,13 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
 
     CertificatePin Pin => options.Certificate == null ? null : CertificatePin.Of(options.Certificate);
 
-    /// <summary>Answers GET /pair with the page.</summary>
+    /// <summary>Responds to GET /pair with the page.</summary>
     public async Task ShowAsync(HttpContext context)
     {
         if (await AdmitAsync(context)) await _page.SendAsync(context);
     }
 
-    /// <summary>Answers POST /pair/code with the current pairing code. The body {"renew": ""} requests a new code.</summary>
+    /// <summary>Responds to POST /pair/code with the current pairing code. The body {"renew": ""} requests a new code.</summary>
     public async Task SendCodeAsync(HttpContext context)
     {
         if (!await AdmitAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
@@ -45,8 +45,8 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
     }
 
     /// <summary>
-    /// Answers POST /pair/cell. If the request has a name, the answer contains the text of the marker's code for name, host, offset and size_mm.
-    /// Otherwise, the answer contains the default name, the possible hosts, and whether the gateway has a certificate pin.
+    /// Handles POST /pair/cell. If the request has a name, the response contains the text of the marker's code for name, host, offset and size_mm.
+    /// Otherwise, the response contains the default name, the possible hosts, and whether the gateway has a certificate pin.
     /// </summary>
     public async Task SendCellAsync(HttpContext context)
     {
@@ -83,7 +83,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
     async Task<bool> AdmitAsync(HttpContext context)
     {
         if (!await accessControl.AdmitOriginAsync(context)) return false;
-        // Checks the host name against DNS rebinding: another site can make its own host name resolve to this machine and read the answer.
+        // Checks the host name against DNS rebinding: another site can make its own host name resolve to this machine and read the response.
         if (IsFromThisMachine(context.Connection) && accessControl.IsOwnHost(context)) return true;
         // An operator's login needs no host check, because browsers do not send its cookie or header under another host name.
         if (accessControl.IsOperator(context)) return true;
@@ -93,7 +93,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
         return false;
     }
 
-    // A client whose address is the local address is on this machine, because answers to that address do not leave it.
+    // A client whose address is the local address is on this machine, because responses to that address do not leave it.
     static bool IsFromThisMachine(ConnectionInfo connection) =>
         IPAddress.IsLoopback(connection.RemoteIpAddress) || connection.RemoteIpAddress.Equals(connection.LocalIpAddress);
 }

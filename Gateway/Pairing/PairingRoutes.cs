@@ -23,7 +23,7 @@ sealed class PairingRoutes
 
     public PairingPage Page { get; }
 
-    /// <summary>Answers the requests for pairing. Passes on all others, including WebSocket requests on these paths.</summary>
+    /// <summary>Handles the requests for pairing. Passes on all others, including WebSocket requests on these paths.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         var request = context.Request;

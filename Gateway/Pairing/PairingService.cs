@@ -9,7 +9,7 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, AccessContr
 {
     readonly WrongTokens _wrong = new(options.Time);
 
-    /// <summary>Answers POST /pair, whose body is {"token": …, "name": …}.</summary>
+    /// <summary>Handles POST /pair, whose body is {"token": …, "name": …}.</summary>
     public async Task ServeAsync(HttpContext context)
     {
         // Refuses pages of other sites that try codes: browsers send the Origin header, headsets do not.

@@ -6,13 +6,13 @@ using Nowpose.Pairing;
 namespace Nowpose.Gateway.Pairing;
 
 /// <summary>
-/// Reads small requests that are JSON objects of strings, and writes answers as JSON. Checks the size of a request before reading it.
+/// Reads small requests that are JSON objects of strings, and writes responses as JSON. Checks the size of a request before reading it.
 /// </summary>
 static class SmallJson
 {
     static readonly JsonDocumentOptions Strict = new() { MaxDepth = 2 };
 
-    /// <summary>Reads a request. Refuses and answers a request that is not a small JSON object of strings.</summary>
+    /// <summary>Reads a request. If it is not a small JSON object of strings, rejects it with an error response.</summary>
     /// <returns>The fields of the object, including unknown fields; null if the request was refused.</returns>
     public static async Task<Dictionary<string, string>> ReadAsync(HttpContext context)
     {

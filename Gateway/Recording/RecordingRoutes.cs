@@ -14,7 +14,7 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, AccessC
 {
     const string SwitchPath = "/operations/recording", ListPath = "/operations/recordings", FilePath = ListPath + "/";
 
-    /// <summary>Answers requests about recordings. Passes on all others, including WebSocket requests on these paths.</summary>
+    /// <summary>Handles requests about recordings. Passes on all others, including WebSocket requests on these paths.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         if (context.Request.Headers.Upgrade.Count > 0) return next(context);

@@ -17,7 +17,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
 
     /// <summary>
     /// Starts to request the time from a service of this client. If another client serves the same clock, the requests start when that client
-    /// disconnects or no longer answers.
+    /// disconnects or no longer responds.
     /// </summary>
     /// <returns>The reason why no requests are sent; <see cref="DropReason.None"/> if requests are sent.</returns>
     public DropReason Offer(string service)
@@ -41,7 +41,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
         return offered.TryAsk() ? DropReason.None : DropReason.JointTaken;
     }
 
-    /// <summary>Starts the requests to this client for each clock whose previous client has disconnected or no longer answers.</summary>
+    /// <summary>Starts the requests to this client for each clock whose previous client has disconnected or no longer responds.</summary>
     public void TryAgain()
     {
         foreach (var offered in _offers.Values) offered.TryAsk();
@@ -54,9 +54,9 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
         if (StampClock == offered.Clock) StampClock = _offers.Values.FirstOrDefault()?.Clock;
     }
 
-    /// <summary>Passes on an answer of the client.</summary>
-    /// <param name="response">The answer.</param>
-    /// <param name="count">Time at which the last byte of the answer was read, a count of <see cref="System.Diagnostics.Stopwatch"/>.</param>
+    /// <summary>Passes on a response from the client.</summary>
+    /// <param name="response">The response.</param>
+    /// <param name="count">Time at which the last byte of the response was read, a count of <see cref="System.Diagnostics.Stopwatch"/>.</param>
     public void Answer(RosbridgeMessage response, long count)
     {
         if (_offers.TryGetValue(response.Service, out var offered)) offered.Caller?.Answer(response, clocks.Counter.At(count));

@@ -62,7 +62,7 @@ sealed class ReaderProgress : IDisposable
 
     TimeSpan Now => _time.GetElapsedTime(_start);
 
-    /// <summary>Gets the timeout within which a client must read a number of bytes and answer.</summary>
+    /// <summary>Gets the timeout within which a client must read a number of bytes and respond.</summary>
     public TimeSpan TimeoutFor(long bytes) => _pongTimeout + TimeSpan.FromSeconds(bytes / MinBytesPerSecond);
 
     /// <summary>Time at which the last wait of a message for the client ended, a timestamp of the time provider.</summary>
@@ -120,7 +120,7 @@ sealed class ReaderProgress : IDisposable
         Signal();
     }
 
-    /// <summary>Sends pings at the ping interval, until the client does not answer in time or reads too slowly.</summary>
+    /// <summary>Sends pings at the ping interval, until the client fails to answer in time or reads too slowly.</summary>
     /// <returns><see cref="Closure.Silence"/> or <see cref="Closure.SlowReader"/>.</returns>
     /// <exception cref="OperationCanceledException">The wait was cancelled.</exception>
     public async Task<Closure> WatchAsync(CancellationToken stop)

@@ -5,9 +5,9 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Answers the rosapi services that clients call when they connect. The answers describe the gateway as one ROS node.</summary>
+/// <summary>Provides the rosapi services that clients call when they connect. The responses describe the gateway as one ROS node.</summary>
 /// <remarks>
-/// <see cref="RosbridgeSession"/> answers /rosapi/get_time and /rosapi/topics. Type names have the format of the caller's ROS version, or of
+/// <see cref="RosbridgeSession"/> provides /rosapi/get_time and /rosapi/topics. Type names have the format of the caller's ROS version, or of
 /// ROS 1 while that version is unknown.
 /// </remarks>
 static class Rosapi
@@ -47,7 +47,7 @@ static class Rosapi
 
     static IEnumerable<string> TopicsOf(RosapiCall call) => call.Topics.Select(topic => topic.Key);
 
-    /// <summary>Calls a service and gets the values of its response; null for a service that this class does not answer.</summary>
+    /// <summary>Calls a service and gets the values of its response; null for a service that this class does not provide.</summary>
     /// <param name="service">Name of the service, with its slash.</param>
     /// <param name="text">The complete call, valid JSON.</param>
     /// <param name="isRos2">Whether the caller has used type names of ROS 2.</param>

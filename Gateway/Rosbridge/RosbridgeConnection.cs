@@ -23,7 +23,7 @@ sealed class RosbridgeConnection : IDisposable
     readonly Dictionary<string, TopicPump> _pumps = [];
     int _ended = NotEnded;
 
-    /// <param name="reader">Measures how much the client has read, and detects a client that does not answer.</param>
+    /// <param name="reader">Measures how much the client has read, and detects a client that does not answer pings.</param>
     public RosbridgeConnection(
         WebSocket socket, MessageReceiver receiver, ReaderProgress reader, DropCounters drops, CancellationToken serverStops)
     {
@@ -202,7 +202,7 @@ sealed class RosbridgeConnection : IDisposable
         using var timeout = new CancellationTokenSource(CloseTimeout);
         try
         {
-            // Answers the client's close frame with the same code.
+            // Responds to the client's close frame with the same code.
             if (why == Closure.ByPeer)
                 await _socket.CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure, null, timeout.Token);
             else

@@ -25,7 +25,7 @@ sealed class SendWindow
     internal const int FirstBytes = 1280;
 
     /// <summary>
-    /// Minimum window size for a client that answers within <see cref="Quick"/> and reads at least <see cref="QuickBytesPerSecond"/>, in bytes.
+    /// Minimum window size for a client that answers pings within <see cref="Quick"/> and reads at least <see cref="QuickBytesPerSecond"/>, in bytes.
     /// A client reads it within two thirds of a second at 4 kB/s.
     /// </summary>
     internal const int QuickBytes = 2560;
@@ -37,7 +37,7 @@ sealed class SendWindow
     /// </summary>
     const int PingBytes = 1280;
 
-    /// <summary>Number of bytes after which a ping to a near client is due. A near client answers within <see cref="Near"/>.</summary>
+    /// <summary>Number of bytes after which a ping to a near client is due. A near client answers pings within <see cref="Near"/>.</summary>
     /// <remarks>
     /// With a ping after each <see cref="PingBytes"/>, pings would be a third of the gateway's work for 200 headsets at 50 Hz.
     /// </remarks>
@@ -55,7 +55,7 @@ sealed class SendWindow
     /// <summary>
     /// Timeout of the first pong. Afterwards, the read rate is assumed to be <see cref="AssumedBytesPerSecond"/>.
     /// </summary>
-    /// <remarks>A client that reads 700 bytes per second answers within this time.</remarks>
+    /// <remarks>A client that reads 700 bytes per second answers pings within this time.</remarks>
     internal static readonly TimeSpan FirstPongTimeout = TimeSpan.FromSeconds(2);
 
     /// <summary>Assumed read rate of a client that does not answer pings, whose actual read rate cannot be measured.</summary>
@@ -138,7 +138,9 @@ sealed class SendWindow
     public TimeSpan? PingAt => _pingAt;
 
     /// <summary>Whether a message may be sent. The last message may exceed the window.</summary>
-    /// <param name="isReply">Whether the message answers a request. Before the first pong, only one message that is not a reply is sent.</param>
+    /// <param name="isReply">
+    /// Whether the message is the response to a request. Before the first pong, only one message that is not a reply is sent.
+    /// </param>
     public bool IsOpen(TimeSpan now, bool isReply = false)
     {
         if (!_hasAnswered && now - _pingAt >= FirstPongTimeout) AssumeRead(now);

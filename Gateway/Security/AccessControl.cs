@@ -5,7 +5,7 @@ using Nowpose.Gateway.Operations;
 namespace Nowpose.Gateway.Security;
 
 /// <summary>
-/// Admits or refuses requests by the rules of the protocol, and answers refused requests. All routes of a gateway share one instance.
+/// Admits or rejects requests according to the protocol, and sends the error responses. All routes of a gateway share one instance.
 /// </summary>
 sealed class AccessControl(GatewayOptions options, WrongTokens wrong, ConnectionCounters counters, Action<string> log)
 {
@@ -13,7 +13,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
 
     AccessRule Rule => field ??= new AccessRule(options, Sessions);
 
-    /// <summary>Gets the role of a request. Refuses and answers a request without a valid token or from another origin.</summary>
+    /// <summary>Gets the role of a request. Rejects a request without a valid token or from another origin.</summary>
     /// <returns>The role; null if the request was refused.</returns>
     public async Task<Role?> AdmitAsync(HttpContext context)
     {
@@ -23,7 +23,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
         return null;
     }
 
-    /// <summary>Refuses and answers a request from a page of another site.</summary>
+    /// <summary>Rejects a request from a page of another site.</summary>
     /// <returns>False if the request was refused.</returns>
     public async Task<bool> AdmitOriginAsync(HttpContext context)
     {
@@ -32,7 +32,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
         return false;
     }
 
-    /// <summary>Checks that a client may control the recorder and pair headsets, and answers its request with an error if it may not.</summary>
+    /// <summary>Checks that a client may control the recorder and pair headsets. If it may not, rejects its request.</summary>
     /// <returns>False if the request was refused.</returns>
     public async Task<bool> AdmitOperatorAsync(HttpContext context)
     {
@@ -60,7 +60,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     /// <inheritdoc cref="AccessRule.IsOwnHost"/>
     public bool IsOwnHost(HttpContext context) => Rule.IsOwnHost(context);
 
-    /// <summary>Answers with one line of text and ends the connection.</summary>
+    /// <summary>Responds with one line of text and ends the connection.</summary>
     public static Task AnswerAsync(HttpContext context, int status, string text)
     {
         context.Response.StatusCode = status;
@@ -84,7 +84,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
         return AnswerAsync(context, StatusCodes.Status429TooManyRequests, text);
     }
 
-    /// <summary>Refuses and answers a request from an address that has sent too many wrong tokens or codes.</summary>
+    /// <summary>Rejects a request from an address that has sent too many wrong tokens or codes.</summary>
     /// <returns>True if the request was refused.</returns>
     public static async Task<bool> RefuseBlockedAsync(HttpContext context, WrongTokens wrong, string text)
     {

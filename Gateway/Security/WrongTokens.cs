@@ -10,8 +10,8 @@ namespace Nowpose.Gateway.Security;
 /// </summary>
 /// <remarks>
 /// Login and pairing refuse a blocked address, which limits the rate of guesses. Bearer and sync tokens are compared even from a blocked
-/// address, because clients with valid tokens may have the same address; only the answers to wrong tokens are delayed. The delay reduces log
-/// output and load. It does not limit the guesses of a client that opens new connections without waiting for the answers, but a token of
+/// address, because clients with valid tokens may have the same address; only the responses to wrong tokens are delayed. The delay reduces log
+/// output and load. It does not limit the guesses of a client that opens new connections without waiting for the responses, but a token of
 /// 128 bits cannot be guessed at any rate.
 /// </remarks>
 sealed class WrongTokens(TimeProvider time)
@@ -19,7 +19,7 @@ sealed class WrongTokens(TimeProvider time)
     /// <summary>Maximum number of addresses. At the limit, a new address replaces the one whose last attempt is the oldest.</summary>
     internal const int MaxAddresses = 1000;
 
-    /// <summary>Maximum delay of an answer, as a multiple of the delay between two answers.</summary>
+    /// <summary>Maximum delay of a response, as a multiple of the delay between two responses.</summary>
     internal const int MaxTurns = 10;
 
     static readonly TimeSpan Span = TimeSpan.FromMinutes(1);
@@ -38,12 +38,12 @@ sealed class WrongTokens(TimeProvider time)
     public void Count(IPAddress address) => Count(address, TimeSpan.Zero);
 
     /// <summary>
-    /// Counts a wrong token. Returns the time to wait before the answer: the answers to a blocked address are sent one by one, one per delay,
+    /// Counts a wrong token. Returns the time to wait before the response: the responses to a blocked address are sent one by one, one per delay,
     /// regardless of the number of connections.
     /// </summary>
-    /// <remarks>Answers beyond the first <see cref="MaxTurns"/> are sent together with the last of these.</remarks>
+    /// <remarks>Responses beyond the first <see cref="MaxTurns"/> are sent together with the last of these.</remarks>
     /// <param name="address">Address of the client.</param>
-    /// <param name="delay">Time between two answers to a blocked address.</param>
+    /// <param name="delay">Time between two responses to a blocked address.</param>
     public TimeSpan Count(IPAddress address, TimeSpan delay)
     {
         lock (_lock)
@@ -104,7 +104,7 @@ sealed class WrongTokens(TimeProvider time)
         public int Count;
         public long Since;
 
-        // Waiting: delay of the last delayed answer. WaitingAt: time at which this delay began.
+        // Waiting: delay of the last delayed response. WaitingAt: time at which this delay began.
         public TimeSpan Waiting;
         public long WaitingAt;
     }

@@ -63,7 +63,7 @@ static class Metrics
         Add("nowpose_plant_clock_round_trip_seconds", Gauge, "Round-trip time of an exchange.", clock => clock.RttMs * Milli);
         Add("nowpose_plant_clock_estimated_error_seconds", Gauge, "Estimated error of the offset.", clock => clock.EstimatedErrorUs * Micro);
         Add("nowpose_plant_clock_error_bound_seconds", Gauge, "Error bound of the offset.", clock => clock.ErrorBoundUs * Micro);
-        Add("nowpose_plant_clock_exchanges_total", Counter, "Answered exchanges.", clock => clock.Exchanges);
+        Add("nowpose_plant_clock_exchanges_total", Counter, "Successful sync exchanges.", clock => clock.Exchanges);
         Add("nowpose_plant_clock_failures_total", Counter, "Unanswered exchanges.", clock => clock.Failures);
     }
 

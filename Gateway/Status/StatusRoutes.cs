@@ -23,7 +23,7 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
         Converters = { new FiniteNumbers() },
     };
 
-    /// <summary>Answers requests for the status. Passes on all others, including WebSocket requests on these paths.</summary>
+    /// <summary>Handles requests for the status. Passes on all others, including WebSocket requests on these paths.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         if (context.Request.Headers.Upgrade.Count > 0) return next(context);
@@ -32,7 +32,7 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
             StatePath => AnswerAsync(context, AnswerStateAsync),
             MetricsPath => AnswerAsync(context, AnswerMetricsAsync),
             EventsPath => AnswerAsync(context, AnswerEventsAsync),
-            // /healthz and /readyz require no token, because their answers contain only reasons with names, for example of joints.
+            // /healthz and /readyz require no token, because their responses contain only reasons with names, for example of joints.
             LivePath => AnswerAsync(context, _ => SendAsync(context, "text/plain", "live\n"u8.ToArray())),
             ReadyPath => AnswerAsync(context, AnswerReadyAsync),
             _ => next(context),

@@ -174,7 +174,7 @@ sealed class SyncConnection
         return true;
     }
 
-    // Answers a token. A gateway without tokens accepts any token, so that a headset with a token can connect.
+    // Responds to a token. A gateway without tokens accepts any token, so that a headset with a token can connect.
     bool AnswerToken(Stream stream)
     {
         var length = new byte[SyncToken.LengthSize];
@@ -201,7 +201,7 @@ sealed class SyncConnection
         return true;
     }
 
-    // Delays the answer to a wrong token. The answer to a valid token is not delayed, even if its address has sent many wrong tokens.
+    // Delays the response to a wrong token. The response to a valid token is not delayed, even if its address has sent many wrong tokens.
     void SlowDown()
     {
         var wait = _wrong.Count(_address, _options.WrongTokenDelay);
@@ -212,7 +212,7 @@ sealed class SyncConnection
     void Overdue()
     {
         _isOverdue = true;
-        // Wakes the connection's thread if it is delaying an answer, because the connection ends now.
+        // Wakes the connection's thread if it is delaying a response, because the connection ends now.
         lock (_delay) Monitor.PulseAll(_delay);
         _socket.Dispose();
     }

@@ -6,7 +6,7 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Sync;
 
-/// <summary>Answers sync exchanges over TCP. Each connection has its own thread.</summary>
+/// <summary>Responds to sync requests over TCP. Each connection has its own thread.</summary>
 /// <remarks>
 /// The operating system immediately wakes a thread that blocks in receive. A busy thread pool would read t2 late, which a headset cannot
 /// distinguish from a slow network.

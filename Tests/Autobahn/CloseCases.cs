@@ -27,12 +27,12 @@ static class CloseCases
             Case("7.1.6", AfterOne("close:1000"), s => { s.Send(length: 65536); s.SendClose(1000); s.SendPing(); }));
         yield return Section("7.3.1–7.3.6",
             "a close without a code, with half a code, with a code, with a reason, with the longest reason, with one byte more",
-            ".NET reports a close without a code as 1000, so the answer has this code.",
+            ".NET reports a close without a code as 1000, so the response has this code.",
             Case("7.3.1", "close:1000|close", s => s.Frame(CloseFrame)), Case("7.3.2", "close:1002", s => s.Frame(CloseFrame, [3])),
             Case("7.3.3", "close:1000", s => s.SendClose(1000)), Case("7.3.4", "close:1000", s => s.SendClose(1000,
                 Encoding.UTF8.GetBytes("Hello World!"))),
             Case("7.3.5", "close:1000", s => s.SendClose(1000, new byte[123])), Case("7.3.6", "close:1002", s => s.SendClose(1000, new byte[124])));
-        yield return Section("7.5.1", "a reason that is not UTF-8", "The suite expects 1007; .NET answers 1002. Either ends the connection.",
+        yield return Section("7.5.1", "a reason that is not UTF-8", "The suite expects 1007; .NET responds with 1002. Either ends the connection.",
             Case("7.5.1", "close:1007|close:1002", s => s.SendClose(1000, [0xce, 0xba, 0xed, 0xa0, 0x80])));
         yield return Section("7.7.1–7.7.13", "each code that an endpoint may send", "",
             [.. Good.Select((code, i) => Case($"7.7.{i + 1}", $"close:{code}",

@@ -5,7 +5,7 @@ namespace Nowpose.Headless.Tests.Autobahn;
 
 /// <summary>The other end of a WebSocket at the level of bytes. Sends the chunks of a script, and reads frames until the connection ends.</summary>
 /// <remarks>
-/// Answers pings, as RFC 6455 requires (5.5.2). The gateway sends messages only slowly to a client that does not answer, and then closes its
+/// Answers pings, as RFC 6455 requires (5.5.2). The gateway sends messages only slowly to a client that does not answer pings, and then closes its
 /// connection.
 /// </remarks>
 /// <param name="isMasked">Whether the pongs have a mask, as the frames of a client do.</param>

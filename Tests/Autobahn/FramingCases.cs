@@ -70,7 +70,7 @@ static class FramingCases
 
     public static string Times(string what, int times) => string.Join(' ', Enumerable.Repeat(what, times));
 
-    /// <summary>Expects the given event. The answer to the preceding valid message may be missing if the connection ends before it.</summary>
+    /// <summary>Expects the given event. The response to the preceding valid message may be missing if the connection ends before it.</summary>
     public static string AfterOne(string expected) => $"accepted {expected}|{expected}";
 
     // Sends a message of the given size. A size that is too small for a valid message gives a longer, invalid frame; 0 gives an empty frame.

@@ -26,7 +26,7 @@ static class LimitCases
             "The message is too long to be read and discarded, so the connection ends. The gateway sends 1009; a headset sends 1000 or disconnects.",
             Case("9.1.6", "close:1009|close:1000|", s => s.Frame(Text, Description(18 * MaxBytes))));
         yield return Section("9.7–9.8", "60 messages at once, of 60 to 1240 bytes; whole, and in pieces of 100",
-            "The suite sends a thousand messages to measure the time; the gateway queues at most 64 answers for a client that does not read.",
+            "The suite sends a thousand messages to measure the time; the gateway queues at most 64 responses for a client that does not read.",
             Case("9.7.1", Times("accepted", 60), Many), Case("9.8.1", Times("accepted", 60), s => { s.Chop = 100; Many(s); }));
     }
 

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>A sync server whose answers a test defines.</summary>
+/// <summary>A sync server whose responses a test defines.</summary>
 sealed class FakeSyncServer : IDisposable
 {
     readonly FakeTcpServer _server;

@@ -18,7 +18,7 @@ sealed class FakeWebSocketServer : IDisposable
 
     public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
 
-    /// <summary>Accepts one client and answers its upgrade request.</summary>
+    /// <summary>Accepts one client and responds to its upgrade request.</summary>
     public async Task<WebSocket> AcceptAsync()
     {
         var stream = await AcceptStreamAsync();
@@ -46,7 +46,7 @@ sealed class FakeWebSocketServer : IDisposable
         return stream;
     }
 
-    /// <summary>Answers the first request with the given bytes, regardless of its content.</summary>
+    /// <summary>Responds to the first request with the given bytes, regardless of its content.</summary>
     public async Task AnswerAsync(string answer)
     {
         using var client = await _listener.AcceptTcpClientAsync().Bounded();

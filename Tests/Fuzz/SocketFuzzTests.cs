@@ -124,7 +124,7 @@ public class SocketFuzzTests
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         var reading = ReadUntilAsync(client, Last);
         for (var i = 0; i < messages; i++) await client.SendAsync(mutator.Next(random));
-        // An answer on the same connection shows that all earlier messages were read and that none of them ended the connection.
+        // A response on the same connection shows that all earlier messages were read and that none of them ended the connection.
         await client.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime, Last));
         await reading;
         await HonestAsync(gateway);

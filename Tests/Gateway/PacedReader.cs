@@ -34,7 +34,7 @@ sealed class PacedReader : IDisposable
     {
         var reader = new PacedReader(await RawWebSocket.OpenAsync(gateway, receiveBytes: receiveBytes));
         await reader._socket.SendFrameAsync(RawWebSocket.Text, Encoding.UTF8.GetBytes(RosbridgeWriter.Subscribe(RosTopics.JointStates)));
-        // When the gateway has answered this call, the subscription is active.
+        // When the gateway has responded to this call, the subscription is active.
         await reader._socket.SendFrameAsync(RawWebSocket.Text, Encoding.UTF8.GetBytes(RosbridgeWriter.CallService(RosTopics.GetTime, "subscribed")));
         await reader._socket.Stream.ReadExactlyAsync(reader._buffer.AsMemory(0, Header)).AsTask().Bounded();
         var rest = reader._buffer[1] == LongLength ? await reader.LongLengthAsync() : reader._buffer[1];

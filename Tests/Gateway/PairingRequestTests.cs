@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Tests pairing requests that the gateway refuses, and requests without a valid answer.</summary>
+/// <summary>Tests pairing requests that the gateway refuses, and requests without a valid response.</summary>
 public sealed class PairingRequestTests
 {
     [Test]

@@ -58,7 +58,7 @@ sealed class RawRosbridgeClient : IDisposable
         return message;
     }
 
-    /// <summary>Calls a service and waits for the answer. The gateway has then handled all earlier messages of this client.</summary>
+    /// <summary>Calls a service and waits for the response. The gateway has then handled all earlier messages of this client.</summary>
     public async Task<RosbridgeMessage> RoundTripAsync()
     {
         await SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime, "round trip"));

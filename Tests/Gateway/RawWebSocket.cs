@@ -54,7 +54,7 @@ sealed class RawWebSocket : IDisposable
         return raw;
     }
 
-    /// <summary>Sends an HTTP request and returns the header of the answer.</summary>
+    /// <summary>Sends an HTTP request and returns the header of the response.</summary>
     public async Task<string> RequestAsync(string headers = "", string request = "GET /")
     {
         await SendAsync(Encoding.ASCII.GetBytes($"{request} HTTP/1.1\r\nHost: localhost\r\n{headers}\r\n"));

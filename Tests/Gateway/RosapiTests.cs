@@ -17,7 +17,7 @@ public class RosapiTests
 
         var text = await client.ReceiveTextAsync();
         Assert.That(text, Does.Contain("\"" + RosTopics.JointStates + "\"").And.Contain("\"sensor_msgs/JointState\"").And.Contain("\"result\":true"));
-        Assert.That(text, Does.Contain("\"service\":\"" + service + "\""), "the answer contains the service name of the call");
+        Assert.That(text, Does.Contain("\"service\":\"" + service + "\""), "the response contains the service name of the call");
     }
 
     [Test]

@@ -3,7 +3,7 @@ using Nowpose.Network;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Connects to the WebSocket port of a gateway like a headset, and returns the HTTP status of the answer.</summary>
+/// <summary>Connects to the WebSocket port of a gateway like a headset, and returns the HTTP status of the response.</summary>
 static class RosbridgeAnswer
 {
     public static async Task<HttpStatusCode> RosbridgeStatusAsync(PairingGateway gateway, string token)

@@ -7,7 +7,7 @@ namespace Nowpose.Headless.Tests.Gateway;
 /// <summary>Tests which frames, message rates and numbers of connections make the sync port close a connection.</summary>
 public class SyncServerLimitTests
 {
-    /// <summary>A limit long enough for answers on a busy machine and short enough for a test to wait for.</summary>
+    /// <summary>A limit long enough for responses on a busy machine and short enough for a test to wait for.</summary>
     static readonly TimeSpan LongToAnswer = TimeSpan.FromSeconds(1.5);
 
     [TestCase(0, "magic")]

@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace Nowpose.Headless.Tests;
 
-/// <summary>A server that accepts one connection and never answers.</summary>
+/// <summary>A server that accepts one connection and never responds.</summary>
 sealed class SilentServer : IDisposable
 {
     readonly TcpListener _listener = new(IPAddress.Loopback, 0);

@@ -26,7 +26,7 @@ public sealed class RtdeServerTests
 
         Assert.That(await AskAsync("0005 56 0002"), Is.EqualTo(Bytes("0004 56 01")));
         Assert.That(await AskAsync("0003 76"), Is.EqualTo(Bytes("0013 76 00000005 0000000b 00000001 0001a71e")));
-        // Requests the fields timestamp and actual_q at 125 Hz. The answer is recipe 1 with DOUBLE,VECTOR6D.
+        // Requests the fields timestamp and actual_q at 125 Hz. The response is recipe 1 with DOUBLE,VECTOR6D.
         Assert.That(
             await AskAsync("001d 4f 405f400000000000" + Ascii("timestamp,actual_q")),
             Is.EqualTo(Bytes("0013 4f 01" + Ascii("DOUBLE,VECTOR6D"))));
@@ -86,7 +86,7 @@ public sealed class RtdeServerTests
         while (package.Type == 'U');
 
         Assert.That(package, Is.EqualTo(((byte)'P', new byte[] { 1 })));
-        // The next package is the answer, so no data package was sent in between.
+        // The next package is the response, so no data package was sent in between.
         Assert.That(await AskAsync("0003 76"), Does.StartWith("001376"));
         Assert.That(await AskAsync("0003 53"), Is.EqualTo(Bytes("0004 53 01")));
         Assert.That((await ReadAsync()).Type, Is.EqualTo((byte)'U'));
@@ -130,7 +130,7 @@ public sealed class RtdeServerTests
         await StartAsync();
         await AskAsync("0005 56 0002");
 
-        // The answer contains the length and the characters of the message, the length and the characters of its source, and the level 2 (warning).
+        // The response contains the length and the characters of the message, the length and the characters of its source, and the level 2 (warning).
         Assert.That(
             await AskAsync("0003 7a"),
             Is.EqualTo(Bytes("0022 4d 18" + Ascii("unknown package type 122") + "04" + Ascii("RTDE") + "02")));

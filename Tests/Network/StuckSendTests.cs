@@ -23,7 +23,7 @@ public class StuckSendTests
     [TestCase(0, false, false, "(nothing could be sent|received nothing) for 6 s")]
     [TestCase(ForTwoSeconds, false, false, "received nothing for 6 s")]
     [TestCase(AtTheBeginning, true, false, "nothing could be sent for 6 s")]
-    [TestCase(AtTheBeginning, true, true, "did not answer within 2 s")]
+    [TestCase(AtTheBeginning, true, true, "did not respond within 2 s")]
     public async Task Send_NeverCompletes_EndsTheConnectionAndReconnects(int taken, bool receives, bool asksTime, string reason)
     {
         var clock = new StopwatchHeadsetClock();

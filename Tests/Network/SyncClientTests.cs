@@ -155,7 +155,7 @@ public class SyncClientTests
         {
             await Soon.BecomesAsync(() => listener.Connections >= 2, "a second connection");
 
-            Assert.That(client.Status.Detail, Does.Contain("no answer within 3 s"));
+            Assert.That(client.Status.Detail, Does.Contain("no response within 3 s"));
         }
     }
 

@@ -20,7 +20,7 @@ public sealed class MessageFolderTests
     /// <summary>Files with longer texts and the number of these texts.</summary>
     static readonly Dictionary<string, int> Exceptions = new()
     {
-        // The heads of HTTP requests and answers, and the operations of rosbridge.
+        // The heads of HTTP requests and responses, and the operations of rosbridge.
         [Core + "Network/WebSocketUpgrade.cs"] = 1,
         [Core + "Pairing/PairingRequest.cs"] = 1,
         ["Gateway/SecurityHeaders.cs"] = 1,

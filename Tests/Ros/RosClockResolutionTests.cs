@@ -9,7 +9,8 @@ public class RosClockResolutionTests
 
     static TimeSpan Floored(TimeSpan at, double stepMs) => new(at.Ticks / Ms(stepMs).Ticks * Ms(stepMs).Ticks);
 
-    // Sends requests at the intervals of RosTimeExchanges: 3 ms after an answer during a measurement, otherwise after a pause. An answer takes 2 ms.
+    // Sends requests at the intervals of RosTimeExchanges: 3 ms after a response during a measurement, otherwise after a pause. A response takes 2
+    // ms.
     static void Ask(RosClockResolution resolution, double fromSeconds, double toSeconds, Func<TimeSpan, TimeSpan> shown, double pauseMs = 1000)
     {
         for (var at = TimeSpan.FromSeconds(fromSeconds); at < TimeSpan.FromSeconds(toSeconds);)

@@ -220,7 +220,7 @@ public class RosDirectTests
         Start(RosFlavour.Ros2);
         _rosbridge.IsMute = true;
 
-        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains("did not answer within 2 s"), "the link states the reason");
+        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains("did not respond within 2 s"), "the link states the reason");
 
         _rosbridge.IsMute = false;
         await SynchronisedAsync();

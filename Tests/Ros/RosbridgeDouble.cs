@@ -5,7 +5,7 @@ namespace Nowpose.Headless.Tests.Ros;
 
 /// <summary>Simulates a rosbridge server, which Debian does not package. Written from rosbridge's protocol document and source code.</summary>
 /// <remarks>
-/// Follows the branches ros1 and ros2 of rosbridge_suite: operations, type names, format and order of answers, threads of service calls, and
+/// Follows the branches ros1 and ros2 of rosbridge_suite: operations, type names, format and order of responses, threads of service calls, and
 /// errors that are only logged. Omits features that headsets do not use: throttling and queues of subscriptions, PNG and CBOR, services and
 /// actions of clients, parameters.
 /// </remarks>
@@ -32,7 +32,7 @@ sealed class RosbridgeDouble : IDisposable
     /// <summary>Duration of a service call after the time is read.</summary>
     public TimeSpan AfterReading { get; set; }
 
-    /// <summary>Whether calls are accepted but never answered, as when the list of allowed services excludes the service.</summary>
+    /// <summary>Whether calls are accepted but receive no response, as when the list of allowed services excludes the service.</summary>
     public bool IsMute { get; set; }
 
     /// <summary>Largest number of calls that have been in progress at the same time.</summary>

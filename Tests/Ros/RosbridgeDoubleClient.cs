@@ -120,7 +120,7 @@ sealed class RosbridgeDoubleClient(RosbridgeDouble server, WebSocket socket, Can
 
     Task CallAsync(JsonObject call)
     {
-        // ROS 1 uses a thread per call. In ROS 2, the client's next message waits for the answer.
+        // ROS 1 uses a thread per call. In ROS 2, the client's next message waits for the response.
         var answering = AnswerAsync((string)call["service"], (string)call["id"]);
         return Graph.Flavour == RosFlavour.Ros2 ? answering : Task.CompletedTask;
     }

@@ -38,7 +38,7 @@ enum Fault
     /// <summary>The server omits every tenth package.</summary>
     LostPackages,
 
-    /// <summary>The server accepts connections but does not answer.</summary>
+    /// <summary>The server accepts connections but does not respond.</summary>
     Silent,
 
     /// <summary>The server disconnects a second client.</summary>

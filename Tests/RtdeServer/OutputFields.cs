@@ -61,7 +61,7 @@ static partial class OutputFields
     [GeneratedRegex(@"^(?:in|out)put_(bit|int|double)_register_(\d{1,3})$")]
     private static partial Regex Register();
 
-    /// <summary>Returns the name of a field's type for the answer to a recipe.</summary>
+    /// <summary>Returns the name of a field's type for the response to a recipe request.</summary>
     public static string TypeOf(string name)
     {
         if (Known.TryGetValue(name, out var known)) return known.Type;

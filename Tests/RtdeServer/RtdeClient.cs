@@ -5,7 +5,7 @@ using System.Text;
 
 namespace Nowpose.RtdeServer;
 
-/// <summary>Serves one client: answers its requests, and sends it the data of its recipe.</summary>
+/// <summary>Serves one client: responds to its requests, and sends it the data of its recipe.</summary>
 sealed class RtdeClient : IDisposable
 {
     const int HeaderSize = 3;
@@ -34,7 +34,7 @@ sealed class RtdeClient : IDisposable
         socket.SendTimeout = SendTimeoutMs;
     }
 
-    /// <summary>Answers requests until the client disconnects.</summary>
+    /// <summary>Responds to requests until the client disconnects.</summary>
     public async Task RunAsync()
     {
         var bytes = new byte[ushort.MaxValue];

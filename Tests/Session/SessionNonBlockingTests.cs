@@ -137,7 +137,7 @@ public class SessionNonBlockingTests
         await rosbridge.Ended.WaitAsync(ProtocolLimits.DialTimeout / 2);
     }
 
-    /// <summary>A host that does not answer connection requests, because its queue of connections is full.</summary>
+    /// <summary>A host that does not respond to connection requests, because its queue of connections is full.</summary>
     sealed class UnresponsiveHost : IDisposable
     {
         readonly Socket _listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);

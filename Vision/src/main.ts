@@ -1,4 +1,4 @@
-// Worker process of the command line. Reads one request per line from standard input and writes one answer per line, in the same order.
+// Worker process of the command line. Reads one request per line from standard input and writes one response per line, in the same order.
 import './interrupts';
 import { constants, setPriority } from 'node:os';
 import { createInterface } from 'node:readline';

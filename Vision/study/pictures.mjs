@@ -168,13 +168,13 @@ export function perforatedPlate(random) {
   }
 }
 
-/** Returns the codes of an answer that are not weak. */
+/** Returns the codes of a response that are not weak. */
 export const strongCodes = ({ codes }) => codes.filter(({ isWeak }) => !isWeak);
 
 /** Returns the largest error of a found code's corners, relative to the side of the drawn code. */
 export const cornerError = (corners, drawn) => Math.max(...corners.map(([x, y], i) => Math.hypot(x - drawn.corners[i][0], y - drawn.corners[i][1]))) / drawn.size;
 
-/** Returns whether an answer contains a code of the drawn kind whose corners have an error of less than half a cell. */
+/** Returns whether a response contains a code of the drawn kind whose corners have an error of less than half a cell. */
 export const isFound = (answer, drawn) => strongCodes(answer).some(({ kind, corners }) => kind === drawn.kind && cornerError(corners, drawn) < 0.5 / side);
 
 /** Points that are uniformly distributed over a quad. */

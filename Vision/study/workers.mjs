@@ -8,7 +8,7 @@ import { pattern } from './pictures.mjs';
 /** Path of the worker. The environment variable WORKER selects another one, for a comparison. */
 export const workerPath = process.env.WORKER ?? join(dirname(fileURLToPath(import.meta.url)), '..', 'dist', 'worker.mjs');
 
-/** Starts a worker. Returns a function that sends it a request and returns the answer, and a function that ends it. */
+/** Starts a worker. Returns a function that sends it a request and returns the response, and a function that ends it. */
 export function startWorker() {
   const child = spawn('node', [workerPath], { stdio: ['pipe', 'pipe', 'inherit'] });
   const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
@@ -26,7 +26,7 @@ export function startWorker() {
   return { ask, end: () => child.kill() };
 }
 
-/** Returns the answers of several workers to independent requests, in the order of the requests. */
+/** Returns the responses of several workers to independent requests, in the order of the requests. */
 export async function shareOut(requests, workers) {
   const answers = Array(requests.length);
   let next = 0;
@@ -39,7 +39,7 @@ export async function shareOut(requests, workers) {
   return answers;
 }
 
-/** Returns the answers of two new workers to all requests. */
+/** Returns the responses of two new workers to all requests. */
 export async function askAll(requests) {
   const workers = [startWorker(), startWorker()];
   try {

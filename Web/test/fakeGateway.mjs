@@ -70,7 +70,7 @@ export class FakeGateway {
 
   /** Namespaces of further robots. */
   robots = [];
-  /** Promise that delays the answer with the pairing code. */
+  /** Promise that delays the response with the pairing code. */
   codeIsLate = null;
   began = Date.now();
   ticks = 0;
@@ -83,7 +83,7 @@ export class FakeGateway {
     clock: { source: 'press', state: 'synchronised', estimated_error_us: 35, error_bound_us: 120, skew_ppm: 3.1, rtt_ms: 1.2, resolution_us: 1000, steps: 0 },
     plant_clocks: [
       { name: 'press', connected: true, is_control_clock: true, state: 'synchronised', offset_to_control_ms: 0, skew_ppm: 0, rtt_ms: 1.2, estimated_error_us: 35, error_bound_us: 120, resolution_us: 1000, exchanges: 60, failures: 0 },
-      { name: 'press_ads', connected: true, is_control_clock: false, state: 'synchronised', offset_to_control_ms: 12.5, skew_ppm: 4.2, rtt_ms: 0.8, estimated_error_us: 25, error_bound_us: 90, resolution_us: 100, exchanges: 60, failures: 2, last_failure: 'no answer within 2 s' },
+      { name: 'press_ads', connected: true, is_control_clock: false, state: 'synchronised', offset_to_control_ms: 12.5, skew_ppm: 4.2, rtt_ms: 0.8, estimated_error_us: 25, error_bound_us: 90, resolution_us: 100, exchanges: 60, failures: 2, last_failure: 'no response within 2 s' },
     ],
     adapters: [
       { name: 'press', seen_s_ago: 0.4, kind: 'opcua', state: 'connected', endpoint: 'opc.tcp://plc:4840', security: 'SignAndEncrypt, Basic256Sha256', samples: 1200, refused: 0, reconnects: 0, sampling_ms: 10 },

@@ -42,7 +42,7 @@ describe('the message catalogue of the pages', () => {
     assert.match(plotDescriptions.latency(398, 60, 175, 80), /398.*60.*175.ms.*80.ms/);
     assert.match(reportMessages.toolError(2.1, 31), /2\.10.mm.*31.mm/);
     assert.match(robotMessages.toolError('left door', 0.05, 31), /left door.*0\.1.mm.*31.mm/);
-    assert.match(operationsMessages.noNewState('the gateway does not answer', '10:15:00'), /answer\. .*10:15:00\.$/);
+    assert.match(operationsMessages.noNewState('the gateway does not respond', '10:15:00'), /respond\. .*10:15:00\.$/);
   });
 
   it('omits the parts whose values are unknown', () => {

@@ -1,7 +1,7 @@
 // node movingPlant.mjs opcua|ads: starts a control system that moves a youBot. Its clock is minutes ahead and runs too fast.
 // Writes its address, and the time of its clock at a count of this machine's monotonic counter. From these a test can compute the
 // true position of the robot. Reads commands, one per line: "step MS" steps the clock. With opcua also "delete", "stop" (in
-// mid-motion), "bad", "nan" or "repair" with the name of a variable, and "rest MS"; the answer is "done COMMAND", the number of the
+// mid-motion), "bad", "nan" or "repair" with the name of a variable, and "rest MS"; the response is "done COMMAND", the number of the
 // command and the Unix time in s at which the command took effect. The program ends when its input ends.
 import { createInterface } from 'node:readline';
 

@@ -14,7 +14,7 @@ export class RosbridgeDouble {
   /**
    * @param tls Key and certificate for wss; null for ws.
    * @param token Token that a client must send; otherwise it gets the status 401.
-   * @param now Returns the time of the gateway's control clock in ns; null simulates a gateway that does not answer requests for the time.
+   * @param now Returns the time of the gateway's control clock in ns; null simulates a gateway that does not respond to requests for the time.
    */
   static async start(test, { port = 0, tls = null, token = null, now = null } = {}) {
     const double = new RosbridgeDouble();
@@ -78,7 +78,7 @@ export class RosbridgeDouble {
     const id = `call-${++this.#calls}`;
     await until(() => this.heard.some(m => m.op === 'advertise_service' && m.service === service), `${service} to be offered`);
     this.send({ op: 'call_service', id, service, args: {} });
-    return until(() => this.heard.find(m => m.op === 'service_response' && m.id === id), `an answer of ${service}`);
+    return until(() => this.heard.find(m => m.op === 'service_response' && m.id === id), `a response of ${service}`);
   }
 }
 

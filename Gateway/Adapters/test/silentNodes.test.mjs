@@ -14,7 +14,7 @@ const good = (value, ms) => new DataValue({
 });
 const bad = statusCode => new DataValue({ statusCode });
 
-/** Simulates a server with two nodes. `answers` are its answers to a read of these nodes. */
+/** Simulates a server with two nodes. `answers` are its responses to a read of these nodes. */
 function server(answers = [good(1), good(2)]) {
   const cell = { answers, now: 0, asked: [], lost: [], refused: [], renewed: [], refusal: null, ended: new Set() };
   cell.nodes = new SilentNodes(

@@ -24,11 +24,11 @@ sealed class PlantAdapterDouble : IDisposable
     public int Requests => Volatile.Read(ref _requests);
 
     /// <param name="clock">Clock of the control system.</param>
-    /// <param name="extra">Further fields of the answer, after the two times.</param>
+    /// <param name="extra">Further fields of the response, after the two times.</param>
     public static Task<PlantAdapterDouble> ConnectAsync(GatewayServer gateway, string name, StopwatchControlClock clock, string extra = "") =>
         ConnectAsync(gateway, name, (id, service) => AnswerOf(id, service, clock.Now, clock.Now, extra));
 
-    /// <param name="answer">Returns the answer to a request with an id and a service name; null sends no answer.</param>
+    /// <param name="answer">Returns the response to a request with an id and a service name; null sends no response.</param>
     public static async Task<PlantAdapterDouble> ConnectAsync(GatewayServer gateway, string name, Func<string, string, string> answer)
     {
         var client = await RawRosbridgeClient.ConnectAsync(gateway);

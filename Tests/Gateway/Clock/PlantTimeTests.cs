@@ -194,7 +194,7 @@ public class PlantTimeTests
             gateway, "plc", (id, service) => Volatile.Read(ref isGone) ? null : PlantAdapterDouble.AnswerOf(id, service, plc.Now, plc.Now));
         await Soon.BecomesAsync(() => StatusOf(gateway, "plc")?.State == ClockState.Synchronised, "the clock is known");
         using var back = await PlantAdapterDouble.ConnectAsync(gateway, "plc", plc);
-        await Soon.BecomesAsync(() => gateway.Drops[DropReason.JointTaken] == 1, "the second client is refused while the first one answers");
+        await Soon.BecomesAsync(() => gateway.Drops[DropReason.JointTaken] == 1, "the second client is refused while the first one responds");
         // As with a broken cable, the former connection stays open but sends no message.
         Volatile.Write(ref isGone, true);
         var before = StatusOf(gateway, "plc").Exchanges;

@@ -33,7 +33,7 @@ sealed class MqttPublisher : IDisposable
 
     public void Dispose() => _client.Dispose();
 
-    // Sends a packet and reads the answer, which has four bytes for all kinds of packets.
+    // Sends a packet and reads the response, which has four bytes for all kinds of packets.
     async Task SendAsync(byte kind, byte[] content)
     {
         var length = content.Length < MoreLength

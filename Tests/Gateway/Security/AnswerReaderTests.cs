@@ -13,7 +13,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>Tests that the gateway aborts the connection of a client that requests a page but does not read the answer.</summary>
+/// <summary>Tests that the gateway aborts the connection of a client that requests a page but does not read the response.</summary>
 [Parallelizable(ParallelScope.All)]
 public class AnswerReaderTests
 {
@@ -51,7 +51,7 @@ public class AnswerReaderTests
         }
     }
 
-    // Requests an answer without reading it. Completes when the gateway aborts the answer.
+    // Requests a response without reading it. Completes when the gateway aborts the response.
     static async Task AskAndReadNothingAsync()
     {
         var isBegun = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -69,7 +69,7 @@ public class AnswerReaderTests
         await isEnded.Task.Bounded();
     }
 
-    // Sends an answer that is longer than all buffers, so it ends only by an abort: a write fails, or RequestAborted is set.
+    // Sends a response that is longer than all buffers, so it ends only by an abort: a write fails, or RequestAborted is set.
     static async Task AnswerAsync(HttpContext context, TaskCompletionSource isBegun, TaskCompletionSource isEnded)
     {
         isBegun.SetResult();

@@ -25,12 +25,12 @@ public class ReadOnlyTests
                 """{"op":"service_response","service":"/x","id":"3","result":true,"values":{}}""",
             })
             await other.SendAsync(attempt);
-        // The gateway answers in order, so when the answer to this call arrives, it has handled all attempts.
+        // The gateway responds in order, so when the response to this call arrives, it has handled all attempts.
         while ((await AskAsync(other)).Id != "done")
         {
         }
 
-        await plant.RoundTripAsync(); // the plant must receive the answer to this call first
+        await plant.RoundTripAsync(); // the plant must receive the response to this call first
     }
 
     static async Task<RosbridgeMessage> AskAsync(RawRosbridgeClient client)

@@ -89,7 +89,7 @@ public class RevocationTests
         Assert.That(close.MessageType, Is.EqualTo(WebSocketMessageType.Close));
         try
         {
-            // Like an attacker, sends a message instead of answering the close frame.
+            // Like an attacker, sends a message instead of responding to the close frame.
             await gone.SendAsync(Gateways.StateText(1));
         }
         catch (WebSocketException)
@@ -98,7 +98,7 @@ public class RevocationTests
         }
 
         await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "ended");
-        await observer.RoundTripAsync(); // no sample has arrived before the answer
+        await observer.RoundTripAsync(); // no sample has arrived before the response
     }
 
     [Test]

@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>Tests the security headers of all answers.</summary>
+/// <summary>Tests the security headers of all responses.</summary>
 public sealed class SecurityHeaderTests : IDisposable
 {
     readonly HttpClient _http = new();

@@ -11,13 +11,13 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>Tests that the gateway answers wrong tokens slowly, but accepts a valid token immediately, even from the same address.</summary>
+/// <summary>Tests that the gateway responds slowly to wrong tokens, but accepts a valid token immediately, even from the same address.</summary>
 [Parallelizable(ParallelScope.All)]
 public class WrongTokenTests
 {
     static readonly GatewayOptions WithTokens = Gateways.Options() with { Tokens = Gateways.Tokens };
 
-    /// <summary>These delays are much longer than the test, so a delayed answer never arrives.</summary>
+    /// <summary>These delays are much longer than the test, so a delayed response never arrives.</summary>
     static readonly GatewayOptions Slow = WithTokens with { WrongTokenDelay = TimeSpan.FromMinutes(10), TokenTimeout = TimeSpan.FromMinutes(10) };
 
     [Test]
@@ -128,10 +128,10 @@ public class WrongTokenTests
             return http.SendAsync(request);
         }).ToList();
 
-        await Soon.BecomesAsync(() => time.Long.Count == answers.Count, "all answers are delayed");
+        await Soon.BecomesAsync(() => time.Long.Count == answers.Count, "all responses are delayed");
         Assert.That(time.Long.Order(), Is.EqualTo(new[] { 1, 2, 3 }.Select(turn => turn * Slow.WrongTokenDelay)));
         Assert.That(answers, Has.None.Matches<Task>(answer => answer.IsCompleted));
-        Assert.That((await AskAsync(gateway, Gateways.ObserverToken)).Status, Is.EqualTo(HttpStatusCode.OK), "a known token is answered without delay");
+        Assert.That((await AskAsync(gateway, Gateways.ObserverToken)).Status, Is.EqualTo(HttpStatusCode.OK), "the response to a known token is not delayed");
         time.End();
         foreach (var answer in answers) Assert.That((await answer.Bounded()).StatusCode, Is.EqualTo(HttpStatusCode.TooManyRequests));
     }
@@ -181,7 +181,7 @@ public class WrongTokenTests
 
         Assert.That((await known.ReceiveAsync()).Value.IsAccepted, Is.True);
         Assert.That(await known.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
-        Assert.That(answer.IsCompleted, Is.False, "the answer to the wrong token is delayed");
+        Assert.That(answer.IsCompleted, Is.False, "the response to the wrong token is delayed");
     }
 
     [Test]
@@ -223,7 +223,7 @@ public class WrongTokenTests
 
         async Task<int> StatusAsync()
         {
-            // Reads "HTTP/1.1 100 Continue" and an empty line, or the first 25 bytes of another answer.
+            // Reads "HTTP/1.1 100 Continue" and an empty line, or the first 25 bytes of another response.
             var answer = new byte[25];
             await client.GetStream().ReadExactlyAsync(answer).AsTask().Bounded();
             return int.Parse(Encoding.ASCII.GetString(answer, 9, 3), CultureInfo.InvariantCulture);

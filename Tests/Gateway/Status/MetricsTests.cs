@@ -29,7 +29,7 @@ public class MetricsTests
 
     static StatusSnapshot Snapshot(params JsonObject[] headsets) => new(
         "press", "cell-pc", "1.2.3", new OverallStatus("ok", "fine"), "2026-11-20T12:00:00Z", 5, 100, new ClockStatus("own", "synchronised", true, 120, 3, 0.5, 1000, 2),
-        [new PlantClockView("press", true, true, "synchronised", null, 4.2, 1.5, 200, 1000, 40, 2, "no answer within 2 s")],
+        [new PlantClockView("press", true, true, "synchronised", null, 4.2, 1.5, 200, 1000, 40, 2, "no response within 2 s")],
         [Words("press", ("state", "connected"), ("samples", 12.0), ("refused", 9.0), ("refused/bad_status", 7.0), ("refused/nan", 2.0))],
         [new SourceStatus(["a", "b"], 49.9, new AgeStatus(80, 120), ["b"])],
         [

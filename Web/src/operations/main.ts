@@ -69,7 +69,7 @@ let asked = 0;
 async function read(): Promise<void> {
   const own = ++asked;
   const answer = await ask<State>('state');
-  // A newer request was sent in the meantime, for example after a login, so this answer is obsolete.
+  // A newer request was sent in the meantime, for example after a login, so this response is obsolete.
   if (own !== asked) return;
   isRefused = 'trouble' in answer && answer.status === 401;
   login.show(isRefused);

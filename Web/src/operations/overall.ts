@@ -23,7 +23,7 @@ export class Overall {
     this.showAlarms((events ?? []).filter(event => !event.until_utc));
   }
 
-  /** Shows that the state is unknown. Called when the gateway does not answer. */
+  /** Shows that the state is unknown. Called when the gateway does not respond. */
   lose(): void {
     document.title = `Not known: ${document.title.replace(/^(Warning|Fault|Not known): /, '')}`;
     this.setLine('unknown', operationsMessages.noState);

@@ -1,6 +1,6 @@
 import { gatewayReasons } from '../messages/gateway';
 
-/** Answer to a request for /operations/state. The value of a field that is missing or null is unknown. The names of numbers contain their units. */
+/** Response to a request for /operations/state. The value of a field that is missing or null is unknown. The names of numbers contain their units. */
 export interface State {
   cell?: string | null;
   host?: string;
@@ -138,7 +138,7 @@ export interface Recording {
   deleted?: boolean;
 }
 
-/** Answer from the gateway, or the reason why it did not answer. */
+/** Response of the gateway, or the reason why it did not respond. */
 export type Answer<T> = { value: T } | { trouble: string; status: number };
 
 const PATIENCE_MS = 4000;

@@ -1,6 +1,6 @@
 import { gatewayReasons } from '../messages/gateway';
 
-/** Answer of the gateway, or one line with the reason for a missing answer. */
+/** Response of the gateway, or one line with the reason for a missing response. */
 export type Answer<T> = { value: T } | { trouble: string };
 
 export interface ShownCode {

@@ -23,7 +23,7 @@ export function withGraphics() {
   after(() => { graphics = NO_WEBGL; });
 }
 
-/** @param isReady Whether to wait for the first answer. */
+/** @param isReady Whether to wait for the first response. */
 export async function open(options = {}, isReady = true) {
   if (!browsers.has(graphics)) browsers.set(graphics, await Browser.start('operations', graphics));
   const context = await browsers.get(graphics).browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });

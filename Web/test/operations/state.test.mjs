@@ -53,7 +53,7 @@ describe('the shown state', () => {
     assert.deepEqual((await cells(page, 'press_ads')).slice(0, 4), [operationsLabels.measuredClock, 'synchronised', '12.5', '4.20']);
     assert.deepEqual((await cells(page, 'press_ads')).slice(5, 7), ['25', '90'], 'its ± beside its bound');
     assert.equal((await cells(page, 'press_ads'))[8], '2');
-    assert.equal(await noteOf(page, 'press_ads'), 'last failure: no answer within 2 s');
+    assert.equal(await noteOf(page, 'press_ads'), 'last failure: no response within 2 s');
     assert.equal(await page.textContent('#drops'), 'NotFinite 2');
   });
 

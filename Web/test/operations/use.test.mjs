@@ -149,10 +149,10 @@ describe('the pairing code', () => {
   });
 });
 
-describe('a gateway that does not answer', () => {
+describe('a gateway that does not respond', () => {
   withGraphics();
 
-  it('is reported once and its data are marked as stale until it answers', async () => {
+  it('is reported once and its data are marked as stale until it responds', async () => {
     const page = await open();
 
     gateway.isSilent = true;

@@ -26,7 +26,7 @@ export interface PlcTime {
  */
 export class NotificationTime implements PlcTime {
   readonly #waiting = new Map<number, (stamp: bigint) => void>();
-  /** Stamps of unknown handles, because the first notification may arrive before the answer that contains its handle. */
+  /** Stamps of unknown handles, because the first notification may arrive before the response that contains its handle. */
   readonly #early = new Map<number, bigint>();
   /** Handles of earlier requests. A late notification of an earlier request is ignored, even if the PLC uses its handle again. */
   readonly #former: number[] = [];
@@ -106,7 +106,7 @@ export class VariableTime implements PlcTime {
     return time;
   }
 
-  /** Measures the resolution: the smallest step between values requested every 1 ms, without waiting for the answer to the previous request. */
+  /** Measures the resolution: the smallest step between values requested every 1 ms, without waiting for the response to the previous request. */
   async #step(): Promise<Nanoseconds> {
     const asked: Promise<Nanoseconds>[] = [];
     const never = new AbortController().signal;

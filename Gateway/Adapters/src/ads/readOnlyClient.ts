@@ -11,7 +11,7 @@ const DOWN_MS = 1000;
 const { ADS_COMMAND: COMMAND, ADS_RESERVED_INDEX_GROUPS: GROUP } = ADS;
 const READING: number[] = [COMMAND.ReadDeviceInfo, COMMAND.Read, COMMAND.ReadState, COMMAND.AddNotification, COMMAND.DeleteNotification];
 
-/** Allowed index groups of ReadWrite, which write nothing: the request contains a name, and the answer describes it. */
+/** Allowed index groups of ReadWrite, which write nothing: the request contains a name, and the response describes it. */
 const LOOKING_UP: number[] = [GROUP.SymbolInfoByNameEx, GROUP.DataDataTypeInfoByNameEx];
 
 /** Members of ads-client without a TypeScript declaration. The version of ads-client is pinned, and a test detects missing members. */
@@ -40,7 +40,7 @@ export class ReadOnlyClient extends Client {
       connectionCheckInterval: CHECK_MS,
       connectionDownDelay: DOWN_MS,
       hideConsoleWarnings: true,
-      // Keeps unknown subscriptions, because a notification may arrive before the answer to its subscription.
+      // Keeps unknown subscriptions, because a notification may arrive before the response to its subscription.
       deleteUnknownSubscriptions: false,
     });
     const hidden = this.#hidden;

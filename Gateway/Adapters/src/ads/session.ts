@@ -265,7 +265,7 @@ export class AdsSession {
     return system !== undefined && system.adsState !== RUN ? adsMessages.stopped(netId, String(system.adsStateStr)) : adsMessages.ended(host);
   }
 
-  // Removes the notifications if the PLC still answers, and waits for at most GOODBYE_MS.
+  // Removes the notifications if the PLC still responds, and waits for at most GOODBYE_MS.
   async #leave(): Promise<void> {
     this.#client.onSamples = () => {};
     const goodbye = this.#client.connection.connected ? this.#client.disconnect() : Promise.resolve();

@@ -27,7 +27,7 @@ interface SymbolState {
 export interface ReadActions {
   /**
    * Reads the symbol.
-   * @throws Error The PLC no longer has the symbol, or does not answer.
+   * @throws Error The PLC no longer has the symbol, or does not respond.
    */
   read(index: number): Promise<number>;
   /** Confirms that these symbols still had the value of their last notification when they were read. The reads began `agoMs` ms ago. */

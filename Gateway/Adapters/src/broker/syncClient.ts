@@ -105,7 +105,7 @@ function connected({ host, port, isTls, pin }: Upstream): Promise<Socket> {
       socket.destroy();
       reject(new Error(syncMessages.notReachable(`${host}:${port}`, error.message)));
     };
-    socket.setTimeout(ANSWER_MS, () => fail(new Error('no answer')));
+    socket.setTimeout(ANSWER_MS, () => fail(new Error('no response')));
     socket.once('error', fail);
     socket.once(isTls ? 'secureConnect' : 'connect', () => {
       const problem = pin === null ? null : pinProblem(socket as import('node:tls').TLSSocket, pin);

@@ -41,7 +41,7 @@ export function tokenRequest(token: string): Buffer {
 const isOfKind = (bytes: Buffer, kind: number): boolean =>
   bytes.readUInt32LE(0) === MAGIC && bytes.readUInt8(4) === VERSION && bytes.readUInt8(5) === kind;
 
-/** Whether the server accepted the token; undefined if the frame is not the answer to a token. */
+/** Whether the server accepted the token; undefined if the frame is not the response to a token. */
 export const isAccepted = (bytes: Buffer): boolean | undefined => (isOfKind(bytes, TOKEN_REPLY) ? (bytes.readUInt16LE(6) & 1) !== 0 : undefined);
 
 /** Parses a reply to a time request; undefined if the frame is not such a reply. */

@@ -10,7 +10,7 @@ const RETRY_MS = 200;
 const MAX_SKEW_PPM = 700n;
 
 /**
- * The gateway's control clock, read from the gateway. The times of request and answer bound the offset of the control clock to this machine's
+ * The gateway's control clock, read from the gateway. The times of request and response bound the offset of the control clock to this machine's
  * counter. The bounds of several readings are intersected.
  */
 export class GatewayClock {
@@ -44,7 +44,7 @@ export class GatewayClock {
    * Adds a reading. If it contradicts the earlier readings, these are discarded, because the control clock has stepped or another clock has become
    * the control clock.
    * @param asked Counter before the request.
-   * @param heard Counter after the answer.
+   * @param heard Counter after the response.
    */
   observe(time: Nanoseconds, asked: Nanoseconds, heard: Nanoseconds): void {
     let [low, high] = [time - heard, time - asked];

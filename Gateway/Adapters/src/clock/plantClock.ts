@@ -19,7 +19,7 @@ export interface ClockReading {
 
 export type ReadClock = () => Promise<ClockReading>;
 
-/** The error for a plant that answers but whose time does not advance. Recognised by its name, because each bundle has its own class. */
+/** The error for a plant that responds but whose time does not advance. Recognised by its name, because each bundle has its own class. */
 export class ClockStopped extends Error {
   override readonly name = 'ClockStopped';
 
@@ -135,7 +135,7 @@ export class PlantClock {
   /**
    * Reads the clock, and starts a resolution measurement if one is due.
    * @throws ClockStopped The clock has shown the same time for more than a second.
-   * @throws Error The plant is disconnected, or does not answer.
+   * @throws Error The plant is disconnected, or does not respond.
    */
   async read(): Promise<ClockReading> {
     if (this.#read === null) throw new Error(clockMessages.notConnected);

@@ -29,7 +29,7 @@ const MAX_STATUSES = 32;
 const UNSYNCHRONISED = /\(Unsynchronised\)$/;
 const MEASURING_MS = 20_000;
 
-/** Answers a service call. The message of an exception is returned to the caller as the reason. */
+/** Handles a service call. The message of an exception is returned to the caller as the reason. */
 export type Service = () => Promise<object>;
 
 /** Callbacks of a link. */
@@ -119,7 +119,7 @@ export class GatewayLink {
 
   /**
    * Calls a service of the gateway or robot.
-   * @throws Error The link is disconnected, the service does not answer in time, or it refuses the call.
+   * @throws Error The link is disconnected, the service does not respond in time, or it refuses the call.
    */
   async call(service: string): Promise<Record<string, unknown>> {
     if (!this.isOpen) throw new Error(gatewayMessages.notConnected(this.name));

@@ -21,17 +21,17 @@ export const adsMessages = {
   stopped: (netId: string, state: string) =>
     `TwinCAT at ${netId} has changed to ${state} mode; switch it to RUN mode so that the adapter can read again`,
   noRouter: (host: string, port: number, code: string) =>
-    `nothing answers at ${host}:${port} (${code}); check that TwinCAT or its router is running there and that its firewall allows TCP port ${port}`,
+    `no response from ${host}:${port} (${code}); check that TwinCAT or its router is running there and that its firewall allows TCP port ${port}`,
   noRuntime: (port: number, netId: string) =>
     `${netId} has no PLC runtime at AMS port ${port}; check plant.endpoint: the first runtime of TwinCAT 3 has port 851, that of TwinCAT 2 port 801`,
   unknownNetId: (host: string, netId: string) =>
     `the AMS Net Id ${netId} is unknown to ${host}; check plant.endpoint, and check that ${host} has this AMS Net Id or a route to it`,
   /** @param localNetId AMS Net Id of this machine; null if the router at the host assigns an address. */
   noAnswer: (host: string, localNetId: string | null) =>
-    `${host} accepts the connection but does not answer${
+    `${host} accepts the connection but does not respond${
       localNetId === null
         ? ''
-        : `; if it has never answered, add a route to this machine in TwinCAT: `
+        : `; if it has never responded, add a route to this machine in TwinCAT: `
           + `SYSTEM > Routes > Add, AMS Net Id ${localNetId}, transport TCP_IP, address of this machine`
     }`,
   ended: (host: string) => `${host} has ended the connection`,

@@ -59,6 +59,6 @@ export const syncMessages = {
   invalidReply: 'the sync port sent an invalid reply; check plant.clock',
   connectionClosed: 'the sync connection is closed',
   busy: 'another exchange is in progress',
-  noAnswer: (seconds: number) => `the sync port did not answer within ${seconds} s`,
+  noAnswer: (seconds: number) => `the sync port did not respond within ${seconds} s`,
   notReachable: (place: string, reason: string) => `the sync port ${place} cannot be reached: ${reason}; check plant.clock`,
 };

@@ -1,7 +1,7 @@
 /** Messages about the connection to a gateway and about the versions of gateway and adapter. */
 export const gatewayMessages = {
   notConnected: (name: string) => `${name} is not connected`,
-  notAnswered: (service: string, seconds: number) => `${service} did not answer within ${seconds} s`,
+  notAnswered: (service: string, seconds: number) => `${service} did not respond within ${seconds} s`,
   silent: (seconds: number) => `nothing was received for ${seconds} s`,
   noToken: 'HTTP status 401: the token is missing or unknown to the gateway; set gateway.token_file to a token with the role source',
   measuring: (name: string) => `${name} is measuring this clock; it forwards positions after the measurement`,

@@ -49,10 +49,10 @@ export const opcuaMessages = {
   subscriptionStatus: (status: string) => `the server ended the subscription (${status})`,
   silent: (seconds: number) => `nothing was published for ${seconds} s`,
   notReadable: (reason: string) => `the nodes cannot be read: ${reason}`,
-  rareTime: 'the server rarely updates CurrentTime, so its clock is read from the time stamps of its answers',
-  noTimeOfAnswer: "the server's answer has no time stamp",
+  rareTime: 'the server rarely updates CurrentTime, so its clock is read from the time stamps of its responses',
+  noTimeOfAnswer: "the server's response has no time stamp",
   notAllowed: (request: string) => `${request} is not allowed; the adapter only reads`,
-  noServer: (endpoint: string) => `no OPC UA server answers at ${endpoint}; check that the server is running, and check plant.endpoint`,
+  noServer: (endpoint: string) => `no OPC UA server responds at ${endpoint}; check that the server is running, and check plant.endpoint`,
 };
 
 /** Reasons why a server refuses this adapter, with the remedy. */
@@ -74,13 +74,13 @@ export const nodeMessages = {
   noNamespace: (place: string, node: string) => `${place}: value ${node}; the server has no such namespace`,
   namespaces: (problems: string, namespaces: string[]) => `${problems}; the namespaces of the server: ${namespaces.join(', ')}`,
   unknown: (place: string, node: string, status: string) =>
-    `${place}: value ${node}; the server answers ${status}; look up the node id in an OPC UA browser`,
+    `${place}: value ${node}; the server returned ${status}; look up the node id in an OPC UA browser`,
   gone: (place: string, node: string, status: string) => `${place}: value ${node}; the server no longer has this node (${status})`,
-  notMonitored: (place: string, status: string) => `${place}: the server answers ${status}`,
+  notMonitored: (place: string, status: string) => `${place}: the server returned ${status}`,
   missing: (node: string, status: string) => `the server has no node ${node} (${status})`,
   notReadable: (node: string, status: string) => `${node} cannot be read: ${status}`,
   noValue: 'the node has no value',
-  badStatus: (status: string, description: string) => `the server answers ${status}, ${description}`,
+  badStatus: (status: string, description: string) => `the server returned ${status}, ${description}`,
   array: (node: string) => `${node} is an array; add index`,
   notArray: (node: string) => `${node} is not an array; remove index`,
   index: (node: string, count: number) => `${node} has ${count} elements; allowed: an index from 0 to ${count - 1}`,

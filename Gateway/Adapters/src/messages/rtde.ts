@@ -18,18 +18,18 @@ export const rtdeMessages = {
     `${place} refuses the connection; start the robot's controller, and enable ${service} in PolyScope under Settings > Security > Services`,
   unknownHost: (host: string) =>
     `the host name ${host} is unknown; correct plant.host, or enter the robot's IP address, which PolyScope shows under Settings > Network`,
-  noAnswer: (place: string, code: string) => `${place} does not answer (${code}); check plant.host, the robot's network and its firewalls`,
+  noAnswer: (place: string, code: string) => `${place} does not respond (${code}); check plant.host, the robot's network and its firewalls`,
   notRtde: (place: string) => `${place} does not use RTDE; set host to the robot's address, and remove port unless RTDE is forwarded`,
   header: (size: number, type: number) => `the data have an invalid header with size ${size} and type ${type}`,
-  noRtdeAnswer: (place: string) => `${place} accepts the connection but does not answer with RTDE; check plant.host and plant.port`,
+  noRtdeAnswer: (place: string) => `${place} accepts the connection but its response is not RTDE; check plant.host and plant.port`,
   oldProtocol: (place: string) => `${place} supports RTDE protocol version 1 only; version 2 is required, so update the controller's software`,
-  noRecipe: (place: string) => `${place} does not answer the request for the output recipe; if this happens again, restart the controller`,
+  noRecipe: (place: string) => `${place} does not respond to the request for the output recipe; if this happens again, restart the controller`,
   notStarted: (place: string) => `${place} does not start sending data; if this happens again, restart the controller`,
   damaged: (place: string) =>
     `the data stream from ${place} is corrupt; the adapter connects again. If this happens again, check the robot's network`,
-  endedBeforeAnswer: (problem: string) => `${problem} before it answered; if other programs read this robot over RTDE, stop one of them`,
+  endedBeforeAnswer: (problem: string) => `${problem} before it responded; if other programs read this robot over RTDE, stop one of them`,
   endedWhileReading: (problem: string) =>
-    `${problem}; check whether the controller was switched off or restarted. The adapter continues when the controller answers`,
+    `${problem}; check whether the controller was switched off or restarted. The adapter continues when the controller responds`,
   silent: (place: string, seconds: number) =>
     `nothing has arrived from ${place} for ${seconds} s; check the robot's network and whether its controller runs`,
   halfPackage: (place: string, seconds: number) =>
@@ -50,7 +50,7 @@ export const rtdeMessages = {
 /** Messages about the fields that a controller sends. */
 export const fieldMessages = {
   recipe: (fields: number, types: number) =>
-    `the controller answered the recipe of ${fields} fields with ${types} types; check that it is an RTDE server of protocol version 2`,
+    `the controller returned ${types} types for the recipe of ${fields} fields; check that it is an RTDE server of protocol version 2`,
   missing: (names: string[]) => `the controller does not have the fields ${names.join(', ')}; update the controller's software`,
   readWithout: (problem: string) => `${problem}; the adapter reads the other fields`,
   needed: (field: string) => `the controller has no field ${field}; update the controller's software`,

@@ -11,11 +11,11 @@ import { nodeMessages, opcuaMessages } from '../messages/opcua';
 /** Node id of Server_ServerStatus_CurrentTime, which every OPC UA server has. */
 const CURRENT_TIME = 'ns=0;i=2258';
 
-/** If CurrentTime stands still for at least this duration, the time in the server's answers is used instead, because it is more accurate. */
+/** If CurrentTime stands still for at least this duration, the time in the server's responses is used instead, because it is more accurate. */
 const STANDS: Nanoseconds = 16n * NS_PER_MS;
 
 /**
- * Maximum difference at which CurrentTime and the time in the answers count as readings of the same clock. Some servers update CurrentTime once per
+ * Maximum difference at which CurrentTime and the time in the responses count as readings of the same clock. Some servers update CurrentTime once per
  * second.
  */
 const SAME_CLOCK: Nanoseconds = 3000n * NS_PER_MS;
@@ -43,7 +43,7 @@ export async function clockOf(session: ReadOnlySession, settings: OpcUaSettings,
   };
 }
 
-/** Whether the server's CurrentTime stands still between updates, and its answers contain the time of the same clock. */
+/** Whether the server's CurrentTime stands still between updates, and its responses contain the time of the same clock. */
 async function stands(session: ReadOnlySession, read: ReadClock): Promise<boolean> {
   const began = monotonicTime();
   const { sent: first } = await read();
@@ -52,7 +52,7 @@ async function stands(session: ReadOnlySession, read: ReadClock): Promise<boolea
   while (time === first && monotonicTime() - began < 4n * STANDS) {
     const asked = monotonicTime();
     ({ sent: time } = await read());
-    // Counts only answers with the same time. A slow answer with a different time does not show a standstill.
+    // Counts only responses with the same time. A slow response with a different time does not show a standstill.
     if (time === first) stood = asked - began;
   }
   const answered = sentAt(session);

@@ -124,7 +124,7 @@ export class ReadOnlySession {
     this.#session.on('session_closed', () => this.#end(opcuaMessages.sessionClosed));
   }
 
-  /** Time on the server's clock at which it sent its newest answer to a read request; null before the first answer. */
+  /** Time on the server's clock at which it sent its newest response to a read request; null before the first response. */
   get answeredAt(): Date | null {
     return this.#answeredAt;
   }

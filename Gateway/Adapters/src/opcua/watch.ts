@@ -49,7 +49,7 @@ export class Watch {
       try {
         if (!isOver) time = (await clock.read()).received;
       } catch (error) {
-        // Continues if the clock has stopped, because such a server still answers. The gateway gets this error when it reads the time.
+        // Continues if the clock has stopped, because such a server still responds. The gateway receives this error when it reads the time.
         if (!isClockStopped(error)) return clockMessages.notReadable((error as Error).message);
       }
       try {

@@ -40,7 +40,7 @@ export class RtdeConnection {
 
   /**
    * Opens a connection.
-   * @throws Error The controller does not answer. The message contains the remedy.
+   * @throws Error The controller does not respond. The message contains the remedy.
    */
   static open(peer: Peer, stop: AbortSignal): Promise<RtdeConnection> {
     return new Promise((resolve, reject) => {

@@ -68,7 +68,7 @@ export class Recipe {
   readonly size: number;
 
   /**
-   * @param reply Payload of the answer to the request: the recipe id, and the types in the order of the fields.
+   * @param reply Payload of the response to the request: the recipe id, and the types in the order of the fields.
    * @throws RecipeError A required field is missing, or a field has another type.
    * @throws MissingFieldsError Optional fields are missing.
    */

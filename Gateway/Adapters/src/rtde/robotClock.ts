@@ -9,8 +9,8 @@ const MAX_SKEW_PPM = 700n;
 const SILENCE: Nanoseconds = NS_PER_S;
 
 /**
- * If the controller does not answer requests, its clock counts as stepped when one package arrives at least this much earlier than expected, or when
- * all packages within PERIOD arrive at least this much later than expected.
+ * If the controller does not respond to requests, its clock counts as stepped when one package arrives at least this much earlier than expected, or
+ * when all packages within PERIOD arrive at least this much later than expected.
  */
 const LATE: Nanoseconds = 50n * NS_PER_MS;
 
@@ -24,31 +24,31 @@ const RETURN: Nanoseconds = 60n * NS_PER_S;
 const ANSWERS = 8;
 
 /**
- * Minimum number of consecutive answers with an upper bound below the lower bound that show, within at least PERIOD, that the clock stepped
+ * Minimum number of consecutive responses with an upper bound below the lower bound that show, within at least PERIOD, that the clock stepped
  * back.
  */
 const REFUTED = 5;
 
 /**
- * The controller's clock. It is measured from the data packages that the controller streams and from its answers to requests.
+ * The controller's clock. It is measured from the data packages that the controller streams and from its responses to requests.
  *
  * The offset is controller time minus this machine's time. A package arrives after its timestamp, so the offset is at least timestamp − arrival. The
- * fastest package gives the best lower bound. The first package after the answer to a request was sent after the request, and at most the send delay
- * after its timestamp, so the offset is at most timestamp + send delay − time of the request. The offset lies between the two bounds, which diverge
- * with the maximum skew until the next package or answer. If the controller sends a package later than the send delay, the upper bound is wrong. An
- * upper bound below the lower bound is therefore refuted and ignored.
+ * fastest package gives the best lower bound. The first package after the response to a request was sent after the request, and at most the send
+ * delay after its timestamp, so the offset is at most timestamp + send delay − time of the request. The offset lies between the two bounds, which
+ * diverge with the maximum skew until the next package or response. If the controller sends a package later than the send delay, the upper bound is
+ * wrong. An upper bound below the lower bound is therefore refuted and ignored.
  */
 export class RobotClock {
   #lower: Nanoseconds | null = null;
-  /** The smallest upper bounds from answers that are not below the lower bound, in ascending order. */
+  /** The smallest upper bounds from responses that are not below the lower bound, in ascending order. */
   #uppers: Nanoseconds[] = [];
   #updated: Nanoseconds = 0n;
   #newest: Nanoseconds | null = null;
-  /** Time since which all answers or packages have been late, number of these answers, and largest lower bound from a package since then. */
+  /** Time since which all responses or packages have been late, number of these responses, and largest lower bound from a package since then. */
   #late: { since: Nanoseconds; answers: number; lower: Nanoseconds } | null = null;
   /**
-   * Distance between the bounds while the controller does not answer: the current distance (`width`) and its minimum (`assumed`). Null while answers
-   * give upper bounds.
+   * Distance between the bounds while the controller does not respond: the current distance (`width`) and its minimum (`assumed`). Null while
+   * responses give upper bounds.
    */
   #kept: { assumed: Nanoseconds; width: Nanoseconds } | null = null;
 
@@ -68,11 +68,11 @@ export class RobotClock {
   }
 
   /**
-   * Assumes a distance between the two bounds from now on. Call this method if the controller does not answer requests while it streams, because
-   * only answers give upper bounds. The assumed distance is the send delay plus the round-trip time, or the current distance if that is smaller.
+   * Assumes a distance between the two bounds from now on. Call this method if the controller does not respond to requests while it streams, because
+   * only responses give upper bounds. The assumed distance is the send delay plus the round-trip time, or the current distance if that is smaller.
    * A package that arrives earlier than expected shows that the previous packages were late. It increases the distance, which then returns to the
    * assumed distance.
-   * @param roundTrip Shortest round-trip time of the requests answered so far.
+   * @param roundTrip Shortest round-trip time of the requests so far that received a response.
    */
   expectNoAnswers(roundTrip: Nanoseconds): void {
     const longest = this.sendDelay + roundTrip;
@@ -85,7 +85,7 @@ export class RobotClock {
    * Adds a data package.
    * @param timestamp Timestamp of the package on the controller's clock.
    * @param arrived Arrival time on this machine's counter.
-   * @param asked Time of the request whose answer arrived just before this package; null if there is none.
+   * @param asked Time of the request whose response arrived just before this package; null if there is none.
    */
   heard(timestamp: Nanoseconds, arrived: Nanoseconds, asked: Nanoseconds | null): void {
     this.#age(arrived);
@@ -138,7 +138,7 @@ export class RobotClock {
   }
 
   /**
-   * Adds the upper bound from an answer. Returns whether the clock has stepped. It has stepped if all earlier
+   * Adds the upper bound from a response. Returns whether the clock has stepped. It has stepped if all earlier
    * upper bounds are below the lower bound, or if at least REFUTED consecutive new upper bounds have been below it for at least PERIOD.
    */
   #areAnswersRefuted(answered: Nanoseconds | null, lower: Nanoseconds, arrived: Nanoseconds): boolean {

@@ -27,7 +27,7 @@ const ASK_MS = 50;
 /** Minimum backward step of the timestamp that indicates a controller restart. */
 const RESTART_S = 0.5;
 
-/** First major version of e-Series controllers. A controller that does not answer with a version counts as e-Series. */
+/** First major version of e-Series controllers. A controller that does not return its version counts as e-Series. */
 const E_SERIES = 5;
 const E_SERIES_HZ = 500;
 const CB3_HZ = 125;
@@ -37,11 +37,11 @@ export class RtdeSession {
   #connection!: RtdeConnection;
   #recipe!: Recipe;
   #output!: CycleOutput;
-  /** Payload of the answer with the controller's version; null if the controller did not answer. */
+  /** Payload of the response with the controller's version; null if the controller did not respond. */
   #controller: Buffer | null = null;
   #clock!: RobotClock;
   #awaited: { type: number; take: (payload: Buffer, arrived: Nanoseconds) => void } | null = null;
-  /** Time of the request whose answer arrived last; null if a data package has arrived since that answer, or if no answer has arrived. */
+  /** Time of the request whose response arrived last; null if a data package has arrived since then, or if no response has arrived. */
   #answered: Nanoseconds | null = null;
   /** The shortest round-trip time of the requests during the set-up. */
   #roundTrip: Nanoseconds | null = null;
@@ -124,9 +124,9 @@ export class RtdeSession {
   }
 
   /**
-   * Sends a request and waits for its answer.
-   * @param answered Called with the time of the request when the answer arrives, before later data are processed.
-   * @returns Payload of the answer; null after a timeout.
+   * Sends a request and waits for its response.
+   * @param answered Called with the time of the request when the response arrives, before later data are processed.
+   * @returns Payload of the response; null after a timeout.
    */
   async #ask(request: Buffer, type: number, ms: number, answered: (asked: Nanoseconds) => void = () => {}): Promise<Buffer | null> {
     const asked = monotonicTime();
@@ -160,10 +160,10 @@ export class RtdeSession {
     return (this.#connection.hasHalfPackage ? halfPackage : silent)(at(this.settings), SILENT_MS / 1000);
   }
 
-  /** Requests the version repeatedly. The data package after each answer gives an upper bound of the controller's clock. */
+  /** Requests the version repeatedly. The data package after each response gives an upper bound of the controller's clock. */
   async #askAgain(): Promise<void> {
     const over = this.#over.signal;
-    // Stops after an unanswered request, because a late answer could be mistaken for the answer to a later request.
+    // Stops after an unanswered request, because a late response could be mistaken for the response to a later request.
     if (this.#controller === null) return this.#clock.expectNoAnswers(this.#roundTrip!);
     while (!over.aborted) {
       await pause(ASK_MS, over);
@@ -180,7 +180,7 @@ export class RtdeSession {
   }
 
   /**
-   * Gets a random time to wait before a request, mostly until shortly before the next package: the shorter the time between an answer and the next
+   * Gets a random time to wait before a request, mostly until shortly before the next package: the shorter the time between a response and the next
    * package, the tighter the bound. The time is random, because the transmission time of the request is unknown.
    */
   #untilPackageMs(): number {

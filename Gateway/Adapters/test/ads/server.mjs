@@ -1,4 +1,4 @@
-// Answers ADS clients over TCP like the runtime of a TwinCAT PLC (port 851) and its system service (port 10000).
+// Serves ADS clients over TCP like the runtime of a TwinCAT PLC (port 851) and its system service (port 10000).
 import { once } from 'node:events';
 import { createServer } from 'node:net';
 import {
@@ -24,7 +24,7 @@ export class AdsServer {
     this.routes = routes;
     /** All received requests, with which tests check that the client wrote nothing. */
     this.seen = [];
-    /** While true, the server reads requests but does not answer them. */
+    /** While true, the server reads requests but does not respond to them. */
     this.silent = false;
     plc.downloaded.add(this.#downloaded);
   }

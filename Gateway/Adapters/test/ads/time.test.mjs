@@ -26,7 +26,7 @@ describe('cycles of a PLC', () => {
 describe('time by notifications', () => {
   const STAMP = 133_000_000_000_000_000n;
 
-  /** Simulates a PLC whose first notification arrives before (`early`) or after the answer to the subscription. */
+  /** Simulates a PLC whose first notification arrives before (`early`) or after the response to the subscription. */
   function plc({ early, handles = [1, 2, 3] }) {
     const time = new NotificationTime({
       subscribe: async () => {

@@ -56,7 +56,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     }
     const asked = performance.now();
     await until(() => Number(near.state?.lost) > 0, () => `lost messages: ${JSON.stringify(near.state)}`);
-    // The bridge still answers its gateway while the broker is stalled.
+    // The bridge still responds to its gateway while the broker is stalled.
     const count = near.published('/nowpose/diagnostics').length;
     await until(() => near.published('/nowpose/diagnostics').length > count, 'diagnostics');
 

@@ -178,7 +178,7 @@ frames:
     });
 
   it('Subscription_RefusedByTheBroker_ItsValuesAreInFault', async t => {
-    // This broker accepts the connection and answers each subscription with "not authorised".
+    // This broker accepts the connection and responds to each subscription with "not authorised".
     const server = createServer(socket => socket.on('data', ([kind, , high, low]) => {
       if (kind === 0x10) socket.write(Buffer.from([0x20, 3, 0, 0, 0]));
       if (kind === 0x82) socket.write(Buffer.from([0x90, 4, high, low, 0, 0x87]));

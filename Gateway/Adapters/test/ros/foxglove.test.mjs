@@ -20,7 +20,7 @@ async function connect(t, args = ['--robot', 'youbot']) {
   return ros;
 }
 
-/** Calls a method of Ros that takes two callbacks, one for the answer and one for a failure. */
+/** Calls a method of Ros that takes two callbacks, one for the response and one for a failure. */
 const ask = (ros, method, ...args) => new Promise((resolve, reject) => ros[method](...args, resolve, error => reject(new Error(`${method}: ${error}`))));
 
 test('topics are listed with their types and full definitions', limit, async t => {
@@ -72,7 +72,7 @@ test('the robot description is a parameter, and unknown parameters are null', li
   assert.deepEqual(await ask(ros, 'getParams'), ['/robot_description']);
 });
 
-test('a client that uses a type name of ROS 2 gets all answers in the format of ROS 2', limit, async t => {
+test('a client that uses a type name of ROS 2 receives all responses in the format of ROS 2', limit, async t => {
   const ros = await connect(t);
   new ROSLIB.Topic({ ros, name: '/joint_states', messageType: 'sensor_msgs/msg/JointState' }).subscribe(() => {});
 
@@ -88,7 +88,7 @@ test('a client that uses a type name of ROS 2 gets all answers in the format of 
   assert.equal(await ask(ros, 'getServiceType', '/rosapi/nodes'), 'rosapi_msgs/srv/Nodes');
 });
 
-test('a request for compression is answered by a status, and samples are sent as JSON', limit, async t => {
+test('a request for compression receives a status, and samples are sent as JSON', limit, async t => {
   const ros = await connect(t, ['--robot', 'youbot']);
   const emit = ros.emit.bind(ros);
   // The client emits a status as an event with the id of the request to which the status belongs.

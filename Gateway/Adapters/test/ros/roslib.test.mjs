@@ -24,7 +24,7 @@ const call = (ros, name, request = {}) => within(
 
 const topic = (ros, name, messageType, options = {}) => new ROSLIB.Topic({ ros, name, messageType, ...options });
 
-/** Waits for the answer to a request. The gateway has then read all earlier messages. */
+/** Waits for the response to a request. The gateway has then read all earlier messages. */
 const settled = ros => call(ros, '/rosapi/get_time');
 
 const now = () => { const ms = Date.now() - 100; return { sec: Math.floor(ms / 1000), nanosec: (ms % 1000) * 1000000 }; };

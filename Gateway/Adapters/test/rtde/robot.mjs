@@ -27,7 +27,7 @@ export class RtdeRobot {
   /** Fields that this controller does not have. `types` contains fields whose type differs from the guide. */
   missing = [];
   types = {};
-  /** Version of the controller; null if the controller does not answer the request for the version. */
+  /** Version of the controller; null if the controller does not respond to the request for the version. */
   version = [5, 11, 1, 108318];
   accepts = 2;
   isAnsweringWhileStreaming = true;

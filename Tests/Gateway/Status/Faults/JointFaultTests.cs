@@ -167,7 +167,7 @@ public class JointFaultTests
             "adapter/press", ("state", "connected"), ("joint/a", $"refused {_gateway.Since(5)} status Bad"),
             ("joint/b", $"live {_gateway.Since()} "));
         using var client = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
-        // The gateway may publish the status before it answers the request, so all messages until the status are read.
+        // The gateway may publish the status before it responds to the request, so all messages until the status are read.
         await client.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStatus, "diagnostic_msgs/DiagnosticArray"));
 
         JsonElement status;

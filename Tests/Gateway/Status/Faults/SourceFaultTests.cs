@@ -75,7 +75,7 @@ public class SourceFaultTests
         Assert.That((await client.ReceiveAsync()).Text, Does.Contain("dropped"));
 
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
-        // The gateway counts the refusal after it has answered the client, so the test must wait for the count.
+        // The gateway counts the refusal after it has responded to the client, so the test must wait for the count.
         const string Expected = "source rosbridge 127.0.0.1 is refused for joint a: the source gateway already publishes this joint";
         string Text() => _gateway.StateAsync().Result.GetProperty("status").GetProperty("text").GetString();
         await Soon.BecomesAsync(() => Text().StartsWith(Expected, StringComparison.Ordinal), () => Text());

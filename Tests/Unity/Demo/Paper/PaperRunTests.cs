@@ -170,7 +170,7 @@ public class PaperRunTests
         Assert.That(figures[1].Criteria[0].Measured, Does.Contain("measured in 1 of 2 repeats: no swing after 10 s"));
     }
 
-    // This happens after Ctrl-C before the first exchange, or with a server that does not answer.
+    // This happens after Ctrl-C before the first exchange, or with a server that does not respond.
     [Test]
     public void Paper_NoExchange_WritesTheOtherMeasurements()
     {

@@ -29,7 +29,7 @@ namespace Nowpose.Anchoring
     /// <summary>Whether the device holds a position.</summary>
     public enum SpatialAnchorState
     {
-        /// <summary>The position is requested; the device has not answered yet.</summary>
+        /// <summary>The position is requested; the device has not responded yet.</summary>
         Pending,
 
         /// <summary>The device holds the position, and its pose is known.</summary>

@@ -26,12 +26,12 @@ namespace Nowpose.Messages
         public static string TlsVersion(SslProtocols version) =>
             $"TLS: the gateway supports only {version}; 1.2 or 1.3 is needed; enable one of them on the gateway";
 
-        public const string NotHttp = "the answer is not HTTP/1.1; check that host and port are those of a gateway";
+        public const string NotHttp = "the response is not HTTP/1.1; check that host and port are those of a gateway";
 
         public static string HeadTooLong(int max) =>
-            $"the HTTP header of the answer is longer than {max} bytes; check that host and port are those of a gateway";
+            $"the HTTP header of the response is longer than {max} bytes; check that host and port are those of a gateway";
 
-        public const string ClosedBeforeAnswer = "the gateway closed the connection before it had answered; see its log";
+        public const string ClosedBeforeAnswer = "the gateway closed the connection before it responded; see its log";
 
         public static string NothingSent(double seconds) =>
             FormattableString.Invariant($"nothing could be sent for {seconds} s; check the network");
@@ -39,17 +39,17 @@ namespace Nowpose.Messages
         public const string RosTimeZero = "the time is zero; with use_sim_time, start the node that publishes /clock";
 
         public static string RosTimeMissing(DropReason fault) =>
-            $"the answer contains no time ({fault}); check that rosapi has the service get_time";
+            $"the response contains no time ({fault}); check that rosapi has the service get_time";
 
         public static string StartRosapi(string reason) =>
             $"{reason}; start the node rosapi together with rosbridge, as rosbridge's launch file does";
         public static string RosClockStopped(string service) => $"{service}: the clock does not advance; continue the simulation if it is paused";
 
         public static string NoAnswer(string service, double seconds) =>
-            FormattableString.Invariant($"{service} did not answer within {seconds} s; check the network and rosbridge");
+            FormattableString.Invariant($"{service} did not respond within {seconds} s; check the network and rosbridge");
 
         public static string UnusableAnswers(string service, int count, SyncExchangeFault fault) =>
-            $"{service}: {count} unusable answers in a row, the last: {fault}; check that host and port are those of a rosbridge server";
+            $"{service}: {count} consecutive unusable responses, the last: {fault}; check that host and port are those of a rosbridge server";
 
         public const string JointsClosed = "joint positions: the gateway closed the connection";
 
@@ -75,7 +75,7 @@ namespace Nowpose.Messages
             "the gateway refuses requests from another origin (403); use the address that the gateway was started with";
 
         public static string UpgradeRefused(string status) =>
-            $"the gateway answered the WebSocket request with status {status}; check that host and port are those of a gateway";
+            $"the gateway responded to the WebSocket request with status {status}; check that host and port are those of a gateway";
 
         public const string NotAWebSocket = "the server does not accept the WebSocket request; check that it is a gateway";
 

@@ -1,6 +1,6 @@
 namespace Nowpose.Messages
 {
-    /// <summary>Messages about a gateway's answer to a pairing code, with remedies.</summary>
+    /// <summary>Messages about a gateway's response to a pairing code, with remedies.</summary>
     static class PairingAnswerMessages
     {
         public static string Unencrypted(string host) => $"pairing: the code's token would be sent unencrypted to {host}; use a cell code with a pin";
@@ -10,10 +10,10 @@ namespace Nowpose.Messages
         public const string TooManyWrong = "the gateway has received too many wrong codes; try again in a minute";
         public const string NotSaved = "the gateway cannot save this headset's token; see its log";
 
-        public static string Status(string status) => $"the gateway answered the code with status {status}; see its log";
+        public static string Status(string status) => $"the gateway responded to the code with status {status}; see its log";
         public static string TooLong(int max) =>
-            $"the answer to the code is of unknown length or longer than {max} bytes; check that the address in the code is that of a gateway";
+            $"the response to the code has an unknown length or is longer than {max} bytes; check that the address in the code is that of a gateway";
 
-        public const string NoToken = "the answer to the code contains no valid token; check that the address in the code is that of a gateway";
+        public const string NoToken = "the response to the code contains no valid token; check that the address in the code is that of a gateway";
     }
 }

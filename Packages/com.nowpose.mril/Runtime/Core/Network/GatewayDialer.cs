@@ -34,7 +34,7 @@ namespace Nowpose.Network
         }
 
         /// <exception cref="GatewayRefusalException">
-        /// The certificate is not trusted, the TLS version is too old, or the gateway did not answer in time.
+        /// The certificate is not trusted, the TLS version is too old, or the gateway did not respond in time.
         /// </exception>
         /// <exception cref="SocketException">The gateway refused the connection, or the network is down.</exception>
         /// <exception cref="OperationCanceledException">The operation was cancelled.</exception>
@@ -52,7 +52,7 @@ namespace Nowpose.Network
                     cancel.ThrowIfCancellationRequested();
                     if (inTime.IsCancellationRequested)
                         throw new GatewayRefusalException(
-                            _settings.Host + ":" + port + ": no answer within " + ProtocolLimits.DialTimeout.TotalSeconds + " s", failure);
+                            _settings.Host + ":" + port + ": no response within " + ProtocolLimits.DialTimeout.TotalSeconds + " s", failure);
                     throw;
                 }
             }
@@ -76,7 +76,7 @@ namespace Nowpose.Network
             }
         }
 
-        // IPv4 addresses come first, because a gateway listens on them by default and an address without an answer uses up the timeout.
+        // IPv4 addresses come first, because a gateway listens on them by default and an address without a response uses up the timeout.
         async Task<IPAddress[]> AddressesAsync()
         {
             if (IPAddress.TryParse(_settings.Host, out var literal)) return new[] { literal };

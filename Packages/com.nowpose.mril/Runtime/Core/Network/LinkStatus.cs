@@ -10,7 +10,7 @@ namespace Nowpose.Network
 
         Connecting,
 
-        /// <summary>The connection is open, and the other side has answered.</summary>
+        /// <summary>The connection is open, and the other side has responded.</summary>
         Connected,
 
         /// <summary>The connection failed or was lost; it is retried automatically.</summary>

@@ -2,16 +2,16 @@ using System;
 
 namespace Nowpose.Network
 {
-    /// <summary>Estimates the resolution of a ROS clock from its answers, because ROS does not report it. Not thread-safe.</summary>
+    /// <summary>Estimates the resolution of a ROS clock from its responses, because ROS does not report it. Not thread-safe.</summary>
     /// <remarks>
-    /// A simulated clock advances in whole steps, so every answer is a multiple of the step. It returns the time of the newest message on
-    /// /clock, so it stands still between messages. The larger of step and standstill is its resolution. The answers of a wall clock
-    /// have no common divisor and never repeat. Only answers in quick succession show the length of a standstill, so it is measured
+    /// A simulated clock advances in whole steps, so every response is a multiple of the step. It returns the time of the newest message on
+    /// /clock, so it stands still between messages. The larger of step and standstill is its resolution. The responses of a wall clock
+    /// have no common divisor and never repeat. Only responses in quick succession show the length of a standstill, so it is measured
     /// at intervals (<see cref="IsMeasuring"/>); the value includes the previous measurement.
     /// </remarks>
     sealed class RosClockResolution
     {
-        /// <summary>Minimum number of answers in a measurement. With this many, a common divisor larger than the step is very unlikely.</summary>
+        /// <summary>Minimum number of responses in a measurement. With this many, a common divisor larger than the step is very unlikely.</summary>
         const int MinAnswers = 16;
 
         /// <summary>Minimum number of changes in a measurement: one complete standstill lies between the first two changes.</summary>
@@ -43,13 +43,13 @@ namespace Nowpose.Network
         TimeSpan CoarseStill => IsStopped ? TimeSpan.Zero : _still;
 
         /// <param name="sent">Time of the request.</param>
-        /// <param name="arrived">Arrival time of the answer.</param>
+        /// <param name="arrived">Arrival time of the response.</param>
         public void Add(ControlTime time, HeadsetTime sent, HeadsetTime arrived)
         {
             if (!IsMeasuring && arrived - _measured >= MeasuredEvery) BeginMeasurement();
             _answers++;
             _step = GreatestCommonDivisor(_step, Math.Abs(time.SinceEpoch.Ticks));
-            // Both readings lie between the first answer's arrival and this request, so the clock stood still for at least that long.
+            // Both readings lie between the first response's arrival and this request, so the clock stood still for at least that long.
             if (time == _shown) _still = sent - _firstArrived;
             else Change(time, arrived);
             _sentLast = sent;
@@ -80,7 +80,7 @@ namespace Nowpose.Network
             _firstArrived = arrived;
         }
 
-        // The observed standstill is a lower bound. If the answers follow in quick succession, the advance of the clock is the length of the
+        // The observed standstill is a lower bound. If the responses follow in quick succession, the advance of the clock is the length of the
         // standstill. An underestimate would make the error bound too small.
         TimeSpan LengthOfStandstill(TimeSpan advance, HeadsetTime arrived)
         {

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>A rosbridge server's answer to a call of /rosapi/get_time.</summary>
+    /// <summary>A rosbridge server's response to a call of /rosapi/get_time.</summary>
     sealed class RosTimeAnswer
     {
         const int MaxReasonLength = 200;
@@ -15,10 +15,10 @@ namespace Nowpose.Network
             Problem = Time == null ? ProblemOf(response, fault) : null;
         }
 
-        /// <summary>The server's time; null if the answer contains none.</summary>
+        /// <summary>The server's time; null if the response contains none.</summary>
         public ControlTime? Time { get; }
 
-        /// <summary>Time at which the last byte of the answer was read.</summary>
+        /// <summary>Time at which the last byte of the response was read.</summary>
         public HeadsetTime Arrival { get; }
 
         /// <summary>Reason why the time is unknown, and the remedy; null if it is known.</summary>

@@ -13,9 +13,9 @@ namespace Nowpose.Network
     /// Exchanges timestamps with the ROS clock over a rosbridge connection, in place of <see cref="SyncClient"/> on connections without a gateway.
     /// </summary>
     /// <remarks>
-    /// The answer contains one time, which the server read between the call and the answer; it is used as both t2 and t3. The server's
+    /// The response contains one time, which the server read between the call and the response; it is used as both t2 and t3. The server's
     /// processing times before and after the reading are unknown, so half the round-trip time bounds the error. One call is in
-    /// flight at a time; answers with another id are ignored.
+    /// flight at a time; responses with another id are ignored.
     /// </remarks>
     sealed class RosTimeExchanges
     {
@@ -24,7 +24,7 @@ namespace Nowpose.Network
 
         static readonly TimeSpan PauseAfterRefusal = new TimeSpan(TimeSpan.TicksPerSecond);
 
-        /// <summary>Interval from an answer to the next request while the resolution is measured.</summary>
+        /// <summary>Interval from a response to the next request while the resolution is measured.</summary>
         static readonly TimeSpan QuickPause = new TimeSpan(3 * TimeSpan.TicksPerMillisecond);
 
         readonly IHeadsetClock _clock;
@@ -53,7 +53,7 @@ namespace Nowpose.Network
 
         /// <summary>Runs exchanges over one connection until it ends.</summary>
         /// <exception cref="IOException">
-        /// No answer arrived in time, or too many consecutive answers were unusable. The caller must close the connection.
+        /// No response arrived in time, or too many consecutive responses were unusable. The caller must close the connection.
         /// </exception>
         public async Task RunAsync(LinkSender sender, CancellationToken cancel)
         {

@@ -150,7 +150,7 @@ namespace Nowpose.Network
                 }
                 catch (OperationCanceledException late) when (!_stop.IsCancellationRequested)
                 {
-                    throw new GatewayRefusalException("no answer within " + ProtocolLimits.PongTimeout.TotalSeconds + " s", late);
+                    throw new GatewayRefusalException("no response within " + ProtocolLimits.PongTimeout.TotalSeconds + " s", late);
                 }
             }
             MarkReceived(_clock.Now);
@@ -253,7 +253,7 @@ namespace Nowpose.Network
             }
         }
 
-        // Publishes diagnostics. After a silence it also calls the gateway's time service, because an answer distinguishes an idle plant
+        // Publishes diagnostics. After a silence it also calls the gateway's time service, because a response distinguishes an idle plant
         // from a connection that was lost without notice, as happens on WiFi.
         async Task ReportAsync(LinkSender sender, CancellationToken cancel)
         {

@@ -31,7 +31,7 @@ namespace Nowpose.Pairing
         /// <inheritdoc cref="TokenExchange.Trouble"/>
         public string Trouble => _running?.Trouble;
 
-        /// <summary>Returns whether a gateway has accepted or rejected the code, or whether none answered while the code was valid.</summary>
+        /// <summary>Returns whether a gateway has accepted or rejected the code, or whether none responded while the code was valid.</summary>
         public bool WasTried(TokenCode code) => _tried.Contains(code.Token);
 
         public void Wait(TokenCode code, HeadsetTime now)
@@ -50,7 +50,7 @@ namespace Nowpose.Pairing
             return cell != null;
         }
 
-        /// <returns>The final answer; null while there is none.</returns>
+        /// <returns>The final response; null while there is none.</returns>
         public PairingAnswer Follow(HeadsetTime now)
         {
             var answer = _running?.Follow(now);

@@ -11,7 +11,7 @@ namespace Nowpose.Pairing
         /// <summary>Validity of a code from its first display on the gateway's page.</summary>
         public static readonly TimeSpan CodeValidity = TimeSpan.FromMinutes(5);
 
-        /// <summary>Maximum length of a request or an answer, in bytes of JSON.</summary>
+        /// <summary>Maximum length of a request or a response, in bytes of JSON.</summary>
         public const int BodyBytes = 1024;
 
         /// <summary>Timeout of one exchange.</summary>

@@ -21,7 +21,7 @@ namespace Nowpose.Pairing
 
         /// <param name="gateway">Settings with a pin, or for this machine; their token is not used.</param>
         /// <param name="codeToken">Token of the gateway's code.</param>
-        /// <returns>The answer, which also reports failures.</returns>
+        /// <returns>The response, which also reports failures.</returns>
         /// <exception cref="OperationCanceledException">The exchange was cancelled.</exception>
         /// <exception cref="InputException">The connection would go to another machine without encryption.</exception>
         public static async Task<PairingAnswer> SendAsync(ConnectionSettings gateway, string codeToken, CancellationToken cancel)
@@ -39,7 +39,7 @@ namespace Nowpose.Pairing
                 {
                     cancel.ThrowIfCancellationRequested();
                     var why = inTime.IsCancellationRequested
-                        ? "no answer within " + PairingLimits.ExchangeTimeout.TotalSeconds + " s"
+                        ? "no response within " + PairingLimits.ExchangeTimeout.TotalSeconds + " s"
                         : (failure is AggregateException ? failure.GetBaseException() : failure).Message;
                     return PairingAnswer.Failed("pairing with " + gateway.Host + ": " + why);
                 }

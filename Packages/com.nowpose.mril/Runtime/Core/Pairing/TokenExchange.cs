@@ -36,7 +36,7 @@ namespace Nowpose.Pairing
         /// <summary>Reason why the last attempt failed, with a note that it is repeated; null if no attempt has failed.</summary>
         public string Trouble { get; private set; }
 
-        /// <returns>The final answer; null until there is one.</returns>
+        /// <returns>The final response; null until there is one.</returns>
         public PairingAnswer Follow(HeadsetTime now)
         {
             if (_running == null && now >= _nextStart) _running = _send(_gateway, Token, _cancel.Token);

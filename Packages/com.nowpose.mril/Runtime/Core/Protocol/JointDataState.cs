@@ -17,7 +17,7 @@ namespace Nowpose.Protocol
         /// <summary>Invalid values arrive, such as NaN or a bad OPC UA status.</summary>
         Refused,
 
-        /// <summary>The data ended during a motion, the control system has not answered for too long, or the variable was removed.</summary>
+        /// <summary>The data ended during a motion, the control system has not responded for too long, or the variable was removed.</summary>
         Fault,
 
         /// <summary>No usable value has arrived since the start.</summary>

@@ -2,11 +2,11 @@ using System;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Answer of a plant's adapter to a request for the time of its control system.</summary>
+    /// <summary>Response of a plant's adapter to a request for the time of its control system.</summary>
     sealed class PlantTimeMessage
     {
         /// <param name="received">t2: time of the control system's clock when the request arrived.</param>
-        /// <param name="sent">t3: time of the same clock when the answer was sent; equal to t2 if the clock is read only once.</param>
+        /// <param name="sent">t3: time of the same clock when the response was sent; equal to t2 if the clock is read only once.</param>
         /// <param name="resolution">Step by which the clock advances; zero if unknown.</param>
         /// <param name="errorBound">Error bound of the clock relative to its own reference.</param>
         /// <param name="isSynchronised">Whether the clock follows its own reference.</param>

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads the answer of a service whose name begins with <see cref="RosTopics.PlantTime"/>.</summary>
+    /// <summary>Reads the response from a service whose name begins with <see cref="RosTopics.PlantTime"/>.</summary>
     static class PlantTimeReader
     {
         /// <summary>Maximum resolution and error bound in ns. A clock with larger values is not accurate enough to stamp positions.</summary>

@@ -17,7 +17,7 @@ namespace Nowpose.Simulation
         HeadsetTime _newestArrival;
 
         /// <param name="start">Time to which the link's stalls are relative.</param>
-        /// <param name="interval">Interval between messages; null if each message waits for an answer to the previous message.</param>
+        /// <param name="interval">Interval between messages; null if each message waits for a response to the previous message.</param>
         public TcpStream(LinkProfile profile, HeadsetTime start, int seed, TimeSpan? interval = null)
         {
             // Each packet has its own delay; this class restores the order.

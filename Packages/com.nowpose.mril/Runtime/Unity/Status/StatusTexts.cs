@@ -226,7 +226,7 @@ namespace Nowpose.Unity.Status
                 case ClockState.Coarse: return "coarse";
                 case ClockState.Converging: return "! converging";
                 case ClockState.Holdover: return "! holdover";
-                default: return "! no answer yet";
+                default: return "! no response yet";
             }
         }
 

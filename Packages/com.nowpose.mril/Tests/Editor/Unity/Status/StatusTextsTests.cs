@@ -161,7 +161,7 @@ namespace Nowpose.Tests.Unity.Status
         public void Update_NewSession_ShowsUnknownValues()
         {
             Assert.That(Row(StatusRow.Pose), Does.StartWith("! no positions yet"));
-            Assert.That(Row(StatusRow.Clock), Is.EqualTo("! no answer yet|"));
+            Assert.That(Row(StatusRow.Clock), Is.EqualTo("! no response yet|"));
             Assert.That(Row(StatusRow.ApplicationLatency), Is.EqualTo("–|"));
             Assert.That(Row(StatusRow.Horizon), Is.EqualTo("–|"));
             Assert.That(Row(StatusRow.RenderTime), Is.EqualTo("–|not measured"));
@@ -190,7 +190,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(ClockState.Coarse, "coarse|± 0.35 ms")]
         [TestCase(ClockState.Converging, "! converging|± 0.35 ms")]
         [TestCase(ClockState.Holdover, "! holdover|± 0.35 ms")]
-        [TestCase(ClockState.Unsynchronised, "! no answer yet|")]
+        [TestCase(ClockState.Unsynchronised, "! no response yet|")]
         public void Update_Clock_ShowsItsEstimatedErrorOnceKnown(ClockState state, string expected)
         {
             var clock = new ClockModel(default, default, 0, Ms(8), state, estimatedError: Ms(0.35));
