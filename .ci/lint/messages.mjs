@@ -20,7 +20,7 @@ function textOf(node) {
 export const messages = {
   meta: {
     type: 'problem',
-    docs: { description: 'Texts of four words and more are in the message catalogue' },
+    docs: { description: 'Strings of four words or more belong in the message catalogue' },
     messages: { text: 'This text has {{words}} words; up to {{most}} are allowed here. Move it to the message catalogue (a folder messages).' },
     schema: [],
   },

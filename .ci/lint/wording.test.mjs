@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { faultsIn, textsOf, textsOfPage } from './wording.mjs';
 
-describe('the wording of a text', () => {
+describe('the wording of a string', () => {
   for (const text of [
     'the clock of undefined is late', ' the clock is late', 'the clock  is late', 'the clock is late , really', 'the clock is late;, really',
     'the clock is late. it is slow', 'the the clock is late', 'the clock is late (by 3 ms', 'the clock is late.',

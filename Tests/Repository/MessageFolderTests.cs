@@ -50,9 +50,9 @@ public sealed class MessageFolderTests
     {
         var found = Sources.Select(file => (File: file, Texts: LongTexts(RepositoryFiles.Read(file)).ToList()))
             .Where(source => source.Texts.Count != Exceptions.GetValueOrDefault(source.File))
-            .Select(source => $"{source.File}: {source.Texts.Count} texts:\n  {string.Join("\n  ", source.Texts)}");
+            .Select(source => $"{source.File}: {source.Texts.Count} strings:\n  {string.Join("\n  ", source.Texts)}");
 
-        Assert.That(found, Is.Empty, $"move texts of more than {MaxWords} words to the folder Messages of the product");
+        Assert.That(found, Is.Empty, $"move strings of more than {MaxWords} words to the folder Messages of the product");
     }
 
     [Test]

@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Finds the texts of a C# source file. Concatenated strings are one text, with 0 in place of each interpolated value.</summary>
+/// <summary>Finds the string literals of a C# source file. Concatenated literals count as one string, with 0 in place of each interpolated value.</summary>
 /// <remarks>Skips comments and attributes. A string within an interpolated value or an argument is a separate text.</remarks>
 sealed partial class SourceTexts
 {
@@ -20,7 +20,7 @@ sealed partial class SourceTexts
         return texts._found;
     }
 
-    /// <summary>Counts the words of a text. A name with an underscore, a path or a unit of one letter is not a word.</summary>
+    /// <summary>Counts the words of a string. A name with an underscore, a path or a unit of one letter is not a word.</summary>
     public static int WordsIn(string text) =>
         text.Split((char[])null, StringSplitOptions.RemoveEmptyEntries).Count(part => Word().IsMatch(part));
 

@@ -211,7 +211,7 @@ public sealed class ShaderLabReader
 
     string TakeString()
     {
-        if (!Next.StartsWith('"')) throw Error($"a text in quotes is expected before '{Next}'");
+        if (!Next.StartsWith('"')) throw Error($"a string in quotes is expected before '{Next}'");
         return TakeAny().Trim('"');
     }
 

@@ -1,4 +1,4 @@
-// Defines the manual's pictures of web pages: their stored data, and the texts of a page that a test compares to detect changes.
+// Defines the manual's pictures of web pages: their stored data, and the text of a page that a test compares to detect changes.
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { gunzipSync } from 'node:zlib';

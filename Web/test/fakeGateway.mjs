@@ -29,7 +29,7 @@ function frame(text) {
   return Buffer.concat([head, payload]);
 }
 
-/** Returns the texts of the masked frames that a browser sent. Each frame must be small and complete. */
+/** Returns the contents of the masked text frames that a browser sent. Each frame must be small and complete. */
 function* textsOf(data) {
   for (let at = 0; at + 6 <= data.length;) {
     const opcode = data[at] & 15;

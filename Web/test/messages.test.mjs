@@ -20,7 +20,7 @@ const texts = textsOf(messages, samples);
 describe('the HTML of the pages', () => {
   const folder = new URL('../src/', import.meta.url);
   for (const file of readdirSync(folder, { recursive: true }).filter(name => name.endsWith('.html')))
-    it(`has well-formed texts: ${file}`, () => {
+    it(`has well-formed strings: ${file}`, () => {
       const pageTexts = textsOfPage(readFileSync(new URL(file, folder), 'utf8'));
       assert.ok(pageTexts.length > 0);
       for (const text of pageTexts) assert.deepEqual(faultsIn(text, /[.?!]$/.test(text)), [], text);

@@ -1,4 +1,4 @@
-// Checks that the manual's pictures are up to date: the pages must have the same texts as when the pictures were taken.
+// Checks that the manual's pictures are up to date: the pages must have the same text as when the pictures were taken.
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';

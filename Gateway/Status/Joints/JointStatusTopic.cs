@@ -19,7 +19,7 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
     // Maximum length of all reasons together. The message with all names is then shorter than the 64 KiB that clients accept.
     const int MaxReasonsLength = 16 * 1024;
 
-    // The broker adapter, which forwards this topic to another gateway, searches for this text.
+    // The broker adapter, which forwards this topic to another gateway, searches for this string.
     const string Uncertain = EventTexts.UncertainRestReason;
 
     readonly HubSource _source = hub.OpenSource();

@@ -55,7 +55,7 @@ static class WorkObjects
         return root;
     }
 
-    // Adds no text, because six texts would hide the objects. The status panel names the objects that are not current.
+    // Adds no labels, because six labels would hide the objects. The status panel names the objects that are not current.
     static GameObject Shown<T>(string name, string frame, GameObject parent, MrilSession session, Material substitute)
         where T : Component
     {

@@ -223,6 +223,6 @@ public class BaseAnchorTests
         var allocated = _played.Cell.AllocatedIn(() => _played.Cell.Run(10, _played.Session));
 
         Assert.That(_played.Anchor.State, Is.EqualTo(isMoved ? BaseAnchorState.Moved : BaseAnchorState.Locked));
-        Assert.That(allocated, isMoved ? Is.LessThan(5000) : Is.EqualTo(0), "bytes in 10 s; a text with another number costs some");
+        Assert.That(allocated, isMoved ? Is.LessThan(5000) : Is.EqualTo(0), "bytes in 10 s; a message with another number allocates some");
     }
 }

@@ -49,7 +49,7 @@ public sealed partial class ManualNumbersTests
     public void Conflicts_Sample_AreEmptyOnlyIfTheNumbersAgree(string tooltip, string row, bool isEmpty) =>
         Assert.That(Conflicts(tooltip, row), isEmpty ? Is.Empty : Is.Not.Empty);
 
-    // A range in the tooltip must be in the row. A unit that occurs in both texts must have the same number at least once.
+    // A range in the tooltip must be in the row. A unit that occurs in both must have the same number at least once.
     static IEnumerable<string> Conflicts(string tooltip, string row)
     {
         var ranges = Ranges().Matches(tooltip).Select(match => match.Value).Where(range => !row.Contains(range, StringComparison.Ordinal));

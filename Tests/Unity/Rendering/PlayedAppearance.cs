@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Rendering;
 
-/// <summary>A rig with a tool, a text and a Pose Appearance below a running session, seen by a camera.</summary>
+/// <summary>A rig with a tool, a label and a Pose Appearance below a running session, seen by a camera.</summary>
 sealed class PlayedAppearance : IDisposable
 {
     int _frames;

@@ -18,7 +18,7 @@ public class LifeCycleTests
     const int Steps = 600;
 
     // Messages that are correct after the destruction of an object that another object needs.
-    static readonly string[] Losses = ["has no rig; move", "has no text to copy", "is missing; name an object", "is drawn there; name an object"];
+    static readonly string[] Losses = ["has no rig; move", "has no Text Mesh to copy", "is missing; name an object", "is drawn there; name an object"];
 
     [Test]
     public Task ApplicationEvents_RandomSequence_LeakNothing([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: false);
@@ -76,7 +76,7 @@ public class LifeCycleTests
             _random = random;
             _isShipped = isShipped;
             var youBot = RobotFiles.LoadText("youbot");
-            // The prefab contains a youBot and refuses any other robot, so its second description is a youBot with another text.
+            // The prefab contains a youBot and refuses any other robot, so its second description is a different URDF of a youBot.
             _descriptions = [youBot, isShipped ? youBot + "<!-- edited -->" : RobotFiles.LoadText("ur5")];
             _robots = [RobotDescriptionAsset.Create("one", _descriptions[0]), RobotDescriptionAsset.Create("other", _descriptions[1])];
             _viewer = new GameObject("Viewer", typeof(Camera)) { tag = "MainCamera" };
@@ -184,7 +184,7 @@ public class LifeCycleTests
             Assert.That(_session.GetComponentInChildren<RenderTimeSource>(true), Is.Not.Null);
         }
 
-        // Returns a random object below the cell, which may be a link, a finger or a text.
+        // Returns a random object below the cell, which may be a link, a finger or a label.
         GameObject AnyObject()
         {
             if (_root == null) return null;

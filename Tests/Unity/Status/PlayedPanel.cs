@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Status;
 
-/// <summary>A status panel below a running session, and the texts that it shows.</summary>
+/// <summary>A status panel below a running session, and the text that it shows.</summary>
 sealed class PlayedPanel : IDisposable
 {
     int _frames;

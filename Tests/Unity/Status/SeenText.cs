@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Status;
 
-/// <summary>Computes the area of a text from the metrics of Unity's built-in font, and the size of its letters as seen from a head.</summary>
+/// <summary>Computes the area of a Text Mesh from the metrics of Unity's built-in font, and the size of its letters as seen from a head.</summary>
 static class SeenText
 {
     /// <summary>Heights of a capital letter and of a line in Liberation Sans, as fractions of the font size.</summary>
@@ -20,7 +20,7 @@ static class SeenText
 
     public static float WidthOf(string line) => line.Sum(letter => Widths[letter]);
 
-    /// <summary>Returns the corners, in the world, of the rectangle that a text fills.</summary>
+    /// <summary>Returns the corners, in the world, of the rectangle that a Text Mesh fills.</summary>
     public static Vector3[] Corners(TextMesh text)
     {
         var size = FontSize(text);

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Status;
 
-/// <summary>Tests the places and sizes of the panel's texts, background and bar.</summary>
+/// <summary>Tests the positions and sizes of the panel's labels, background and bar.</summary>
 public class StatusPanelLayoutTests
 {
     PlayedPanel _played;

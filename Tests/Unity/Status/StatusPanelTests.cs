@@ -90,7 +90,7 @@ public class StatusPanelTests
     public void OnDisable_Playing_IsHiddenUntilEnabledAgain()
     {
         _played.Panel.With("_ground", new Material((Shader)null));
-        // Runs until all texts have appeared. The last ones are the error of the coarse clock and the error reduction.
+        // Runs until all labels have appeared. The last ones are the error of the coarse clock and the error reduction.
         _played.Play(8);
         var shown = Seen();
 
@@ -224,7 +224,7 @@ public class StatusPanelTests
 
         _played.Play(1);
 
-        Assert.That(_played.Cell.Player.Logs.Count(l => l.Message.Contains("has no text to copy")), Is.EqualTo(1));
+        Assert.That(_played.Cell.Player.Logs.Count(l => l.Message.Contains("has no Text Mesh to copy")), Is.EqualTo(1));
         Assert.That(_played.Cell.Player.Logs.Where(l => l.Exception != null), Is.Empty);
     }
 

@@ -1,4 +1,4 @@
-/** Texts that the operations page shows in place of empty tables. */
+/** Messages that the operations page shows in place of empty tables. */
 export const emptyMessages = {
   adapters: 'No adapter is running: joint positions come from the gateway itself, or from other rosbridge clients.',
   joints: 'No joint is configured, and no joint positions have arrived.',
@@ -28,7 +28,7 @@ export const operationsMessages = {
   notListed: (reason: string) => `The recordings cannot be listed: ${ended(reason)}`,
 };
 
-/** Parts of the texts on the operations page. */
+/** Parts of the messages on the operations page. */
 export const operationsLabels = {
   downloadEvents: 'Download all events as',
   moreEvents: (count: number) => `and ${count} more, in the list of events`,

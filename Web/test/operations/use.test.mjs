@@ -9,7 +9,7 @@ import { becomes, cells, gateway, open, showsToolError, withGraphics } from './p
 
 const { gatewayReasons, operationsLabels, operationsMessages } = messages;
 
-/** Returns the minimum contrast between the texts of the content and the background of the page, after opacity and greyscale. */
+/** Returns the minimum contrast between the text of the content and the background of the page, after opacity and greyscale. */
 const weakestText = page => page.evaluate(() => {
   const channels = colour => colour.match(/[\d.]+/g).slice(0, 3).map(c => c / 255);
   const linear = c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);

@@ -49,7 +49,7 @@ export interface Configuration {
   values: Value[];
   /** The text of the URDF of the robot without a namespace; null if the adapter does not publish it. */
   robot: string | null;
-  /** The texts of the URDFs of the robots with a namespace, by namespace. */
+  /** The URDFs of the robots with a namespace, as strings, by namespace. */
   robots: Record<string, string>;
   /** Strings that must not appear in the log. */
   secrets: string[];

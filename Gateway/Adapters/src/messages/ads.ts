@@ -13,7 +13,7 @@ export const adsSettingMessages = {
   ),
 };
 
-/** Texts about a PLC. */
+/** Messages about a PLC. */
 export const adsMessages = {
   notSecure:
     "ADS is neither encrypted nor authenticated (plain: true): anyone with access to this network can read the PLC's data and impersonate the PLC",

@@ -16,7 +16,7 @@ export const gatewayMessages = {
     `the gateway has version ${version}, but this adapter has version ${own}; install the same version of both`,
 };
 
-/** Texts about the clock of a plant. */
+/** Messages about the clock of a plant. */
 export const clockMessages = {
   stopped: 'the clock does not advance',
   notConnected: 'the plant is not connected',
@@ -28,7 +28,7 @@ export const clockMessages = {
   notReadable: (reason: string) => `the plant's clock cannot be read: ${reason}`,
 };
 
-/** Texts about the log. */
+/** Messages about the log. */
 export const logMessages = {
   moreLines: (text: string, count: number, seconds: number) => `${text} (the newest of ${count} more lines within ${seconds} s)`,
 };

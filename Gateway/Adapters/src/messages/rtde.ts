@@ -68,7 +68,7 @@ export const fieldMessages = {
   bit: (field: string, count: number) => `${field} has ${count} bits; set bit to 0 to ${count - 1}`,
 };
 
-/** Texts about the state of a robot. */
+/** Messages about the state of a robot. */
 export const robotStateMessages = {
   programStopped: (program: string) => `the state of the robot's program is ${program}; the positions are still sent`,
   programRuns: "the robot's program runs again",

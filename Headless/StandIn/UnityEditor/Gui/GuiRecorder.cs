@@ -6,10 +6,10 @@ namespace UnityEditor;
 /// <summary>Records the controls that editor code draws, and simulates clicks, for tests.</summary>
 static class GuiRecorder
 {
-    /// <summary>Texts of the labels, boxes and buttons in the order in which they were drawn.</summary>
+    /// <summary>Strings of the labels, boxes and buttons in the order in which they were drawn.</summary>
     internal static List<string> Texts { get; } = new List<string>();
 
-    /// <summary>Texts of the drawn buttons.</summary>
+    /// <summary>Captions of the drawn buttons.</summary>
     internal static List<string> Buttons { get; } = new List<string>();
 
     /// <summary>Points of each drawn line.</summary>

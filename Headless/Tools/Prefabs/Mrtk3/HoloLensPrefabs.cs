@@ -73,7 +73,7 @@ static class HoloLensPrefabs
         AddWord(assets, "Stay", canvas, new Vector3(-120, 0, 0));
         close = buttons.Button("Close", "×", new Vector2(170, 0));
         AddWord(assets, "Close", canvas, new Vector3(115, 0, 0));
-        // The grasped area is between the two texts, so that pressing a button does not move the panel.
+        // The grasped area is between the two labels, so that pressing a button does not move the panel.
         handle = Graspable.Make(content, panel, new Vector3(12, BarHeight, 0.6f));
         return bar;
     }

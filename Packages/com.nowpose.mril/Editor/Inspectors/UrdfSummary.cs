@@ -7,7 +7,7 @@ using Nowpose.Unity;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Summary of a robot description, as texts for an inspector.</summary>
+    /// <summary>Summary of a robot description, as strings for an inspector.</summary>
     sealed class UrdfSummary
     {
         const int Lines = 12, LineLength = 120;

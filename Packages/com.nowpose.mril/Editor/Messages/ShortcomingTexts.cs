@@ -17,7 +17,7 @@ namespace Nowpose.Editor.Messages
         public const string StatusSession = "This object and its parents have no session. Assign the session whose status is shown.";
 
         public const string PanelText =
-            "It has no text to copy. Assign a child text, whose font, material, style and colour apply to the whole panel.";
+            "It has no Text Mesh to copy. Assign one on a child object; its font, material, style and colour apply to the whole panel.";
 
         public const string Rig = "Its parents have no rig. Move the object below a rig, or assign a rig.";
     }

@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>A value in a JSON text, with its position in the text.</summary>
+    /// <summary>A value in a JSON document, with its position in the document.</summary>
     sealed class JsonOutline
     {
         /// <summary>Name of the value if it is a member of an object; otherwise null.</summary>
@@ -24,7 +24,7 @@ namespace Nowpose.Editor.Setup
         /// <summary>Decoded text if the value is a string; otherwise null.</summary>
         public string Text { get; set; }
 
-        /// <summary>Members of an object, or elements of an array, in the order of the text; null for other values.</summary>
+        /// <summary>Members of an object, or elements of an array, in their original order; null for other values.</summary>
         public List<JsonOutline> Items { get; set; }
 
         public bool IsObject { get; set; }

@@ -30,7 +30,7 @@ namespace Nowpose.Editor.Setup
             _file = file;
         }
 
-        /// <summary>Reads a text that consists of one JSON object.</summary>
+        /// <summary>Reads a string that consists of one JSON object.</summary>
         /// <param name="file">Name of the file in messages.</param>
         /// <exception cref="InputException">The text is not a JSON object.</exception>
         public static JsonOutline Read(string text, string file)

@@ -28,7 +28,7 @@ namespace Nowpose.Editor.Setup
         public void Add(string name, JToken value) => Add(Root, name, value);
 
         /// <summary>Adds an item at the end of an object or array. Outlines that were read before become invalid.</summary>
-        /// <param name="container">An object or an array in this text.</param>
+        /// <param name="container">An object or an array in this manifest.</param>
         /// <param name="name">Name of the new member of an object; null for an array.</param>
         public void Add(JsonOutline container, string name, JToken value)
         {

@@ -37,7 +37,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Raised with each new value.")]
         UnityEvent<float> _onValue = new UnityEvent<float>();
 
-        [SerializeField, Tooltip("Raised with each new value as a text.")]
+        [SerializeField, Tooltip("Raised with each new value as a string.")]
         UnityEvent<string> _onText = new UnityEvent<string>();
 
         [SerializeField, Tooltip("Number format of On Text, as in .NET: 0.0 with one decimal, 0.0 mm with a unit, on;;off for a Boolean.")]

@@ -11,7 +11,7 @@ namespace Nowpose.Unity
 {
     /// <summary>
     /// Shows when the pose of a robot or of an object of the cell is not current, or when the base is uncertain. All parts below this object then
-    /// become striped and fainter, and a text object states the reason. Before the first joint positions arrive, only the text is drawn. The parts of
+    /// become striped and fainter, and a label states the reason. Before the first joint positions arrive, only the label is drawn. The parts of
     /// a rig or gripper that no longer follows the session are hidden.
     /// </summary>
     /// <remarks>
@@ -78,7 +78,7 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Whether any part is drawn, not counting the text.</summary>
+        /// <summary>Whether any part is drawn, not counting the label.</summary>
         internal bool IsDrawn
         {
             get
@@ -89,7 +89,7 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Number of renderers, not counting the text.</summary>
+        /// <summary>Number of renderers, not counting that of the label.</summary>
         internal int PartCount => _parts.Count;
 
         /// <summary>Whether a renderer below this object has a material that cannot mark a pose as not current.</summary>

@@ -19,7 +19,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The session whose status is shown. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("A text below this object. Every text of the panel copies its font, material, style and colour. Keep it "
+        [SerializeField, Tooltip("A Text Mesh below this object. Every label of the panel copies its font, material, style and colour. Keep it "
             + "inactive.")]
         TextMesh _cell = null;
 

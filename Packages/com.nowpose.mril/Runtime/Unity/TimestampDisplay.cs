@@ -25,7 +25,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The session whose frames are shown. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("A text below this object. The time copies its font, material and colour. Keep it inactive. Empty: only the "
+        [SerializeField, Tooltip("A Text Mesh below this object. The time copies its font, material and colour. Keep it inactive. Empty: only the "
             + "code is shown.")]
         TextMesh _cell = null;
 

@@ -30,7 +30,7 @@ namespace Nowpose.Kinematics
         /// <summary>Name of the robot; empty if the URDF specifies none.</summary>
         public string Name { get; }
 
-        /// <summary>Hash of the URDF text, to check whether another text describes the same robot.</summary>
+        /// <summary>Hash of the URDF, to check whether another URDF describes the same robot.</summary>
         internal UrdfHash SourceHash { get; }
 
         /// <summary>The links: the root first, parents before their children.</summary>

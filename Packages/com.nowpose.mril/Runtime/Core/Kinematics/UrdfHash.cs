@@ -5,7 +5,7 @@ using System.Text;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>SHA-256 of a URDF text, independent of how the text was transferred.</summary>
+    /// <summary>SHA-256 of a URDF, independent of how the URDF was transferred.</summary>
     /// <remarks>
     /// It ignores the kind of line endings, a byte order mark and white space around the document, because editors, version control and publishers
     /// change them. All other characters affect the hash, including those of comments. <c>default</c> is the hash of no text.

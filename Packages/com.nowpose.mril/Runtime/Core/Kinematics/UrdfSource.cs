@@ -19,7 +19,7 @@ namespace Nowpose.Kinematics
 
         public XElement ParseRoot(string text)
         {
-            // A text that does not come from a file may still contain a byte order mark.
+            // A string that does not come from a file may still contain a byte order mark.
             text = text.TrimStart('\uFEFF');
             try
             {

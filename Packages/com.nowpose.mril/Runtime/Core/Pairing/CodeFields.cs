@@ -5,7 +5,7 @@ using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>The fields of a pairing code. Rejects a text that does not match the grammar, with a message of one line.</summary>
+    /// <summary>The fields of a pairing code. Rejects a string that does not match the grammar, with a one-line message.</summary>
     /// <remarks>Unknown fields are rejected, because such a field might be relevant to security; each new field needs a new version.</remarks>
     sealed class CodeFields
     {
@@ -47,7 +47,7 @@ namespace Nowpose.Pairing
             var isNumber = long.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var value)
                 && (text.Length == 1 || text[0] != '0');
             if (isNumber && value >= min && value <= max) return value;
-            // A value that is not a number may contain any text, so the message does not repeat it.
+            // A value that is not a number may contain any characters, so the message does not repeat it.
             throw Fault(isNumber ? PairingCodeMessages.OutOfRange(key, value, min, max) : PairingCodeMessages.NotWhole(key, min, max));
         }
 

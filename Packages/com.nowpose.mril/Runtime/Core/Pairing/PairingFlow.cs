@@ -12,8 +12,8 @@ namespace Nowpose.Pairing
     /// for the headset's own token, and selects the cell to connect to.
     /// </summary>
     /// <remarks>
-    /// Use it on the frame loop's thread. In each frame, call <see cref="See"/> for each text in view, and then <see cref="Tick"/> once. Allocates
-    /// only if something has changed.
+    /// Use it on the frame loop's thread. In each frame, call <see cref="See"/> for the content of each code in view, and then <see cref="Tick"/>
+    /// once. Allocates only if something has changed.
     /// </remarks>
     sealed class PairingFlow : IDisposable
     {

@@ -2,7 +2,7 @@ using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>The parsed content of one text in view; each text is parsed once.</summary>
+    /// <summary>The parsed content of one code in view; each code is parsed once.</summary>
     sealed class SeenCode
     {
         SeenCode(CellCode cell, TokenCode token, string fault)
@@ -13,13 +13,13 @@ namespace Nowpose.Pairing
             Gateway = cell == null ? null : cell.Cell + "\n" + cell.Host + "\n" + cell.Pin + "\n" + cell.SyncPort + "\n" + cell.WebSocketPort;
         }
 
-        /// <summary>The parsed code; null if the text is a code of another kind.</summary>
+        /// <summary>The parsed code; null if the content is a code of another kind.</summary>
         public CellCode Cell { get; }
 
         /// <inheritdoc cref="Cell"/>
         public TokenCode Token { get; }
 
-        /// <summary>Reason why the text is neither a cell code nor a token code, in one line; null if it is one of them.</summary>
+        /// <summary>Reason in one line why the content is neither a cell code nor a token code; null if it is one of them.</summary>
         public string Fault { get; }
 
         /// <summary>

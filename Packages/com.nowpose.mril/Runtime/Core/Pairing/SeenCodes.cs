@@ -18,7 +18,7 @@ namespace Nowpose.Pairing
         bool _isOversizedReported, _isFullReported;
 
         /// <param name="fault">The problem, reported once; null if there is none.</param>
-        /// <returns>Null if the text is not a pairing code, or was not stored.</returns>
+        /// <returns>Null if the content is not a pairing code, or was not stored.</returns>
         public SeenCode Read(string text, HeadsetTime now, out string fault)
         {
             fault = null;

@@ -37,7 +37,7 @@ namespace Nowpose.Protocol
         /// <summary>Length in bytes.</summary>
         public int Length => _text.Length;
 
-        /// <summary>Scans the number at the beginning of a text.</summary>
+        /// <summary>Scans the number at the beginning of a string.</summary>
         public static bool TryScan(ReadOnlySpan<byte> text, out JsonNumber number)
         {
             number = default;

@@ -16,7 +16,7 @@ namespace Nowpose.Protocol
 
         public bool IsEscaped { get; }
 
-        /// <param name="text">A text that begins after the opening quotation mark.</param>
+        /// <param name="text">JSON that begins after the opening quotation mark.</param>
         public static bool TryScan(ReadOnlySpan<byte> text, out JsonText scanned)
         {
             scanned = default;

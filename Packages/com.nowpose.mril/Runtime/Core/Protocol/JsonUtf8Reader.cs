@@ -51,7 +51,7 @@ namespace Nowpose.Protocol
         /// <summary>Number of bytes read so far.</summary>
         public int Position => _at;
 
-        /// <summary>Checks that a text is exactly one JSON object within the maximum nesting.</summary>
+        /// <summary>Checks that the input is exactly one JSON object within the maximum nesting.</summary>
         public static DropReason Check(ReadOnlySpan<byte> text, int maxDepth)
         {
             var json = new JsonUtf8Reader(text, maxDepth);
@@ -67,7 +67,7 @@ namespace Nowpose.Protocol
             return false;
         }
 
-        /// <summary>Requires the end of the text.</summary>
+        /// <summary>Requires the end of the input.</summary>
         public bool End()
         {
             SkipBlanks();
@@ -288,7 +288,7 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        // Returns zero at the end of the text, and for a zero byte in the text, which is never valid.
+        // Returns zero at the end of the input, and for a zero byte in the input, which is never valid.
         byte Peek() => _at < _text.Length ? _text[_at] : (byte)0;
 
         void SkipBlanks()

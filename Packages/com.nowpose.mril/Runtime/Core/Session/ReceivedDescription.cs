@@ -11,7 +11,7 @@ namespace Nowpose.Session
 
         Same,
 
-        /// <summary>The texts differ: other lengths, axes or names may cause a wrong pose of the displayed robot.</summary>
+        /// <summary>The two URDFs differ: other lengths, axes or names may cause a wrong pose of the displayed robot.</summary>
         Different,
     }
 

@@ -34,7 +34,7 @@ namespace Nowpose.Unity.Messages
             $"{kind} '{component}' has no session on its object or a parent; assign one";
 
         public static string PanelWithoutText(string component) =>
-            $"status panel '{component}' has no text to copy; assign a text on a child object";
+            $"status panel '{component}' has no Text Mesh to copy; assign one on a child object";
 
         public static string DisplayWithoutMaterial(string component) =>
             $"timestamp display '{component}' has no material for its squares; assign one";

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Nowpose.Unity.Rendering
 {
     /// <summary>
-    /// The look of a pose. A pose that is not current is striped, is labelled with a text, and is usually fainter than a current pose.
+    /// The look of a pose. A pose that is not current is striped, has a label, and is usually fainter than a current pose.
     /// </summary>
     readonly struct PoseLook
     {
@@ -83,7 +83,7 @@ namespace Nowpose.Unity.Rendering
         public PoseLook Also(string words, string reason, float fade) => new PoseLook(
             Words.Length > 0 ? Words + ", " + words : words, Reason.Length > 0 ? Reason + "; " + reason : reason, Mathf.Max(Fade, fade), IsDrawn);
 
-        /// <summary>Returns this look with another text and reason.</summary>
+        /// <summary>Returns this look with another label and reason.</summary>
         public PoseLook With(string words, string reason) => new PoseLook(words, reason, Fade, IsDrawn, IsHatched);
     }
 }

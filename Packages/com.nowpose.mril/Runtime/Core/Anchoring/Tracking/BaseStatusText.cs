@@ -170,7 +170,7 @@ namespace Nowpose.Anchoring.Tracking
             Placed, BeingPlaced, Looking, Ignored, Gathers, Moving, Scatters, Conflict, Restored, Locked, Moved, Lost,
         }
 
-        /// <summary>Content of the text. Equal contents produce equal texts.</summary>
+        /// <summary>Content of the status text. Equal contents produce equal strings.</summary>
         readonly struct Subject
         {
             public readonly Kind Kind;
