@@ -26,7 +26,7 @@ static class SevenJointArm
 
     public static readonly string[] JointNames = [.. Model.MovingJoints.Select(joint => joint.Name)];
 
-    /// <summary>Gets the joint positions at a time, rad.</summary>
+    /// <summary>Returns the joint positions at a given time, rad.</summary>
     public static double[] PositionsAt(double seconds) =>
         [.. Enumerable.Range(1, Origins.Length).Select(joint => 1.5 * Math.Sin(2 * Math.PI * seconds / PeriodSeconds + joint))];
 

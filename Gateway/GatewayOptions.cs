@@ -80,13 +80,12 @@ public sealed record GatewayOptions
     /// <summary>Minimum interval between the responses to an address that has sent too many wrong tokens.</summary>
     public TimeSpan WrongTokenDelay { get; init; } = TimeSpan.FromSeconds(1);
 
-    /// <summary>Maximum number of messages that a client may send per second. Further messages are dropped before they are read.</summary>
-    /// <remarks>
-    /// The default for sources allows four topics at a control rate of 1 kHz. The default for observers allows diagnostics and displayed poses.
-    /// </remarks>
+    /// <summary>Maximum number of messages that a source may send per second. Further messages are dropped before they are read.</summary>
+    /// <remarks>The default allows four topics at a control rate of 1 kHz.</remarks>
     public int SourceMessagesPerSecond { get; init; } = 4000;
 
-    /// <inheritdoc cref="SourceMessagesPerSecond"/>
+    /// <summary>Maximum number of messages that any other client may send per second. Further messages are dropped before they are read.</summary>
+    /// <remarks>The default allows diagnostics and displayed poses.</remarks>
     public int ObserverMessagesPerSecond { get; init; } = 250;
 
     /// <summary>Queue length of a subscription in messages, if its client does not set one.</summary>

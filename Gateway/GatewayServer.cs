@@ -77,10 +77,10 @@ public sealed class GatewayServer : IAsyncDisposable
             RosbridgeServer.CountFragmentsAsync);
     }
 
-    /// <summary>The endpoint with the actual port, even if port 0 was requested.</summary>
+    /// <summary>Endpoint of the sync server, with the actual port even if port 0 was requested.</summary>
     public IPEndPoint SyncEndPoint => _sync.EndPoint;
 
-    /// <inheritdoc cref="SyncEndPoint"/>
+    /// <summary>Endpoint of the WebSocket server, with the actual port even if port 0 was requested.</summary>
     public IPEndPoint WebSocketEndPoint { get; private set; }
 
     /// <summary>
@@ -93,7 +93,7 @@ public sealed class GatewayServer : IAsyncDisposable
     public IReadOnlyList<Uri> OperationsPageUris =>
         OperationsPage.Html == null ? [] : [.. OwnHosts.Reachable(_options.Bind).Select(host => PageUri(host, OperationsRoutes.Path))];
 
-    /// <summary>Whether the gateway pairs headsets. Each paired headset gets its own token.</summary>
+    /// <summary>Whether the gateway pairs headsets. Each paired headset receives its own token.</summary>
     public bool PairsHeadsets => _options.Headsets != null;
 
     /// <summary>

@@ -90,8 +90,8 @@ sealed class LinkScore
             if (from > _scored[0].Start) yield return (from, from + profile.StallLength);
     }
 
-    // Gets the time until the next frame whose pose is current, or not current, in s. If no such frame follows, gets the time until the last scored
-    // frame.
+    // Gets the time until the next frame whose pose is current, or not current, in s. If no such frame follows, returns the time until the last
+    // scored frame.
     double FirstAfter(HeadsetTime time, bool isCurrent) =>
         ((_scored.FirstOrDefault(frame => frame.Start >= time && frame.IsCurrent == isCurrent) ?? _scored[^1]).Start - time).TotalSeconds;
 

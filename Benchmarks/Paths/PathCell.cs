@@ -15,7 +15,7 @@ sealed class PathCell
     const double MinSkewLimitPpm = 5;
 
     /// <summary>
-    /// Maximum deviation of the skew relative to the deviation without a change. If the minimum delays of both directions have changed, the
+    /// Maximum deviation of the skew relative to the deviation without a change. If the minimum delays in both directions have changed, the
     /// exchanges before and after the change can only be fitted separately. Each part has half of the exchanges in half of the time, so the
     /// mean of both fits has twice the standard error.
     /// </summary>

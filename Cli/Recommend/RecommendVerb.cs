@@ -16,8 +16,8 @@ static class RecommendVerb
     {
         var file = new Argument<string>("FILE")
         {
-            Description = "A motion (.csv or .csv.gz), as for replay; or a recorded session (.jsonl or .jsonl.gz), evaluated with its own samples, "
-                + "latencies and frames.",
+            Description = "A motion (.csv or .csv.gz) in the format of replay; or a recorded session (.jsonl or .jsonl.gz), evaluated with its own "
+                + "samples, latencies and frames.",
         };
         var sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s of a motion", 50.0, 0.1, 10000, "ms");
         var latency = NumberOption.Create("--latency-ms", "Latency L, from the time of a sample to its arrival", 100.0, 0, 10000, "ms");

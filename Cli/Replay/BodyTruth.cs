@@ -31,7 +31,9 @@ sealed class BodyTruth
     /// <summary>Gets the interval between the last sample before a time and the first sample after it, s; infinite outside the recording.</summary>
     public double GapAt(double time) => time < _times[0] || time > _times[^1] ? double.PositiveInfinity : _times[RowAfter(time)] - _times[RowAfter(time) - 1];
 
-    /// <summary>Gets the pose at a time since the start of the recording, s. Outside the recording, returns the first or the last pose.</summary>
+    /// <summary>
+    /// Returns the pose at a given time since the start of the recording, s. Outside the recording, returns the first or the last pose.
+    /// </summary>
     public (double X, double Y, double Z, UnitQuaternion Rotation) At(double time)
     {
         var after = RowAfter(time);

@@ -18,7 +18,7 @@ sealed class SampleFlow
     long _scoringStart = long.MaxValue;
 
     /// <param name="duration">Duration of the recording, s.</param>
-    /// <param name="positionsAt">Gets the values of a sample at a time since the start of the recording, as a new array.</param>
+    /// <param name="positionsAt">Returns the sample values at a given time since the start of the recording, as a new array.</param>
     public SampleFlow(double duration, Func<double, double[]> positionsAt, ReplaySettings settings)
     {
         _positionsAt = positionsAt;

@@ -1,4 +1,4 @@
-// esbuild options for loading the sources. The bundle and the tests of single modules use them.
+// esbuild options for loading the sources. The bundle and the tests of individual modules use them.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname } from 'node:path';

@@ -68,7 +68,7 @@ public sealed class PlantClock
 
     internal bool IsAskedBy(PlantClockCaller caller) => Volatile.Read(ref _caller) == caller;
 
-    /// <summary>Sets the adapter that offers this clock. The previous adapter gets no more requests.</summary>
+    /// <summary>Sets the adapter that offers this clock. The previous adapter receives no more requests.</summary>
     /// <returns>False if <see cref="IsFree"/> is false; the current adapter then remains attached.</returns>
     internal bool TryAttach(PlantClockCaller caller)
     {

@@ -22,7 +22,7 @@ public sealed class PlantClocks
     {
         _wanted = wanted;
         _counter = counter;
-        // Added at the start, so that the status shows the clock as missing until an adapter offers it.
+        // Added at startup, so that the status shows the clock as missing until an adapter offers it.
         if (wanted is not (null or Own)) _clocks = [new PlantClock(wanted, counter)];
     }
 

@@ -117,6 +117,6 @@ public sealed class HubMessage
         return this;
     }
 
-    /// <summary>Gets the message as UTF-8. All callers get the same array and must not change it.</summary>
+    /// <summary>Gets the message as UTF-8. All callers receive the same array and must not change it.</summary>
     internal ReadOnlyMemory<byte> Utf8(RosTimeForm form) => form == RosTimeForm.Secs ? _secs.Value : _sec.Value;
 }

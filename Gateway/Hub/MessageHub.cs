@@ -71,13 +71,13 @@ public sealed class MessageHub
         }
     }
 
-    /// <summary>Raised when signals without a source get a source. Called under the hub's lock.</summary>
+    /// <summary>Raised when a source starts to publish signals that had no source. Called under the hub's lock.</summary>
     internal event Action<IReadOnlyCollection<string>> SignalsBegan;
 
     /// <summary>Raised when a source of signals has ended or has unadvertised the signals. Called under the hub's lock.</summary>
     internal event Action<HubSource, IReadOnlyCollection<string>> SignalsEnded;
 
-    /// <summary>Calls an action under the hub's lock. No signal gets or loses its source during the call.</summary>
+    /// <summary>Calls an action under the hub's lock. No signal gains or loses its source during the call.</summary>
     internal void Exclusively(Action action)
     {
         lock (_lock) action();
@@ -171,7 +171,7 @@ public sealed class MessageHub
 
     internal void PublishDescription(HubMessage message)
     {
-        // Under the lock, so that a new subscriber gets the message exactly once, either as the kept message or as a new one.
+        // Under the lock, so that a new subscriber receives the message exactly once, either as the kept message or as a new one.
         lock (_lock)
         {
             _descriptions[message.Topic] = message;

@@ -45,7 +45,7 @@ public sealed class MotionRecording
         return reader.Read();
     }
 
-    /// <summary>Gets the positions of all joints at a time. Times outside the recording give the first or the last row.</summary>
+    /// <summary>Gets the positions of all joints at a given time. Times outside the recording give the first or the last row.</summary>
     /// <param name="secondsSinceStart">Time relative to <see cref="Start"/>, s.</param>
     /// <param name="positions">Receives one element per joint, in the order of <see cref="Names"/>.</param>
     public void At(double secondsSinceStart, Span<double> positions)

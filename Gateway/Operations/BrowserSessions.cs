@@ -5,7 +5,7 @@ using Nowpose.Gateway.Security;
 namespace Nowpose.Gateway.Operations;
 
 /// <summary>
-/// The sessions of browsers that have logged in with a token. A browser gets a random session id, because a page cannot store the token
+/// The sessions of browsers that have logged in with a token. A browser receives a random session id, because a page cannot store the token
 /// safely. Thread-safe.
 /// </summary>
 /// <remarks>

@@ -19,10 +19,10 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
 {
     readonly HtmlPage _page = new(html);
 
-    /// <summary>Port of the server, set after the start.</summary>
+    /// <summary>Port of the sync server, set when the server has started.</summary>
     public int SyncPort { get; set; }
 
-    /// <inheritdoc cref="SyncPort"/>
+    /// <summary>Port of the WebSocket server, set when the server has started.</summary>
     public int WebSocketPort { get; set; }
 
     public bool IsBuilt => _page.IsBuilt;

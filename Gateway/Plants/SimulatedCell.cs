@@ -54,7 +54,7 @@ public sealed class SimulatedCell : IDisposable
     /// <summary>Number of samples sent so far. Thread-safe.</summary>
     public long Samples => Interlocked.Read(ref _samples);
 
-    /// <summary>Gets the robot's true joint positions at a time. Thread-safe; does not allocate.</summary>
+    /// <summary>Gets the robot's true joint positions at a given time. Thread-safe; does not allocate.</summary>
     /// <param name="positions">Receives one position per joint name of the motion, rad or m.</param>
     public void TruthAt(ControlTime time, Span<double> positions) => Motion.At(SecondsAt(time), positions);
 

@@ -22,7 +22,7 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
 
     // Values read from the hub. They are sent before the messages in the queue.
     readonly Queue<HubMessage> _read = [];
-    // Sequence number of the first dropped message. 0 at the start, so that all current values are sent.
+    // Sequence number of the first dropped message. Initially 0, so that all current values are sent.
     long _lostFrom;
     long _readAt;
 
@@ -32,7 +32,7 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
     /// <summary>Sends the current values. Call this method after the subscription.</summary>
     public void Start() => queue.Writer.TryWrite(Wake);
 
-    /// <summary>Records a message that was dropped from the full queue. Called under the hub's lock, or at the start.</summary>
+    /// <summary>Records a message that was dropped from the full queue. Called under the hub's lock, or before the subscription starts.</summary>
     public void Lose(HubMessage message)
     {
         if (message == Wake) return;

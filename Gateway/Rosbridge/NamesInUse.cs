@@ -5,7 +5,7 @@ sealed class NamesInUse(TimeProvider time)
 {
     /// <summary>
     /// Time since the last use of a name after which another connection may use it. Headsets use their names once a second. After a lost connection,
-    /// a headset gets its name back sooner than pings detect the loss.
+    /// a headset can use its name again sooner than pings detect the loss.
     /// </summary>
     internal static readonly TimeSpan FreeAfter = TimeSpan.FromSeconds(3);
 

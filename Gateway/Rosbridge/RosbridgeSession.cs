@@ -270,7 +270,7 @@ sealed class RosbridgeSession : IDisposable
         Drop(message, refusal.Reason, rule: $"{Short(refusal.What)} {DropMessages.Of(refusal.Reason)}{owner}");
     }
 
-    // Counts each transform or signal that was left out. The client gets one status message per reason.
+    // Counts each transform or signal that was left out. The client receives one status message per reason.
     void DropLeftOut(RosbridgeMessage message)
     {
         foreach (var same in _publisher.LeftOut.GroupBy(one => one.Reason))

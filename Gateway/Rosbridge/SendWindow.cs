@@ -67,7 +67,7 @@ sealed class SendWindow
 
     /// <summary>
     /// Number of consecutive pongs later than <see cref="MaxReadTime"/> after which the client counts as too slow. More than one is required,
-    /// because a lossy network delays single pongs.
+    /// because a lossy network delays individual pongs.
     /// </summary>
     internal const int MaxLatePongs = 5;
 

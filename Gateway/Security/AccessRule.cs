@@ -32,7 +32,7 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
 
     /// <summary>Gets the role of a request; null if its token is missing or unknown.</summary>
     /// <remarks>
-    /// Checks a token even if the gateway requires none: an adapter that the gateway has started may not connect over loopback, and gets the
+    /// Checks a token even if the gateway requires none: an adapter that the gateway has started may not connect over loopback, and receives the
     /// role of a source by its token.
     /// </remarks>
     public Role? RoleOf(HttpContext context)

@@ -115,7 +115,7 @@ static class ServeVerb
             result.AddError(AddressOptionMessages.ClockName(name));
     }
 
-    // Returns the text of the URDF. Also parses it, so that the verb rejects an invalid file at the start.
+    // Returns the text of the URDF. Also parses it, so that the verb rejects an invalid file at startup.
     static string Describe(string robot)
     {
         RobotFiles.Load(robot, out var urdf);

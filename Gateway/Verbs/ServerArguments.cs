@@ -79,7 +79,7 @@ sealed class ServerArguments
 
     readonly Option<double?> _clockStart = new("--clock-start-s")
     {
-        Description = "Time of the control clock at the start, s [default: Unix time]",
+        Description = "Time of the control clock at startup, s [default: Unix time]",
         HelpName = "SECONDS",
         CustomParser = ParseSeconds,
     };
@@ -168,7 +168,7 @@ sealed class ServerArguments
             throw new InputException(AddressOptionMessages.PairingWithTls);
     }
 
-    /// <summary>Whether to enable the recorder at the start.</summary>
+    /// <summary>Whether to enable the recorder at startup.</summary>
     public bool Records(ParseResult parsed) => parsed.GetValue(_record);
 
     string Recordings(ParseResult parsed)

@@ -4,7 +4,7 @@ namespace Nowpose.Studies;
 /// <param name="name">Name of the motion in tables.</param>
 /// <param name="seconds">Duration of the study, s. The motion is also defined after it.</param>
 /// <param name="at">
-/// Returns the position, in any unit, at a time since the start in s. Must be smooth enough for finite differences over 1 ms.
+/// Returns the position, in any unit, at a given time since the start in s. Must be smooth enough for finite differences over 1 ms.
 /// </param>
 public sealed class AxisMotion(string name, double seconds, Func<double, double> at)
 {

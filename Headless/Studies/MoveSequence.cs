@@ -22,7 +22,7 @@ sealed class MoveSequence
         Add(position, profile.Duration, profile.PositionAt);
     }
 
-    /// <param name="covered">Returns the distance covered at a time since the start of the piece, s.</param>
+    /// <param name="covered">Returns the distance covered at a given time since the start of the piece, s.</param>
     public void Add(double end, double duration, Func<double, double> covered)
     {
         _pieces.Add(new Piece(Seconds, duration, End, end, covered));

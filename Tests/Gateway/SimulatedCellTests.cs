@@ -100,7 +100,8 @@ public class SimulatedCellTests
         var work = new CellWork(robot, motion);
         using var cell = new SimulatedCell(motion, new LookedAtClock(), Timing, 1, false, work);
         var frames = new ConcurrentQueue<HubMessage>();
-        // Publishes into another hub first. The second hub represents a restarted gateway and must get the stationary frames and all signals, too.
+        // Publishes into another hub first. The second hub represents a restarted gateway and must also receive the stationary frames and all
+        // signals.
         await SampleOf(cell, new MessageHub());
         var hub = new MessageHub();
         using var description = hub.OpenSource();

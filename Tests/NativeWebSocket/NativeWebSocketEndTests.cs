@@ -63,7 +63,7 @@ public class NativeWebSocketEndTests
 
             Assert.That((await NextAsync(link)).Text, Is.EqualTo("last"));
             Assert.That(await NextAsync(link), Is.Null);
-            Assert.That(await NextAsync(link), Is.Null, "a further read also returns null");
+            Assert.That(await NextAsync(link), Is.Null, "another read also returns null");
         }
     }
 

@@ -39,7 +39,7 @@ public sealed partial class SecurityDocumentTests
 
     [TestCase("spoofed sync")]
     [TestCase("replay")]
-    [TestCase("delay of one direction")]
+    [TestCase("delay in one direction")]
     [TestCase("step of")]
     [TestCase("ramp of")]
     [TestCase("future")]

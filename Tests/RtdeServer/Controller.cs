@@ -25,7 +25,7 @@ sealed class Controller
     double _stoppedSeconds;
 
     /// <param name="ppm">Rate of the controller's clock minus that of this machine's counter, ppm.</param>
-    /// <param name="uptimeSeconds">Time of the clock at the start.</param>
+    /// <param name="uptimeSeconds">Time of the clock at startup.</param>
     public Controller(RobotModel robot, double ppm, double uptimeSeconds)
     {
         _robot = robot;

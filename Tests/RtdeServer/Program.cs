@@ -12,7 +12,7 @@ var rate = new Option<double?>("--rate") { Description = "Control cycles a secon
 var robot = new Option<string>("--robot") { Description = "ur3e, ur5e, ur10e, ur16e or ur5", DefaultValueFactory = _ => "ur5e" };
 robot.AcceptOnlyFromAmong("ur3e", "ur5e", "ur10e", "ur16e", "ur5");
 var ppm = new Option<double>("--ppm") { Description = "Rate of the controller's clock minus that of this machine's clock" };
-var uptime = new Option<double>("--uptime") { Description = "Time of the controller's clock at the start, s", DefaultValueFactory = _ => 100 };
+var uptime = new Option<double>("--uptime") { Description = "Time of the controller's clock at startup, s", DefaultValueFactory = _ => 100 };
 var fault = new Option<Fault>("--fault") { Description = "Fault to simulate: " + Names() };
 fault.CustomParser = result => Find(result.Tokens[0].Value) ?? Fault.None;
 fault.Validators.Add(result =>

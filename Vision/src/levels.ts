@@ -9,7 +9,7 @@ export interface Grey {
   colours?: Uint8Array | Uint8ClampedArray;
 }
 
-/** Combines the bytes of red, green and blue. Each pixel gets red, green, blue and opacity 255, one after another. */
+/** Combines the bytes of red, green and blue. Each pixel consists of red, green, blue and opacity 255, in this order. */
 export function rgbaOf(channels: Uint8Array[]): Uint8ClampedArray {
   const rgba = new Uint8ClampedArray(4 * channels[0].length).fill(255);
   for (let c = 0; c < channels.length; c++) {

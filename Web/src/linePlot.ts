@@ -209,7 +209,7 @@ function bandsOf(traces: Trace[], ink: Ink): uPlot.Band[] {
   return [{ series: [upper + 1, upper + 2], fill: () => colour(ink) as unknown as CanvasRenderingContext2D['fillStyle'] }];
 }
 
-/** Returns the value of a trace at a time: for a stepped trace the last value up to this time, otherwise the nearest value. */
+/** Returns the value of a trace at a given time: for a stepped trace the last value up to this time, otherwise the nearest value. */
 function valueAt(trace: Trace, time: number): number | null {
   const { t, v } = trace;
   let low = 0;

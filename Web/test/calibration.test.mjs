@@ -63,7 +63,7 @@ describe('the calibration page', () => {
     assert.ok(bars.tallest > plain.tallest + 20, `${bars.tallest} of ${plain.tallest} pixels`);
   });
 
-  it('draws single pictures as points without a line between them', async () => {
+  it('draws individual pictures as points without a line between them', async () => {
     const points = await inked(await browser.open(calibration()), 1, '--adaptive');
     const joined = calibration();
     joined.sections[1].plots[0].traces[0].scattered = false;

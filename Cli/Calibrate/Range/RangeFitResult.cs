@@ -18,7 +18,7 @@ sealed class RangeFitResult
     /// <summary>Mean L_visu within the range, without rejected pairs, ms.</summary>
     public double VisuMs { get; }
 
-    /// <summary>Standard deviation of the L_visu of single pictures within the range, ms.</summary>
+    /// <summary>Standard deviation of L_visu between the individual pictures within the range, ms.</summary>
     public double SpreadMs { get; }
 
     /// <summary>Maximum render time with constant L_visu, ms; null if too few pictures had a higher render time.</summary>

@@ -27,7 +27,7 @@ static class ControlCode
     /// </summary>
     const double Alike = 2;
 
-    /// <summary>Maximum time for which a further code can be visible without being counted, ms.</summary>
+    /// <summary>Maximum time for which another code can be visible without being counted, ms.</summary>
     const double Same = 0.05;
 
     static readonly double[] Lengths = [0.25, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20, 24];

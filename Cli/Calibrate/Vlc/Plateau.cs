@@ -5,7 +5,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>The constant L_visu of measurements without render times.</summary>
 /// <param name="VisuMs">Mean of the used pictures.</param>
-/// <param name="SpreadMs">Standard deviation of single pictures.</param>
+/// <param name="SpreadMs">Standard deviation between individual pictures.</param>
 /// <param name="Count">Number of used pictures.</param>
 sealed record Plateau(double VisuMs, double SpreadMs, int Count)
 {

@@ -1,6 +1,6 @@
 // Simulates motions of a joint, and a source that samples them and sends only changes. Units: s, rad and their derivatives.
 
-/** Returns a motion that accelerates with `a` to the speed `v`, and from the time `brakeAt` decelerates with `brake` until it is at rest. */
+/** Returns a motion that accelerates at `a` to the speed `v`, and from the time `brakeAt` decelerates at `brake` until it is at rest. */
 export function trapezoid({ v, a, brakeAt, brake }) {
   const ramp = v / a, stop = v / brake;
   const rising = t => t < ramp ? a * t * t / 2 : v * (t - ramp / 2);

@@ -1,4 +1,4 @@
-// Loads single modules of the program for tests that need no process.
+// Loads individual modules of the program for tests that need no process.
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -6,7 +6,7 @@ import { build } from 'esbuild';
 import { loading } from '../loading.mjs';
 import { adapters } from './program.mjs';
 
-// Node caches modules by path, so each bundle gets a new path.
+// Node caches modules by path, so each bundle needs a new path.
 let made = 0;
 
 /** Returns the exports of the given modules in the folder src. */

@@ -13,7 +13,7 @@ export class RosbridgeDouble {
 
   /**
    * @param tls Key and certificate for wss; null for ws.
-   * @param token Token that a client must send; otherwise it gets the status 401.
+   * @param token Token that a client must send; otherwise it receives the status 401.
    * @param now Returns the time of the gateway's control clock in ns; null simulates a gateway that does not respond to requests for the time.
    */
   static async start(test, { port = 0, tls = null, token = null, now = null } = {}) {

@@ -27,7 +27,7 @@ describe('a source that cannot confirm', () => {
     return cell;
   }
 
-  /** Does the same as `passive` with values of single joints, as the MQTT adapter publishes them. */
+  /** Does the same as `passive` with values of individual joints, as the MQTT adapter publishes them. */
   function topics(position, seconds, faultAfterMs = null, observe = () => {}) {
     const names = Object.keys(position), cell = plant(names.map(joint => ({ joint })), { faultAfterMs }), { time, output } = cell;
     output.silence.unconfirmedMs = null;

@@ -7,7 +7,7 @@ sealed class EventList(TimeProvider time, Action<string> log)
 {
     internal const int MaxEvents = 500;
 
-    /// <summary>Time after the start of the gateway in which conditions that are normal at the start cause no event.</summary>
+    /// <summary>Time after the start of the gateway in which conditions that are normal at startup cause no event.</summary>
     internal static readonly TimeSpan StartGrace = TimeSpan.FromSeconds(3);
 
     readonly long _started = time.GetTimestamp();

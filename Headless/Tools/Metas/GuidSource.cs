@@ -4,7 +4,7 @@ using System.Text;
 namespace Nowpose.Metas;
 
 /// <summary>
-/// Creates GUIDs that depend only on the path, so that two people who add the .meta file of the same asset get the same GUID.
+/// Creates GUIDs that depend only on the path, so that two people who add the .meta file of the same asset create the same GUID.
 /// </summary>
 public sealed class GuidSource
 {

@@ -20,7 +20,7 @@ sealed class RobotObjects
         _session = session;
     }
 
-    /// <summary>Creates the prefab of a further robot in a cell, whose user selects the namespace.</summary>
+    /// <summary>Creates the prefab of another robot in a cell, whose user selects the namespace.</summary>
     public static string MakePrefab(PackageAssets assets, string path, string robotPath)
     {
         var robot = assets.Load<RobotDescriptionAsset>(robotPath);

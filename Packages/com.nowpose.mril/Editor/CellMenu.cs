@@ -55,7 +55,7 @@ namespace Nowpose.Editor
         static void PlannedPath(MenuCommand command) =>
             CreateOnce<PlannedPath>("Planned Path", command, path => path.GetComponent<LineRenderer>().sharedMaterial = Hologram);
 
-        // A robot that is not current must look different, so it gets a Pose Appearance and a material that can fade.
+        // A robot that is not current must look different, so it needs a Pose Appearance and a material that can fade.
         [MenuItem(Folder + "Another Robot", false, Priority)]
         static void AnotherRobot(MenuCommand command) => CreateOnce<RobotRig>("Robot", command, rig =>
         {

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Tests the pool with a substitute for the picture reader that exits when it gets a picture with a certain name.</summary>
+/// <summary>Tests the pool with a substitute for the picture reader that exits when it receives a picture with a certain name.</summary>
 [NonParallelizable]
 public sealed class VisionPoolTests
 {
@@ -70,7 +70,7 @@ public sealed class VisionPoolTests
         }
     }
 
-    // Never ends, so the second worker also gets a picture, regardless of when it is ready.
+    // Never ends, so the second worker also receives a picture, regardless of when it is ready.
     static IEnumerable<PictureRequest> WithoutEnd()
     {
         while (true) yield return PictureRequest.File("a.png");

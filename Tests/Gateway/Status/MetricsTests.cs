@@ -8,7 +8,7 @@ using YamlDotNet.Serialization;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;
 
-/// <summary>Tests the metrics, also with the parser of Prometheus in Python if it is installed (Debian: python3-prometheus-client).</summary>
+/// <summary>Tests the metrics, and reads them with Prometheus's parser in Python if it is installed (Debian: python3-prometheus-client).</summary>
 public class MetricsTests
 {
     const string Python = "/usr/bin/python3";

@@ -52,7 +52,7 @@ public sealed class LatencyNudgeTests
         if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
     }
 
-    // Returns the true position in metres at a time of the headset clock in s. The robot moves back and forth, two seconds in each direction.
+    // Returns the true position in metres at a given time of the headset clock in s. The robot moves back and forth, two seconds in each direction.
     static double TruthAt(double seconds)
     {
         var phase = seconds % 4;

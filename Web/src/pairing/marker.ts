@@ -12,7 +12,7 @@ const offset = () => [...document.querySelectorAll<HTMLInputElement>('[data-offs
 
 let newest = 0;
 
-/** Sets up the marker page: draws the code at the start and after each change of the form, and prints it when the form is submitted. */
+/** Sets up the marker page: draws the code initially and after each change of the form, and prints it when the form is submitted. */
 export async function startMarker(): Promise<void> {
   const form = byId<HTMLFormElement>('form');
   let pause = 0;

@@ -52,7 +52,7 @@ export class Frames {
   }
 
   /**
-   * Moves the axes to their poses at a time. Hides frames without a known parent or without a recent pose.
+   * Moves the axes to their poses at a given time. Hides frames without a known parent or without a recent pose.
    * @param linkOf Returns the pose of a robot's link in the world; null for an unknown link.
    */
   pose(time: number, linkOf: (name: string) => Matrix4 | null): void {

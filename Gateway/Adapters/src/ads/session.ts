@@ -167,7 +167,7 @@ export class AdsSession {
           }
           await this.#watch(symbols[index]!, index, sampled);
           // Publishes the value that was read, because the first notification may arrive before its handle is known, and a value at rest
-          // gets no other notification.
+          // receives no other notification.
           output.publish([{ index, value, stamp: null, isFirst: true }]);
         },
       },

@@ -44,13 +44,13 @@ export class ComponentTrack {
     return isMoving ? this.#newest.stamp : time;
   }
 
-  /** Gets the value at a time without interpolation, for a number that changes in steps; null before the first value. */
+  /** Gets the value at a given time without interpolation, for a number that changes in steps; null before the first value. */
   stepAt(time: Nanoseconds): number | null {
     return this.#previous !== null && this.#newest!.stamp > time ? this.#previous.value : this.value;
   }
 
   /**
-   * Gets the interpolated value at a time; null before the first value.
+   * Gets the interpolated value at a given time; null before the first value.
    * @param jump Maximum difference of two values that is interpolated. A larger difference is a jump, for example of an angle at a full turn.
    */
   at(time: Nanoseconds, jump: number): number | null {

@@ -56,7 +56,7 @@ const ANGLES: Record<string, number> = { rad: 1, deg: Math.PI / 180 };
 export const isStationary = ({ selector, position, rotation }: Frame): boolean =>
   selector === null && [...position, ...(rotation?.parts ?? [])].every(part => 'constant' in part);
 
-/** Gets the frames of a configuration whose poses consist of single values, and adds the values to be read for them to `values`. */
+/** Gets the frames of a configuration whose poses consist of individual values, and adds the values to be read for them to `values`. */
 export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], silence: SilenceEntry, values: Value[]): Frame[] {
   const seen = new Map<string, number>();
   const paths: Path[] = [];

@@ -40,7 +40,7 @@ export class YamlFile {
     }
   }
 
-  /** Adds an error in an entry. The error of a missing entry gets the line of its parent. */
+  /** Adds an error in an entry. The error of a missing entry has the line of its parent. */
   report(path: Path, text: string): void {
     this.problems.push({ line: this.lineOf(path), text: path.length > 0 ? `${pathText(path)}: ${text}` : text });
   }

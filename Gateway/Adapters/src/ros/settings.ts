@@ -22,7 +22,7 @@ export interface RosSettings {
   tf: string;
   tfStatic: string;
   frames: RosFrame[];
-  /** Message types of the topics with single values, by topic. */
+  /** Message types of the topics with individual values, by topic. */
   types: Map<string, string>;
   /** ROS name of the cell's world frame. */
   world: string;
@@ -50,7 +50,7 @@ interface FrameEntry {
   source?: string;
   topic?: string;
   type?: string;
-  /** Present for a frame whose pose consists of single numbers. */
+  /** Present for a frame whose pose consists of individual numbers. */
   position?: object;
 }
 
@@ -83,7 +83,7 @@ export const ros: Kind = {
     if (sectionOf(configuration).pin !== undefined) requireTls(file, ['plant'], sectionOf(configuration).endpoint);
     const { joints } = configuration;
     const { frames = [] } = file.value as { frames?: FrameEntry[] };
-    // Stored in the plant section, because the poses of these frames arrive as a whole and not as single values.
+    // Stored in the plant section, because the poses of these frames arrive as a whole and not as individual values.
     (configuration.plant as { frames?: object[] }).frames = frames.filter(({ position }) => position === undefined);
     const names = frames.map(({ frame, source }) => source ?? frame);
     frames.forEach(({ source, topic, position }, i) => {

@@ -86,7 +86,7 @@ export class PackageReader {
   }
 
   /**
-   * Adds received bytes and gets the packages that are now complete. Their payloads are valid until the next call.
+   * Adds received bytes and returns the packages that are now complete. Their payloads are valid until the next call.
    * @throws NotRtdeError A header is invalid. The packages before it are also lost, and the connection is unusable.
    */
   add(bytes: Buffer): RtdePackage[] {

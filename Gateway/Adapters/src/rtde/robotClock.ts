@@ -105,7 +105,7 @@ export class RobotClock {
   }
 
   /**
-   * Gets the controller's time at a time of this machine's counter.
+   * Gets the controller's time for a given time of this machine's counter.
    * @throws Error The controller sends no data, or its clock is not measured yet.
    */
   at(now: Nanoseconds): ClockReading {

@@ -204,7 +204,7 @@ export class EndOfData {
 
   /**
    * Gets the resolution of the positions, which is at most the smallest step so far. If the source sent a sample at each look, the noise of the
-   * positions is also a maximum, unless all steps are equal, as for a quantised value that moves by one step per look.
+   * positions is also a maximum, unless all steps are equal, as when a quantised value changes by one step per sampling instant.
    */
   #resolution(samplingS: number): number {
     const intervals = this.#intervals().slice(-NOISE_INTERVALS);

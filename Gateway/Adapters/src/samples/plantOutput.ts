@@ -106,7 +106,7 @@ export class PlantOutput {
     return index < this.#firstOfFrames && this.joints.hasEnded(index);
   }
 
-  /** Sets the function that gets when the source stopped writing a value; null if it has not stopped, or if this is unknown. */
+  /** Sets the function that returns the time at which the source stopped writing a value; null if it has not stopped, or if this is unknown. */
   set sourceStopOf(stopOf: (index: number) => SourceStop | null) {
     this.joints.sourceStopOf = stopOf;
   }

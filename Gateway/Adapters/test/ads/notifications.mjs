@@ -38,7 +38,7 @@ export class Notifications {
     return this.#entries.delete(handle);
   }
 
-  /** Removes the notifications of variables that have moved in memory. For each of them the client gets one sample without data. */
+  /** Removes the notifications of variables that have moved in memory. For each of them the client receives one sample without data. */
   invalidate() {
     for (const [handle, entry] of this.#entries) {
       if (entry.indexGroup !== group.memory) continue;

@@ -19,7 +19,7 @@ export const types = {
   STRING: primitive(30, 81, (b, v) => b.write(`${v}\0`, 'latin1')),
 };
 
-/** A variable. `value` returns its content at a time of the PLC (nanoseconds since 1970, BigInt). `count` > 0 makes it an array. */
+/** A variable. `value` returns its content at a given time of the PLC (nanoseconds since 1970, BigInt). `count` > 0 makes it an array. */
 export class PlcSymbol {
   constructor(name, typeName, value, { count = 0, first = 0 } = {}) {
     Object.assign(this, { name, typeName, value, count, first });

@@ -1,4 +1,4 @@
-// Tests messages that are not numbers: each entry of the configuration gets one line in the log and one state, and the process continues.
+// Tests messages that are not numbers: each entry of the configuration causes one line in the log and one state, and the process continues.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { missing } from '../broker/mosquitto.mjs';

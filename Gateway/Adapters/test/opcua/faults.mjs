@@ -1,4 +1,4 @@
-// Causes faults of single variables of a YoubotServer, and repairs them.
+// Causes faults in individual variables of a YoubotServer, and repairs them.
 import { StatusCodes } from './library.mjs';
 
 /** Minimum speed in rad/s at which a variable freezes. No axis can stop from this speed between two samples. */

@@ -68,7 +68,7 @@ const VARIABLES = [
 export class YoubotServer {
   /** Number of received requests by their names. */
   asked = new Map();
-  /** Replaces a value before it is sent: gets the value that the server would send, and returns the value that it sends. */
+  /** Replaces a value before it is sent: receives the value that the server would send, and returns the value that it sends. */
   spoil = (name, sent) => sent;
   isStopped = false;
   /** Converts a time of the control system to the time of the motion, which does not advance while the robot is at rest. */
@@ -95,7 +95,7 @@ export class YoubotServer {
 
   get endpoint() { return `opc.tcp://127.0.0.1:${this.port}`; }
 
-  /** Returns the true position of a joint at a time of the control system. */
+  /** Returns the true position of a joint at a given time of the control system. */
   static truth(joint, t) { return positions(t)[joint]; }
 
   async start() {

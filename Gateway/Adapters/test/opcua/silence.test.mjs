@@ -61,7 +61,7 @@ describe('silence over OPC UA', { concurrency: 2 }, () => {
 
   it('Joint_WriterStopsInMidMotion_IsInFaultThenLive', async t => {
     const { server, bridge, state, writers } = await cell(t, ['max_deceleration: 40']);
-    // The motion accelerates with at most 20 rad/s². Fast means at least 80 rad/s: even with samples 0.5 s apart, a stop needs 160 rad/s².
+    // The motion accelerates at no more than 20 rad/s². Fast means at least 80 rad/s: even with samples 0.5 s apart, a stop needs 160 rad/s².
     const began = Number(server.clock.now / 1_000_000n), recent = [];
     const moving = sent => {
       const ms = sent.sourceTimestamp.getTime(), phase = (ms - began) / 8000, value = 1280 * (1 - Math.cos(phase));

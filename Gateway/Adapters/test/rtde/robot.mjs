@@ -13,7 +13,7 @@ const RUNNING = 7, PLAYING = 2, NORMAL = 1;
 /** Time in s by which the arm lags behind the commanded positions. */
 export const LAG_S = 0.006;
 
-/** Returns the angle of a joint in rad at a time of the controller's clock in s. */
+/** Returns the angle of a joint in rad at a given time of the controller's clock in s. */
 export const angle = (joint, seconds) => 0.3 * joint + 0.4 * Math.sin((0.9 + 0.1 * joint) * seconds);
 
 export class RtdeRobot {

@@ -31,7 +31,7 @@ static class HoloLensScene
     {
         var cell = Scenes.Cell(assets, PackagePaths.Cell, PackagePaths.HoloLensSettings);
         var session = cell.GetComponent<MrilSession>();
-        // Does not connect at the start. The hand menu connects, or the pairing does so after it has received the address.
+        // Does not connect at startup. The hand menu connects, or the pairing does so after it has received the address.
         Fields.Set(session, "_connectOnEnable", false);
         cell.transform.Find("Base Anchor").localPosition = AnyHeadsetScene.BasePlace;
         cell.transform.Find("Status Panel").gameObject.SetActive(false);

@@ -5,7 +5,7 @@ namespace Nowpose.Editor.Messages
     {
         public const string Settings = "It has no settings and cannot start. Assign settings, or let a script provide them.";
         public const string RigSession = "This object and its parents have no session. Assign one, or let a script bind and move the rig.";
-        public const string ReportSession = "This object and its parents have no session. Assign the session that gets the render time.";
+        public const string ReportSession = "This object and its parents have no session. Assign the session that receives the render time.";
         public const string CalibratedSession = "This object and its parents have no session. Assign the session to calibrate.";
         public const string PairedSession = "This object and its parents have no session. Assign the session to set up.";
         public const string ShownSession = "This object and its parents have no session. Assign the session whose pose is shown.";

@@ -59,7 +59,7 @@ namespace Nowpose.Editor.Setup
             new PackageOrigin(name, null, version, registry, min, below);
 
         /// <summary>Returns whether a version is supported.</summary>
-        /// <param name="version">A version or an address, as in a manifest.</param>
+        /// <param name="version">A version or a URL, as in a manifest.</param>
         /// <returns>
         /// Null if the supported versions are limited and the value, unless it equals <see cref="Reference"/>, contains no version.
         /// </returns>

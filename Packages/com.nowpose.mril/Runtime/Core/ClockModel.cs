@@ -44,7 +44,7 @@ namespace Nowpose
         /// error that the gateway states, at most <see cref="ErrorBound"/>. Panels and reports show it after ±.
         /// </summary>
         /// <remarks>
-        /// The estimate assumes that the minimum delays of both directions are equal. If they differ, half the difference adds to the
+        /// The estimate assumes that the minimum delays in both directions are equal. If they differ, half the difference adds to the
         /// error. No estimator can observe this difference; only <see cref="ErrorBound"/> includes it.
         /// </remarks>
         public TimeSpan EstimatedError { get; }

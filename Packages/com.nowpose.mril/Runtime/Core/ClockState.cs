@@ -8,7 +8,7 @@ namespace Nowpose
         Unsynchronised = 0,
 
         /// <summary>
-        /// An offset is known, but its error is not bounded yet: at the start, after a step or a long silence, and while a step
+        /// An offset is known, but its error is not bounded yet: after the first exchange, after a step or a long silence, and while a step
         /// is suspected.
         /// </summary>
         Converging = 1,

@@ -29,7 +29,7 @@ Shader "Nowpose/Hologram"
             Tags { "LightMode" = "UniversalForwardOnly" }
             // The second pair of factors writes the alpha that a mixed reality capture uses.
             Blend SrcAlpha OneMinusSrcAlpha, One OneMinusSrcAlpha
-            // Writes depth although the colour is blended, because a HoloLens uses the depth to stabilise its picture.
+            // Writes depth although the colour is blended, because a HoloLens uses the depth to stabilise the image.
             ZWrite On
             Cull Back
 

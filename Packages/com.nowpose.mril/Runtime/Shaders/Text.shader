@@ -1,5 +1,5 @@
 // Draws the letters of a TextMesh. In contrast to the font's own shader, it lets objects in front hide the text, and it writes depth, which a
-// HoloLens uses to stabilise its picture. The component Font Texture sets the texture of the font through a property block.
+// HoloLens uses to stabilise the image. The component Font Texture sets the texture of the font through a property block.
 Shader "Nowpose/Text"
 {
     Properties

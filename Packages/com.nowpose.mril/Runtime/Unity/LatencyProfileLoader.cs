@@ -26,7 +26,7 @@ namespace Nowpose.Unity
             + "StreamingAssets; or a full path.")]
         string _fileName = "latency-profile.json";
 
-        [SerializeField, Tooltip("Profile that is used if neither folder contains one. An Android app can get a profile only in this way. Empty: "
+        [SerializeField, Tooltip("Profile that is used if neither folder contains one. An Android app can receive a profile only in this way. Empty: "
             + "none.")]
         TextAsset _shipped = null;
 

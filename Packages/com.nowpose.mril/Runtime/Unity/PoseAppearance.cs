@@ -17,8 +17,8 @@ namespace Nowpose.Unity
     /// <remarks>
     /// Sets the shader properties <c>_Fade</c> (0 to 1) and <c>_Hatch</c> (0 or 1), which the shaders of the package have, through a property block.
     /// The materials themselves do not change. If a material lacks one of these properties and is blended by its alpha, the component lowers the
-    /// alpha. Parts with any other material get the substitute, or are hidden, while the pose is not current. Disabling the component restores all
-    /// values.
+    /// alpha. Parts with any other material are drawn with the substitute, or hidden, while the pose is not current. Disabling the component restores
+    /// all values.
     /// </remarks>
     [AddComponentMenu("Nowpose/Pose Appearance")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 1)]

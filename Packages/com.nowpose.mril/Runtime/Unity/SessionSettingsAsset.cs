@@ -113,7 +113,7 @@ namespace Nowpose.Unity
             + "default is 5 to 15 times more accurate over WiFi and follows clock steps.")]
         string _clockEstimator = ClockEstimators.Default;
 
-        [SerializeField, Tooltip("Time between two clock exchanges, ms, 20 to 10000. A quarter of it applies at the start and after a clock "
+        [SerializeField, Tooltip("Time between two clock exchanges, ms, 20 to 10000. A quarter of it applies after the connection and after a clock "
             + "step, up to five times as much while the offset is very accurate. 200 ms: the clock is synchronised within seconds at little network load.")]
         double _syncIntervalMs = ProtocolLimits.SyncIntervalMs;
 

@@ -2,7 +2,7 @@ using System.IO;
 
 namespace Nowpose.UnityPlayer.Assets.Files;
 
-/// <summary>An asset with a .meta file. The file of the asset itself may be missing if it is never read, as for scripts.</summary>
+/// <summary>An asset with a .meta file. The file of the asset itself may be missing if it is never read; for example, that of a script.</summary>
 sealed class AssetFile
 {
     public AssetFile(string guid, string path, string fullPath, string importer)

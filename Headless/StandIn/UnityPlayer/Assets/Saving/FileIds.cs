@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Saving;
 
-/// <summary>Generates fileIDs from the hierarchy alone, so that the same objects get the same fileIDs on every machine.</summary>
+/// <summary>Generates fileIDs from the hierarchy alone, so that the same objects have the same fileIDs on every machine.</summary>
 sealed class FileIds
 {
     readonly HashSet<long> _taken = new HashSet<long>();

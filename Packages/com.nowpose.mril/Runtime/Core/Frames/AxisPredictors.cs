@@ -43,7 +43,7 @@ namespace Nowpose.Frames
 
         public Vector3D At(double time) => new Vector3D(_x.At(time).Position, _y.At(time), _z.At(time));
 
-        /// <summary>Returns how the vector at a time is computed, for example interpolated or predicted.</summary>
+        /// <summary>Returns how the vector at a given time is computed, for example interpolated or predicted.</summary>
         public PredictionKind KindAt(double time) => _x.At(time).Kind;
 
         public void Reset()

@@ -77,7 +77,7 @@ namespace Nowpose.Frames
             return AddComponents(sample, displayed);
         }
 
-        /// <summary>Returns the pose at a time; its rotation always has unit length. Does not change the state.</summary>
+        /// <summary>Returns the pose at a given time; its rotation always has unit length. Does not change the state.</summary>
         /// <param name="time">See <see cref="JointPredictor.At"/>.</param>
         /// <returns>The identity before the first sample.</returns>
         public RigidTransform At(double time) => At(time, out _);

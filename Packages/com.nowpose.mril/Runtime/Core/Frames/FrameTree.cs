@@ -73,7 +73,7 @@ namespace Nowpose.Frames
 
         /// <summary>
         /// Sets the place of an object that a gripper holds or has released, from the next display frame on. The displayed pose changes
-        /// smoothly, as for a change of the object's parent.
+        /// smoothly, as after a change of the object's parent.
         /// </summary>
         /// <param name="place">The place; null if the object's own source determines the place again.</param>
         public void Put(int index, ReachPlace place)

@@ -50,7 +50,7 @@ namespace Nowpose.Frames
             _isOpen = (_shift.Length > MinShift || _turn.Length > MinTurn) && _shift.Length < Math.Max(MaxShift, Math.Min(speed * MaxLateness, MaxShiftOfFastObject));
         }
 
-        // Returns whether the hand-over has ended at a time; true if this time or the start is unknown.
+        // Returns whether the hand-over has ended at a given time; true if this time or the start is unknown.
         public bool IsOverAt(double time) => !_isOpen || !(time < _start + Seconds);
 
         /// <param name="now">Pose in the world at <paramref name="time"/>, according to the new parent.</param>

@@ -44,7 +44,7 @@ namespace Nowpose.Frames
             return angles;
         }
 
-        /// <summary>Converts angles at a time to a rotation.</summary>
+        /// <summary>Converts the angles at a given time to a rotation.</summary>
         public UnitQuaternion RotationOf(in Vector3D angles, double time)
         {
             var age = 0;
@@ -60,7 +60,7 @@ namespace Nowpose.Frames
 
         ref Entry At(int age) => ref _ring[(_newest + age) & (Capacity - 1)];
 
-        // A repeated sample gets exactly the angles of the first one.
+        // A repeated sample has exactly the angles of the first one.
         static Vector3D AnglesRelativeTo(in Entry entry, in UnitQuaternion rotation)
         {
             var turn = (rotation * entry.Rotation.Inverse).Log();

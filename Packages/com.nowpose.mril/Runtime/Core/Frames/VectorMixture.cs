@@ -102,7 +102,7 @@ namespace Nowpose.Frames
             return reason;
         }
 
-        /// <summary>Returns the vector at a time. Does not change the state.</summary>
+        /// <summary>Returns the vector at a given time. Does not change the state.</summary>
         public Vector3D At(double time) => _blend.At(time, PredictedAt(time));
 
         Vector3D PredictedAt(double time)

@@ -18,7 +18,7 @@ namespace Nowpose.Kinematics
         }
 
         /// <summary>Computes poses relative to the root link, right-handed as in the URDF. Ignores limits; allocates nothing.</summary>
-        /// <param name="positions">One position per element of <see cref="RobotModel.MovingJoints"/>, in rad or m, also for mimic joints.</param>
+        /// <param name="positions">One position per element of <see cref="RobotModel.MovingJoints"/>, in rad or m, including mimic joints.</param>
         /// <param name="linkPoses">Receives one pose per element of <see cref="RobotModel.Links"/>, in that order.</param>
         public void Compute(ReadOnlySpan<double> positions, Span<RigidTransform> linkPoses)
         {

@@ -15,7 +15,7 @@ namespace Nowpose.Latency
         public long Count { get; private set; }
 
         /// <summary>
-        /// Number of samples whose time stamp is later than their arrival. A few at the start are caused by the error of the clock estimate. A larger
+        /// Number of samples whose time stamp is later than their arrival. A few initial ones are caused by the error of the clock estimate. A larger
         /// number means that a source does not use the control clock for its time stamps.
         /// </summary>
         public long NegativeCount { get; private set; }

@@ -39,7 +39,7 @@ namespace Nowpose.Messages
         public const string LinkTwice = "another link has the same name; rename one of them";
 
         public static string TwoParents(string link, string joint) =>
-            $"link {link} is already the child of joint {joint}; a link has one parent; remove one of the joints";
+            $"link {link} is already the child of joint {joint}; a link must have at most one parent; remove one of the joints";
 
         public static string TwoRoots(string other) =>
             $"there are two root links, this one and {other}; every link except one must be the child of a joint";

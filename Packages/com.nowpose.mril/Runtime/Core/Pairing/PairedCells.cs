@@ -51,7 +51,7 @@ namespace Nowpose.Pairing
             return null;
         }
 
-        /// <inheritdoc cref="TakerOf"/>
+        /// <summary>Returns whether the cell in use needs a gateway's code. Allocates nothing.</summary>
         internal bool UsedNeeds(TokenCode code, bool isUsedRefused) =>
             Used != null && code.IsFor(Used.Newest) && (Used.Token == null || isUsedRefused);
 

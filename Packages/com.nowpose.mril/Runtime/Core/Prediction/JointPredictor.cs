@@ -91,7 +91,9 @@ namespace Nowpose.Prediction
             return reason;
         }
 
-        /// <summary>Returns the position at a time. Never NaN: the fallback is the newest sample's position. Does not change the state.</summary>
+        /// <summary>
+        /// Returns the position at a given time. Never NaN: the fallback is the newest sample's position. Does not change the state.
+        /// </summary>
         /// <returns>
         /// <see cref="PredictionKind.None"/> with position 0 before the first sample. For a continuous joint, the angle is in the same turn as the
         /// newest sample and exceeds π if the joint moves beyond π.

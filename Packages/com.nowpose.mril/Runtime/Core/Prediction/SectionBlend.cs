@@ -67,7 +67,7 @@ namespace Nowpose.Prediction
             return _timeConstant > 0 && residual <= MaxResidualRatio * maxSpeed * (displayed - _displayedSection);
         }
 
-        /// <summary>Returns the remaining part of the residual at a time, 0 to 1.</summary>
+        /// <summary>Returns the remaining part of the residual at a given time, 0 to 1.</summary>
         public double RemainderAt(double time) => Math.Exp(-Math.Abs(time - _from) / _timeConstant);
 
         /// <summary>Discards the displayed section.</summary>

@@ -63,7 +63,7 @@ namespace Nowpose.Session
             return _linkPosesAt[link];
         }
 
-        /// <summary>Gets the planned pose of the tool in the robot's base frame at a time, however far in the future.</summary>
+        /// <summary>Gets the planned pose of the tool in the robot's base frame at a given time, however far in the future.</summary>
         /// <returns>False if a joint between base and tool has no plan for that time.</returns>
         public bool TryPlanTool(ControlTime at, out RigidTransform tool)
         {

@@ -155,7 +155,7 @@ namespace Nowpose.Session
             return origin;
         }
 
-        /// <summary>Computes the planned positions at a time, however far in the future. Other joints keep their displayed positions.</summary>
+        /// <summary>Computes the planned positions at a given time, however far in the future. Other joints keep their displayed positions.</summary>
         /// <param name="needed">Joints that must follow a plan at that time.</param>
         /// <param name="positions">Receives one position per moving joint.</param>
         /// <returns>False if a needed joint follows no plan at that time, or if no joint is needed.</returns>

@@ -32,7 +32,7 @@ namespace Nowpose.Session
         /// <param name="ransac">Constants of the paper's clock estimator, used if it is selected; null for the paper's values.</param>
         /// <param name="syncIntervalMs">
         /// Interval from the start of one sync exchange to the start of the next, ms; the server allows 100 requests per second. The interval is as
-        /// short as a quarter of this value at the start and after a step, and as long as five times this value on a quiet network; see
+        /// short as a quarter of this value after the connection and after a step, and as long as five times this value on a quiet network; see
         /// <see cref="ExchangePace"/>.
         /// </param>
         /// <param name="range">The constant-latency range of this device; null when it is unknown.</param>

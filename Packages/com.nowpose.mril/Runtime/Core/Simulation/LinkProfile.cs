@@ -7,7 +7,7 @@ namespace Nowpose.Simulation
 {
     /// <summary>Delay, jitter, loss and stalls of a packet link, the same in both directions.</summary>
     /// <remarks>
-    /// Describes single packets; the effect of a lost packet depends on the TCP implementation. <see cref="NetworkProfile"/> describes
+    /// Describes individual packets; the effect of a lost packet depends on the TCP implementation. <see cref="NetworkProfile"/> describes
     /// the delays of a byte stream instead.
     /// </remarks>
     sealed class LinkProfile
@@ -63,7 +63,7 @@ namespace Nowpose.Simulation
         /// </summary>
         public TimeSpan StallLength { get; }
 
-        /// <summary>Returns the end of the stall at a time, or the time itself if the link is not stalled.</summary>
+        /// <summary>Returns the end of the stall at a given time, or the time itself if the link is not stalled.</summary>
         /// <param name="sinceStart">Time since the link's start.</param>
         public TimeSpan EndOfStall(TimeSpan sinceStart)
         {

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>Determines for each packet of one direction of a link whether and when it arrives. Seeded; not thread-safe.</summary>
+    /// <summary>Determines for each packet in one direction of a link whether and when it arrives. Seeded; not thread-safe.</summary>
     sealed class PacketLink
     {
         readonly LinkProfile _profile;

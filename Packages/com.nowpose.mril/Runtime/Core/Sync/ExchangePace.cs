@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// Schedules the sync exchanges. The pace is quick at the start, after a step or a long silence, and while a step is suspected. It is slow while
+    /// Schedules the sync exchanges. The pace is quick initially, after a step or a long silence, and while a step is suspected. It is slow while
     /// the offset is so accurate that more exchanges would not improve it. Otherwise the configured pace applies. Single-threaded.
     /// </summary>
     sealed class ExchangePace
@@ -17,7 +17,7 @@ namespace Nowpose.Sync
         const int QuickFactor = 4, SlowFactor = 5;
 
         /// <summary>
-        /// QuickAtStart: number of quick exchanges at the start; they take five seconds if the configured interval is 200 ms. QuickAfterSilence:
+        /// QuickAtStart: number of initial quick exchanges; they take five seconds if the configured interval is 200 ms. QuickAfterSilence:
         /// number of quick exchanges after a silence; they take about one second.
         /// </summary>
         const int QuickAtStart = 100, QuickAfterSilence = 25;

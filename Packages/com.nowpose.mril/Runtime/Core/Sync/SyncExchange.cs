@@ -50,7 +50,7 @@ namespace Nowpose.Sync
         public bool ServerSynchronised { get; }
 
         /// <summary>
-        /// Offset Φ* from this exchange alone, Eq. (5). It is exact if the delays of both directions are equal; otherwise its error is at most half
+        /// Offset Φ* from this exchange alone, Eq. (5). It is exact if the delays in both directions are equal; otherwise its error is at most half
         /// of <see cref="RoundTripTime"/>.
         /// </summary>
         public ClockOffset Offset

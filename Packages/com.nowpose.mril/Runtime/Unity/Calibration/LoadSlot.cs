@@ -21,7 +21,7 @@ namespace Nowpose.Unity.Calibration
             _renderer.enabled = false;
         }
 
-        /// <summary>Number of vertices of the completed patch, also while it is hidden; 0 while the patch is being built.</summary>
+        /// <summary>Number of vertices of the completed patch, even while it is hidden; 0 while the patch is being built.</summary>
         public int Vertices { get; private set; }
 
         public bool IsShown

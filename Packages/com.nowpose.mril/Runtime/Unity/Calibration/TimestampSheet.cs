@@ -70,7 +70,7 @@ namespace Nowpose.Unity.Calibration
             Object.Destroy(_object);
         }
 
-        // Rounds down like TimestampCode.ValueOf, also for times before the epoch.
+        // Rounds down like TimestampCode.ValueOf, including for times before the epoch.
         static int WholeMs(ControlTime time)
         {
             var ticks = time.SinceEpoch.Ticks % (TimestampDigits.PeriodMs * System.TimeSpan.TicksPerMillisecond);

@@ -86,7 +86,7 @@ namespace Nowpose.Samples
         /// <summary>The simulated robot; null while this component is not enabled.</summary>
         public RobotModel Robot { get; private set; }
 
-        /// <summary>Gets the true joint positions of the robot at a time.</summary>
+        /// <summary>Gets the true joint positions of the robot at a given time.</summary>
         /// <param name="joints">Receives one position per moving joint of the robot, in rad or m.</param>
         /// <returns>False if the simulation has not started.</returns>
         public bool TryGetTruth(HeadsetTime at, Span<double> joints)

@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Unity
                 Assert.That(renderer.sharedMaterial.shader.name, Does.StartWith("Nowpose/"), renderer.name);
             }
             var empty = components.OfType<MonoBehaviour>().SelectMany(c => Empty(c, c.GetType().Name + ".")).Except(MayBeEmpty);
-            // A further robot uses the session above it.
+            // Another robot uses the session above it.
             var expected = path.Contains("Any Robot") ? "MrilSession._robot" : path.EndsWith("/Nowpose Robot.prefab") ? "RobotRig._session" : "";
             Assert.That(string.Join(", ", empty), Is.EqualTo(expected));
         }

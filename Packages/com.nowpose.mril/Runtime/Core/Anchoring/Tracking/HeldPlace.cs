@@ -4,7 +4,7 @@ namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>The position of the base that the device holds.</summary>
     /// <remarks>
-    /// Searches for a stored position at the start, holds the position after a lock, and updates it when the device corrects its map.
+    /// Searches for a stored position at startup, holds the position after a lock, and updates it when the device corrects its map.
     /// </remarks>
     sealed class HeldPlace
     {

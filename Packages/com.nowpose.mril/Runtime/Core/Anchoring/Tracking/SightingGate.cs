@@ -10,7 +10,8 @@ namespace Nowpose.Anchoring.Tracking
         const double MaxSizeDeviation = 0.1;
 
         /// <summary>
-        /// Minimum distance of a valid pose from the origin, which is the position of the head at the start. No marker is that close to the head.
+        /// Minimum distance of a valid pose from the origin, which is the position of the head when the app starts. No marker is that close to the
+        /// head.
         /// </summary>
         const double OriginMetres = 0.001;
 

@@ -7,7 +7,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Latency.Profile
 {
-    /// <summary>Reads single fields of a flat JSON object. Each error message is one line that names the file and the field.</summary>
+    /// <summary>Reads individual fields of a flat JSON object. Each error message is one line that names the file and the field.</summary>
     sealed class ProfileFields
     {
         /// <summary>Maximum nesting depth. Unknown fields may be nested.</summary>

@@ -164,7 +164,7 @@ namespace Nowpose.Prediction.Candidates
             if (cost < Worst && cost < _costs[i + 1] && cost <= _costs[i - 1] && lag + _step < end) Keep(lag, cost);
         }
 
-        // Cost below which a further lag is kept.
+        // Cost below which another lag is kept.
         float Worst => Count < Kept ? float.PositiveInfinity : _lagCosts[Kept - 1];
 
         void Keep(int lag, float cost)

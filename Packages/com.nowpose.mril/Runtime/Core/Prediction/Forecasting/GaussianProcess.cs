@@ -8,7 +8,7 @@ namespace Nowpose.Prediction.Forecasting
     /// </summary>
     /// <remarks>
     /// k(d) = (1 + r + 2r²/5 + r³/15) e⁻ʳ with r = √7 |d| / l (Rasmussen &amp; Williams 2006, section 4.2.1), plus a constant and a
-    /// linear trend of large variance. The mean at a time is the weighted sum of the samples' positions with the weights K⁻¹k, where K is the
+    /// linear trend of large variance. The mean at a given time is the weighted sum of the samples' positions with the weights K⁻¹k, where K is the
     /// covariance of the samples and k their covariance with the position at that time (Eq. 2.25 there). Intervals may be uneven.
     /// </remarks>
     sealed class GaussianProcess : PositionWeights
@@ -79,7 +79,7 @@ namespace Nowpose.Prediction.Forecasting
             return true;
         }
 
-        // Computes the covariance of the position at a time with the samples.
+        // Computes the covariance between the position at a given time and the samples.
         void FillCovariance(double ahead, double[] covariance, int start)
         {
             var decay = Math.Exp(-ahead * PerSecond);

@@ -60,7 +60,7 @@ namespace Nowpose.Prediction.Planning
             else if (verdict == PlanVerdict.Followed && _agreements < AgreementsToReturn) _agreements++;
         }
 
-        /// <summary>Returns whether the plan determines the joint's position at a time.</summary>
+        /// <summary>Returns whether the plan determines the joint's position at a given time.</summary>
         /// <param name="newest">
         /// Time of the newest sample. A plan that ends at rest is used after its end until a sample from more than 0.1 s after the end arrives.
         /// </param>
@@ -132,7 +132,7 @@ namespace Nowpose.Prediction.Planning
 
         public bool EndsAtRest => _path.EndsAtRest;
 
-        /// <summary>Returns the position at a time; constant before the start and after the end.</summary>
+        /// <summary>Returns the position at a given time; constant before the start and after the end.</summary>
         public double At(double time, out double velocity)
         {
             var x = time - Start;

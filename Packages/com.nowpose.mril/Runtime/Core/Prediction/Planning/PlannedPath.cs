@@ -55,7 +55,7 @@ namespace Nowpose.Prediction.Planning
         /// <summary>Whether the joint is at rest at the end of the path.</summary>
         public bool EndsAtRest => !(Math.Abs(Value(_velocities, _times.Length - 1)) > 0);
 
-        /// <summary>Returns the position at a time. Before the first set-point and after the last, it is constant.</summary>
+        /// <summary>Returns the position at a given time. Before the first set-point and after the last, it is constant.</summary>
         /// <param name="time">Time in s after the stamp.</param>
         public double At(double time, out double velocity)
         {

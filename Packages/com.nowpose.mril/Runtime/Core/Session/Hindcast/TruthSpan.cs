@@ -51,7 +51,7 @@ namespace Nowpose.Session.Hindcast
         public ControlTime Start { get; }
         public ControlTime End { get; }
 
-        /// <summary>Returns the position at a time within the span.</summary>
+        /// <summary>Returns the position at a given time within the span.</summary>
         /// <param name="uncertainty">
         /// Half the difference between two parabolas through the span: one includes the sample before it, the other the sample after it.
         /// This value is approximately the error of the cubic where the motion has a kink, and larger than its error where the motion is smooth. If

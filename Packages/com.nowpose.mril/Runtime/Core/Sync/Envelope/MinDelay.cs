@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// Detects a change of the minimum delay of one direction, for example when a headset roams to another access point, and keeps
+    /// Detects a change of the minimum delay in one direction, for example when a headset roams to another access point, and keeps
     /// the bounds of that direction comparable across the change.
     /// </summary>
     /// <remarks>
@@ -33,7 +33,9 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         static readonly TimeSpan MinDuration = TimeSpan.FromSeconds(6), MinDurationScattered = TimeSpan.FromSeconds(30);
 
-        /// <summary>Minimum duration of a window after a change of the other direction. It has an effect only while exchanges are frequent.</summary>
+        /// <summary>
+        /// Minimum duration of a window after the delay in the other direction has changed. It has an effect only while exchanges are frequent.
+        /// </summary>
         static readonly TimeSpan MinDurationExpected = TimeSpan.FromSeconds(3);
 
         /// <summary>
@@ -221,8 +223,8 @@ namespace Nowpose.Sync.Envelope
             return false;
         }
 
-        // Widens the error after a change of the other direction. This direction may have changed, too, by less than the effect of a wrong skew. The
-        // offset then moves by half of that change.
+        // Widens the error after a change in the other direction. The delay in this direction may have changed, too, by less than the effect of a
+        // wrong skew. The offset then moves by half of that change.
         void AddHiddenError(int window, int earlier)
         {
             var late = Math.Abs(Lateness(window, earlier));

@@ -8,10 +8,10 @@ namespace Nowpose.Sync.Envelope
     /// </summary>
     /// <remarks>
     /// The tightest bounds of the newest exchanges are compared with the tightest bounds of all earlier exchanges, for every time at which the path
-    /// may have changed. The sum of both directions is the change of the minimum round-trip time, on which a wrong skew has little effect. The fit
-    /// allows for a step of the delays at the most probable time, which reduces the effect of the change on offset and skew. The offset follows a
-    /// longer path in proportion to the weight of the exchanges since the change. If the path has become shorter, the offset was wrong by half of the
-    /// change.
+    /// may have changed. The sum of the changes in both directions is the change of the minimum round-trip time, on which a wrong skew has little
+    /// effect. The fit allows for a step of the delays at the most probable time, which reduces the effect of the change on offset and skew. The
+    /// offset follows a longer path in proportion to the weight of the exchanges since the change. If the path has become shorter, the offset was
+    /// wrong by half of the change.
     /// </remarks>
     sealed class UnrecognisedChange
     {

@@ -6,7 +6,7 @@ using static Nowpose.Tests.Core.Anchoring.LockedMarkers;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>Tests a locked base that is locked again, is placed by hand, or gets other markers.</summary>
+    /// <summary>Tests a locked base that is locked again, is placed by hand, or receives other markers.</summary>
     public class RelockTests
     {
         [Test]

@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Frames
         public ReadOnlySpan<RigidTransform> HeldPoses => _held;
 
         /// <summary>
-        /// Function that returns the pose of a link at a time, and its origin; null to return the poses of <see cref="Poses"/> with the origin
+        /// Function that returns the pose of a link at a given time, and its origin; null to return the poses of <see cref="Poses"/> with the origin
         /// Measured.
         /// </summary>
         public Func<int, ControlTime, (RigidTransform Pose, PoseOrigin Origin)> Past { get; set; }

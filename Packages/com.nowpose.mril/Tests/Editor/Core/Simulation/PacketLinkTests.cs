@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Simulation
 {
-    /// <summary>Compares loss and delay of single packets with the distributions of the profiles.</summary>
+    /// <summary>Compares loss and delay of individual packets with the distributions of the profiles.</summary>
     public class PacketLinkTests
     {
         static readonly HeadsetTime Start = HeadsetTime.FromSeconds(1000);
