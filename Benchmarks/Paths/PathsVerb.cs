@@ -57,8 +57,8 @@ static class PathsVerb
         Console.WriteLine();
         Console.WriteLine(
             "Cells: maximum error divided by half the difference between the changes in the two directions, maximum change of the skew, and share of "
-            + "the time in which the error was within the stated ±; values of the worst run. Mean stated ± of all runs. All from 5 s after the change "
-            + "on. **: exceeds a limit.");
+            + "the time in which the error was within the stated ±; values of the worst run. Mean stated ± of all runs. All from 5 s after the "
+            + "change on. **: exceeds a limit.");
         foreach (var line in missed) Console.Error.WriteLine("error: " + line);
         return missed.Count == 0 ? ExitStatus.Done : ExitStatus.Failed;
     }

@@ -20,7 +20,7 @@ namespace Nowpose.Protocol
         /// <summary>The data ended during a motion, the control system has not responded for too long, or the variable was removed.</summary>
         Fault,
 
-        /// <summary>No usable value has arrived since the start.</summary>
+        /// <summary>No usable value has arrived since the source started.</summary>
         Missing,
     }
 
