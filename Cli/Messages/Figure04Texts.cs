@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Texts of Fig. 4.</summary>
+/// <summary>Text of Fig. 4.</summary>
 static class Figure04Texts
 {
     public const string Title = "Error as a function of velocity and latency";

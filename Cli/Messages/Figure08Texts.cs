@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Texts of Fig. 8.</summary>
+/// <summary>Text of Fig. 8.</summary>
 static class Figure08Texts
 {
     public static string Beyond(string defaultUs, string share, string paperUs) =>

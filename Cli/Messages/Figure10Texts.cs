@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Texts of Fig. 10.</summary>
+/// <summary>Text of Fig. 10.</summary>
 static class Figure10Texts
 {
     public const string Display =

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Texts of Fig. 11.</summary>
+/// <summary>Text of Fig. 11.</summary>
 static class Figure11Texts
 {
     public const string AboveLimit =

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Texts of Fig. 12.</summary>
+/// <summary>Text of Fig. 12.</summary>
 static class Figure12Texts
 {
     public const string Claim =

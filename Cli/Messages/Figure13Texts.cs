@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Texts of Fig. 13.</summary>
+/// <summary>Text of Fig. 13.</summary>
 static class Figure13Texts
 {
     public const string OverSampling = "Interpolating polynomials for different sampling intervals";

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Texts of Fig. 14.</summary>
+/// <summary>Text of Fig. 14.</summary>
 static class Figure14Texts
 {
     public const string OverSampling = "Approximating quadratics for different sampling intervals";

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Texts of Fig. 16.</summary>
+/// <summary>Text of Fig. 16.</summary>
 static class Figure16Texts
 {
     public const string Title = "Swing of the first axis: true, uncompensated, compensated";

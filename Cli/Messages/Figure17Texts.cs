@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Texts of Fig. 17.</summary>
+/// <summary>Text of Fig. 17.</summary>
 static class Figure17Texts
 {
     public const string Title = "The arm at three moments";

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Texts of Fig. 18.</summary>
+/// <summary>Text of Fig. 18.</summary>
 static class Figure18Texts
 {
     public const string Title = "Operating points without and with compensation";

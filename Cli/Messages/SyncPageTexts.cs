@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Texts of the page of the command <c>sync</c>.</summary>
+/// <summary>Text of the page of the command <c>sync</c>.</summary>
 static class SyncPageTexts
 {
     public static string WouldOverwriteLog(string page, string data) =>

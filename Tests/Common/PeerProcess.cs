@@ -45,7 +45,7 @@ sealed class PeerProcess : IDisposable
     /// <summary>Returns the value of the newest line "key value"; null if there is none.</summary>
     public string ValueOf(string key) => _lines.LastOrDefault(line => line.StartsWith(key + " ", StringComparison.Ordinal))?[(key.Length + 1)..];
 
-    /// <summary>Waits until the process has printed the given words.</summary>
+    /// <summary>Waits until the process has printed the given text.</summary>
     public Task PrintsAsync(string words) => Soon.BecomesAsync(() => Printed(words) || _process.HasExited && !Printed(words) && Fail(words), words);
 
     /// <summary>Gets the lines that the process has printed so far on both streams.</summary>

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Damages valid texts. Mostly changes, adds, removes and swaps tokens that matter to a parser, instead of random characters.</summary>
+/// <summary>Damages valid inputs. Mostly changes, adds, removes and swaps tokens that matter to a parser, instead of random characters.</summary>
 /// <remarks>Most results are nearly valid, so that readers process most of the text before they detect the error. Not thread-safe.</remarks>
 sealed class TextMutator
 {
@@ -32,7 +32,7 @@ sealed class TextMutator
         _pieces = [.. seeds.SelectMany(Split).Distinct()];
     }
 
-    /// <summary>Returns a damaged text, which is sometimes still valid.</summary>
+    /// <summary>Returns a damaged input, which is sometimes still valid.</summary>
     public string Next(Random random)
     {
         var pieces = Split(_seeds[random.Next(_seeds.Length)]);
@@ -99,7 +99,7 @@ sealed class TextMutator
         return new string(letters);
     }
 
-    // Splits the text into numbers, words and single other characters.
+    // Splits the text into numbers, words and other individual characters.
     static List<string> Split(string text)
     {
         var pieces = new List<string>();

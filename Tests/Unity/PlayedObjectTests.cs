@@ -83,7 +83,7 @@ public class PlayedObjectTests : PlayedParts
         Run(1, Send);
         Assert.That(FaultsNow(), Does.Contain("object fixture: not placed; place it by hand, or publish its frame on /tf_static"));
         var look = fixture.GetComponent<PoseAppearance>().Look;
-        Assert.That((look.Words, look.IsDrawn, look.IsHatched), Is.EqualTo(("not placed", true, true)));
+        Assert.That((look.Label, look.IsDrawn, look.IsHatched), Is.EqualTo(("not placed", true, true)));
 
         fixture.BeginMove();
         fixture.transform.SetPositionAndRotation(new Vector3(2, 2.5f, 3), Quaternion.Euler(0, 30, 0));

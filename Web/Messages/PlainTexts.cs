@@ -1,6 +1,6 @@
 namespace Nowpose.Web.Messages;
 
-/// <summary>Texts of pages without plots, for builds without Node.js.</summary>
+/// <summary>Text of pages without plots, for builds without Node.js.</summary>
 static class PlainTexts
 {
     public const string NoPlotsOnPage = NoPlots + "and the next page has them.";

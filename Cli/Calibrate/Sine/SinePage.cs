@@ -17,7 +17,7 @@ static class SinePage
             ["Correlation", result.Lag.Correlation.ToString("0.0000", CultureInfo.InvariantCulture)],
             ["Pictures", result.Tracks.Shown.Length.ToString(CultureInfo.InvariantCulture)],
             ["Camera", (1 / result.Tracks.Interval).ToString("0.##", CultureInfo.InvariantCulture) + " per second"],
-            ["Evaluated as", result.Way.Words], ["Recording", path],
+            ["Evaluated as", result.Way.Explanation], ["Recording", path],
         ])
     {
         Warnings = [.. WarningsOf(result, profile)],

@@ -4,9 +4,9 @@ namespace Nowpose.Cli.Calibrate.Sine;
 
 /// <summary>Determines how much of the measured lag is L_visu.</summary>
 /// <param name="KnownMs">Known part of the lag, ms. Negative if the headset already compensates for it; null if L_visu was not requested.</param>
-/// <param name="Words">Explanation of the known part.</param>
+/// <param name="Explanation">Explanation of the known part.</param>
 /// <param name="HeldMs">Time for which the hologram stays at each position, T_s, ms; null if it moves continuously.</param>
-sealed record SineWay(double? KnownMs, string Words, double? HeldMs = null)
+sealed record SineWay(double? KnownMs, string Explanation, double? HeldMs = null)
 {
     /// <exception cref="InputException">The options of both cases, with and without compensation, were given.</exception>
     public static SineWay Of(double? applicationMs, double samplingMs, double? configuredMs)

@@ -15,7 +15,7 @@ static class SweepLogReader
 
     static readonly int Columns = SweepLog.Header.Split(',').Length;
 
-    /// <param name="name">Name of the text in messages.</param>
+    /// <param name="name">Name of the input in messages.</param>
     /// <param name="conditions">Conditions from the lines above the header. Device and display rate are in the rows instead.</param>
     /// <exception cref="InputException">The text is not in the expected format, or contains no rows.</exception>
     public static IReadOnlyList<SweepRow> Read(TextReader text, string name, out DisplayConditions conditions)

@@ -2,7 +2,7 @@ using MathNet.Numerics.Statistics;
 
 namespace Nowpose.Cli.Figures.Display;
 
-/// <summary>Spread of the middle 95 % of values. Single slow frames and misread pictures do not change it.</summary>
+/// <summary>Spread of the middle 95 % of values. Individual slow frames and misread pictures do not change it.</summary>
 /// <param name="Deviation">Standard deviation of the middle 95 %.</param>
 /// <param name="Range">Maximum minus minimum of the middle 95 %.</param>
 readonly record struct Spread(double Deviation, double Range)

@@ -46,7 +46,7 @@ static class Figure17
     static FigureDrawing Drawing(YoubotSwing swing, SwingFrames frames, SwingMoment moment, double heldMm, double predictedMm)
     {
         var frame = frames.Shown[moment.Index];
-        return new FigureDrawing($"{moment.Name}, {moment.Words}: {frames.Predictor}",
+        return new FigureDrawing($"{moment.Name}, {moment.Description}: {frames.Predictor}",
             Figure17Texts.Drawing(Mm(heldMm), Mm(predictedMm), frames.Predictor),
             new ArmDrawing(swing).Draw(frame, Looks.Of(frames.Predictor), heldMm, predictedMm));
     }

@@ -5,7 +5,7 @@ namespace Nowpose.Cli.Figures.Swing;
 
 /// <summary>An instant of the first move that is named in Figs 16 and 17.</summary>
 /// <param name="Index">Index of the frame in <see cref="SwingFrames.Shown"/>.</param>
-sealed record SwingMoment(string Name, string Words, int Index)
+sealed record SwingMoment(string Name, string Description, int Index)
 {
     /// <summary>Gets the three instants: A when full speed is reached, B halfway, C when the speed has dropped to half.</summary>
     public static IReadOnlyList<SwingMoment> Of(YoubotSwing swing, IReadOnlyList<StudyFrame> frames)

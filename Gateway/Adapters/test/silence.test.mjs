@@ -95,7 +95,7 @@ describe('silence', () => {
     assert.equal(state, 'rest');
     const { basis, confirmed } = silenceMessages;
     assert.ok(cell.status.values()['joint/a'].endsWith(stateMessages.assumedAtRest(basis(confirmed, null), 'joint', '')), cell.status.values()['joint/a']);
-    // The rest began with the last sample, which arrived 1 s earlier.
+    // The state of rest began with the last sample, which arrived 1 s earlier.
     assert.ok(Number(since) < Date.now() / 1000 - 0.9, since);
     assert.equal(cell.status.level, 0);
   });

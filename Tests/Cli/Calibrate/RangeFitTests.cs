@@ -190,7 +190,7 @@ public class RangeFitTests
         }
         catch (InputException)
         {
-            // The exception is an acceptable result, because no limit must be found.
+            // The exception is an acceptable result, because the fit need not find a limit.
         }
 
         Assert.That(limit, Is.Null);

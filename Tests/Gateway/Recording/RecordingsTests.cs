@@ -11,7 +11,7 @@ using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
-/// <summary>Tests the list of a gateway's recordings, their download, and files that are deleted meanwhile.</summary>
+/// <summary>Tests the list of a gateway's recordings, their download, and files that are deleted while the gateway runs.</summary>
 public class RecordingsTests
 {
     const string Secret = "not for download";

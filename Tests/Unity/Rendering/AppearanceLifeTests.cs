@@ -24,7 +24,7 @@ public class AppearanceLifeTests
         _played.Play(0.5);
 
         var built = _played.Rig.GetComponentsInChildren<Renderer>()
-            .Where(r => r != _played.Tool && r.gameObject != _played.Words.gameObject).ToList();
+            .Where(r => r != _played.Tool && r.gameObject != _played.Label.gameObject).ToList();
         Assert.That(_played.Rig.Model, Is.Not.Null);
         Assert.That(built.Select(r => r.isVisible), Is.All.False);
     }
@@ -39,7 +39,7 @@ public class AppearanceLifeTests
 
         Assert.That(_played.Tool.isVisible, Is.True);
         Assert.That(_played.Look(_played.Tool), Is.EqualTo((0f, 0f)));
-        Assert.That(_played.Words.text, Is.Empty);
+        Assert.That(_played.Label.text, Is.Empty);
     }
 
     [Test]
@@ -93,7 +93,7 @@ public class AppearanceLifeTests
         _played.Run(1);
 
         _played.Appearance.enabled = true;
-        var words = _played.Words.text;
+        var words = _played.Label.text;
 
         Assert.That(words, Is.EqualTo("held"), "before the next frame");
     }
@@ -127,7 +127,7 @@ public class AppearanceLifeTests
         _played.Play(0);
         for (var i = 0; i < frames; i++) _played.Cell.Frame(_played.Session);
 
-        UnityEngine.Object.Destroy(words ? _played.Words.gameObject : _played.Appearance);
+        UnityEngine.Object.Destroy(words ? _played.Label.gameObject : _played.Appearance);
         _played.Run(1);
         _played.Cell.Player.Pause(true);
         _played.Cell.Player.Pause(false);

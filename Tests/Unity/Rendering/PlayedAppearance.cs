@@ -20,10 +20,10 @@ sealed class PlayedAppearance : IDisposable
             range: new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime)));
         Rig = Child("Robot", Session.gameObject.transform).AddComponent<RobotRig>();
         Tool = Part("Tool", Rig.transform);
-        Words = Child("Words", Rig.transform).AddComponent<TextMesh>();
-        Words.gameObject.AddComponent<MeshRenderer>();
-        Words.fontSize = 64;
-        Appearance = Rig.gameObject.AddComponent<PoseAppearance>().With("_words", Words);
+        Label = Child("Label", Rig.transform).AddComponent<TextMesh>();
+        Label.gameObject.AddComponent<MeshRenderer>();
+        Label.fontSize = 64;
+        Appearance = Rig.gameObject.AddComponent<PoseAppearance>().With("_words", Label);
         Viewer = new GameObject("Camera") { tag = "MainCamera" }.AddComponent<Camera>().transform;
         Viewer.position = new Vector3(0, 1.6f, -2);
     }
@@ -34,7 +34,7 @@ sealed class PlayedAppearance : IDisposable
     public RobotRig Rig { get; }
     public PoseAppearance Appearance { get; }
     public Renderer Tool { get; }
-    public TextMesh Words { get; }
+    public TextMesh Label { get; }
     public Transform Viewer { get; }
 
     public void Play(double seconds)

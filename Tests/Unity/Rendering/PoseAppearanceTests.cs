@@ -27,7 +27,7 @@ public class PoseAppearanceTests
 
         Assert.That(_played.Tool.isVisible, Is.True);
         Assert.That(_played.Look(_played.Tool), Is.EqualTo((0f, 0f)));
-        Assert.That(_played.Words.text, Is.Empty);
+        Assert.That(_played.Label.text, Is.Empty);
     }
 
     [Test]
@@ -40,8 +40,8 @@ public class PoseAppearanceTests
         _played.Play(2);
 
         Assert.That(wasVisible, Is.All.False, "not in the first frame either");
-        Assert.That(_played.Words.text, Is.EqualTo("no positions yet"));
-        Assert.That(_played.Words.GetComponent<Renderer>().isVisible, Is.True);
+        Assert.That(_played.Label.text, Is.EqualTo("no positions yet"));
+        Assert.That(_played.Label.GetComponent<Renderer>().isVisible, Is.True);
     }
 
     [Test]
@@ -54,7 +54,7 @@ public class PoseAppearanceTests
         Assert.That(_played.Tool.isVisible, Is.True);
         Assert.That(_played.Look(_played.Tool).Fade, Is.GreaterThan(0.5));
         Assert.That(_played.Look(_played.Tool).Hatch, Is.EqualTo(1));
-        Assert.That(_played.Words.text, Is.EqualTo("not synchronised"));
+        Assert.That(_played.Label.text, Is.EqualTo("not synchronised"));
     }
 
     [Test]
@@ -64,7 +64,7 @@ public class PoseAppearanceTests
 
         _played.Cell.IsPlantUp = false;
         _played.Run(1);
-        var (held, words) = (_played.Look(_played.Tool), _played.Words.text);
+        var (held, words) = (_played.Look(_played.Tool), _played.Label.text);
         _played.Cell.IsPlantUp = true;
         _played.Run(1);
 
@@ -72,7 +72,7 @@ public class PoseAppearanceTests
         Assert.That(held.Hatch, Is.EqualTo(1));
         Assert.That(words, Is.EqualTo("held"));
         Assert.That(_played.Look(_played.Tool), Is.EqualTo((0f, 0f)));
-        Assert.That(_played.Words.text, Is.Empty);
+        Assert.That(_played.Label.text, Is.Empty);
     }
 
     [Test]
@@ -85,7 +85,7 @@ public class PoseAppearanceTests
 
         Assert.That(_played.Look(_played.Tool).Fade, Is.GreaterThan(0.2));
         Assert.That(_played.Look(_played.Tool).Hatch, Is.EqualTo(1));
-        Assert.That(_played.Words.text, Is.EqualTo("outside range"));
+        Assert.That(_played.Label.text, Is.EqualTo("outside range"));
     }
 
     [Test]
@@ -94,10 +94,10 @@ public class PoseAppearanceTests
         _played.BeCurrent();
 
         _played.Cell.Player.Pause(true);
-        var paused = (_played.Look(_played.Tool), _played.Words.text, _played.Tool.isVisible);
+        var paused = (_played.Look(_played.Tool), _played.Label.text, _played.Tool.isVisible);
         _played.Cell.Player.Pause(false);
         _played.Cell.Frame(_played.Session);
-        var resumed = _played.Words.text;
+        var resumed = _played.Label.text;
         _played.Run(5);
 
         Assert.That(paused.Item1.Hatch, Is.EqualTo(1), "the stripes appear before the next frame");
@@ -152,12 +152,12 @@ public class PoseAppearanceTests
         _played.Viewer.position = new Vector3(3, 1, 0);
         _played.Cell.Frame(_played.Session);
 
-        var away = _played.Words.transform.position - _played.Viewer.position;
+        var away = _played.Label.transform.position - _played.Viewer.position;
         away.y = 0;
-        Assert.That(Vector3.Angle(_played.Words.transform.forward, away), Is.LessThan(0.1f));
-        Assert.That(_played.Words.transform.up.y, Is.EqualTo(1).Within(1e-5));
+        Assert.That(Vector3.Angle(_played.Label.transform.forward, away), Is.LessThan(0.1f));
+        Assert.That(_played.Label.transform.up.y, Is.EqualTo(1).Within(1e-5));
         // Height of a capital letter: 0.688 is its fraction of the font size in the built-in font.
-        var height = 0.688 * 6.4 * _played.Words.transform.lossyScale.y;
+        var height = 0.688 * 6.4 * _played.Label.transform.lossyScale.y;
         Assert.That(2 * Math.Atan(height / 2 / Math.Sqrt(10)) * 180 / Math.PI, Is.InRange(0.5, 0.76));
     }
 
@@ -167,11 +167,11 @@ public class PoseAppearanceTests
         // Each change is too short to be logged.
         _played.EachFrame = frame => _played.Cell.IsPlantUp = frame % 40 < 12;
         _played.Play(40);
-        var changes = _played.Words.TextChanges;
+        var changes = _played.Label.TextChanges;
 
         var allocated = _played.Cell.AllocatedIn(() => _played.Run(40));
 
-        Assert.That(_played.Words.TextChanges - changes, Is.GreaterThan(50));
+        Assert.That(_played.Label.TextChanges - changes, Is.GreaterThan(50));
         Assert.That(allocated, Is.EqualTo(0));
     }
 }

@@ -27,7 +27,7 @@ public class UnmovedPartsTests
 
         Assert.That(_played.Session.Frame.State, Is.EqualTo(PoseState.Current));
         Assert.That(_played.Tool.isVisible, Is.False);
-        Assert.That(_played.Words.text, Is.EqualTo("rig not moved"));
+        Assert.That(_played.Label.text, Is.EqualTo("rig not moved"));
     }
 
     [Test]
@@ -42,7 +42,7 @@ public class UnmovedPartsTests
         _played.Run(0.1);
 
         Assert.That(_played.Tool.isVisible, Is.True);
-        Assert.That(_played.Words.text, Is.Empty);
+        Assert.That(_played.Label.text, Is.Empty);
     }
 
     [TestCase(false, false)]
@@ -63,7 +63,7 @@ public class UnmovedPartsTests
 
         Assert.That(_played.Session.Frame.State, Is.EqualTo(PoseState.Current));
         Assert.That(_played.Tool.isVisible, Is.False);
-        Assert.That(_played.Words.text, Is.EqualTo("rig not moved"));
+        Assert.That(_played.Label.text, Is.EqualTo("rig not moved"));
     }
 
     [Test]
@@ -137,7 +137,7 @@ public class UnmovedPartsTests
 
         Assert.That(part.isVisible, Is.False);
         Assert.That(_played.Tool.isVisible, Is.True);
-        Assert.That(_played.Words.text, Is.EqualTo("gripper not moved"));
+        Assert.That(_played.Label.text, Is.EqualTo("gripper not moved"));
     }
 
     [Test]
@@ -149,6 +149,6 @@ public class UnmovedPartsTests
         gripper.gameObject.SetActive(false);
         _played.Run(0.1);
 
-        Assert.That(_played.Words.text, Is.Empty);
+        Assert.That(_played.Label.text, Is.Empty);
     }
 }

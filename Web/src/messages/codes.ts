@@ -1,4 +1,4 @@
-/** Texts of the page that shows the control clock's code. */
+/** Text of the page that shows the control clock's code. */
 export const clockCodeMessages = {
   measuring: 'Measuring the refresh rate.',
   errorBound: (boundMs: number) => `Error bound: ± ${boundMs.toFixed(1)} ms.`,

@@ -12,7 +12,7 @@ export const emptyMessages = {
   recordings: 'There are no recordings in the folder.',
 };
 
-/** Texts of the operations page. */
+/** Text of the operations page. */
 export const operationsMessages = {
   loggedOut: 'Log in to see the state of the gateway.',
   stateNotReported: 'Not known: the gateway does not report its state.',

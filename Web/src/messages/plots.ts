@@ -1,6 +1,6 @@
 import { format } from '../numbers';
 
-/** Texts of the plots and the tables of all pages. */
+/** Text of the plots and the tables of all pages. */
 export const plotMessages = {
   howToUse:
     'Drag across a plot to zoom, double-click to reset the zoom, and point at a curve to read its values. '

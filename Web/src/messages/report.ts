@@ -14,7 +14,7 @@ export const creditMessages = {
   calibration: `The method is that of ${ARTICLE} (CC BY 4.0). Made by Nowpose.`,
 };
 
-/** Texts of the report. */
+/** Text of the report. */
 export const reportMessages = {
   uncompensatedAndCompensated:
     'Uncompensated: the tool is drawn at the newest position that has arrived. Compensated: the tool is drawn '
@@ -52,7 +52,7 @@ export const reportLabels = {
   moment: 'moment of the session',
 };
 
-/** Texts of the paper's figures. */
+/** Text of the paper's figures. */
 export const figuresMessages = { notComputed: (figures: string) => `Not computed, because the run was interrupted: ${figures}.` };
 
 /** Captions of the paper's figures and claims. */

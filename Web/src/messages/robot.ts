@@ -6,7 +6,7 @@ export const robotDescriptions = {
   live: 'The true pose of the robot half a second ago, and the pose that the selected headset displayed at that time.',
 };
 
-/** Texts of the views of the robot. */
+/** Text of the views of the robot. */
 export const robotMessages = {
   keys: 'Drag to turn the view, and double-click to reset it. On the keyboard, the arrow keys turn the view, plus and minus zoom, and 0 resets it.',
   noWebGl: 'This browser has no WebGL, so the robot is not drawn. Everything else on this page works.',

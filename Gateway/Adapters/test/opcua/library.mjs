@@ -1,5 +1,5 @@
 // node-opcua in one file, without the self-test that generates a key at each start. Loading it takes a fifth of the processor time of loading the
-// packages. The file is made once and kept in dist.
+// packages. The file is created once and kept in dist.
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,4 +1,4 @@
-// npm run opcua-server -- [options]: starts an OPC UA server with a simulated youBot that moves, for trials of an adapter.
+// npm run opcua-server -- [options]: starts an OPC UA server with a simulated youBot that moves, to try an adapter.
 import { parseArgs } from 'node:util';
 import { ControlClock, YoubotServer } from './server.mjs';
 
@@ -12,7 +12,7 @@ const { values } = parseArgs({ options: {
   stamps: { type: 'string', default: 'good' },
 } });
 
-/** Time stamps that the server can send, good and faulty ones. */
+/** Valid and invalid time stamps that the server can send. */
 const STAMPS = {
   good: (_, sent) => sent,
   none: (_, sent) => ({ ...sent, sourceTimestamp: new Date(Date.UTC(1601, 0, 1)), sourcePicoseconds: 0 }),

@@ -68,7 +68,8 @@ describe('silence over OPC UA', { concurrency: 2 }, () => {
       recent.push({ ms, isFast: Math.abs(Math.sin(phase)) > 0.5 });
       return { ...sent, value: Object.assign(sent.value.clone(), { value }) };
     };
-    // On a busy machine samples are late, and the adapter takes a long gap for the end of the motion. So no sample may be late at the stop.
+    // On a busy machine samples are late, and the adapter mistakes a long gap for the end of the motion. Therefore, no sample may be late at the
+    // stop.
     const isInMotion = () => {
       const newest = recent.slice(-8);
       return newest.length === 8 && newest.at(-1).isFast && newest.slice(1).every(({ ms }, i) => ms - newest[i].ms < 250);

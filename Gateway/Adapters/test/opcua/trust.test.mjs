@@ -57,7 +57,7 @@ describe('trust list', () => {
       assert.equal(await trust.checkCertificate(server.der), StatusCodes.Good);
       assert.equal(await trust.checkCertificate([server.der, other.der]), StatusCodes.Good);
       assert.equal(await trust.checkCertificate(other.der), StatusCodes.BadCertificateUntrusted);
-      // A certificate is not trusted only because the chain contains a trusted issuer.
+      // A trusted issuer in the chain is not sufficient to trust a certificate.
       assert.equal(await trust.checkCertificate([other.der, server.der]), StatusCodes.BadCertificateUntrusted);
     });
   }

@@ -42,7 +42,7 @@ namespace Nowpose.Editor.Inspectors
         protected override void DrawLive()
         {
             EditorGUILayout.LabelField("State", Target.State.ToString());
-            EditorGUILayout.LabelField("Says", Target.Words);
+            EditorGUILayout.LabelField("Message", Target.Words);
             if (Target.Tracker == null || Target.State == BaseAnchorState.Placed) return;
             foreach (var (label, value) in BaseRows.Of(Target.Tracker)) EditorGUILayout.LabelField(label, value);
             if (Target.Tracker.Markers.Count > 0 && GUILayout.Button("Lock again")) Target.Relock();

@@ -13,7 +13,7 @@ namespace Nowpose.Editor.Inspectors
         {
             var appearance = (PoseAppearance)target;
             var look = appearance.Look;
-            EditorGUILayout.LabelField("Shown", look.Words.Length == 0 ? "unchanged" : look.Words);
+            EditorGUILayout.LabelField("Shown", look.Label.Length == 0 ? "unchanged" : look.Label);
             EditorGUILayout.LabelField("Reason", appearance.isActiveAndEnabled ? look.Reason : InspectorTexts.ComponentDisabled);
             EditorGUILayout.LabelField("Drawn", appearance.IsDrawn ? Manner(look) : "nothing");
             EditorGUILayout.LabelField("Parts", appearance.PartCount.ToString());

@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Texts in the set-up window that state the purpose of each check.</summary>
+    /// <summary>Messages in the set-up window that state the purpose of each check.</summary>
     static class CheckReasons
     {
         public const string ApiLevel = "The package is built and tested with this setting, which also makes the app smaller.";

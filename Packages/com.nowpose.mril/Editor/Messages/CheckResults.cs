@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Texts in the set-up window that describe the results of the checks.</summary>
+    /// <summary>Messages in the set-up window that describe the results of the checks.</summary>
     static class CheckResults
     {
         public static string Architecture(string architecture) => $"the app is built for {architecture}";

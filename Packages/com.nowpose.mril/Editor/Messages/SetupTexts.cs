@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Texts of the set-up window and of the menu, and error messages of their actions.</summary>
+    /// <summary>Text of the set-up window and of the menu, and error messages of their actions.</summary>
     static class SetupTexts
     {
         public static string PrefabMissing(string prefab, string guid) =>

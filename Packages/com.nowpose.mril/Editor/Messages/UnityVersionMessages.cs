@@ -2,7 +2,7 @@ using Nowpose.Editor.Setup;
 
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Texts in the set-up window that rate a version of Unity.</summary>
+    /// <summary>Messages in the set-up window that rate a version of Unity.</summary>
     static class UnityVersionMessages
     {
         public static string TooOld(UnityVersion version, string oldest) =>

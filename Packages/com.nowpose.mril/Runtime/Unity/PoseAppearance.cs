@@ -51,7 +51,7 @@ namespace Nowpose.Unity
         OutsideRangeResponse _outsideRange;
         BaseAnchor _anchor;
         BaseLook _base;
-        bool _isOn, _hasWords;
+        bool _isOn, _hasLabel;
         float _opacity = 1;
 
         /// <summary>
@@ -99,7 +99,7 @@ namespace Nowpose.Unity
             {
                 var materials = new PoseMaterials();
                 foreach (var each in GetComponentsInChildren<Renderer>(true))
-                    if (!IsWords(each) && materials.Of(materials.In(each)).Means == PoseMeans.None) return true;
+                    if (!IsLabel(each) && materials.Of(materials.In(each)).Means == PoseMeans.None) return true;
                 return false;
             }
         }
@@ -113,7 +113,7 @@ namespace Nowpose.Unity
             // While the component is disabled, there is nothing to update: OnEnable reads the list.
             if (!_isOn) return;
             GetComponentsInChildren(true, _found);
-            _found.RemoveAll(IsWords);
+            _found.RemoveAll(IsLabel);
             Leave();
             _materials.Begin(_substitute);
             _carriers.Clear();
@@ -161,12 +161,12 @@ namespace Nowpose.Unity
             _pose = PoseState.Current;
             _carriers.Clear();
             foreach (var part in _parts.Values) part.Restore();
-            SetWords("");
+            SetLabel("");
         }
 
         void LateUpdate()
         {
-            if (!_hasWords || _words == null) return;
+            if (!_hasLabel || _words == null) return;
             var viewer = Viewer.Head;
             if (viewer != null) _distance.Face(_words, viewer.position);
         }
@@ -205,7 +205,7 @@ namespace Nowpose.Unity
                 if (_pose.HasValue) part.Draw(look, _opacity);
                 else part.ShowNoSession(_opacity);
             }
-            SetWords(look.Words);
+            SetLabel(look.Label);
         }
 
         /// <summary>The first active carrier (rig before gripper) that does not follow the session; null if all follow.</summary>
@@ -219,14 +219,14 @@ namespace Nowpose.Unity
             }
         }
 
-        void SetWords(string words)
+        void SetLabel(string text)
         {
-            _hasWords = _words != null && words.Length > 0;
-            if (_words != null) _words.text = words;
+            _hasLabel = _words != null && text.Length > 0;
+            if (_words != null) _words.text = text;
         }
 
         // The editor calls this method outside play mode, where the component is not enabled.
-        bool IsWords(Renderer renderer) => _words != null && renderer.gameObject == _words.gameObject;
+        bool IsLabel(Renderer renderer) => _words != null && renderer.gameObject == _words.gameObject;
 
         /// <param name="material">Material that cannot be faded to show that the pose is not current; null if the renderer has no material.</param>
         void Report(Material material, Renderer part)

@@ -155,7 +155,7 @@ namespace Nowpose.Frames
             return false;
         }
 
-        // Returns −1 also for a robot that was added after the last arrangement.
+        // Also returns −1 for a robot that was added after the last arrangement.
         int RootIndexOf(int robot) => robot >= 0 && robot < _roots.Count ? _roots[robot] : -1;
 
         /// <summary>Returns whether a robot has a link with this name, and no frame has it.</summary>

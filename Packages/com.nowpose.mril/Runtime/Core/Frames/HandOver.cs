@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Frames
 {
-    /// <summary>Keeps the displayed pose of a frame continuous when its parent changes: the difference of the two poses fades out.</summary>
+    /// <summary>Keeps the displayed pose of a frame continuous when its parent changes: the difference between the two poses fades out.</summary>
     /// <remarks>
     /// D is the former pose relative to the new one at the hand-over. At a later time t, the displayed pose is T(t) · D^w, where w falls from
     /// 1 to 0 within <see cref="Seconds"/> without a jump of the velocity. A difference as small as the corrections by each sample is ignored,

@@ -8,7 +8,7 @@ namespace Nowpose.Kinematics
     /// <summary>SHA-256 of a URDF, independent of how the URDF was transferred.</summary>
     /// <remarks>
     /// It ignores the kind of line endings, a byte order mark and white space around the document, because editors, version control and publishers
-    /// change them. All other characters affect the hash, including those of comments. <c>default</c> is the hash of no text.
+    /// change them. All other characters affect the hash, including those of comments. <c>default</c> means that there is no URDF.
     /// </remarks>
     readonly struct UrdfHash : IEquatable<UrdfHash>
     {
@@ -30,7 +30,7 @@ namespace Nowpose.Kinematics
         public override bool Equals(object obj) => obj is UrdfHash other && Equals(other);
         public override int GetHashCode() => _hex == null ? 0 : StringComparer.Ordinal.GetHashCode(_hex);
 
-        /// <summary>Returns the hash as 64 hexadecimal digits in lower case; empty for the hash of no text.</summary>
+        /// <summary>Returns the hash as 64 hexadecimal digits in lower case; empty for <c>default</c>.</summary>
         public override string ToString() => _hex ?? "";
 
         static string Hex(byte[] bytes)

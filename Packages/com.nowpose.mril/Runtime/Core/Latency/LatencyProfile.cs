@@ -50,7 +50,7 @@ namespace Nowpose.Latency
         /// <param name="validToRenderMs">
         /// Maximum render time at which this L_visu was observed, 0.1 to 1000 ms; null to use the limit, or if no render time was measured.
         /// </param>
-        /// <param name="headMotion">Latency with which the picture follows head motion; null if it was not measured.</param>
+        /// <param name="headMotion">Latency with which the image follows head motion; null if it was not measured.</param>
         /// <exception cref="InputException">A value is out of range; the message names it in one line.</exception>
         internal LatencyProfile(
             double visuMs, double spreadMs, DisplayConditions conditions, DateTime measuredUtc, CalibrationMethod method,
@@ -87,7 +87,7 @@ namespace Nowpose.Latency
         /// <summary>Refresh rate; 0 when it is not known.</summary>
         public double DisplayHz => Conditions.DisplayHz ?? 0;
 
-        /// <summary>Latency with which the picture follows head motion; null if it was not measured.</summary>
+        /// <summary>Latency with which the image follows head motion; null if it was not measured.</summary>
         internal HeadMotionLatency HeadMotion { get; }
 
         public DateTime MeasuredUtc { get; }

@@ -47,7 +47,7 @@ namespace Nowpose.Messages
         public static string Cycle(string link) =>
             $"link {link} is its own ancestor: the joints form a cycle; correct the parent or child of one of them";
 
-        /// <param name="isXacro">Whether the text is a xacro expression.</param>
+        /// <param name="isXacro">Whether the value is a xacro expression.</param>
         public static string NotANumber(string attribute, string text, bool isXacro) => isXacro
             ? $"{attribute} {text} is not a finite number; expand the file with xacro first"
             : $"{attribute} {text} is not a finite number; correct it";

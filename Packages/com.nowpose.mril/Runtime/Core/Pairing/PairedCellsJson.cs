@@ -33,7 +33,7 @@ namespace Nowpose.Pairing
             return text + "\n";
         }
 
-        /// <param name="name">Name of the text in messages, such as a file's name.</param>
+        /// <param name="name">Name of the input in messages, such as a file name.</param>
         /// <exception cref="InputException">
         /// The text has another format, a newer version, or an invalid value. The message never contains a token.
         /// </exception>

@@ -8,8 +8,8 @@ namespace Nowpose.Prediction
     /// <summary>Predicts one joint's position at times near its newest samples, usually ahead of them.</summary>
     /// <remarks>
     /// <see cref="Add"/> puts a sample into order and into the buffer, updates the state of the motion, and solves the forecaster for it. The
-    /// forecast until the next sample is the section (Schnierle &amp; Röck 2022, Eq. 8). <see cref="At"/> reads the section, the plan if the
-    /// joint follows one, and the rest of the difference from the previous section. Times are seconds of control time since an epoch that the caller
+    /// forecast until the next sample is the section (Schnierle &amp; Röck 2022, Eq. 8). <see cref="At"/> reads the section, the plan if the joint
+    /// follows one, and the remainder of the difference from the previous section. Times are seconds of control time since an epoch that the caller
     /// selects. It must be near the samples: within 1e6 s, rounding is negligible. Not thread-safe. Allocates nothing after construction.
     /// </remarks>
     public sealed class JointPredictor
@@ -205,7 +205,7 @@ namespace Nowpose.Prediction
         // Returns the displayed position if the blend needs it.
         JointPrediction ShownAt(double displayed) => _blend.IsNeeded(displayed) ? UnwrappedAt(displayed) : default;
 
-        // The displayed position includes the rest of the previous residual, so the new residual includes it too.
+        // The displayed position includes the remainder of the previous residual, so the new residual includes it too.
         void StartBlend(double displayed, in JointPrediction shown)
         {
             _residual = 0;

@@ -63,11 +63,11 @@ namespace Nowpose.Protocol
         /// <summary>Whether the call to which this service response belongs succeeded.</summary>
         public bool Result { get; internal set; }
 
-        /// <summary>Control time in a response of /rosapi/get_time; null for other messages and failed calls.</summary>
+        /// <summary>Control time in a response from /rosapi/get_time; null for other messages and failed calls.</summary>
         public ControlTime? Time { get; internal set; }
 
         /// <summary>
-        /// Values in the response of a service whose name begins with <see cref="RosTopics.PlantTime"/>; null for other messages and failed calls.
+        /// Values in the response from a service whose name begins with <see cref="RosTopics.PlantTime"/>; null for other messages and failed calls.
         /// </summary>
         public PlantTimeMessage PlantTime { get; internal set; }
 

@@ -67,7 +67,7 @@ namespace Nowpose.Recording
         /// <summary>Number of bytes written. Thread-safe.</summary>
         public long Bytes => _writer.Written;
 
-        /// <summary>Number of lines lost because the ring was full; the file marks the places. Thread-safe.</summary>
+        /// <summary>Number of lines lost because the ring was full; the file marks the positions. Thread-safe.</summary>
         public long LostLines => _ring.Lost;
 
         /// <summary>Completes when the file is closed; waiting for it is optional.</summary>

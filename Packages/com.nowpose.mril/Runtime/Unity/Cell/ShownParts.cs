@@ -12,7 +12,9 @@ namespace Nowpose.Unity.Cell
         string Fault { get; }
     }
 
-    /// <summary>Lists the objects, signals and further robots of the cell that components show, with the faults of the parts that are not current.</summary>
+    /// <summary>
+    /// Lists the objects, signals and other robots of the cell that components show, with the faults of the parts that are not current.
+    /// </summary>
     sealed class ShownParts
     {
         readonly List<IShownPart> _parts = new List<IShownPart>();

@@ -20,11 +20,11 @@ namespace Nowpose.Unity.Rendering
         /// </summary>
         const float MinFadeWithStripes = 0.2f;
 
-        PoseLook(string words, string reason, float fade, bool isDrawn = true, bool isHatched = true)
+        PoseLook(string label, string reason, float fade, bool isDrawn = true, bool isHatched = true)
         {
             IsHatched = isHatched;
             Reason = reason;
-            Words = words;
+            Label = label;
             Fade = isHatched ? Mathf.Max(fade, MinFadeWithStripes) : fade;
             IsDrawn = isDrawn;
         }
@@ -38,7 +38,7 @@ namespace Nowpose.Unity.Rendering
         public bool IsHatched { get; }
 
         /// <summary>The text to show; empty for a current pose.</summary>
-        public string Words { get; }
+        public string Label { get; }
 
         /// <summary>Reason for the look; empty for a current pose.</summary>
         public string Reason { get; }
@@ -80,10 +80,10 @@ namespace Nowpose.Unity.Rendering
         /// Returns a striped look with an additional reason. Its fade is the larger of this look's fade and <paramref name="fade"/>. Its text and
         /// reason start with those of this look.
         /// </summary>
-        public PoseLook Also(string words, string reason, float fade) => new PoseLook(
-            Words.Length > 0 ? Words + ", " + words : words, Reason.Length > 0 ? Reason + "; " + reason : reason, Mathf.Max(Fade, fade), IsDrawn);
+        public PoseLook Also(string label, string reason, float fade) => new PoseLook(
+            Label.Length > 0 ? Label + ", " + label : label, Reason.Length > 0 ? Reason + "; " + reason : reason, Mathf.Max(Fade, fade), IsDrawn);
 
         /// <summary>Returns this look with another label and reason.</summary>
-        public PoseLook With(string words, string reason) => new PoseLook(words, reason, Fade, IsDrawn, IsHatched);
+        public PoseLook With(string label, string reason) => new PoseLook(label, reason, Fade, IsDrawn, IsHatched);
     }
 }

@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Unity
             Assert.That(look.IsDrawn, Is.True);
             Assert.That(look.Fade, Is.EqualTo(0));
             Assert.That(look.IsHatched, Is.False);
-            Assert.That(look.Words, Is.Empty);
+            Assert.That(look.Label, Is.Empty);
         }
 
         [Test]
@@ -29,9 +29,9 @@ namespace Nowpose.Tests.Unity
 
                 Assert.That(look.Fade, Is.GreaterThan(0.2), state.ToString());
                 Assert.That(look.IsHatched, Is.True, state.ToString());
-                Assert.That(look.Words, Is.Not.Empty, state.ToString());
+                Assert.That(look.Label, Is.Not.Empty, state.ToString());
             }
-            Assert.That(states.Select(s => PoseLook.Of(s).Words), Is.Unique);
+            Assert.That(states.Select(s => PoseLook.Of(s).Label), Is.Unique);
         }
 
         [TestCase(OutsideRangeResponse.Fade, 0.3f)]
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Unity
             Assert.That(look.Fade, Is.EqualTo(fade));
             Assert.That(look.IsDrawn, Is.True);
             Assert.That(look.IsHatched, Is.True);
-            Assert.That(look.Words, Does.Contain("outside range"));
+            Assert.That(look.Label, Does.Contain("outside range"));
         }
 
         [Test]
@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Unity
         {
             Assert.That(PoseLook.NoSession.IsDrawn, Is.True);
             Assert.That(PoseLook.NoSession.IsHatched, Is.True);
-            Assert.That(PoseLook.NoSession.Words, Is.Not.Empty);
+            Assert.That(PoseLook.NoSession.Label, Is.Not.Empty);
         }
     }
 }

@@ -4,7 +4,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>Median of the recent deviations of a marker from its expected pose. Single wrong poses therefore have no effect.</summary>
+    /// <summary>Median of the recent deviations of a marker from its expected pose. Individual wrong poses therefore have no effect.</summary>
     sealed class DeviationWatch
     {
         const int Capacity = 32, MinPoses = 5, Numbers = 6;

@@ -4,8 +4,8 @@ namespace Nowpose.Latency.DisplayTime
 {
     /// <summary>Detects a lasting difference between the display times that a runtime predicts and the calibrated display times.</summary>
     /// <remarks>
-    /// Such a difference means that either the calibration is for other conditions (another mode of the display, another version of the
-    /// runtime) or the prediction is incomplete. Single frames with a bad prediction are ignored. Allocates nothing; not thread-safe.
+    /// Such a difference means that either the calibration is for other conditions (another mode of the display, another version of the runtime) or
+    /// the prediction is incomplete. Individual frames with a wrong prediction are ignored. Allocates nothing; not thread-safe.
     /// </remarks>
     sealed class DisplayTimeCheck
     {

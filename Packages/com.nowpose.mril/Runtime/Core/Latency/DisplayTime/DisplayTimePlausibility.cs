@@ -4,9 +4,9 @@ namespace Nowpose.Latency.DisplayTime
 {
     /// <summary>Detects a source whose display times have been implausible for a second.</summary>
     /// <remarks>
-    /// Adds the duration of implausible frames to a sum, and subtracts the duration of plausible frames. The state changes when the sum
-    /// reaches one second or zero. Single bad frames are ignored, and a source that is wrong for most of the time is detected. Allocates
-    /// nothing; not thread-safe.
+    /// Adds the duration of implausible frames to a sum, and subtracts the duration of plausible frames. The state changes when the sum reaches one
+    /// second or zero. Individual bad frames are ignored, and a source that is wrong for most of the time is detected. Allocates nothing; not
+    /// thread-safe.
     /// </remarks>
     sealed class DisplayTimePlausibility
     {

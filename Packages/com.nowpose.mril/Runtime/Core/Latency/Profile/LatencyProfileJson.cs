@@ -44,7 +44,7 @@ namespace Nowpose.Latency.Profile
             return text + "\n";
         }
 
-        /// <param name="name">Name of the text in messages, such as a file name.</param>
+        /// <param name="name">Name of the input in messages, such as a file name.</param>
         /// <exception cref="InputException">
         /// The text is not a profile, has a newer version, or has an invalid value, which the message names.
         /// </exception>

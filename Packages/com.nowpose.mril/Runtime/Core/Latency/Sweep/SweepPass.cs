@@ -48,7 +48,7 @@ namespace Nowpose.Latency.Sweep
         public double NeededMs { get; }
 
         /// <summary>
-        /// Splits visits into passes of one direction. A change that is caused by elapsed time and not by the load appears as a rise in only one
+        /// Splits visits into passes in one direction. A change that is caused by elapsed time and not by the load appears as a rise in only one
         /// direction. If the sweep has only one direction, the drift at constant load is subtracted. If the visits contain no such pass, all of them
         /// together form one pass. The result is empty for fewer than three different loads.
         /// </summary>
@@ -70,7 +70,7 @@ namespace Nowpose.Latency.Sweep
 
         static bool IsEnough(IReadOnlyList<SweepVisit> visits) => visits.Select(visit => visit.Vertices).Distinct().Count() >= MinLoads;
 
-        /// <summary>Splits visits into runs of one direction. A load at which the direction changes belongs to both runs.</summary>
+        /// <summary>Splits visits into runs in one direction. A load at which the direction changes belongs to both runs.</summary>
         static IEnumerable<List<SweepVisit>> RunsOf(IReadOnlyList<SweepVisit> visits)
         {
             var run = new List<SweepVisit>();

@@ -74,7 +74,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(mean.ErrorMetres, Is.EqualTo(mean.SpreadMetres / Math.Sqrt(mean.Inliers)).Within(1e-9));
         }
 
-        // Typical outliers in single frames of a tracker: rotated by 90°, at the origin, or shifted by 50 mm.
+        // Typical outliers in individual frames of a tracker: rotated by 90°, at the origin, or shifted by 50 mm.
         [TestCase(0.1)]
         [TestCase(0.3)]
         public void Of_TypicalOutliers_ExcludesTheOutliers(double share)

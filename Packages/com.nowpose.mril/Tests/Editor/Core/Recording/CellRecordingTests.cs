@@ -7,7 +7,7 @@ using static Nowpose.Tests.Core.Recording.RecordableSession;
 
 namespace Nowpose.Tests.Core.Recording
 {
-    /// <summary>Tests the recorded lines of frames, signals and further robots.</summary>
+    /// <summary>Tests the recorded lines of frames, signals and other robots.</summary>
     public class CellRecordingTests
     {
         [Test]

@@ -182,7 +182,7 @@ namespace Nowpose.Tests.Unity.Status
 
             Assert.That(row[0], Is.EqualTo(value));
             Assert.That(row[1].Length > 0, Is.EqualTo(pose != PoseState.Current), "the note states the reason");
-            Assert.That(value, Does.EndWith(pose == PoseState.Current ? "current" : PoseLook.Of(pose).Words),
+            Assert.That(value, Does.EndWith(pose == PoseState.Current ? "current" : PoseLook.Of(pose).Label),
                 "the words that are displayed at the robot");
         }
 
@@ -252,7 +252,7 @@ namespace Nowpose.Tests.Unity.Status
         {
             var row = Row(StatusRow.Pose, new SessionStatistics { Pose = PoseState.OutsideRange, OutsideRange = response }).Split('|');
 
-            Assert.That(row[0], Is.EqualTo("! " + PoseLook.Of(PoseState.OutsideRange, response).Words));
+            Assert.That(row[0], Is.EqualTo("! " + PoseLook.Of(PoseState.OutsideRange, response).Label));
             Assert.That(row[1], Is.EqualTo("rendering takes too long"));
         }
 
