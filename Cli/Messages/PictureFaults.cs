@@ -13,8 +13,8 @@ static class PictureFaults
     public const string Disturbed = "disturbed by a bright background or a reflection; use a plain dark background, or move the lamp";
     public const string Mirrored = "mirrored: switch off mirroring in the camera's settings";
 
-    public static string ControlCodes(string count) => $"{count} control codes: show one only";
-    public static string HeadsetCodes(string count) => $"{count} headset codes: show one only";
+    public static string ControlCodes(string count) => $"{count} control codes: show only one";
+    public static string HeadsetCodes(string count) => $"{count} headset codes: show only one";
 
     public const string PartlyCovered = "partly covered; remove what is in front of it";
     public const string NoMargin = "without a dark margin; give it a black margin as wide as the distance of its LEDs";

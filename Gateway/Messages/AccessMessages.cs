@@ -20,6 +20,6 @@ static class AccessMessages
         $"security: tokens and certificate could not be checked ({kind}: {reason}); check the permissions of their files";
 
     public const string OtherLinesUsed = "; its other lines are used";
-    public const string FormerContentUsed = "; its former content stays in use, including removed lines";
+    public const string FormerContentUsed = "; its previous content stays in use, including removed lines";
     public const string ClosedForNewer = "websocket: closed a connection without authentication in favour of a newer one";
 }

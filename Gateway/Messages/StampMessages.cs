@@ -17,7 +17,7 @@ static class StampMessages
     public const string FitsSystemClock = ", and that match the system clock";
 
     public static string SystemClockCorrected(double seconds) =>
-        FormattableString.Invariant($"the system clock was corrected by {seconds:+0.0;-0.0} s since the start, and the gateway's own control clock ")
+        FormattableString.Invariant($"the system clock was corrected by {seconds:+0.0;-0.0} s since the gateway started, but its control clock ")
         + "did not follow. Time stamps that a source takes from the system clock are wrong by this amount";
 
     /// <returns>The end of a sentence about one source, which names the other sources; empty if there are none.</returns>

@@ -32,10 +32,10 @@ public sealed class PictureReaderTests
         Assert.That(result.Fault, Is.EqualTo(fault));
     }
 
-    [TestCase(2, 1, "two control codes: show one only")]
-    [TestCase(1, 2, "two headset codes: show one only")]
-    [TestCase(3, 1, "3 control codes: show one only")]
-    [TestCase(0, 2, "two headset codes: show one only")]
+    [TestCase(2, 1, "two control codes: show only one")]
+    [TestCase(1, 2, "two headset codes: show only one")]
+    [TestCase(3, 1, "3 control codes: show only one")]
+    [TestCase(0, 2, "two headset codes: show only one")]
     [TestCase(1, 0, PictureFaults.NoHeadsetCode)]
     [TestCase(0, 1, PictureFaults.NoControlCode)]
     [TestCase(0, 0, PictureFaults.NoCode)]

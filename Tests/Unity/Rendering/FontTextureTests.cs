@@ -76,7 +76,7 @@ public sealed class FontTextureTests
 
         _renderer.gameObject.SetActive(true);
 
-        Assert.That(_player.Logs.Single().Message, Does.Contain("has no font material").And.Contain("assign the material below the font"));
+        Assert.That(_player.Logs.Single().Message, Does.Contain("has no font material").And.Contain("sub-asset of the font"));
     }
 
     [Test]

@@ -11,7 +11,7 @@ const ROUTER_TCP_PORT = 48898;
 /** Matches ads://HOST[:TCP PORT]/AMS NET ID:AMS PORT. The pattern in the schema is the same. */
 const FORM = /^ads:\/\/([^\s/@:]+)(?::(\d{1,5}))?\/((?:\d{1,3}\.){5}\d{1,3}):(\d{1,5})$/;
 
-/** Parses an address; undefined if the text is invalid. */
+/** Parses an address; undefined if the string is invalid. */
 export function parseEndpoint(text: string): AdsEndpoint | undefined {
   const match = FORM.exec(text);
   if (match === null) return undefined;
@@ -19,7 +19,7 @@ export function parseEndpoint(text: string): AdsEndpoint | undefined {
   return isNetId(endpoint.netId) && isPort(endpoint.tcpPort) && isPort(endpoint.port) ? endpoint : undefined;
 }
 
-/** Whether the text is six numbers from 0 to 255. */
+/** Whether the string consists of six numbers from 0 to 255. */
 export const isNetId = (text: string): boolean => /^(\d{1,3}\.){5}\d{1,3}$/.test(text) && text.split('.').every(part => Number(part) <= 255);
 
 const isPort = (port: number): boolean => port > 0 && port < 65536;

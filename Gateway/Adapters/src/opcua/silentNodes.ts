@@ -39,7 +39,7 @@ export class SilentNodes {
 
   /**
    * @param ids Node ids of the values on this server.
-   * @param nameOf Gets the place of a node in the configuration, for messages.
+   * @param nameOf Gets the position of a node in the configuration, for messages.
    */
   constructor(
     readonly session: Pick<ReadOnlySession, 'readAll' | 'monitorAgain'>,
@@ -52,7 +52,7 @@ export class SilentNodes {
     this.#renewals = new Renewals(ids.length, now);
   }
 
-  /** Gets when the source stopped writing a node; null if it has not stopped, or if this is unknown. */
+  /** Gets the time at which the source stopped writing a node; null if it has not stopped, or if this is unknown. */
   stopOf(node: number): SourceStop | null {
     return this.#renewals.stopOf(node);
   }

@@ -3,8 +3,8 @@ import type { Joint } from '../configuration/configuration';
 const MAX_JOINTS = 256;
 
 /**
- * A forwarded joint and the conversion of its values. `index` is the index of the joint in the configuration or, without configured joints, its place
- * in the order in which the joints were first seen.
+ * A forwarded joint and the conversion of its values. `index` is the index of the joint in the configuration or, without configured joints, its
+ * position in the order in which the joints were first received.
  */
 export interface OutJoint {
   index: number;

@@ -41,8 +41,9 @@ const SEEN_MARGIN = 1.5;
 const RESOLUTION_MARGIN = 2;
 
 /**
- * Number of deadbands to subtract. One is the motion that the source does not send after the last sample; the rest is a reserve. If the limit is the
- * floor, more are necessary, because a deadband can also hide the braking: with 3, none of 30 000 emergency stops with a deadband exceeds the floor.
+ * Number of deadbands to subtract. One is the motion that the source does not send after the last sample; the remainder is a reserve. If the limit is
+ * the floor, more are necessary, because a deadband can also hide the braking: with 3, none of 30 000 emergency stops with a deadband exceeds the
+ * floor.
  */
 const DEADBAND_MARGIN = 1.5;
 const FLOOR_DEADBAND_MARGIN = 3;
@@ -203,8 +204,8 @@ export class EndOfData {
   }
 
   /**
-   * Gets the resolution of the positions, which is at most the smallest step so far. If the source sent a sample at each look, the noise of the
-   * positions is also a maximum, unless all steps are equal, as when a quantised value changes by one step per sampling instant.
+   * Gets the resolution of the positions, which is at most the smallest step so far. If the source sent a sample at each sampling instant, the noise
+   * of the positions is also a maximum, unless all steps are equal, as when a quantised value changes by one step per sampling instant.
    */
   #resolution(samplingS: number): number {
     const intervals = this.#intervals().slice(-NOISE_INTERVALS);

@@ -14,7 +14,7 @@ const MIN_DIFFERENCES = 8;
 /** Standard deviation of a difference, as a multiple of the resolution: rounding errors have the standard deviation 0.29, times √924 for order 6. */
 const GAIN = 7;
 
-/** Number of newest intervals that the estimate uses at most. */
+/** Maximum number of newest intervals that the estimate uses. */
 export const NOISE_INTERVALS = MAX_DIFFERENCES + ORDER - 1;
 
 /**

@@ -10,7 +10,7 @@ namespace Nowpose.Editor.Messages
 
         public const string NoCamera = "the open scenes have no enabled camera with the tag MainCamera; open the scene of the headset";
         public const string CameraBackground = "the camera clears to a skybox or to another colour";
-        public const string NoGraphicsApi = "Unity names no graphics API for this player, because its module is not installed; add it in Unity Hub";
+        public const string NoGraphicsApi = "Unity lists no graphics API for this player, because its module is not installed; add it in Unity Hub";
 
         public static string AutomaticApi(string api) => $"automatic, which is {api} in this version of Unity";
 

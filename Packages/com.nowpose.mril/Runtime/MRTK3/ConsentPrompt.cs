@@ -24,7 +24,7 @@ namespace Nowpose.Mrtk3
         [SerializeField, Tooltip("The object that is shown while a question is open. It must be a child of this object.")]
         GameObject _content = null;
 
-        [SerializeField, Tooltip("Text that shows the question. Empty: the question is not shown. Assign one, because users must read the "
+        [SerializeField, Tooltip("Text Mesh that shows the question. Empty: the question is not shown. Assign one, because users must read the "
             + "question before they agree.")]
         TextMesh _question = null;
 

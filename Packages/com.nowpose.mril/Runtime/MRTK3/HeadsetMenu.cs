@@ -36,13 +36,13 @@ namespace Nowpose.Mrtk3
         [SerializeField, Tooltip("Slider that sets the gripper's opacity, 0 to 1. Empty: no slider.")]
         Slider _opacity = null;
 
-        [SerializeField, Tooltip("Text that shows the opacity. Empty: no text.")]
+        [SerializeField, Tooltip("Text Mesh that shows the opacity. Empty: none.")]
         TextMesh _opacityWords = null;
 
         [SerializeField, Tooltip("Slider that sets the correction of L_visu in ms. Empty: no slider.")]
         Slider _nudge = null;
 
-        [SerializeField, Tooltip("Text that shows the correction of L_visu. Empty: no text.")]
+        [SerializeField, Tooltip("Text Mesh that shows the correction of L_visu. Empty: none.")]
         TextMesh _nudgeWords = null;
 
         int _shownOpacity = int.MinValue, _shownNudge = int.MinValue;

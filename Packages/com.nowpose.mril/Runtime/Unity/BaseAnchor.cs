@@ -23,7 +23,7 @@ namespace Nowpose.Unity
     {
         const float GizmoMetres = 0.2f, MarkerGizmoMetres = 0.05f;
 
-        [SerializeField, Tooltip("Name of the robot cell. The headset stores the base's place under this name. Empty: the place is not stored.")]
+        [SerializeField, Tooltip("Name of the robot cell. The headset stores the base's pose under this name. Empty: the pose is not stored.")]
         string _cell = "";
 
         [SerializeField, Tooltip("Codes fixed to the robot's base, with their poses. Empty: the base stays where it is placed by hand.")]
@@ -66,7 +66,7 @@ namespace Nowpose.Unity
         float _toleranceDegrees = 0.5f;
 
         [SerializeField, Range(0, 10_000), Tooltip("Duration of the transition to a new base pose, ms. 0: the base jumps. Default 800: the "
-            + "motion is visible and soon over.")]
+            + "motion is visible but short.")]
         float _easeMs = 800;
 
         readonly AnchorSources _sources = new AnchorSources();

@@ -20,7 +20,7 @@ namespace Nowpose.Unity
     {
         static readonly int TextureId = Shader.PropertyToID("_MainTex");
 
-        [SerializeField, Tooltip("Material of the font, an asset below the font. Its texture contains the letters. It must belong to the font of "
+        [SerializeField, Tooltip("Material of the font, a sub-asset of the font. Its texture contains the letters. It must belong to the font of "
             + "the Text Mesh.")]
         Material _fontMaterial = null;
 

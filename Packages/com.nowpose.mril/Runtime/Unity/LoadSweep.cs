@@ -68,7 +68,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Start when this component is enabled. Off by default, because the camera must be set up first.")]
         bool _startOnEnable = false;
 
-        [SerializeField, Tooltip("Text that shows the progress. Empty: none.")]
+        [SerializeField, Tooltip("Text Mesh that shows the progress. Empty: none.")]
         TextMesh _text = null;
 
         [SerializeField, Tooltip("Called when the sweep is complete and its log is written and evaluated.")]

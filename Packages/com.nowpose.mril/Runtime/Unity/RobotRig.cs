@@ -33,11 +33,11 @@ namespace Nowpose.Unity
             + "comparison.")]
         RigPose _shows = RigPose.Displayed;
 
-        [SerializeField, Tooltip("Material of the links up to the flange, for a robot built of primitives. Choose an occluder if the real arm is "
+        [SerializeField, Tooltip("Material of the links up to the flange, for a robot built from primitives. Choose an occluder if the real arm is "
             + "to hide the objects behind it.")]
         Material _armMaterial = null;
 
-        [SerializeField, Tooltip("Material of the links that the flange carries, for a robot built of primitives.")]
+        [SerializeField, Tooltip("Material of the links that the flange carries, for a robot built from primitives.")]
         Material _toolMaterial = null;
 
         MrilSession _source;

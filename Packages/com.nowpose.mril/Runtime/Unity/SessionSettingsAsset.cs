@@ -85,7 +85,7 @@ namespace Nowpose.Unity
         double _maximumGapMs = 500;
 
         [SerializeField, Tooltip("Time in ms in which a joint makes most of the correction when a new sample changes the prediction, 0 to 200. "
-            + "0: the joint jumps. 14 ms costs less than 5 % of accuracy. Frequent samples shorten it.")]
+            + "0: the joint jumps. 14 ms increases the error by less than 5 %. Frequent samples shorten it.")]
         double _blendMs = PredictionSettings.DefaultBlendMs;
 
         [SerializeField, Tooltip("Display joints at the set-points that the control system publishes ahead of time, delayed by the lag of the "

@@ -30,7 +30,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Name of the frame, the child_frame_id of /tf_static. Empty: the name of this object.")]
         string _frame = "";
 
-        [SerializeField, Tooltip("Name of the file on the device that keeps the places of objects that were placed by hand.")]
+        [SerializeField, Tooltip("Name of the file on the device that stores the poses of objects that were placed by hand.")]
         string _fileName = "stationary-objects.json";
 
         MrilSession _source;

@@ -11,6 +11,6 @@ namespace Nowpose.Messages
         public static string UnknownEstimator(string name, string allowed) => $"clock estimator '{name}' is unknown; allowed: {allowed}";
 
         public static string InlierBound(double ms) =>
-            FormattableString.Invariant($"inlier bound: {ms} ms is out of range; allowed: more than 0 to 1000 ms");
+            FormattableString.Invariant($"inlier bound: {ms} ms is out of range; allowed: above 0 and up to 1000 ms");
     }
 }

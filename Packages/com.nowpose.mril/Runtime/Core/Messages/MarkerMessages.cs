@@ -9,6 +9,6 @@ namespace Nowpose.Messages
             $"marker: its payload has {length} characters; the maximum is {max}; use a shorter text for its code";
 
         public static string RotationInvalid(string marker) => $"{marker}: its rotation is invalid; enter three finite angles";
-        public static string PayloadTwice(string marker) => $"{marker} is given twice; each marker of a base needs its own payload";
+        public static string PayloadTwice(string marker) => $"{marker} is listed twice; each marker of a base needs its own payload";
     }
 }

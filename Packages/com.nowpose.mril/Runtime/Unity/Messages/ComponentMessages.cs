@@ -6,7 +6,7 @@ namespace Nowpose.Unity.Messages
         public static string NoAction(string component, string kind) => $"cell actions '{component}' have no {kind}; assign one";
 
         public static string NoFontMaterial(string component) =>
-            $"font texture '{component}' has no font material, so its letters are blocks; assign the material below the font";
+            $"font texture '{component}' has no font material, so its letters are blocks; assign the material that is a sub-asset of the font";
 
         public static string GhostWithoutRig(string component) => $"ghost '{component}' has no displayed rig for the comparison; assign one";
         public static string GripWithoutRig(string component) => $"grip by reach '{component}' has no rig on a parent; assign one";

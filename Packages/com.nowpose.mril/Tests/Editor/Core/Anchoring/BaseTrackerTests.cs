@@ -151,7 +151,7 @@ namespace Nowpose.Tests.Core.Anchoring
             var marker = new BaseMarker("a", RigidTransform.Identity);
 
             var twice = Assert.Throws<InputException>(() => tracker.Use("", new[] { marker, marker }));
-            Assert.That(twice.Message, Is.EqualTo("marker 'a' is given twice; each marker of a base needs its own payload"));
+            Assert.That(twice.Message, Is.EqualTo("marker 'a' is listed twice; each marker of a base needs its own payload"));
             Assert.Throws<InputException>(() => tracker.Use("", new BaseMarker[40]));
             Assert.That(tracker.State, Is.EqualTo(BaseAnchorState.Placed), "no marker was accepted");
         }
