@@ -52,7 +52,7 @@ public class SessionNonBlockingTests
         }
     }
 
-    // Gives the connections time to start waiting for a response. There is no event that indicates when they wait.
+    // Gives the connections time to start waiting for a response. No event indicates when they wait.
     static void AMoment() => Thread.Sleep(50);
 
     [Test]

@@ -8,7 +8,7 @@ namespace Nowpose.Kinematics
     /// <summary>SHA-256 of a URDF, independent of how the URDF was transferred.</summary>
     /// <remarks>
     /// It ignores the kind of line endings, a byte order mark and white space around the document, because editors, version control and publishers
-    /// change them. All other characters affect the hash, including those of comments. <c>default</c> means that there is no URDF.
+    /// change them. All other characters affect the hash, including those of comments. <c>default</c> stands for a missing URDF.
     /// </remarks>
     readonly struct UrdfHash : IEquatable<UrdfHash>
     {
