@@ -40,7 +40,7 @@ public sealed class PlantClock
     /// <summary>Raised for each exchange with its result, on the thread that made it. Handlers must be quick and must not throw.</summary>
     internal event SyncExchangeHandler Judged;
 
-    /// <summary>Number of usable exchanges since the start.</summary>
+    /// <summary>Number of usable exchanges since the gateway started.</summary>
     public long Exchanges => Interlocked.Read(ref _exchanges);
 
     /// <summary>Number of requests without a usable response since the gateway started.</summary>

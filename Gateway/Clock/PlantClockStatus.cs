@@ -7,7 +7,7 @@ namespace Nowpose.Gateway.Clock;
 /// Estimated maximum error, in either direction, of this clock's time as computed on this machine; null while unknown.
 /// </param>
 /// <param name="ErrorBound">Bound of the error of this clock's time as computed on this machine.</param>
-/// <param name="Exchanges">Number of usable exchanges since the start.</param>
+/// <param name="Exchanges">Number of usable exchanges since the gateway started.</param>
 /// <param name="Failures">Number of requests without a usable response since the gateway started.</param>
 /// <param name="LastFailure">The reason for the newest failure; null if there is none.</param>
 public sealed record PlantClockStatus(
