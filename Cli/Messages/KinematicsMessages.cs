@@ -6,7 +6,7 @@ static class KinematicsMessages
     public static string BeyondLimits(string joint, double value, string unit, double lower, double upper) =>
         FormattableString.Invariant($"joint {joint}: {value} {unit} is outside its limits {lower} to {upper} {unit}; the given value is used");
 
-    public static string NotAPair(string entry) => $"--joints: '{entry}' does not have the form name=value";
+    public static string NotAPair(string entry) => $"--joints: '{entry}' must have the form name=value";
     public static string FixedJoint(string joint) => $"{joint} is a fixed joint";
     public static string UnknownJoint(string joint) => $"the robot has no joint {joint}";
 

@@ -92,8 +92,8 @@ public class KinematicsVerbTests
     [TestCase("lead=x", "lead: 'x' is not a finite number in m")]
     [TestCase("lead=NaN", "lead: 'NaN' is not a finite number in m")]
     [TestCase("lead=", "lead: '' is not a finite number in m")]
-    [TestCase("lead", "'lead' does not have the form name=value")]
-    [TestCase("lead=1,", "'' does not have the form name=value")]
+    [TestCase("lead", "'lead' must have the form name=value")]
+    [TestCase("lead=1,", "'' must have the form name=value")]
     [TestCase("lead=1.5e308", "too large")]
     public async Task Kinematics_InvalidJoints_PrintsOneLineAndExitsWith2(string joints, string message)
     {
