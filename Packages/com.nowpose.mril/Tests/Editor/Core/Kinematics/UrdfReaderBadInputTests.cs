@@ -73,7 +73,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [Test]
         public void Read_TwoParents_NamesTheLink() => RefusesJoints(
             Joint("i", "a", "c") + "\n" + Joint("j", "b", "c"),
-            "r.urdf:4: joint 'j': link 'c' is already the child of joint 'i'; a link has one parent");
+            "r.urdf:4: joint 'j': link 'c' is already the child of joint 'i'; a link must have at most one parent; remove one of the joints");
 
         [Test]
         public void Read_CycleOfAllLinks_NamesTheCycle() => RefusesJoints(
