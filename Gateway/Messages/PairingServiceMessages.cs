@@ -19,6 +19,6 @@ static class PairingServiceMessages
 
     /// <param name="peer">Address from which the code came.</param>
     public static string WrongCodeLog(string peer) => $"pairing: rejected a wrong code from {peer}";
-    public const string WrongCode = "this code is no longer valid; enter the code that the gateway shows now";
+    public const string WrongCode = "this code is not valid; look at the code that the gateway shows now";
     public const string NotJson = "the body must be a JSON object whose values are strings, and the header Content-Length is needed";
 }
