@@ -33,10 +33,10 @@ public sealed class PairingRequestTests
         Assert.That(answer.Problem, Does.StartWith("pairing with 127.0.0.1: "));
     }
 
-    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 99999\r\n\r\n", "unknown length or longer")]
-    [TestCase("HTTP/1.1 200 OK\r\n\r\n", "unknown length or longer")]
-    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: -1\r\n\r\n", "unknown length or longer")]
-    [TestCase("HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\nContent-Length: 2\r\n\r\n{}", "unknown length or longer")]
+    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 99999\r\n\r\n", "unknown length or is longer")]
+    [TestCase("HTTP/1.1 200 OK\r\n\r\n", "unknown length or is longer")]
+    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: -1\r\n\r\n", "unknown length or is longer")]
+    [TestCase("HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\nContent-Length: 2\r\n\r\n{}", "unknown length or is longer")]
     [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\n{}", "no valid token")]
     [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 12\r\n\r\n{\"token\":[]}", "no valid token")]
     [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 15\r\n\r\n{\"token\":\"a b\"}", "no valid token")]
