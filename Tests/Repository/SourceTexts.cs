@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Finds the string literals of a C# source file. Concatenated literals count as one string, with 0 in place of each interpolated value.</summary>
+/// <summary>Finds the string literals of a C# source file. Concatenated literals count as one string; each interpolated value is 0.</summary>
 /// <remarks>Skips comments and attributes. A string within an interpolated value or an argument is a separate text.</remarks>
 sealed partial class SourceTexts
 {

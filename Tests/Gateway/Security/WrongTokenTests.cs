@@ -131,7 +131,8 @@ public class WrongTokenTests
         await Soon.BecomesAsync(() => time.Long.Count == answers.Count, "all responses are delayed");
         Assert.That(time.Long.Order(), Is.EqualTo(new[] { 1, 2, 3 }.Select(turn => turn * Slow.WrongTokenDelay)));
         Assert.That(answers, Has.None.Matches<Task>(answer => answer.IsCompleted));
-        Assert.That((await AskAsync(gateway, Gateways.ObserverToken)).Status, Is.EqualTo(HttpStatusCode.OK), "the response to a known token is not delayed");
+        Assert.That((await AskAsync(gateway, Gateways.ObserverToken)).Status, Is.EqualTo(HttpStatusCode.OK),
+            "the response to a known token is not delayed");
         time.End();
         foreach (var answer in answers) Assert.That((await answer.Bounded()).StatusCode, Is.EqualTo(HttpStatusCode.TooManyRequests));
     }

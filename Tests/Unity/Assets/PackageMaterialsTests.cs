@@ -93,6 +93,7 @@ public sealed class PackageMaterialsTests
     public void Material_Queue_MatchesTheManual(string name, int queue)
     {
         Assert.That(Load(name).renderQueue, Is.EqualTo(queue));
-        Assert.That(RepositoryFiles.Read(RepositoryFiles.Package + "/Documentation~/shaders.md"), Does.Match($@"`{name}` {queue}|Text Meshes {queue}"));
+        Assert.That(RepositoryFiles.Read(RepositoryFiles.Package + "/Documentation~/shaders.md"),
+            Does.Match($@"`{name}` {queue}|Text Meshes {queue}"));
     }
 }

@@ -18,7 +18,8 @@ public class LifeCycleTests
     const int Steps = 600;
 
     // Messages that are correct after the destruction of an object that another object needs.
-    static readonly string[] Losses = ["has no rig; move", "has no Text Mesh to copy", "is missing; name an object", "is drawn there; name an object"];
+    static readonly string[] Losses =
+        ["has no rig; move", "has no Text Mesh to copy", "is missing; name an object", "is drawn there; name an object"];
 
     [Test]
     public Task ApplicationEvents_RandomSequence_LeakNothing([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: false);
