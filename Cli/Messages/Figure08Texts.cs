@@ -21,7 +21,7 @@ static class Figure08Texts
 
     public const string OffsetPlot = "Error of the offset";
     public const string SkewPlot = "Skew of all estimators";
-    public const string FittingError = "From 10 s on, the fitting error |ε_i| of Eq. (6) is below 1 ms: share of all exchanges, 95 % or more.";
+    public const string FittingError = "From 10 s on, the fitting error |ε_i| of Eq. (6) is below 1 ms for at least 95 % of all exchanges.";
 
     public static string ExchangeErrors(string share, double boundMs) =>
         $" With the true offset instead of the fit, {share} of the exchanges from 10 s on have an error below {boundMs} ms; the others took at "

@@ -87,5 +87,5 @@ sealed class EventList(TimeProvider time, Action<string> log)
 
     static string EndLine(StatusEvent ended) => string.Create(
         CultureInfo.InvariantCulture,
-        $"event {ended.Id}: over after {(ended.Until.Value - ended.Since).TotalSeconds:0.0} s: {ended.Condition.Headline}");
+        $"event {ended.Id}: ended after {(ended.Until.Value - ended.Since).TotalSeconds:0.0} s: {ended.Condition.Headline}");
 }

@@ -37,7 +37,7 @@ public class EventListTests
         Assert.That((one.Since, one.Until), Is.EqualTo((began, (DateTimeOffset?)(began + TimeSpan.FromSeconds(10)))));
         Assert.That(_log, Has.Count.EqualTo(2));
         Assert.That(_log[0], Does.Contain("joint a is refused: status Bad"));
-        Assert.That(_log[1], Does.Contain("over after 10.0 s").And.Contain("joint a"));
+        Assert.That(_log[1], Does.Contain("ended after 10.0 s").And.Contain("joint a"));
     }
 
     [Test]

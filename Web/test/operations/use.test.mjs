@@ -88,7 +88,7 @@ describe('actions', () => {
     await becomes(page, '#recording', '3 lines are missing. Problem: the disk is full');
   });
 
-  it('request a token if the gateway requires one, and show everything with it', async () => {
+  it('log in with a token if the gateway requires one, and then show all data', async () => {
     gateway.token = 'open-sesame';
     const page = await open({}, false);
     await page.waitForSelector('#login', { state: 'visible' });

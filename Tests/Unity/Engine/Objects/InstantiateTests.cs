@@ -68,7 +68,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Instantiate_AwakeOfTheCopy_SeesItsFieldsAndTransform()
+    public void Instantiate_WithPoseAndParent_CallsAwakeAndAppliesThem()
     {
         var parent = new GameObject("p").transform;
         parent.position = Vector3.right;

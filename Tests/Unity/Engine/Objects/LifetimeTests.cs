@@ -150,7 +150,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Destroy_ChildInUpdate_ParentContinues()
+    public void Destroy_Child_IsRemovedFromItsParentAfterTheFrame()
     {
         var parent = new GameObject("p").transform;
         var child = Add<Recorder>("c", parent);
