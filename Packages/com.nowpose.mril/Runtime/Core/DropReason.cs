@@ -1,13 +1,14 @@
 namespace Nowpose
 {
     /// <summary>
-    /// Reason why a message or a sample was dropped. There is one reason for each rule of the protocol. Parser, gateway, predictor and statistics use
+    /// Reason why a message or a sample was dropped. Each rule of the protocol has its own reason. Parser, gateway, predictor and statistics use
     /// the same reasons.
     /// </summary>
     public enum DropReason
     {
         /// <summary>
-        /// Nothing was dropped. This value also applies to a sample that newer samples have overtaken: it is used together with the next sample.
+        /// Nothing was dropped. This value also applies to a sample that newer samples have overtaken, because it is used together with the next
+        /// sample.
         /// </summary>
         None,
 

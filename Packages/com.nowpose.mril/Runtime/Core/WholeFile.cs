@@ -6,7 +6,7 @@ using Nowpose.Messages;
 namespace Nowpose
 {
     /// <summary>
-    /// Reads and writes small text files. Writing is atomic: after a failure, the path holds either the complete old file or the complete
+    /// Reads and writes small text files. Writing is atomic: after a failure, the file at the path is either the complete old file or the complete
     /// new file.
     /// </summary>
     static class WholeFile

@@ -10,7 +10,7 @@ namespace Nowpose.Anchoring
     /// </summary>
     /// <remarks>
     /// Use it on the frame loop's thread only. A frame without a new lock normally allocates nothing. While a marker that is not yet part of the
-    /// lock is in view, a few kB are allocated four times a second.
+    /// lock is in view, the tracker allocates a few kB four times a second.
     /// </remarks>
     public sealed class BaseTracker
     {
@@ -71,7 +71,7 @@ namespace Nowpose.Anchoring
         /// <summary>Whether the device has moved the base since the newest lock by more than a marker's tolerance.</summary>
         public bool IsCorrected => CorrectedMetres > _settings.ToleranceMetres || CorrectedRadians > _settings.ToleranceRadians;
 
-        /// <summary>Reason why a source reports no markers; null if nothing is wrong. The status shows it during a search.</summary>
+        /// <summary>Reason why a source reports no markers; null if nothing is wrong. The status text contains this reason during a search.</summary>
         public string SourceProblem { get; set; }
 
         /// <summary>Time at which a source last reported any code; null if none was reported since the start of the search.</summary>
@@ -124,8 +124,8 @@ namespace Nowpose.Anchoring
 
         /// <summary>Starts a new search with the markers. The base stays in its position until the markers have determined a new position.</summary>
         /// <remarks>
-        /// If no marker comes into view for a long time, the previous lock is restored. Without any markers, a position restored from an
-        /// earlier run is confirmed.
+        /// If no marker comes into view for a long time, the previous lock is restored. Without any markers, the method confirms a position that was
+        /// restored from an earlier run.
         /// </remarks>
         public void Relock()
         {
@@ -154,7 +154,8 @@ namespace Nowpose.Anchoring
             _words.Update(this, _now);
         }
 
-        /// <summary>Releases the position that the device holds. A stored position is kept.</summary>
+        /// <summary>Releases the position that the device holds, removes the pose of the base, and starts a new search. A stored position is
+        /// kept.</summary>
         public void Release()
         {
             _place.Release(seekAgain: true);

@@ -88,13 +88,13 @@ namespace Nowpose.Anchoring
         /// <summary>Whether there are enough sightings, over a sufficient time, for an estimate.</summary>
         internal bool IsReady => _window.Count >= MinSightings && _window.CountOver(_settings.Settle) > 0;
 
-        /// <summary>Whether the sightings are recent enough for a comparison with sightings of other markers.</summary>
+        /// <summary>Returns whether the sightings are recent enough for a comparison with sightings of other markers.</summary>
         internal bool IsRecent(HeadsetTime now) => _taken is HeadsetTime taken && now - taken <= MaxAge;
 
         /// <summary>Whether the newest estimate shows that the marker is moving.</summary>
         internal bool IsMoving => _mean is PoseMean mean && !mean.IsSteady(_settings.LockErrorMetres, _settings.LockErrorRadians);
 
-        /// <summary>Whether there is a current accepted sighting.</summary>
+        /// <summary>Returns whether an accepted sighting is current.</summary>
         internal bool IsFresh(HeadsetTime now) => _taken is HeadsetTime taken && now - taken <= _settings.Oldest;
 
         /// <returns>Whether the sighting is new and accepted.</returns>
@@ -102,7 +102,7 @@ namespace Nowpose.Anchoring
         internal bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head, in RigidTransform? belongs)
         {
             LastReported = now;
-            // The clock was set back, so the earlier sightings have no valid times.
+            // The clock was set back, so the times of the earlier sightings are invalid.
             if (_taken is HeadsetTime last && last - now > SightingGate.Ahead)
             {
                 RemoveSightings();
@@ -198,7 +198,7 @@ namespace Nowpose.Anchoring
             var isOther = _id != null && sighting.Id != _id && IsFresh(now) && _pose.DistanceTo(sighting.Pose) > ApartMetres;
             if (isOther && belongs is RigidTransform place)
             {
-                // If there are two prints with the same code, the print nearer to the expected position is monitored.
+                // If there are two prints with the same code, the tracker monitors the print nearer to the expected position.
                 if (place.DistanceTo(sighting.Pose) >= place.DistanceTo(_pose)) return SightingFault.TwoPlaces;
                 RemoveSightings();
                 return SightingFault.None;

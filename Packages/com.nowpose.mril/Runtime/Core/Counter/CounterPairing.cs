@@ -12,8 +12,8 @@ namespace Nowpose.Counter
     sealed class CounterPairing
     {
         /// <summary>
-        /// Number of measurements (brackets). In each, the target is read between two readings of the counter. An interrupt disturbs one or a few of
-        /// them, never all.
+        /// Number of measurements (brackets). In each, the target is read between two readings of the counter. An interrupt may disturb a few of
+        /// them, but never all.
         /// </summary>
         const int Brackets = 32;
 

@@ -13,7 +13,8 @@ namespace Nowpose.Frames
         /// <summary>Maximum difference from the first value that counts as rounding, in m or rad.</summary>
         const double Rounding = 1e-9;
 
-        /// <summary>Number of samples kept before the first change. They show the predictor that the motion starts from rest.</summary>
+        /// <summary>Number of samples kept before the first change. From these samples, the predictor recognises that the motion starts from
+        /// rest.</summary>
         const int Kept = 8;
 
         readonly JointPredictor _predictor;
@@ -48,7 +49,7 @@ namespace Nowpose.Frames
                 return DropReason.None;
             }
             _hasChanged = true;
-            // Adds each kept sample with the display time at its arrival, because the predictor estimates the horizon from this time.
+            // Adds each kept sample with the display time at its arrival, because the predictor uses this time to estimate the horizon.
             for (var age = _count - 1; age >= 0; age--) _predictor.Add(_newestFirst[age], displayed - (sample.Time - _newestFirst[age].Time));
             return _predictor.Add(sample, displayed);
         }

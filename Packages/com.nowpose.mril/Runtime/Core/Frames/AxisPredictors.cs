@@ -25,7 +25,7 @@ namespace Nowpose.Frames
         /// <inheritdoc cref="JointPredictor.NewestTime"/>
         public double NewestTime => _x.NewestTime;
 
-        /// <summary>Sum of the components' restarts.</summary>
+        /// <summary>Sum of the restarts of the three components.</summary>
         /// <inheritdoc cref="JointPredictor.Restarts"/>
         public int Restarts => _x.Restarts + _y.Restarts + _z.Restarts;
 

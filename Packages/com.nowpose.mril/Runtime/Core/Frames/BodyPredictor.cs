@@ -5,7 +5,7 @@ using Nowpose.Prediction.Mixing;
 
 namespace Nowpose.Frames
 {
-    /// <summary>Predicts the pose of one tracked frame in its parent at times near its newest samples, usually ahead of them.</summary>
+    /// <summary>Predicts the pose of one tracked frame in its parent at times near the newest samples, usually later than they are.</summary>
     /// <remarks>
     /// The position and the angles of <see cref="RotationHistory"/> have three components each, and each component has the pipeline of a
     /// joint. With <c>adaptive</c>, a mixture with common weights for the three components follows (<see cref="VectorMixture"/>). Times and order of
@@ -16,10 +16,10 @@ namespace Nowpose.Frames
         /// <summary>
         /// Parts of <c>adaptive</c> for a body. A tracker's noise makes two samples of an object at rest look like the start of a fast
         /// motion, so the rule for first moves is left out: with it, the error at rest was 1.4 times as large. An object has no drive limits,
-        /// so profiles are left out as well. The search for repeated moves reduces the error of a shuttle to 25 % and that of a cam to 46 %;
-        /// it compares fewer samples with the history than for joints, because a cell has many objects. Without the parabola, the
-        /// weights at rest and the outlier threshold, the position errors of 1 110 simulated motions are 1.3 % larger, their rotation errors
-        /// 0.8 % smaller, and a sample takes up to a fifth less time.
+        /// so profiles are left out as well. The search for repeated moves reduces the error for a shuttle to 25 % and for a cam to 46 %. It
+        /// compares fewer samples with the history than it does for joints, because a cell has many objects. Without the parabola, the weights at
+        /// rest and the outlier threshold, the position errors of 1 110 simulated motions are 1.3 % larger, their rotation errors 0.8 % smaller, and
+        /// processing a sample takes up to a fifth less time.
         /// </summary>
         const PredictionParts Parts = PredictionParts.Samples | PredictionParts.Quadratic | PredictionParts.Cubic | PredictionParts.Process
             | PredictionParts.Repetition | PredictionParts.ChangePoints;

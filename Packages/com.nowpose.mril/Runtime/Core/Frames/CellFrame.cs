@@ -9,7 +9,8 @@ namespace Nowpose.Frames
     /// <summary>A stationary frame of the cell, or a tracked frame with its predictor.</summary>
     sealed class CellFrame
     {
-        /// <summary>Maximum number of poses in a new parent that wait for the next display frame. Another pose replaces the newest one.</summary>
+        /// <summary>Maximum number of poses in a new parent that wait for the next display frame. When the maximum is reached, a further pose
+        /// replaces the newest one.</summary>
         const int MaxWaiting = 8;
 
         readonly Func<BodyPredictor> _newPredictor;
@@ -50,7 +51,7 @@ namespace Nowpose.Frames
         public bool IsStationary => _isStationary && _reach == null;
 
         /// <summary>
-        /// Place that a gripper gives the object from the next display frame on; null if the object's own source determines the place.
+        /// Place that a gripper assigns to the object from the next display frame on; null if the object's own source determines the place.
         /// </summary>
         public ReachPlace Reach => _isReachWaiting ? _nextReach : _reach;
 
@@ -93,7 +94,7 @@ namespace Nowpose.Frames
         }
 
         /// <summary>
-        /// Sets the place that a gripper gives the object from the next display frame on. It is blended like a change of the parent.
+        /// Sets the place that a gripper assigns to the object from the next display frame on. It is blended like a change of the parent.
         /// </summary>
         /// <param name="place">The place; null if the object's own source determines the place again.</param>
         public void Put(ReachPlace place)
@@ -175,7 +176,7 @@ namespace Nowpose.Frames
             _newest = null;
         }
 
-        // Measures the speed of the displayed object. During a hand-over, the second evaluation for the same time does not change it.
+        // Measures the speed of the displayed object. During a hand-over, the second evaluation for the same time does not change the measured speed.
         void Measure(double time, in RigidTransform next)
         {
             if (double.IsNaN(time)) return;

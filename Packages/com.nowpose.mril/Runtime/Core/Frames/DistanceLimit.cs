@@ -6,8 +6,8 @@ namespace Nowpose.Frames
     /// <remarks>
     /// When a motion ends abruptly, for example because a vehicle stops between two samples, polynomials through samples from before and after this
     /// moment overshoot by a multiple of their earlier errors. The line has the shortest window, so a forecast that is much further from the line
-    /// than all earlier forecasts is moved towards it. The maximum includes the forecasts that were limited, so a new kind of motion is limited for
-    /// only a few samples.
+    /// than all earlier forecasts is moved towards it. The maximum also includes the distances of forecasts that were limited, so forecasts of a new
+    /// kind of motion are limited for only a few samples.
     /// </remarks>
     sealed class DistanceLimit
     {

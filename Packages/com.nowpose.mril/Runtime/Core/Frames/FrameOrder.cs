@@ -113,7 +113,7 @@ namespace Nowpose.Frames
         public RigidTransform PoseAt(int frame, ReachPlace reach, (ControlTime Time, double Seconds) at, out PoseOrigin origin) =>
             PoseAt(frame, reach, at, out origin, 0);
 
-        // Ends after as many steps as there are frames, because a cycle would never end. A frame in a cycle has no pose.
+        // Ends after as many steps as there are frames, because the steps through a cycle would never end. A frame in a cycle has no pose.
         RigidTransform PoseAt(int frame, ReachPlace reach, (ControlTime Time, double Seconds) at, out PoseOrigin origin, int steps)
         {
             origin = PoseOrigin.None;
@@ -171,7 +171,8 @@ namespace Nowpose.Frames
             var place = PlaceIn(index, _frames[index].Parent);
             var above = place.Robot < 0 ? place.Parent : _roots[place.Robot];
             if (above >= 0) Put(above);
-            // A ReachGrip, or a robot whose description arrives after the frames, can close a cycle. One frame of the cycle then has no parent.
+            // A ReachGrip can close a cycle, and so can a robot whose description arrives after the frames. One frame of the cycle then has no
+            // parent.
             if (above >= 0 && _placeOf[above] < 0) place = new Place(index, -1, -1, isInWorld: false);
             _placeOf[index] = _count;
             _places[_count++] = place;

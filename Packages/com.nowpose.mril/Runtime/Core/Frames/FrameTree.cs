@@ -82,7 +82,8 @@ namespace Nowpose.Frames
             _isHandedOver = true;
         }
 
-        /// <summary>Cancels each placement by a gripper: an object that a gripper holds or has released is placed by its own source again.</summary>
+        /// <summary>Cancels all placements by a gripper: the sources of the objects that it holds or has released determine their places
+        /// again.</summary>
         public void TakeFrom(ReachGrip gripper)
         {
             for (var i = 0; i < _frames.Count; i++)

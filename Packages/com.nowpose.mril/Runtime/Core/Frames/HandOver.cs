@@ -7,25 +7,26 @@ namespace Nowpose.Frames
     /// <remarks>
     /// D is the former pose relative to the new one at the hand-over. At a later time t, the displayed pose is T(t) · D^w, where w falls from
     /// 1 to 0 within <see cref="Seconds"/> without a jump of the velocity. A difference as small as the corrections by each sample is ignored,
-    /// so that a gripped object is in the gripper at once. A large one that the object's speed does not explain is ignored too, because the object
-    /// must have been moved elsewhere.
+    /// so that a gripped object is in the gripper at once. A large difference that the object's speed does not explain is also ignored, because the
+    /// object must have been moved elsewhere.
     /// <c>default</c> is a hand-over that has ended.
     /// </remarks>
     readonly struct HandOver
     {
         /// <summary>
-        /// Duration of the blend, in s. It is so short that a person does not notice a shift of some millimetres while the gripper moves away.
+        /// Duration of the blend, in s. It is so short that a person does not notice a shift of a few millimetres while the gripper moves away.
         /// </summary>
         public const double Seconds = 0.15;
 
         /// <summary>Differences up to these values are ignored because they are small, in m and rad.</summary>
         const double MinShift = 0.002, MinTurn = 0.02;
 
-        /// <summary>Differences from this value on are ignored because they are large, in m. For a fast object, the limit is larger.</summary>
+        /// <summary>Minimum difference that is ignored because it is large, in m. For a fast object, the limit is larger.</summary>
         const double MaxShift = 0.25;
 
         /// <summary>
-        /// Time for which an object may have moved with the former parent although it already had the new one, in s: the default horizon cap.
+        /// Maximum time, in s, for which the object may be displayed with the former parent although it already has the new one: the default horizon
+        /// cap.
         /// </summary>
         const double MaxLateness = 0.3;
 

@@ -1,6 +1,6 @@
 namespace Nowpose.Frames
 {
-    /// <summary>Origin of a pose at a given time: the least certain origin of all positions from which it was computed.</summary>
+    /// <summary>Origin of a pose at a given time: the least certain of the origins of the positions from which the pose was computed.</summary>
     enum PoseOrigin
     {
         /// <summary>No data exists for that time.</summary>

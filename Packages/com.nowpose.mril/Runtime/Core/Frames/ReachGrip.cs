@@ -13,15 +13,15 @@ namespace Nowpose.Frames
     /// <remarks>
     /// The poses at the time stamp of the change determine which object is gripped, not the poses at the arrival of the message. At first, these
     /// poses are predicted, because the display time is ahead of the samples. As soon as samples from after the time stamp have arrived, the poses
-    /// are computed from them, so that all headsets with the same samples grip the same object in the same place. A source that gives the object a
-    /// parent itself has priority. A released object stays in the world at its pose at the time stamp of the release, until its source moves it. Use
-    /// it only on the thread that computes the display frames.
+    /// are computed from them, so that all headsets with the same samples grip the same object in the same place. If the object's source changes its
+    /// parent, the source has priority. A released object stays in the world at its pose at the time stamp of the release, until its source moves
+    /// it. Use it only on the thread that computes the display frames.
     /// </remarks>
     sealed class ReachGrip
     {
         /// <summary>
         /// Maximum time to wait for samples from after a change of the signal, in s. After this time, the available data determine the effect of the
-        /// change. It is longer than every latency worth compensating.
+        /// change. It is longer than any latency that is worth compensating.
         /// </summary>
         const double Patience = 1;
 
@@ -81,7 +81,8 @@ namespace Nowpose.Frames
         /// <summary>Handles a restart of the gripper's signal, during which the gripper may have opened and closed unnoticed.</summary>
         /// <param name="isOfSource">
         /// Whether the source of the signal has restarted. In this case, the objects' own sources determine the places of all objects that the
-        /// gripper held or released. Otherwise, only the times of the control system have become invalid, and the objects stay until the next change.
+        /// gripper held or released. Otherwise, only the times of the control system have become invalid, and the objects keep their places until
+        /// the next change.
         /// </param>
         public void Restart(bool isOfSource)
         {

@@ -38,7 +38,7 @@ namespace Nowpose.Frames
             while (age < Count && At(age).Order > order) age++;
             if (IsAsOld(age - 1, order)) age--;
             if (IsAsOld(age, order)) return AnglesRelativeTo(At(age), rotation);
-            // Computes the angles relative to the newer neighbour, so that the angles between the newest samples are exact, even after a late one.
+            // Computes the angles relative to the newer neighbour, so the angles between the newest samples are exact, even after a late sample.
             var angles = Count == 0 ? default : AnglesRelativeTo(At(Math.Max(age - 1, 0)), rotation);
             if (age < Capacity) Insert(age, new Entry(order, rotation, angles));
             return angles;
@@ -60,7 +60,7 @@ namespace Nowpose.Frames
 
         ref Entry At(int age) => ref _ring[(_newest + age) & (Capacity - 1)];
 
-        // A repeated sample has exactly the angles of the first one.
+        // A repeated sample has exactly the same angles as the first sample.
         static Vector3D AnglesRelativeTo(in Entry entry, in UnitQuaternion rotation)
         {
             var turn = (rotation * entry.Rotation.Inverse).Log();

@@ -21,8 +21,8 @@ namespace Nowpose.Frames
 
         /// <summary>
         /// Minimum distance of the first sample of a motion from the mean of the scattering samples, and from the last of them, relative to
-        /// their mean first difference. Noise in one component exceeds it once in 40 000 samples, noise in three practically never. The
-        /// direction of a shorter last step would be that of the noise.
+        /// their mean first difference. Noise in one component exceeds this limit once in 40 000 samples, noise in three components practically
+        /// never. The direction of a shorter last step would depend mainly on the noise.
         /// </summary>
         const double MinStartRatio = 4;
 

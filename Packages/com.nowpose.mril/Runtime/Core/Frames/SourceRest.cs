@@ -20,8 +20,8 @@ namespace Nowpose.Frames
         const double MaxDifference = 6;
 
         /// <summary>
-        /// Minimum number of consecutive samples with a different pose that count as a motion if the samples have noise, because a single one may be
-        /// an outlier.
+        /// Minimum number of consecutive samples with a different pose that count as a motion if the samples have noise, because a single sample may
+        /// be an outlier.
         /// </summary>
         const int MinConsecutive = 2;
 

@@ -68,7 +68,7 @@ namespace Nowpose.Frames
         public static UnitQuaternion Exp(in Vector3D vector)
         {
             var angle = vector.Length;
-            // Computes sin(a / 2) / a. The error of the series below 1e-3 rad is less than the rounding error.
+            // Computes sin(a / 2) / a. Below 1e-3 rad, the error of the series is less than the rounding error.
             var scale = angle < 1e-3 ? 0.5 - angle * angle / 48 : Math.Sin(0.5 * angle) / angle;
             return Normalised(scale * vector.X, scale * vector.Y, scale * vector.Z, Math.Cos(0.5 * angle));
         }

@@ -9,14 +9,14 @@ namespace Nowpose.Frames
     /// three components.
     /// </summary>
     /// <remarks>
-    /// The predictors of the components are the prior: they have all the weight until samples have shown their error. Each sample shows the
+    /// The predictors of the components are the prior: they have the full weight until samples have shown their error. Each sample shows the
     /// errors of the forecasts made one horizon before it; the weights minimise the mean square over the last 20 s
-    /// (<see cref="MixtureWeights"/>). The three components have common noise and motion, so the weights are estimated three times as fast as
-    /// for a joint, and an inaccurate forecast loses its weight within a second. Allocates nothing after construction.
+    /// (<see cref="MixtureWeights"/>). The three components have the same kind of noise and motion, so the weights are estimated three times as fast
+    /// as for a joint, and an inaccurate forecast loses its weight within a second. Allocates nothing after construction.
     /// </remarks>
     sealed class VectorMixture
     {
-        /// <summary>Regularisation towards the prior: with 0.05 or 0.4, the maximum errors are larger.</summary>
+        /// <summary>Regularisation towards the prior: with 0.05 and with 0.4, the maximum errors are larger.</summary>
         const double Regularisation = 0.2;
 
         /// <summary>
@@ -122,8 +122,8 @@ namespace Nowpose.Frames
         Vector3D Forecast(int index, double time) =>
             index == 0 ? Main.At(time) : _polynomials[index - 1].At(Math.Min(time - _newestTime, _horizonCap));
 
-        // Limits the displacement. In rare cases, the prior mistakes a large difference between two noisy samples for a change point and extrapolates
-        // it.
+        // Limits the displacement. In rare cases, the prior mistakes a large difference between two noisy samples for a change point and
+        // extrapolates this difference.
         Vector3D Bounded(in Vector3D position)
         {
             var hold = Main.Hold;
@@ -163,7 +163,7 @@ namespace Nowpose.Frames
             if (_recent.Count > 1) Expect(time + Main.Horizon, interval);
         }
 
-        // The weights that result from noise at rest do not suit a first move. After one horizon, they include the errors of this move.
+        // The weights that result from noise at rest are unsuitable for a first move. After one horizon, they include the errors of this move.
         bool IsFirstMove(double interval, in Vector3D position)
         {
             var displacement = (position - _newest).Length * Main.Horizon / interval;

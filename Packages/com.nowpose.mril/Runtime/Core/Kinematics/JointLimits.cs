@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Limits of a joint in rad, s and N·m, or in m, s and N for a prismatic joint. A missing limit is infinite.</summary>
+    /// <summary>Limits of a joint in units of rad, s and N·m, or m, s and N for a prismatic joint. A missing limit is infinite.</summary>
     /// <remarks><c>default</c> allows no motion; <see cref="None"/> allows every motion.</remarks>
     public readonly struct JointLimits
     {

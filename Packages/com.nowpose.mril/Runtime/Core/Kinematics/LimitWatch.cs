@@ -6,7 +6,7 @@ namespace Nowpose.Kinematics
     /// Detects joints whose samples are outside the limits of the robot description, which indicates a different robot or a different unit.
     /// </summary>
     /// <remarks>
-    /// A joint counts as beyond its limits from three consecutive samples outside them until a hundred consecutive samples inside them. A
+    /// A joint is beyond its limits after three consecutive samples outside them, until a hundred consecutive samples are inside them. A
     /// joint that oscillates about a limit is therefore reported once. A tolerance of 0.02 rad or 2 mm covers noise at a stop and rounded
     /// limits. Allocates only at the first detection of a joint; not thread-safe.
     /// </remarks>

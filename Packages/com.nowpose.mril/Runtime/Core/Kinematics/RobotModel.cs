@@ -33,7 +33,7 @@ namespace Nowpose.Kinematics
         /// <summary>Hash of the URDF, to check whether another URDF describes the same robot.</summary>
         internal UrdfHash SourceHash { get; }
 
-        /// <summary>The links: the root first, parents before their children.</summary>
+        /// <summary>The links, with the root first and parents before their children.</summary>
         public IReadOnlyList<RobotLink> Links { get; }
 
         /// <summary>All joints, in the order of the URDF.</summary>

@@ -93,7 +93,7 @@ namespace Nowpose.Kinematics
         static XmlReader Reader(string text) => XmlReader.Create(
             new StringReader(text), new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit, XmlResolver = null });
 
-        // XDocument walks up to the root for each node that it adds, so a nesting of 100 000 levels would take minutes.
+        // XDocument walks up to the root for each node that is added, so a nesting of 100 000 levels would take minutes.
         void RequireShallow(XmlReader reader)
         {
             while (reader.Read())

@@ -15,8 +15,8 @@ namespace Nowpose.Latency
         public long Count { get; private set; }
 
         /// <summary>
-        /// Number of samples whose time stamp is later than their arrival. A few initial ones are caused by the error of the clock estimate. A larger
-        /// number means that a source does not use the control clock for its time stamps.
+        /// Number of samples whose time stamp is later than their arrival. The error of the clock estimate causes a few such samples at the start. A
+        /// larger number means that a source does not use the control clock for its time stamps.
         /// </summary>
         public long NegativeCount { get; private set; }
 
@@ -39,7 +39,7 @@ namespace Nowpose.Latency
             _recent.Add(Newest);
         }
 
-        /// <summary>Removes the recent values and keeps the counts. Call it after a clock step.</summary>
+        /// <summary>Removes the recent values and keeps the counts. Call it after a step of the clock.</summary>
         public void Reset()
         {
             _recent.Reset();

@@ -24,7 +24,7 @@ namespace Nowpose.Latency
         /// <summary>Whether an enabled camera has the tag MainCamera.</summary>
         public bool HasMainCamera { get; }
 
-        /// <summary>Whether a render pass of the display asks for depth; null before the first frame.</summary>
+        /// <summary>Whether a render pass of the display requests depth; null before the first frame.</summary>
         public bool? IsRequested { get; }
 
         /// <returns>State for the first condition that is not met; <see cref="DepthSubmission.Active"/> if all are met.</returns>

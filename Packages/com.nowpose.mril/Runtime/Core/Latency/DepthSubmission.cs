@@ -18,7 +18,7 @@ namespace Nowpose.Latency
         /// <summary>No enabled camera has the tag MainCamera. The near and far planes of that camera define the scale of the depth buffer.</summary>
         NoMainCamera,
 
-        /// <summary>The display does not ask Unity to fill its depth buffer, although depth submission is turned on and supported.</summary>
+        /// <summary>The display does not request that Unity fill its depth buffer, although depth submission is turned on and supported.</summary>
         NotRequested,
     }
 }

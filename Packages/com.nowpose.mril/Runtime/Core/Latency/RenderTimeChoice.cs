@@ -4,9 +4,10 @@ namespace Nowpose.Latency
 {
     /// <summary>Selects one of several render-time sources.</summary>
     /// <remarks>
-    /// Only a running application shows which sources a device supports, and a source may stop. A source is selected after its 30th render
-    /// time if no better source has started to deliver render times. It is dropped after 30 frames without a render time. This prevents an
-    /// alternating selection, which would restart the range monitor at each change. Allocates nothing after construction; single-threaded.
+    /// Only a running application shows which sources a device supports, and a source may stop delivering render times. A source is selected after
+    /// its 30th render time if no better source has started to deliver render times. It is dropped after 30 frames without a render time. This
+    /// prevents an alternating selection, which would restart the range monitor at each change. Allocates nothing after construction;
+    /// single-threaded.
     /// </remarks>
     sealed class RenderTimeChoice
     {

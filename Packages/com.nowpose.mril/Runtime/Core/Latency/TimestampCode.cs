@@ -21,8 +21,7 @@ namespace Nowpose.Latency
     /// comparison within a pair cancels brightness and background, and a covered pair is recognised as unreadable. In reading order
     /// the pairs carry g15 … g0, the Gray code g = b ^ (b >> 1) of the time's whole milliseconds modulo 65 536, then the parity of the bits
     /// with even index, and then the parity of the bits with odd index (even parity: the number of ones is even).
-    /// From one millisecond to the next, one Gray bit and one parity bit change, so that an exposure over several
-    /// milliseconds blurs few pairs.
+    /// From one millisecond to the next, one Gray bit and one parity bit change, so an exposure of several milliseconds blurs only a few pairs.
     /// </remarks>
     static class TimestampCode
     {
@@ -67,7 +66,7 @@ namespace Nowpose.Latency
         /// <param name="pair">0 to <see cref="PairCount"/> − 1 in reading order.</param>
         public static int CellOf(int pair) => (1 + pair / PairsPerRow) * Side + 1 + pair % PairsPerRow * 2;
 
-        /// <summary>Whether a cell belongs to the ring.</summary>
+        /// <summary>Returns whether a cell belongs to the ring.</summary>
         public static bool IsRing(int cell)
         {
             int row = cell / Side, column = cell % Side;
@@ -75,7 +74,7 @@ namespace Nowpose.Latency
         }
 
         /// <summary>
-        /// Whether a cell of the ring is lit. The two cells that follow the top left corner clockwise are dark; for the headset, the two
+        /// Returns whether a cell of the ring is lit. The two cells that follow the top left corner clockwise are dark; for the headset, the two
         /// cells that follow the top right corner are dark, too. No rotation or reflection of one code matches another.
         /// </summary>
         public static bool IsLitRing(int cell, CodeKind kind)

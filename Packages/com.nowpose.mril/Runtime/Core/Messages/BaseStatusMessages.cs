@@ -29,7 +29,7 @@ namespace Nowpose.Messages
 
         public static string Corrected(int mm, string degrees) => $"; moved by the headset by {mm} mm, {degrees}°";
 
-        /// <param name="isBlind">Whether no code of any kind was reported for a long time.</param>
+        /// <param name="isBlind">Whether no code of any kind has been reported for a long time.</param>
         /// <param name="problem">Problem of the source of markers; null if there is none.</param>
         public static string Looking(bool isBlind, string problem) =>
             isBlind ? "looking for markers; allow the camera if it is blocked" : "looking for markers" + Because(problem);

@@ -38,7 +38,7 @@ namespace Nowpose.Messages
         public static string Paired(string cell) => "cell '" + cell + "': paired";
         public static string Known(string cell) => "cell '" + cell + "': already paired";
 
-        /// <summary>Returns the status if there is neither a question nor a problem.</summary>
+        /// <summary>Returns the status for the case that there is neither a question nor a problem.</summary>
         /// <param name="exchanging">The cell whose token is being exchanged; null if there is none.</param>
         /// <param name="used">The cell in use; null if there is none.</param>
         public static string Calm(string exchanging, PairedCell used, bool isTokenRefused)

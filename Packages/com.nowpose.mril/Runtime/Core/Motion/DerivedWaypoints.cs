@@ -4,11 +4,11 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Motion
 {
-    /// <summary>Creates a cycle from a robot's limits: long swings of the first joint between short dips of the other joints.</summary>
+    /// <summary>Creates a cycle from a robot's limits: long swings of the first joint alternate with short dips of the other joints.</summary>
     static class DerivedWaypoints
     {
-        // Distance to either side of a joint's middle position, in rad or m: enough for the first joint to reach full speed, and less for
-        // the other joints, as in a real task. Tables and walls are unknown and not considered.
+        // Distance to either side of a joint's middle position, in rad or m: enough for the first joint to reach full speed, and less for the other
+        // joints, as in a real task. Tables and walls are unknown and not considered.
         const double Swing = 1.2;
         const double Dip = 0.5;
         const double Stroke = 0.1;
@@ -43,7 +43,7 @@ namespace Nowpose.Motion
             return positions;
         }
 
-        // Returns zero if zero is inside the range and not too close to its ends, because the URDF was drawn in that pose.
+        // Returns the position nearest to zero that has a margin to both ends of the range, because the URDF was drawn in the zero pose.
         static double Middle(JointLimits limits)
         {
             if (double.IsInfinity(limits.Lower) || double.IsInfinity(limits.Upper))

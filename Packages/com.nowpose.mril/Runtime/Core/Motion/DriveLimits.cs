@@ -8,7 +8,7 @@ namespace Nowpose.Motion
         // Programmed speeds leave a part of the rated speed in reserve.
         const double SpeedShare = 0.9;
 
-        // Acceleration: with a load, a small arm usually reaches its speed of about 1.5 rad/s in half a second, at 3 rad/s² (the preset of
+        // Acceleration: with a load, a small arm usually reaches its speed of about 1.5 rad/s within half a second, at 3 rad/s² (the preset of
         // the UR5 is 1.4 rad/s², and several times that value is possible). Jerk: the drives build up the acceleration within 0.1 s to
         // avoid vibration, at 30 rad/s³.
         static readonly DriveLimits Revolute = new DriveLimits(1.0, 3, 30);

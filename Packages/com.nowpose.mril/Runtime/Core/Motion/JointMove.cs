@@ -14,8 +14,8 @@ namespace Nowpose.Motion
         {
             _from = from;
             _to = to;
-            // One profile for the fraction of the path. Its limits are the minimum over all joints of limit ÷ path length, so every joint stays
-            // within its own limits at every time.
+            // One profile for the fraction of the path. Each of its limits is the minimum of limit ÷ path length over all joints, so every joint
+            // always stays within its own limits.
             double velocity = double.PositiveInfinity, acceleration = double.PositiveInfinity, jerk = double.PositiveInfinity;
             for (var i = 0; i < from.Length; i++)
             {

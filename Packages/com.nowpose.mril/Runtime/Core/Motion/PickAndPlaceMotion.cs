@@ -15,7 +15,8 @@ namespace Nowpose.Motion
         readonly bool[] _given;
         readonly double _grip, _release;
 
-        /// <param name="robot">The youBot uses its own waypoints; any other robot uses a cycle derived from its limits.</param>
+        /// <param name="robot">For the youBot, the cycle has waypoints of its own; for any other robot, it is derived from the robot's
+        /// limits.</param>
         /// <exception cref="InputException">The robot has no moving joints or too many, or cannot reach a waypoint.</exception>
         public PickAndPlaceMotion(RobotModel robot)
         {

@@ -13,7 +13,7 @@ namespace Nowpose.Network
     /// Exchanges timestamps with the ROS clock over a rosbridge connection, in place of <see cref="SyncClient"/> on connections without a gateway.
     /// </summary>
     /// <remarks>
-    /// The response contains one time, which the server read between the call and the response; it is used as both t2 and t3. The server's
+    /// The response contains one time, which the server read between the call and the response; this time is used as both t2 and t3. The server's
     /// processing times before and after the reading are unknown, so half the round-trip time bounds the error. One call is in
     /// flight at a time; responses with another id are ignored.
     /// </remarks>

@@ -131,8 +131,8 @@ namespace Nowpose.Network
                 end.Cancel();
                 link.Dispose();
                 foreach (var task in all) await EndOfAsync(task).ConfigureAwait(false);
-                // The first task that ends cancels the others. If a received message exceeded a limit, or the gateway closed the
-                // connection, this is reported as the cause, even if a sending task failed first.
+                // The first task that ends cancels the others. If a received message exceeds a limit, or the gateway closes the connection, that is
+                // reported as the cause, even if a sending task fails first.
                 var received = await EndOfAsync(receiving).ConfigureAwait(false);
                 var reason = received == null || received is MessageLimitException ? received : await EndOfAsync(first).ConfigureAwait(false);
                 if (reason != null) ExceptionDispatchInfo.Capture(reason).Throw();
@@ -187,8 +187,8 @@ namespace Nowpose.Network
 
             void Arrived(ReceivedText received)
             {
-                // Resets the backoff only after a message. Otherwise, if a server closes each connection immediately, the client would reconnect five
-                // times per second.
+                // Resets the backoff only after a message. Otherwise, the client would reconnect five times per second to a server that closes each
+                // connection immediately.
                 _status = LinkStatus.Connected;
                 backoff.Reset();
                 MarkReceived(received.Arrival);

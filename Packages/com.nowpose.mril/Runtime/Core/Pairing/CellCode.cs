@@ -8,7 +8,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Pairing
 {
     /// <summary>
-    /// Content of the robot's marker: the cell's name, the gateway's address, and the marker's pose in the base frame. Not secret.
+    /// Content of the code on the robot's marker: the cell's name, the gateway's address, and the marker's pose in the base frame. Not secret.
     /// </summary>
     /// <remarks>Immutable. Each marker of a cell has its own code, because their offsets differ.</remarks>
     sealed class CellCode

@@ -67,7 +67,7 @@ namespace Nowpose.Pairing
         static bool IsAllowed(char c)
         {
             if (Invisible.Contains(c) || (c >= '\uFE00' && c <= '\uFE0F')) return false;
-            // Excludes combining accents, so that names that look the same are equal. Devices differ in the normalisation they support.
+            // Excludes combining accents, because names that look the same must be equal, and devices differ in the normalisation that they support.
             if (c >= '\u0300' && c <= '\u036F') return false;
             switch (char.GetUnicodeCategory(c))
             {

@@ -21,7 +21,7 @@ namespace Nowpose.Pairing
         public CodeFields(string text, string kind, int version, string keys)
         {
             _what = kind + " code";
-            // The length is checked first, because a code in view may have thousands of characters.
+            // The length is checked first, because a code in view may contain thousands of characters.
             if (text == null || text.Length > PairingCode.MaxLength)
                 throw Fault(PairingCodeMessages.TooLong(text?.Length ?? 0, PairingCode.MaxLength));
             RequirePlain(text);

@@ -69,7 +69,7 @@ namespace Nowpose.Pairing
 
         static bool IsDigit(char c) => c >= '0' && c <= '9';
 
-        // A rejected host may contain any characters, including tags of Unity's rich text.
+        // A rejected host may contain any characters, including Unity's rich-text tags.
         static string Shown(string host)
         {
             var shown = (host ?? "").ToCharArray();

@@ -1,6 +1,6 @@
 namespace Nowpose.Pairing
 {
-    /// <summary>Detects that the wearer looks at a known cell that is not the cell in use.</summary>
+    /// <summary>Detects that the wearer is looking at a known cell that is not the cell in use.</summary>
     sealed class OtherCell
     {
         string _inView, _looked, _declined;
@@ -31,7 +31,7 @@ namespace Nowpose.Pairing
             return other != null && other != _declined && now - _since >= PairingLimits.LookAtOther ? other : null;
         }
 
-        /// <summary>Ignores a cell while it stays in view, and for some time afterwards.</summary>
+        /// <summary>Ignores a cell while it remains in view, and for some time after it was last seen.</summary>
         public void Decline(string cell, HeadsetTime now)
         {
             _declined = cell;

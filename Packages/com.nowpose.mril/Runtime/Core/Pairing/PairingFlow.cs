@@ -174,7 +174,7 @@ namespace Nowpose.Pairing
         {
             var used = Cells.Used;
             Cells = Cells.Use(cell);
-            // A new marker of another robot does not change which robot is in use.
+            // A new marker of another robot does not change the robot in use.
             if (used != null && used.Cell != cell.Cell) Cells = Cells.Use(used);
             Change(PairingChange.Applied | PairingChange.Kept);
         }

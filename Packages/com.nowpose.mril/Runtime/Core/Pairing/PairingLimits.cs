@@ -21,14 +21,15 @@ namespace Nowpose.Pairing
         public static readonly TimeSpan RetryInterval = TimeSpan.FromSeconds(3);
 
         /// <summary>
-        /// Minimum interval from an answer to the next question, because the buttons of both questions appear under the same finger.
+        /// Minimum interval from an answer to the next question, because the buttons of both questions appear in the same place, under the wearer's
+        /// finger.
         /// </summary>
         public static readonly TimeSpan QuestionPause = TimeSpan.FromSeconds(1);
 
-        /// <summary>Time for which another known cell must be in view alone before the wearer is asked; longer than a glance.</summary>
+        /// <summary>Minimum time for which another known cell alone is in view before the wearer is asked; longer than a glance.</summary>
         public static readonly TimeSpan LookAtOther = TimeSpan.FromSeconds(1);
 
-        /// <summary>Time out of view after which a declined cell is offered again.</summary>
+        /// <summary>Minimum time out of view before a declined cell is offered again.</summary>
         public static readonly TimeSpan OtherDeclined = TimeSpan.FromMinutes(1);
 
         /// <summary>Time for which the problem of an unreadable code is shown.</summary>

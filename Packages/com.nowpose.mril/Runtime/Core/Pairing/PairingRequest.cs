@@ -11,8 +11,8 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Exchanges a code's token for the headset's own token, with one HTTP/1.1 request over a stream that checks the pin itself.</summary>
-    /// <remarks>Unity's HTTP clients do not check certificates reliably, so the token could reach any server.</remarks>
+    /// <summary>Exchanges a code's token for the headset's own token, with one HTTP/1.1 request over a stream that itself checks the pin.</summary>
+    /// <remarks>Unity's HTTP clients do not check certificates reliably, so the token could be sent to any server.</remarks>
     static class PairingRequest
     {
         const int Nesting = 2;

@@ -10,7 +10,8 @@ namespace Nowpose.Pairing
         /// <summary>Maximum number of different codes at a time; further codes are ignored.</summary>
         public const int MaxCount = 256;
 
-        /// <summary>Codes out of view for this time may be dropped when the list is full: a gateway's code has expired by then.</summary>
+        /// <summary>Minimum time out of view after which a code may be dropped when the list is full. By then, a gateway's code has
+        /// expired.</summary>
         static readonly TimeSpan Memory = PairingLimits.CodeValidity;
 
         readonly Dictionary<string, SeenCode> _codes = new Dictionary<string, SeenCode>(StringComparer.Ordinal);
@@ -26,7 +27,7 @@ namespace Nowpose.Pairing
             if (kind == PairingCodeKind.Foreign) return null;
             if (text.Length > PairingCode.MaxLength)
             {
-                // The text is not stored, because otherwise its source would determine how much memory is used.
+                // An oversized text is not stored, because its source would otherwise determine the amount of memory used.
                 if (!_isOversizedReported) fault = PairingCodeMessages.CodeTooLong(text.Length, PairingCode.MaxLength);
                 _isOversizedReported = true;
                 return null;

@@ -9,8 +9,8 @@ namespace Nowpose.Prediction
         None,
 
         /// <summary>
-        /// A constant value: the position of the newest sample, or the value of the predicted curve at the end of its range. The range ends at the
-        /// horizon cap and at the oldest sample that the curve uses.
+        /// A constant value: the position of the newest sample, or the value of the predicted curve at the end of its range. The range extends from
+        /// the oldest sample that the curve uses to the horizon cap.
         /// </summary>
         Held,
 

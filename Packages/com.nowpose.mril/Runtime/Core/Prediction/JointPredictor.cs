@@ -15,7 +15,7 @@ namespace Nowpose.Prediction
     public sealed class JointPredictor
     {
         /// <summary>
-        /// Time constant with which the jump from the curve to the forecast decays, in s: short compared with every latency worth compensating.
+        /// Time constant with which the jump from the curve to the forecast decays, in s: short compared with any latency that is worth compensating.
         /// </summary>
         const double JumpTimeConstant = 0.005;
 
@@ -252,7 +252,7 @@ namespace Nowpose.Prediction
             var kind = ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted;
             var furthest = Math.Min(_limits.HorizonCap, _forecaster.Span);
             if (ahead > furthest) (ahead, kind) = (furthest, PredictionKind.Held);
-            // Before its oldest sample, a section is as inaccurate as far ahead of its newest sample.
+            // A section is as inaccurate before its oldest sample as it is far beyond its newest sample, so its value at the oldest sample is held.
             else if (ahead < 0 && !double.IsPositiveInfinity(_limits.HorizonCap) && ahead < Oldest) (ahead, kind) = (Oldest, PredictionKind.Held);
             var position = hold.Position + _forecaster.At(ahead);
             if (_jump != 0) position -= _jump * Math.Exp(-ahead / JumpTimeConstant);

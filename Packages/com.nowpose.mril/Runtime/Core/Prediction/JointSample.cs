@@ -21,7 +21,7 @@ namespace Nowpose.Prediction
 
         /// <param name="time">Stamp t_k, which may be wrong, in seconds of control time since a nearby epoch.</param>
         /// <param name="position">Finite; rad for revolute joints, m for prismatic ones.</param>
-        /// <param name="order">Sort key in seconds, which determines the order of samples if <paramref name="time"/> is wrong.</param>
+        /// <param name="order">Sort key in seconds, which determines the order of the samples if <paramref name="time"/> is wrong.</param>
         /// <param name="velocity">Velocity per second; NaN if it is unknown. A magnitude of 1e50 or more counts as unknown.</param>
         /// <param name="acceleration">Acceleration per second squared; otherwise like <paramref name="velocity"/>.</param>
         /// <exception cref="ArgumentException">Time, position or order is not finite.</exception>

@@ -18,8 +18,9 @@ namespace Nowpose.Prediction
         const int Kept = 24;
 
         /// <summary>
-        /// Maximum ratio of a candidate's mean square error to the mixture's mean square error at which the candidate replaces the mixture. A false
-        /// repetition has a large error (with 0.36, the error for a robot with ten different moves was 5 % larger); a profile has a small error.
+        /// Maximum ratio of a candidate's mean square error to the mixture's mean square error at which the candidate replaces the mixture. The
+        /// limit for templates is smaller, because the error of a false repetition is large: with 0.36, the error for a robot with ten different
+        /// moves was 5 % larger. The error of a wrong profile is small.
         /// </summary>
         const double TemplateGate = 0.3, ProfileGate = 0.8;
 
@@ -30,7 +31,8 @@ namespace Nowpose.Prediction
         const double ReportedPrior = 0.7;
 
         /// <summary>
-        /// Minimum interval between two comparisons with the history, in s: for joints, and for tracked objects, which have six coordinates each.
+        /// Minimum interval between two comparisons with the history, in s: MatchInterval for joints, RareMatchInterval for tracked objects, which
+        /// have six coordinates each.
         /// </summary>
         const double MatchInterval = 0.035, RareMatchInterval = 0.14;
 

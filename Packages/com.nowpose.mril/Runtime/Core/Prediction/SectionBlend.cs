@@ -17,9 +17,9 @@ namespace Nowpose.Prediction
         const double MaxTimeConstantRatio = 0.2;
 
         /// <summary>
-        /// Maximum residual relative to the maximum speed times the age of the previous section. A larger one comes from a repositioned
-        /// joint or object, or from an angle that wrapped, and blending would show it as a motion. The value must exceed 3: when a joint
-        /// reverses at full speed, the ratio is 2, and a polynomial that overshoots adds half of that or more.
+        /// Maximum residual relative to the maximum speed times the age of the previous section. A larger residual comes from a repositioned joint
+        /// or object, or from an angle that wrapped, and blending would display it as a motion. The value must exceed 3: when a joint reverses at
+        /// full speed, the ratio is 2, and a polynomial that overshoots adds half of that or more.
         /// </summary>
         const double MaxResidualRatio = 4;
 

@@ -18,7 +18,7 @@ namespace Nowpose.Protocol
             Message = message;
         }
 
-        /// <summary>Time of writing; the epoch (zero) while the headset is unsynchronised. Never used as t_k.</summary>
+        /// <summary>Time of writing; the epoch (zero) while the headset is unsynchronised. It is never used as t_k.</summary>
         public ControlTime Stamp { get; }
 
         /// <summary>Level of the status, as in DiagnosticStatus: 0 ok, 1 warning, 2 error, 3 stale.</summary>

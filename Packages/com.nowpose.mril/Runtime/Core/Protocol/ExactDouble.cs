@@ -51,7 +51,7 @@ namespace Nowpose.Protocol
             return Rounded(quotient, rest != 0, exponent + down - up - 63);
         }
 
-        // Knuth's long division (The Art of Computer Programming 2, 4.3.1 D) by one 32-bit digit.
+        // Knuth's long division (The Art of Computer Programming 2, 4.3.1 D), one step: returns the next 32-bit digit of the quotient.
         static ulong Digit(ref ulong rest, ulong next, ulong divisor)
         {
             var digit = rest / (divisor >> 32);

@@ -6,8 +6,8 @@ namespace Nowpose.Protocol
     sealed class JointStatePool
     {
         /// <summary>
-        /// Maximum number of kept messages. At 60 frames per second, a source at 1 kHz sends 17 messages per frame; the pool discards
-        /// further messages, for example after a stall.
+        /// Maximum number of kept messages. At 60 frames per second, a source at 1 kHz sends 17 messages per frame; the pool discards messages
+        /// beyond this number, for example after a stall.
         /// </summary>
         const int Capacity = 32;
 

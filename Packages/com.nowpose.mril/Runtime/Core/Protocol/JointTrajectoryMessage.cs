@@ -17,7 +17,7 @@ namespace Nowpose.Protocol
 
         public string[] Names { get; }
 
-        /// <summary>Set-points in the order of increasing time. An empty list cancels the plan of these joints.</summary>
+        /// <summary>Set-points in the order of increasing time. An empty list cancels the plan for these joints.</summary>
         internal IReadOnlyList<JointTrajectoryPoint> Points { get; }
 
         /// <summary>Returns the same set-points relative to another time; shares them.</summary>

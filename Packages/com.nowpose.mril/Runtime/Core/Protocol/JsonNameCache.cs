@@ -11,7 +11,7 @@ namespace Nowpose.Protocol
         const int MaxBytes = 3 * ProtocolLimits.NameLength;
 
         readonly int _capacity;
-        // Created with the first name, because most readers never read a message of most topics.
+        // Created when the first name is read, because most readers receive messages of only a few topics.
         (byte[] Utf8, string Text)[] _table;
         int _count;
 

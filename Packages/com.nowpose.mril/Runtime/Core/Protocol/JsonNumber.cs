@@ -9,7 +9,7 @@ namespace Nowpose.Protocol
         /// <summary>Maximum number of digits that always fit into 64 bits.</summary>
         const int MaxDigits = 19;
 
-        /// <summary>Exponent above which further digits are ignored. It is larger than the number of digits in any message.</summary>
+        /// <summary>Limit of the exponent above which further digits are ignored. It is larger than the number of digits in any message.</summary>
         const int MaxExponent = 10_000_000;
 
         /// <summary>Values of 10^309 and more exceed the range of a double; values below 10^-324 round to zero.</summary>

@@ -47,8 +47,8 @@ namespace Nowpose.Protocol
         public static readonly TimeSpan PingInterval = TimeSpan.FromSeconds(2);
 
         /// <summary>
-        /// Timeout of the WebSocket: the gateway closes it if no pong arrives, and the headset if no message arrives. Also the headset's timeout for
-        /// opening it.
+        /// Timeout of the WebSocket: the gateway closes the WebSocket if no pong arrives, and the headset closes it if no message arrives. Also the
+        /// headset's timeout for opening it.
         /// </summary>
         public static readonly TimeSpan PongTimeout = TimeSpan.FromSeconds(6);
 

@@ -16,7 +16,7 @@ namespace Nowpose.Recording
         static readonly LineNames Ranges = new LineNames(typeof(RangeState));
         static readonly LineNames ClockStates = new LineNames(typeof(ClockState));
 
-        /// <summary>Number of coordinates of a position.</summary>
+        /// <summary>Number of coordinates in a position.</summary>
         const int PositionNumbers = 3;
 
         readonly JsonLine _line;

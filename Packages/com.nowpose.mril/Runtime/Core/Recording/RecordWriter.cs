@@ -18,7 +18,7 @@ namespace Nowpose.Recording
 
         static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(50);
 
-        /// <summary>Maximum duration of the data that are lost if the process crashes.</summary>
+        /// <summary>Maximum time span of the data that are lost if the process crashes.</summary>
         static readonly TimeSpan FlushInterval = TimeSpan.FromSeconds(1);
 
         readonly RecordingSettings _settings;

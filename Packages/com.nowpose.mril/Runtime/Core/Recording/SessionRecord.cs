@@ -38,7 +38,7 @@ namespace Nowpose.Recording
         /// <summary>The sample; used by sample records. The message is referenced, not copied, because no code modifies it.</summary>
         public SampleArrival Arrival { get; set; }
 
-        /// <summary>Prefix of the joint names, for a robot other than the robot of the header; used by sample and plan records.</summary>
+        /// <summary>Prefix of the joint names, for a robot other than the one in the header; used by sample and plan records.</summary>
         public string NamePrefix { get; set; }
 
         /// <summary>Arrival time on the control clock; used by sample, pose and signal records of a gateway's file.</summary>
@@ -62,7 +62,7 @@ namespace Nowpose.Recording
         /// <summary>Time stamp of the value; used by signal records.</summary>
         public ControlTime Stamp { get; set; }
 
-        /// <summary>Reason why the message was dropped; used by sample, plan, pose and signal records.</summary>
+        /// <summary>Reason why the message was dropped; None if it was not dropped. Used by sample, plan, pose and signal records.</summary>
         public DropReason Reason { get; set; }
 
         /// <summary>Display time on the control clock; used by frame records.</summary>

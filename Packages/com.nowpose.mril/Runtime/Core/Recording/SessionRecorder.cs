@@ -10,8 +10,8 @@ using Nowpose.Sync;
 namespace Nowpose.Recording
 {
     /// <summary>
-    /// Records a running session to a file: the sync exchanges, the frames, the statistics, and all received samples, set-points, signals
-    /// and poses of frames.
+    /// Records a running session to a file: sync exchanges, displayed frames, statistics, and all received samples, set-points, signals and poses of
+    /// the cell's frames.
     /// </summary>
     /// <remarks>
     /// Event handlers copy the data into a preallocated ring, allocate nothing and never block; a separate thread
@@ -223,7 +223,7 @@ namespace Nowpose.Recording
             readonly SessionIntake _intake;
             readonly string _prefix;
 
-            /// <param name="isMain">Whether the robot is the robot of the header, whose joints have no prefix.</param>
+            /// <param name="isMain">Whether this is the robot in the header. The joints of this robot have no prefix.</param>
             public RobotTraffic(SessionRecorder recorder, SessionRobot robot, bool isMain)
             {
                 _recorder = recorder;

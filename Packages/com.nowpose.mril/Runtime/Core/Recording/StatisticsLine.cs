@@ -16,7 +16,7 @@ namespace Nowpose.Recording
             "rtt_ms", "l_app_ms", "l_app_p95_ms", "l_visu_ms", "horizon_ms", "render_ms", "samples", "dropped", "current_share",
         };
 
-        /// <summary>Number of values before the first error: the values with a name, and the reason.</summary>
+        /// <summary>Number of values before the first error: the named values, and the reason.</summary>
         static readonly int BeforeErrors = Names.Length + 1;
 
         string[] _joints = Array.Empty<string>();
@@ -40,7 +40,7 @@ namespace Nowpose.Recording
             numbers[9] = (double)statistics.ErrorWithheld;
             ErrorNumbers.Fill(statistics.ToolError, Block(numbers, 0));
             ErrorNumbers.Fill(statistics.ToolErrorOfRun, Block(numbers, 1));
-            // The joints do not change, so their names are read once, in the first second, before the first line is written.
+            // The joints do not change, so their names are read only once, when the first record is filled.
             if (_joints.Length != statistics.JointErrors.Count) _joints = NamesOf(statistics);
             for (var i = 0; i < _joints.Length; i++) ErrorNumbers.Fill(statistics.JointErrors[i].Error, Block(numbers, 2 + i));
         }

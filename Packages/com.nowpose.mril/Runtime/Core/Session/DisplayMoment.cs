@@ -36,7 +36,8 @@ namespace Nowpose.Session
         /// <summary>Whether the display time is accurate enough to show a pose as current.</summary>
         public bool IsTrusted { get; }
 
-        /// <summary>Whether the render time of the previous frames is in the constant-latency range, in which the display time is known.</summary>
+        /// <summary>Whether the render time of the previous frames is in the constant-latency range. Only in this range is the display time
+        /// known.</summary>
         public RangeState Range { get; }
 
         /// <summary>See <see cref="DisplayFrame.ErrorWithheld"/>.</summary>

@@ -56,15 +56,15 @@ namespace Nowpose.Session
         /// <summary>Control time of the newest sample of any joint at the last <see cref="Predict"/>; null while there is none.</summary>
         public ControlTime? Newest { get; private set; }
 
-        /// <summary>Whether a joint has received a sample since the last <see cref="Reset"/>.</summary>
+        /// <summary>Returns whether a joint has received a sample since the last <see cref="Reset"/>.</summary>
         public bool HasSample(int joint) => !double.IsNegativeInfinity(_joints[joint].NewestTime);
 
-        /// <summary>Control time of a joint's newest sample; null while there is none.</summary>
+        /// <summary>Returns the control time of a joint's newest sample; null while there is none.</summary>
         public ControlTime? NewestOf(int joint) =>
             HasSample(joint) ? _epoch + ClockTicks.Span(_joints[joint].NewestTime) : (ControlTime?)null;
 
         /// <summary>
-        /// Raised within <see cref="Add"/> with the index of a joint whose stamps went back, so that its earlier samples were removed.
+        /// Raised within <see cref="Add"/> with the index of a joint whose earlier samples were removed because its stamps went back.
         /// </summary>
         public event Action<int> Restarted;
 
@@ -93,7 +93,8 @@ namespace Nowpose.Session
             return reason;
         }
 
-        // All joints of a message have the same clock. The positions of a moving joint show first that it went back; those of a joint at rest do not.
+        // All joints of a message have the same clock. The positions of a moving joint are the first to show that the clock went back; those of a
+        // joint at rest do not show it.
         void RestartOthers(double time, JointStateMessage message, ReadOnlySpan<int> joints)
         {
             for (var i = 0; i < joints.Length; i++)

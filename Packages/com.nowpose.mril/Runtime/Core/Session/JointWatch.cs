@@ -13,7 +13,7 @@ namespace Nowpose.Session
     /// </remarks>
     sealed class JointWatch
     {
-        /// <summary>Lifetime of a report. The gateway repeats it every second while there is something to report.</summary>
+        /// <summary>Lifetime of a report. The gateway repeats a report every second while a joint is not live.</summary>
         static readonly TimeSpan ReportLifetime = TimeSpan.FromSeconds(5);
 
         /// <summary>Lifetime of a report of rest, which explains missing samples. The gateway repeats it; one repetition may be lost.</summary>
@@ -26,7 +26,7 @@ namespace Nowpose.Session
         readonly bool[] _isToolJoint;
         volatile Reports _newest;
 
-        /// <param name="name">Namespace of the robot, which precedes the joint's name in reports; empty for the robot without a namespace.</param>
+        /// <param name="name">Namespace of the robot. It precedes the joints' names in reports; empty for the robot without a namespace.</param>
         /// <param name="horizonCap">Maximum age of a joint's newest sample at the display time. A joint with an older sample has no data.</param>
         public JointWatch(string name, RobotModel robot, JointTracks tracks, TimeSpan horizonCap)
         {
@@ -55,7 +55,7 @@ namespace Nowpose.Session
             _newest = reports;
         }
 
-        /// <summary>Whether the gateway reports missing data of a joint that is required for a current pose.</summary>
+        /// <summary>Returns whether the gateway reports missing data for a joint that is required for a current pose.</summary>
         public bool IsAnyReportedMissing(HeadsetTime now) => ReportsAt(now)?.IsAnyMissing == true;
 
         /// <summary>Replaces the elements of a list with the joints that are not live, in the robot's order.</summary>

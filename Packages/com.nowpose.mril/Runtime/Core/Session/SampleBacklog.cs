@@ -60,7 +60,7 @@ namespace Nowpose.Session
             Count = 0;
         }
 
-        // Called from the newest message to the oldest, so that the newest samples of each joint are counted first.
+        // Called for the messages from the newest to the oldest, so that the newest samples of each joint are counted first.
         bool HasNewSample(int index)
         {
             var isNew = false;

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Session
 {
-    /// <summary>Changes of a session that are of interest to a user, see <see cref="SessionWatch"/>. Several may occur at once.</summary>
+    /// <summary>Changes of a session that concern the user, see <see cref="SessionWatch"/>. Several may occur at once.</summary>
     [Flags]
     public enum SessionChange
     {

@@ -23,7 +23,7 @@ namespace Nowpose.Session
 
         /// <param name="newLink">Creates the WebSocket for each connection attempt.</param>
         /// <param name="listener">Receives the messages.</param>
-        /// <param name="subscriptions">Topics of the messages.</param>
+        /// <param name="subscriptions">Topics to subscribe to.</param>
         /// <param name="synchroniser">Receives the sync exchanges.</param>
         /// <param name="faults">Counts of dropped exchanges.</param>
         public SessionConnections(

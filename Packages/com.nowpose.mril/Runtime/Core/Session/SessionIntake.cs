@@ -110,8 +110,8 @@ namespace Nowpose.Session
                 if (!mayBeKept && !HasSampleHandler) _backlog[i].Message.Release();
             }
             _backlog.Clear();
-            // Plans stay queued until the clock offset is known. Their stamps cannot be validated earlier, and a source may not repeat a dropped plan
-            // for a long time.
+            // Plans stay queued until the clock offset is known. Their stamps cannot be validated before that, and a source may take a long time to
+            // repeat a dropped plan.
             while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);
         }
 

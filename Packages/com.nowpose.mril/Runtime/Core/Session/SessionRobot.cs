@@ -61,7 +61,7 @@ namespace Nowpose.Session
         /// <summary>Displayed pose of the root link in the cell; the identity if no frame of the cell has the root link's name.</summary>
         public RigidTransform RootPose { get; private set; } = RigidTransform.Identity;
 
-        /// <summary>Whether a frame of the cell has the root link's name. Such a frame places the robot's base.</summary>
+        /// <summary>Whether a frame of the cell has the root link's name. Such a frame determines the pose of the robot's base.</summary>
         public bool HasRootFrame { get; private set; }
 
         public bool IsCurrent => Frame.State == PoseState.Current;

@@ -44,7 +44,7 @@ namespace Nowpose.Session
 
         public SessionRobot this[int index] => _all[index];
 
-        /// <summary>Adds a robot to the cell. The session receives and shows it from then on.</summary>
+        /// <summary>Adds a robot to the cell. From then on, the session receives and shows it.</summary>
         /// <param name="name">Namespace of the robot; empty for the robot without a namespace.</param>
         /// <returns>The new robot, or the existing robot if it has the same namespace and the same description.</returns>
         /// <exception cref="InputException">The namespace is invalid, another robot has it, or the cell has the maximum number of robots.</exception>

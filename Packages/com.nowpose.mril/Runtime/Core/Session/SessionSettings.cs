@@ -15,7 +15,7 @@ namespace Nowpose.Session
         /// <summary>The robot is fainter; its pose is computed as usual.</summary>
         Fade,
 
-        /// <summary>The robot is only as faint as every striped pose; its pose is computed as usual.</summary>
+        /// <summary>The robot is no fainter than any other striped pose; its pose is computed as usual.</summary>
         GoOn,
 
         /// <summary>The robot is as faint as a held pose and shows the newest samples without compensation.</summary>
@@ -63,7 +63,7 @@ namespace Nowpose.Session
             Clock = clock ?? ClockSettings.Default;
             Ransac = ransac ?? RansacSettings.Paper;
             ClockEstimator = clockEstimator;
-            // Throws an exception now, and not at the first use, if the name is unknown.
+            // Throws an exception at construction, and not at the first use, if the name is unknown.
             CreateClockEstimator();
             // The minimum interval corresponds to half the request rate that the server allows.
             SyncInterval = SettingRange.RequireMs(syncIntervalMs, 2 * 1000.0 / ProtocolLimits.SyncRequestsPerSecond, 10_000, "sync interval");
@@ -83,7 +83,7 @@ namespace Nowpose.Session
         public string ClockEstimator { get; }
         public TimeSpan SyncInterval { get; }
 
-        /// <summary>Whether the interval between sync exchanges is constant.</summary>
+        /// <summary>Whether all sync exchanges have the interval <see cref="SyncInterval"/>, as in the paper.</summary>
         internal bool IsSyncIntervalConstant { get; private set; }
 
         /// <summary>Profile of L_visu; null if the value was set as a number.</summary>

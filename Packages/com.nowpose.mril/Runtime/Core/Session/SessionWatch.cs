@@ -5,8 +5,8 @@ namespace Nowpose.Session
 {
     /// <summary>Detects changes of the session's state from one frame to the next, which are reported as events.</summary>
     /// <remarks>
-    /// A deterioration is reported in the frame in which it occurs, an improvement after it has lasted half a second. A flickering state is
-    /// therefore reported once, and the two changes alternate: <see cref="SessionChange.Lost"/> is not reported twice without a
+    /// A deterioration is reported in the frame in which it occurs; an improvement is reported after it has lasted half a second. A flickering state
+    /// is therefore reported once, and the two changes alternate: <see cref="SessionChange.Lost"/> is not reported twice without a
     /// <see cref="SessionChange.Synchronised"/> in between. Allocates nothing; single-threaded.
     /// </remarks>
     sealed class SessionWatch

@@ -3,7 +3,7 @@ using Nowpose.Latency;
 
 namespace Nowpose.Session
 {
-    /// <summary>Adds a manual offset to a session's calibrated L_visu, for a user who sees the displayed robot lag or lead.</summary>
+    /// <summary>Adds a manual offset to a session's calibrated L_visu, for a user who sees that the displayed robot lags or leads.</summary>
     /// <remarks>
     /// While the offset is not zero, the session has no profile, because the resulting L_visu was not measured; at zero, its profile is
     /// restored. Another calibration resets the offset; a new session with the same calibration keeps it. Not thread-safe; allocates
@@ -50,7 +50,7 @@ namespace Nowpose.Session
             var isKnown = _hasBegun && session.Visualisation.Length == _calibrated.Length;
             _calibrated = session.Visualisation;
             _profile = session.Profile;
-            // An offset that was chosen for another L_visu does not apply to this L_visu.
+            // An offset that was chosen for another L_visu is not valid for this L_visu.
             if (_hasBegun && !isKnown) _ms = 0;
             _ms = Clamp(_ms);
             _hasBegun = true;

@@ -5,7 +5,7 @@ namespace Nowpose.Signals
 {
     /// <summary>
     /// Detects that the clock of a signal's source went back. The evidence is several consecutive late values, each of them older than the newest
-    /// stamp and newer than the previous late value. Fewer late values only mean that later messages overtook them on the network.
+    /// stamp and newer than the previous late value. Fewer late values only show that newer messages have overtaken them on the network.
     /// </summary>
     sealed class LateValues
     {
@@ -24,7 +24,7 @@ namespace Nowpose.Signals
         public ReadOnlySpan<(ControlTime Stamp, double Value)> All => _oldestFirst.AsSpan(0, _count);
 
         /// <summary>
-        /// Adds a received value. If the value is not late, the late values before it are discarded: later messages only overtook them on the
+        /// Adds a received value. If the value is not late, the late values before it are discarded: newer messages have only overtaken them on the
         /// network.
         /// </summary>
         /// <param name="newest">Newest stamp of the signal; null before the first value.</param>

@@ -114,7 +114,8 @@ namespace Nowpose.Signals
 
         void Insert(int place, ControlTime stamp, double value)
         {
-            // The previous value was received again with a later stamp, so the signal had returned to it by that time.
+            // The previous value was received again with a later stamp than the new value, so the signal had returned to the previous value by that
+            // time.
             var isBetween = place > 0 && _changes[place - 1].Confirmed > stamp;
             if (isBetween) place = Insert(place, _changes[place - 1].Divide());
             // The next change has the same value, so the signal had this value since the new, earlier stamp. Moves that change to this stamp.

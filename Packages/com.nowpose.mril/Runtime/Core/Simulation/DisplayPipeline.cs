@@ -11,7 +11,7 @@ namespace Nowpose.Simulation
     /// refresh. At most two frames are in progress: the next frame waits until the older frame is done. If frames take longer than a refresh
     /// interval, their start times therefore drift relative to the refreshes. A frame is displayed at the first refresh before whose deadline it is
     /// done. If two frames are done before the same refresh, only the newer frame is displayed. Render times grow with the load and scatter a little,
-    /// and one frame in a hundred is much slower. Seeded; allocates nothing after construction; not thread-safe.
+    /// and one frame in a hundred takes much longer. Seeded; allocates nothing after construction; not thread-safe.
     /// </remarks>
     sealed class DisplayPipeline
     {

@@ -12,8 +12,8 @@ namespace Nowpose.Simulation
         /// <param name="scatter">Relative standard deviation of the render times, 0 to 0.2.</param>
         /// <param name="spikeChance">Probability that a frame takes 1.5 to 2.5 times as long, 0 to 1.</param>
         /// <param name="plateauMs">
-        /// L_visu of a frame that meets the next refresh, ms, from <paramref name="refreshMs"/> to 500: scan-out, composition
-        /// and half the display duration follow the latch and take the same time for every frame.
+        /// L_visu of a frame that meets the next refresh, ms, from <paramref name="refreshMs"/> to 500: the time from the latch to the middle of the
+        /// display duration (composition, scan-out and half the display duration) is the same for every frame.
         /// </param>
         /// <exception cref="InputException">A value is out of range.</exception>
         public DisplayPipelineSettings(

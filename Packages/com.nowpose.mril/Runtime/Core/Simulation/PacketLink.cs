@@ -27,7 +27,7 @@ namespace Nowpose.Simulation
         /// <returns>False if the packet is lost.</returns>
         public bool TrySend(HeadsetTime now, out HeadsetTime arrival)
         {
-            // Draws both numbers for every packet, so that a lost packet does not affect the others.
+            // Draws both numbers for every packet, so that the loss of a packet does not change the delays of later packets.
             var jitterMs = -_profile.MeanJitterMs * Math.Log(1 - _random.NextDouble());
             var isLost = _random.NextDouble() < _profile.Loss;
             arrival = now + ClockTicks.Span((_profile.BaseMs + jitterMs) / 1000);

@@ -15,7 +15,7 @@ namespace Nowpose.Simulation
         const double Span = 1;
 
         /// <summary>
-        /// Interval between set-points, in s. Typical motion planners use this interval or a longer one in their time parameterisation.
+        /// Interval between set-points, in s. Motion planners typically use this interval or a longer one for time parameterisation.
         /// </summary>
         const double Step = 0.05;
 

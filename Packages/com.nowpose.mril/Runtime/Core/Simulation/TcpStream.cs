@@ -4,9 +4,9 @@ namespace Nowpose.Simulation
 {
     /// <summary>One direction of a TCP connection over a packet link: a lost packet is retransmitted and delays all later packets.</summary>
     /// <remarks>
-    /// Retransmissions follow RFC 6298 with Linux's minimum: the first after the round-trip time plus 200 ms, each further retransmission
-    /// after twice the previous timeout. In a stream of messages, the first retransmission is earlier (RFC 8985), because the selective
-    /// acknowledgement of the next message reveals the loss. Seeded; not thread-safe.
+    /// Retransmissions follow RFC 6298 with Linux's minimum: the first after the round-trip time plus 200 ms, each subsequent retransmission after
+    /// twice the previous timeout. In a stream of messages, the first retransmission is earlier (RFC 8985), because the selective acknowledgement of
+    /// the next message reveals the loss. Seeded; not thread-safe.
     /// </remarks>
     sealed class TcpStream
     {

@@ -14,8 +14,8 @@ namespace Nowpose.Simulation
     public sealed class VirtualCell
     {
         /// <summary>
-        /// Maximum interval that one call simulates. If more time has passed since the last call, the events before this interval are lost, as while
-        /// a headset sleeps.
+        /// Maximum interval that one call simulates. If more time has passed since the last call, the events before this interval are lost, as if
+        /// the headset had been asleep.
         /// </summary>
         static readonly TimeSpan MaxPause = TimeSpan.FromSeconds(2);
 

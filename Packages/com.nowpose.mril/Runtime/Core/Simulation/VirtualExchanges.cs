@@ -67,7 +67,7 @@ namespace Nowpose.Simulation
         void Begin(in VirtualCellSettings settings)
         {
             var t1 = _begun = _next;
-            // Over TCP, a lost packet delays the exchange, so the next exchange starts one interval later.
+            // Over TCP, a lost packet delays the exchange. This is simulated by a missing exchange: the next one starts this interval later.
             _next += LostInterval;
             var there = _up.TrySend(settings, out var up, out var upJitter);
             var back = _down.TrySend(settings, out var down, out var downJitter);

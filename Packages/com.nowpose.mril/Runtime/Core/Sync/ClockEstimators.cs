@@ -16,7 +16,7 @@ namespace Nowpose.Sync
 
         public static IReadOnlyList<string> Names { get; } = Array.AsReadOnly(new[] { Default, Ransac });
 
-        /// <summary>Creates a new estimator.</summary>
+        /// <summary>Creates an estimator.</summary>
         /// <param name="name">One of <see cref="Names"/>.</param>
         /// <param name="ransac">Constants of the paper's estimator; the default estimator ignores them. Null for the paper's values.</param>
         /// <exception cref="InputException">The name is unknown.</exception>

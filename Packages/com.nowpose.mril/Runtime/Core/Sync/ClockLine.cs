@@ -17,8 +17,8 @@ namespace Nowpose.Sync
         internal static double MaxSkewError(double skew) => (MaxSkew + Math.Abs(skew)) / 3;
 
         /// <summary>
-        /// Returns the standard error of a skew due to the server's own error: its clock may have been wrong by the error bound that it stated in the
-        /// oldest exchange, and by the opposite of the one that it stated in the newest exchange. A third of this error is used.
+        /// Returns the standard error of a skew that the server's own error causes. The server's clock may have been wrong by the stated error bound
+        /// in the oldest exchange, and by the stated bound in the opposite direction in the newest exchange. A third of the resulting skew is used.
         /// </summary>
         internal static double ServerSkewError(TimeSpan oldestBound, TimeSpan newestBound, TimeSpan span) =>
             (oldestBound + newestBound).Ticks / (3.0 * Math.Max(1, span.Ticks));
@@ -38,7 +38,7 @@ namespace Nowpose.Sync
 
         public ClockOffset Offset { get; }
 
-        /// <summary>Skew γ₂−1, dimensionless.</summary>
+        /// <summary>Skew γ₂−1; dimensionless.</summary>
         public double Skew { get; }
 
         /// <summary>Standard error of <see cref="Offset"/>; zero while it is unknown.</summary>

@@ -55,12 +55,13 @@ namespace Nowpose.Sync
         /// </summary>
         public double SkewVariation { get; }
 
-        /// <summary>Whether a pose based on this clock counts as current: the clock is coarse, synchronised, or in a short holdover.</summary>
+        /// <summary>Returns whether a pose based on this clock counts as current: the clock is coarse, synchronised, or in a short
+        /// holdover.</summary>
         public bool Trusts(in ClockModel clock) => clock.State == ClockState.Synchronised || clock.State == ClockState.Coarse
             || (clock.State == ClockState.Holdover && clock.EstimatedError <= MaxHoldoverError);
 
         /// <summary>
-        /// Whether a display that uses this clock must also show its estimated error (±): the clock is coarse, or in a holdover with an
+        /// Returns whether a display that uses this clock must also show its estimated error (±): the clock is coarse, or in a holdover with an
         /// estimated error above <see cref="ErrorToSynchronise"/>.
         /// </summary>
         public bool IsCoarse(in ClockModel clock) => clock.State == ClockState.Coarse

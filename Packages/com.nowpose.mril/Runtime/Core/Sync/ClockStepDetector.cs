@@ -14,7 +14,7 @@ namespace Nowpose.Sync
         const int InARow = 3;
 
         /// <summary>
-        /// Value that replaces <see cref="InARow"/> if the server may have corrected its clock: the minimum number of exchanges for a coarse clock,
+        /// Replaces <see cref="InARow"/> if the server may have corrected its clock. It equals the minimum number of exchanges for a coarse clock,
         /// so that the pose remains current when the estimate restarts.
         /// </summary>
         const int InARowAfterCorrection = ClockSynchroniser.ExchangesToBeCoarse;
@@ -77,7 +77,8 @@ namespace Nowpose.Sync
         }
 
         /// <summary>
-        /// Discards the suspected exchanges, for example after a long time without exchanges: exchanges before and after it indicate no change.
+        /// Discards the suspected exchanges, for example after a long time without exchanges, because exchanges before and after such a time do not
+        /// indicate a change.
         /// </summary>
         public void ForgetSuspects()
         {

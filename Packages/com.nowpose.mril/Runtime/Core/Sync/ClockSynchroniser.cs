@@ -10,7 +10,7 @@ namespace Nowpose.Sync
         internal const int ExchangesToBeCoarse = 5;
 
         /// <summary>
-        /// Number of contradicting exchanges from which on the state is converging. A single contradicting exchange may be erroneous.
+        /// Minimum number of contradicting exchanges for the state to become converging. A single contradicting exchange may be erroneous.
         /// </summary>
         const int SuspectsToConverge = 2;
 

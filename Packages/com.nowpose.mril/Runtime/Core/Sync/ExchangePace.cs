@@ -28,8 +28,8 @@ namespace Nowpose.Sync
         const int QuickUntilSynchronised = 1000;
 
         /// <summary>
-        /// SlowBelow: standard error of the offset below which the slow pace starts. SlowUntil: standard error from which on the slow pace ends. A
-        /// wired network reaches this accuracy. WiFi rarely reaches it, and there more exchanges still improve the offset.
+        /// SlowBelow: standard error of the offset below which the slow pace starts. SlowUntil: standard error at which the slow pace ends. A wired
+        /// network reaches this accuracy. WiFi rarely reaches it, so more exchanges still improve the offset.
         /// </summary>
         static readonly TimeSpan SlowBelow = ClockTicks.Span(10e-6), SlowUntil = ClockTicks.Span(25e-6);
 
@@ -73,8 +73,9 @@ namespace Nowpose.Sync
             return (isQuick ? _quick : _isSlow ? _slow : _usual) + Dither(clock.Resolution);
         }
 
-        // Without dither, exchanges may hit a coarse clock at the same part of its step each time, which biases the estimated rate. The dither is
-        // limited to the quick interval, so that an implausible resolution does not slow the pace; several intervals cover a longer step.
+        // Without dither, all exchanges may fall into the same part of a coarse clock's step, which biases the estimated rate. The dither is
+        // limited to the quick interval, so that an implausible resolution does not slow the pace. The dithered exchanges of several intervals then
+        // cover a longer step.
         TimeSpan Dither(TimeSpan resolution) => new TimeSpan((long)(Min(resolution, _quick).Ticks * _random.NextDouble()));
 
         static TimeSpan Min(TimeSpan a, TimeSpan b) => a < b ? a : b;

@@ -31,7 +31,7 @@ namespace Nowpose.Sync
             return Math.Sqrt(offset * offset + change * change);
         }
 
-        /// <param name="x">Seconds relative to <paramref name="reference"/>; at least two values, not all equal.</param>
+        /// <param name="x">Seconds relative to <paramref name="reference"/>; at least two values that are not all equal.</param>
         /// <param name="y">Seconds relative to <paramref name="referenceOffset"/>.</param>
         /// <param name="bound">Maximum distance of a point from the line, s.</param>
         public static FittedLine Through(double[] x, double[] y, HeadsetTime reference, ClockOffset referenceOffset, double bound)
@@ -45,7 +45,7 @@ namespace Nowpose.Sync
                 squares += residual * residual;
                 spread += (x[i] - meanX) * (x[i] - meanX);
             }
-            // Adds one point at the maximum distance, because the residuals of a line through two points are zero and contain no information.
+            // Includes one virtual point at the maximum distance, because the residuals of a line through two points are always zero.
             var variance = (squares + bound * bound) / (x.Length - 1);
             var offsetError = Math.Sqrt(variance * (1.0 / x.Length + meanX * meanX / spread));
             return new FittedLine(

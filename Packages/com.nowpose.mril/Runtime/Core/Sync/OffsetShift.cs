@@ -5,16 +5,16 @@ using Nowpose.Sync.Envelope;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// Exchanges since the first exchange that violates a bound, relative to the line and the bounds before that exchange. They show
+    /// Compares the exchanges since the first violation of a bound with the line and the bounds before it. Shows
     /// whether the opposite bound has moved by the same amount, which indicates a clock step. Single-threaded; allocates nothing after
     /// construction.
     /// </summary>
     sealed class OffsetShift
     {
-        /// <summary>Minimum number of exchanges from which a step is determined.</summary>
+        /// <summary>Minimum number of exchanges for the detection of a step.</summary>
         public const int MinExchanges = 15;
 
-        /// <summary>Minimum number of exchanges that violate the bound, among those from which a step is determined.</summary>
+        /// <summary>Minimum number of exchanges that violate the boundfor the detection of a step.</summary>
         const int MinViolations = 3;
 
         /// <summary>Maximum number of exchanges, three seconds at the quick pace. If they do not confirm a step, the path has changed.</summary>
@@ -79,7 +79,7 @@ namespace Nowpose.Sync
             _broken = Math.Max(_broken, violation);
             _other = Math.Min(_other, _sign > 0 ? above - _past.Upper : _past.Lower - below);
             if (_since.Count < MinExchanges || _violations < MinViolations) return false;
-            // In a larger group, the packet with the shortest delay is less late.
+            // The larger the group, the smaller the lateness of the packet with the shortest delay.
             var byChance = RowShare * (_sign > 0 ? _past.RowAbove : _past.RowBelow) * MinExchanges / _since.Count;
             return _other - byChance > Math.Max(margin, CommonShare * _broken)
                 && CommonShare * _other <= _broken + ClockTicks.Seconds(exchange.Resolution);

@@ -6,17 +6,16 @@ namespace Nowpose.Sync
 {
     /// <summary>Detects a clock step that is shorter than a round-trip time, which no single exchange contradicts.</summary>
     /// <remarks>
-    /// When the offset steps, both bounds move with it: several requests arrive earlier than before, and all replies later, or the
-    /// other way round. The minimum round-trip time stays the same. A path that becomes shorter or longer moves one bound, or moves both
-    /// bounds apart. A path that becomes shorter in one direction and longer in the other moves them by different amounts. None of these
-    /// changes is a step. If one direction becomes shorter by as much as the other becomes longer, the change is not distinguishable from a
-    /// step.
+    /// When the offset steps, both bounds move with it: several requests arrive earlier than ever before and all replies arrive later, or vice
+    /// versa. The minimum round-trip time stays the same. A path that becomes shorter or longer moves one bound, or moves both bounds apart. A path
+    /// that becomes shorter in one direction and longer in the other moves them by different amounts. None of these changes is a step. If one
+    /// direction becomes shorter by as much as the other becomes longer, the change is not distinguishable from a step.
     /// </remarks>
     sealed class OffsetShiftWatch
     {
         /// <summary>
-        /// MinAge: age in exchanges from which on an exchange contributes to the bounds. MinPast: minimum number of exchanges of at least this age.
-        /// Newer exchanges do not contribute: after a step whose first exchanges are late, they would move the bounds in small steps.
+        /// MinAge: minimum age, in exchanges, of an exchange that contributes to the bounds. MinPast: minimum number of exchanges of at least this
+        /// age. Newer exchanges do not contribute: after a step whose first exchanges are late, they would move the bounds in small steps.
         /// </summary>
         const int MinAge = 2 * OffsetShift.MinExchanges, MinPast = 30;
 

@@ -12,13 +12,13 @@ namespace Nowpose.Sync
         const int MinForLine = 3;
 
         /// <summary>
-        /// Number of exchanges after which the standard error of the skew is used. A burst of late replies can tilt a line
+        /// Minimum number of exchanges for using the standard error of the skew. A burst of late replies can tilt a line
         /// through fewer exchanges.
         /// </summary>
         const int MatureExchanges = 50;
 
         /// <summary>
-        /// Error of the skew beyond its standard errors, which do not include delays that come in bursts. In fifty simulated outages of 30 s on a
+        /// Additional error of the skew. Its standard errors do not include delays that occur in bursts. In fifty simulated outages of 30 s on a
         /// loaded WiFi, the error exceeded three times 80 ppm once, and never exceeded three times 130 ppm.
         /// </summary>
         const double BurstError = 130e-6;
@@ -93,8 +93,8 @@ namespace Nowpose.Sync
 
         // Each earlier line is extrapolated to the present by its own slope before averaging: an average of the offsets at their own times
         // would lag behind by half the window times the skew. The weight of a line is the inverse of its variance at the present. With a
-        // full history, all weights are nearly equal; in the paper they are equal. The first lines, which are fitted to few points, get
-        // little weight; their slopes would otherwise disturb the average for four seconds.
+        // full history, all weights are nearly equal; in the paper they are equal. The first lines, which are fitted to few points, have little
+        // weight; their slopes would otherwise disturb the average for four seconds.
         ClockLine Averaged(FittedLine fitted)
         {
             _lines.Enqueue(fitted);
@@ -109,7 +109,7 @@ namespace Nowpose.Sync
                 weights += weight;
                 change += weight * ClockTicks.Seconds(line.OffsetAt(fitted.Reference) - fitted.Offset);
                 skew += weight * line.Skew;
-                // Neighbouring lines share all but one of their points, so that their errors do not average out.
+                // Neighbouring lines share all but one of their points, so their errors do not average out.
                 error += weight * lineError;
                 skewError += weight * line.SkewError;
             }

@@ -31,7 +31,7 @@ namespace Nowpose.Sync
         /// </summary>
         Contradiction,
 
-        /// <summary>t4 is not after the t4 of the previous exchange. The lines of a log are out of order, or a line is repeated.</summary>
+        /// <summary>t4 is not after the t4 of the previous exchange. In a log, lines are out of order or repeated.</summary>
         NotNewer,
     }
 }

@@ -50,7 +50,7 @@ namespace Nowpose.Unity.Cell
 
         bool IsOwn => string.IsNullOrEmpty(_name);
 
-        /// <summary>Returns the model of the robot; null while it is unknown.</summary>
+        /// <summary>Model of the robot; null while it is unknown.</summary>
         public RobotModel Model => IsOwn ? _source.Robot : _robot?.Robot;
 
         /// <summary>The robot in the session of the last frame; null while the session has no such robot.</summary>

@@ -36,11 +36,11 @@ namespace Nowpose.Unity.Cell
         /// </summary>
         public string Summary { get; private set; } = "";
 
-        /// <summary>Title of a part that was not current at the last <see cref="Update"/>.</summary>
+        /// <summary>Returns the title of a part that was not current at the last <see cref="Update"/>.</summary>
         /// <param name="index">0 to <see cref="FaultCount"/> − 1.</param>
         public string FaultyTitle(int index) => _faults[index].Title;
 
-        /// <summary>Reason why this part was not current, in one line.</summary>
+        /// <summary>Returns the reason why this part was not current, in one line.</summary>
         public string FaultOf(int index) => _faults[index].Fault;
 
         public void Add(IShownPart part) => _parts.Add(part);

@@ -51,13 +51,14 @@ namespace Nowpose.Anchoring.Fitting
         /// <summary>Root mean square of the angles to the mean, rad.</summary>
         public double SpreadRadians { get; }
 
-        /// <summary>Estimated root-mean-square error of the mean's position, m. Assumes that the errors of the poses are independent.</summary>
+        /// <summary>Estimated root-mean-square error of the mean's position, m, assuming that the errors of the poses are independent.</summary>
         public double ErrorMetres => SpreadMetres / Math.Sqrt(Inliers);
 
         /// <summary>Estimated error of the mean's rotation, rad.</summary>
         public double ErrorRadians => SpreadRadians / Math.Sqrt(Inliers);
 
-        /// <summary>Whether the means of the older and the newer half of the poses agree. The mean of a moving marker is meaningless.</summary>
+        /// <summary>Returns whether the means of the older and the newer half of the poses agree. The mean of a moving marker is
+        /// meaningless.</summary>
         /// <param name="metres">Position difference that is always allowed, even if the scatter is small, m.</param>
         /// <param name="radians">Angle difference that is always allowed, rad.</param>
         public bool IsSteady(double metres, double radians) =>
@@ -107,7 +108,7 @@ namespace Nowpose.Anchoring.Fitting
                 metres += distance * distance;
                 radians += angle * angle;
             }
-            // The mean was computed from the same poses, so the scatter has one degree of freedom less in each direction.
+            // The mean was computed from the same poses, so the scatter has one degree of freedom fewer in each direction.
             var free = Math.Max(inliers - 1, 1);
             var (shiftMetres, shiftRadians) = Shift(window, count, weights, mean, inliers);
             return new PoseMean(

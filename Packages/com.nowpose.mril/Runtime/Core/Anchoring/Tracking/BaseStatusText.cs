@@ -28,7 +28,7 @@ namespace Nowpose.Anchoring.Tracking
 
         public void Update(BaseTracker tracker, HeadsetTime now)
         {
-            // The time before the first frame and the duration of a pause of the application do not count as search time.
+            // The time before the first frame and the duration of a pause of the application are not counted as search time.
             if (now - _last > Refresh || now < _last) _searching = null;
             _last = now;
             var subject = SubjectOf(tracker, now);
@@ -191,7 +191,7 @@ namespace Nowpose.Anchoring.Tracking
             public bool HasKindOf(in Subject other) => Kind == other.Kind && First == other.First && Second == other.Second
                 && Third == other.Third && Count == other.Count;
 
-            /// <summary>Whether the numbers differ by no more than noise.</summary>
+            /// <summary>Returns whether the numbers differ by no more than noise.</summary>
             public bool IsNear(in Subject other) => Kind == Kind.Gathers ? A == other.A : Math.Abs(A - other.A) < 2 && Math.Abs(B - other.B) < 3;
         }
     }

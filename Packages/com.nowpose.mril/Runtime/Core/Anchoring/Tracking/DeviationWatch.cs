@@ -56,11 +56,11 @@ namespace Nowpose.Anchoring.Tracking
             Update(time);
         }
 
-        /// <summary>Whether the deviation exceeds the limits by more than its own uncertainty.</summary>
+        /// <summary>Returns whether the deviation exceeds the limits by more than its own uncertainty.</summary>
         public bool IsBeyond(double metres, double radians) =>
             IsKnown && (Metres > metres + MinStandardErrors * _metresSd || Radians > radians + MinStandardErrors * _radiansSd);
 
-        /// <summary>Whether the deviation is clearly within the limits.</summary>
+        /// <summary>Returns whether the deviation is clearly within the limits.</summary>
         public bool IsWithin(double metres, double radians) => IsKnown && Metres < 0.7 * metres && Radians < 0.7 * radians;
 
         void Update(HeadsetTime now)

@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>Smooths the jumps of a pose: the difference between the smoothed pose and the actual pose decreases exponentially.</summary>
+    /// <summary>Smooths the jumps of a pose: the difference between the smoothed pose and the actual pose decays exponentially.</summary>
     sealed class EasedPose
     {
         /// <summary>Number of time constants in the configured duration, after which 2 % of the difference remains.</summary>

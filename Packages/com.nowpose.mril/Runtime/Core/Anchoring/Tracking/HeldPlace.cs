@@ -33,7 +33,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Reason why the position is not held or not stored; null if nothing is wrong.</summary>
         public string Problem => _anchor?.Problem;
 
-        /// <summary>Searches once for the position stored in an earlier run.</summary>
+        /// <summary>Searches for the position stored in an earlier run, once, as soon as the device has loaded its anchors.</summary>
         public void Seek(ISpatialAnchors anchors, string name)
         {
             if (_isSought || anchors == null || name.Length == 0 || !anchors.IsReady) return;
@@ -56,7 +56,8 @@ namespace Nowpose.Anchoring.Tracking
         }
 
         /// <summary>Releases the position.</summary>
-        /// <param name="seekAgain">Whether to search again for a position of an earlier run, under another name.</param>
+        /// <param name="seekAgain">Whether <see cref="Seek"/> may search again for a position from an earlier run, for example under another
+        /// name.</param>
         public void Release(bool seekAgain)
         {
             ElsewhereMetres = 0;

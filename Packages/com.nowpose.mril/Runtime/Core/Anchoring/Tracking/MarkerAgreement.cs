@@ -12,9 +12,9 @@ namespace Nowpose.Anchoring.Tracking
     readonly struct MarkerAgreement
     {
         /// <summary>
-        /// Fraction of a marker's position error that appears in its own misfit. A fit distributes the error over the markers, half to each
-        /// of two markers. An angle error of a print appears completely in its own misfit, because mainly the positions determine the
-        /// rotation of the base.
+        /// Fraction of a marker's position error that appears in its own misfit. A fit distributes the error among the markers, for example half to
+        /// each of two markers. An angle error of a print appears completely in its own misfit, because mainly the positions determine the rotation
+        /// of the base.
         /// </summary>
         const double Shared = 0.5;
 

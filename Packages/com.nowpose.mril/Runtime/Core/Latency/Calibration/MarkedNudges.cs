@@ -53,8 +53,8 @@ namespace Nowpose.Latency.Calibration
             }
         }
 
-        // Both directions have equal weight regardless of their number of marks, because half the difference of the directions is computed
-        // from the mean of each direction.
+        // Both directions have equal weight regardless of their number of marks, because the result is half the difference between the means of the
+        // two directions.
         double Speed
         {
             get

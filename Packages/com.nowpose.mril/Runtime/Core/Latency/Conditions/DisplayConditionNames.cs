@@ -26,16 +26,16 @@ namespace Nowpose.Latency.Conditions
 
         public static int Count => Fields.Length;
 
-        /// <summary>Name of the field in files and diagnostics.</summary>
+        /// <summary>Returns the name of the field in files and diagnostics.</summary>
         public static string FieldOf(DisplayCondition condition) => Fields[(int)condition];
 
-        /// <summary>Name in messages, as Unity or an Inspector shows it.</summary>
+        /// <summary>Returns the name used in messages, as Unity or an Inspector shows it.</summary>
         public static string LabelOf(DisplayCondition condition) => Labels[(int)condition];
 
-        /// <summary>Name in the first column of a table.</summary>
+        /// <summary>Returns the name for the first column of a table.</summary>
         public static string TitleOf(DisplayCondition condition) => char.ToUpperInvariant(LabelOf(condition)[0]) + LabelOf(condition).Substring(1);
 
-        /// <summary>Returns where the user can change the condition.</summary>
+        /// <summary>Returns the place where the user can change the condition.</summary>
         public static string PlaceOf(DisplayCondition condition) => Places[(int)condition];
 
         /// <param name="field">Name exactly as returned by <see cref="FieldOf"/>.</param>

@@ -16,7 +16,7 @@ namespace Nowpose.Latency.Conditions
         internal const double MaxDisplayHz = 1000;
         internal const string On = "on", Off = "off";
 
-        /// <summary>Maximum difference between two reports of the same rate: 60 Hz is also reported as 59.94 Hz.</summary>
+        /// <summary>Maximum difference between two reports of the same rate: 60 Hz may also be reported as 59.94 Hz.</summary>
         const double RateToleranceHz = 1;
 
         static readonly CultureInfo Culture = CultureInfo.InvariantCulture;

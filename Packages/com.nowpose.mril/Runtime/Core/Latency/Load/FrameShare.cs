@@ -5,14 +5,14 @@ namespace Nowpose.Latency.Load
 {
     /// <summary>Decides which steps of a long task fit into a frame, based on the duration of earlier steps of the same kind.</summary>
     /// <remarks>
-    /// In each frame, steps run while they fit into the task's share of time. The first step of a frame always runs, so that the task progresses even
-    /// if a step is longer than the share, or if its kind has no measured duration yet. Allocates nothing; not thread-safe.
+    /// In each frame, steps run while they fit into the task's share of time. The first step of a frame always runs, so the task progresses even if
+    /// a step takes longer than the share, or if its kind has no measured duration yet. Allocates nothing; not thread-safe.
     /// </remarks>
     sealed class FrameShare
     {
         /// <summary>
-        /// A step that is shorter than expected lowers the expected duration by the difference divided by this value, because the next step may be
-        /// long again.
+        /// After a step that is shorter than expected, the expected duration decreases by the difference divided by this value, because the next
+        /// step may be long again.
         /// </summary>
         const int DecreaseDivisor = 8;
 
@@ -37,7 +37,7 @@ namespace Nowpose.Latency.Load
             _hasWorked = false;
         }
 
-        /// <summary>Whether a step that starts now fits into this frame.</summary>
+        /// <summary>Returns whether a step that starts now fits into this frame.</summary>
         public bool HasRoom(int kind, HeadsetTime now) => !_hasWorked || now - _begin + _expected[kind] <= _share;
 
         /// <summary>Records the duration of a completed step.</summary>

@@ -21,7 +21,7 @@ namespace Nowpose.Latency.Load
         internal LoadPatch(int vertices, float left, float bottom, float width, float height)
         {
             Vertices = vertices;
-            // A patch of fewer than two full rows has shorter rows, because a single row has no triangles.
+            // A patch with fewer than two full rows has shorter rows, because a single row has no triangles.
             _columns = Math.Max(2, Math.Min(Columns, vertices / 2));
             _left = left;
             _bottom = bottom;

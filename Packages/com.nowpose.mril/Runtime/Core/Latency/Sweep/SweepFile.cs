@@ -54,7 +54,7 @@ namespace Nowpose.Latency.Sweep
 
         /// <summary>Queues the remaining rows and the evaluation of the sweep and returns at once.</summary>
         /// <returns>
-        /// Task that completes when the file is written and the sweep is evaluated. Its result is null if the file could not be written; see
+        /// Task that completes when the file is written and the sweep is evaluated. Its result is null if the log could not be written; see
         /// <see cref="Problem"/>.
         /// </returns>
         public Task<LoadSensitivity> CloseAsync()

@@ -48,9 +48,9 @@ namespace Nowpose.Latency.Sweep
         public double NeededMs { get; }
 
         /// <summary>
-        /// Splits visits into passes in one direction. A change that is caused by elapsed time and not by the load appears as a rise in only one
-        /// direction. If the sweep has only one direction, the drift at constant load is subtracted. If the visits contain no such pass, all of them
-        /// together form one pass. The result is empty for fewer than three different loads.
+        /// Splits visits into passes with increasing or with decreasing load. A change that is caused by elapsed time and not by the load appears as
+        /// a rise in only one of the two directions. If the sweep has only one direction, the drift at constant load is subtracted. If no pass has
+        /// three different loads, all visits together form one pass. The result is empty for fewer than three different loads.
         /// </summary>
         public static List<SweepPass> Of(IReadOnlyList<SweepVisit> visits)
         {
@@ -60,7 +60,7 @@ namespace Nowpose.Latency.Sweep
             return runs.ConvertAll(run => isUpAndDown ? new SweepPass(run, SweepDrift.None) : WithoutDrift(run, SweepDrift.Of(visits)));
         }
 
-        // Subtracts the drift, unless the rise is clear and the drift is measured too inaccurately, as in a short sweep.
+        // Subtracts the drift, unless the rise is clear but the measured drift is too inaccurate, as in a short sweep.
         static SweepPass WithoutDrift(IReadOnlyList<SweepVisit> run, SweepDrift drift)
         {
             var unchanged = new SweepPass(run, SweepDrift.None);
@@ -70,7 +70,8 @@ namespace Nowpose.Latency.Sweep
 
         static bool IsEnough(IReadOnlyList<SweepVisit> visits) => visits.Select(visit => visit.Vertices).Distinct().Count() >= MinLoads;
 
-        /// <summary>Splits visits into runs in one direction. A load at which the direction changes belongs to both runs.</summary>
+        /// <summary>Splits visits into runs with increasing or with decreasing load. A load at which the direction changes belongs to both
+        /// runs.</summary>
         static IEnumerable<List<SweepVisit>> RunsOf(IReadOnlyList<SweepVisit> visits)
         {
             var run = new List<SweepVisit>();

@@ -19,7 +19,7 @@ namespace Nowpose.Latency.Sweep
         /// Settling time of each load, 0 to 60 s. Its frames are logged as well; they do not affect the fit.
         /// </param>
         /// <param name="goesDown">
-        /// Whether the loads are repeated in reverse order. A change that is caused by elapsed time and not by the load, such as that of a processor
+        /// Whether the loads are repeated in reverse order. A change that is caused by elapsed time and not by the load, for example by a processor
         /// that heats up, then appears as a difference between the two directions.
         /// </param>
         /// <exception cref="InputException">A value is out of range.</exception>

@@ -84,7 +84,7 @@ namespace Nowpose.Prediction.Candidates
         /// <param name="time">Time of the sample, in s; not before that of the previous score.</param>
         public void Score(double error, double mixture, double displacement, bool wasStill, double time)
         {
-            // Values that overflow must not enter the sums.
+            // An overflow must not enter the sums.
             if (!(error * error + mixture * mixture + displacement * displacement < double.PositiveInfinity)) return;
             _maxSquare = Math.Max(MaxSquareForgettingFactor * _maxSquare, displacement * displacement);
             if (!(displacement * displacement > MinSquareRatio * _maxSquare)) return;

@@ -5,8 +5,8 @@ using System.Runtime.InteropServices;
 namespace Nowpose.Prediction.Candidates
 {
     /// <summary>
-    /// Finds how long ago the joint last moved in the same way as now: the lags, in whole grid steps, at which the past motion is most similar to the
-    /// present motion.
+    /// Finds how long ago the joint moved in the same way as now. Determines the lags, in whole grid steps, at which the past motion is most similar
+    /// to the present motion.
     /// </summary>
     /// <remarks>
     /// For every lag k it sums the squared differences x(n) − x(n−k) with exponential forgetting, one addition per lag and
@@ -56,13 +56,13 @@ namespace Nowpose.Prediction.Candidates
 
         readonly MotionHistory _history;
 
-        // Costs of the lags, preceded by an infinite cost, which is never a minimum.
+        // Costs of the lags, preceded by one infinite cost, which is never a minimum.
         readonly float[] _costs = new float[(MaxLags / Block + 1) * Block];
         readonly float[] _lagCosts = new float[Kept];
 
-        // Positions of the history relative to its first position. Grid points that are one lag step apart are adjacent in one row, which is a ring
-        // buffer with the newest point first. A pass over the lags therefore reads adjacent elements: a fourth to a tenth of the memory that it would
-        // read in the history. The histories of many joints together exceed the processor's cache.
+        // Positions of the history relative to its first position. Grid points that are one lag step apart are adjacent in a row. Each row is a ring
+        // buffer with the newest point first. A pass over the lags therefore reads adjacent elements, and only a quarter to a tenth of the memory
+        // that it would read in the history. The histories of many joints together exceed the processor's cache.
         readonly float[] _rows = new float[MotionHistory.Capacity];
         int _rowLength;
         double _origin;
@@ -142,7 +142,7 @@ namespace Nowpose.Prediction.Candidates
             }
         }
 
-        // The first lag has no lower neighbour, and the history must cover the neighbourhood of the last one.
+        // The first lag is excluded, because it has no lower neighbour. For each other lag, the history must also cover the next lag.
         void FindMinima(int lags, int minLag, long end)
         {
             Count = 0;
@@ -150,7 +150,7 @@ namespace Nowpose.Prediction.Candidates
             var vectors = MemoryMarshal.Cast<float, Vector4>(_costs);
             for (var start = 0; start <= last; start += Block)
             {
-                // Most lags have a higher cost than those that are kept.
+                // Skips a block without a cost below those that are kept, because most lags have a higher cost.
                 if (Vector4.Min(Vector4.Min(vectors[start / 4], vectors[start / 4 + 1]), worst) == worst) continue;
                 for (var i = Math.Max(2, start); i <= Math.Min(last, start + Block - 1); i++) KeepMinimum(i, minLag, end);
                 worst = new Vector4(Worst);

@@ -20,7 +20,7 @@ namespace Nowpose.Prediction.Candidates
         public const int Mask = Capacity - 1;
 
         /// <summary>
-        /// Number of newest grid points that a match must not include, because the spline needs points after the last point that is read.
+        /// Number of newest grid points that a match must not include, because the spline also needs points after the last point that is read.
         /// </summary>
         public const int Margin = 4;
 
@@ -50,7 +50,7 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Ring buffer of the positions at the grid points, for loops over many of them.</summary>
         public double[] Points { get; } = new double[Capacity];
 
-        /// <summary>Position at one of the newest <see cref="Capacity"/> grid points.</summary>
+        /// <summary>Position at a grid point, which must be one of the newest <see cref="Capacity"/>.</summary>
         public double this[long index] => Points[(int)index & Mask];
 
         /// <summary>Clears the history and sets the grid step.</summary>

@@ -117,7 +117,7 @@ namespace Nowpose.Prediction.Candidates
             return lag;
         }
 
-        // A dwell that was longer or shorter than last time shifts the match by the difference.
+        // If a dwell is longer or shorter than it was the last time, the match is shifted by the difference.
         int Nearby(int lag, int minLag)
         {
             var (best, min, reach) = (lag, double.PositiveInfinity, (int)(Reach / _history.Step));

@@ -52,7 +52,7 @@ namespace Nowpose.Prediction.Candidates
         {
             _limits = limits;
             if (!HasLimits(limits)) throw new ArgumentException(PredictionMessages.UnknownDerivatives, nameof(limits));
-            // A stroke long enough that the move does not brake within a minute.
+            // A stroke so long that the move does not brake within a minute.
             _maxStroke = limits.Velocity * 60;
             _unbraked = Profile(_maxStroke);
             Reset();

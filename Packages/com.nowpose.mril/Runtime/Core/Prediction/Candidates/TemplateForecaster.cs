@@ -24,14 +24,14 @@ namespace Nowpose.Prediction.Candidates
         const double MinStep = 0.02;
 
         /// <summary>
-        /// Minimum number of samples in motion to compare: with fewer, the starts of different moves look equal, and only the duration of the rest
-        /// before the moves would decide.
+        /// Minimum number of samples in motion to compare: with fewer, the starts of different moves look the same, and only the duration of the
+        /// rest before the moves would determine the match.
         /// </summary>
         const int MinMoving = 2;
 
         /// <summary>
-        /// Maximum number of samples at a standstill with a search. In a longer standstill, all parts of the history at rest are equal, so the matches
-        /// would drift; their lags determine when the next move starts.
+        /// Maximum number of samples at a standstill for which a search is made. In a longer standstill, all parts of the history at rest are equal,
+        /// so the matches would drift; their lags determine when the next move starts.
         /// </summary>
         const int MaxStill = 2;
 

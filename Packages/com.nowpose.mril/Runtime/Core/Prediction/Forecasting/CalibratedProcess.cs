@@ -5,9 +5,10 @@ namespace Nowpose.Prediction.Forecasting
     /// <summary>A Gaussian process whose variance is scaled by its own past errors.</summary>
     /// <remarks>
     /// The kernel determines how the standard deviation grows with the horizon, but not its scale, because the motion of a robot is not stationary.
-    /// The quadratic form of the newest samples underestimates the errors of fast moves by a third, and grows only after the error.
-    /// Therefore each new sample is compared with the forecast made one horizon before it. The scale is the mean of the squared errors,
-    /// each divided by the variance of the unscaled process at that horizon. prediction-reference.md lists the fraction of errors within the deviation.
+    /// A scale from the quadratic form of the newest samples would underestimate the errors of fast moves by a third, and would grow only after the
+    /// error. Therefore each new sample is compared with the forecast made one horizon before it. The scale is the mean of the squared errors,
+    /// each divided by the variance of the unscaled process at that horizon. prediction-reference.md lists the fraction of errors within the
+    /// deviation.
     /// </remarks>
     sealed class CalibratedProcess : Forecaster
     {

@@ -23,7 +23,7 @@ namespace Nowpose.Prediction.Forecasting
         public static void Limit(double[] table, int start, int points, double speed, double interval, PredictionLimits limits)
         {
             if (double.IsInfinity(limits.Velocity) && double.IsInfinity(limits.Acceleration)) return;
-            // The observed speed overrides a smaller limit, because URDFs can be wrong.
+            // If the observed speed exceeds the limit, the observed speed applies, because URDFs can be wrong.
             var max = Math.Max(limits.Velocity, Math.Abs(speed));
             var wanted = table[start];
             for (var cell = 1; cell < points; cell++)

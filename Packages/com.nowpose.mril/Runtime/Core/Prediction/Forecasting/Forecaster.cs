@@ -5,7 +5,7 @@ namespace Nowpose.Prediction.Forecasting
     {
         /// <summary>
         /// Number of newest samples that the forecaster uses. A mixture uses the forecaster only while this number of samples, and at least
-        /// three, belong to one motion. A forecaster that uses more samples than stated extrapolates across change points.
+        /// three, belong to one motion. A forecaster that uses more samples than this number extrapolates across change points.
         /// </summary>
         public abstract int Samples { get; }
 

@@ -12,7 +12,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Weight of a new value in the running means, which follow a change of rate within ten samples.</summary>
         const double MeanWeight = 0.1;
 
-        /// <summary>Maximum sampling interval, in s. Only this part of a longer pause enters the mean interval and the noise tracker.</summary>
+        /// <summary>Maximum sampling interval, in s. A longer pause enters the mean interval and the noise tracker with this value.</summary>
         public const double MaxInterval = 0.3;
 
         /// <summary>Maximum interval that enters the mean, as a multiple of the mean, so that a single gap hardly changes it.</summary>

@@ -57,7 +57,7 @@ namespace Nowpose.Prediction.Forecasting
             var s2 = (samples[2].Position - samples[0].Position) / h2;
             _bend = (s1 - s2) / (h1 - h2);
             _speed = s1 - _bend * h1;
-            // The vertex is in the past.
+            // The vertex is before the newest sample, so the forecast is constant.
             if (_speed * (samples[0].Position - samples[1].Position) <= 0) _speed = _bend = 0;
         }
     }

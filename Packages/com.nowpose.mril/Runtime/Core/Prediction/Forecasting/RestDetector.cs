@@ -25,7 +25,7 @@ namespace Nowpose.Prediction.Forecasting
         /// </summary>
         const double Quantile = 0.1;
 
-        /// <summary>Rate of the quantile tracker, in units of the logarithm per second.</summary>
+        /// <summary>Rate of change of the quantile tracker, in units of the logarithm per second.</summary>
         const double TrackerRate = 3;
 
         /// <summary>
@@ -133,7 +133,7 @@ namespace Nowpose.Prediction.Forecasting
             if (_maxRange == 0) return;
             var logarithm = Math.Log(Math.Max(range, MinRangeRatio * _maxRange));
             if (double.IsNegativeInfinity(_logarithm)) _logarithm = logarithm;
-            // After a pause of seconds, a step by the whole pause would take minutes to undo.
+            // After a pause of several seconds, a step in proportion to the whole pause would take minutes to undo.
             var seconds = Math.Min(interval, MotionState.MaxInterval);
             _logarithm += TrackerRate * seconds * (logarithm > _logarithm ? Quantile : Quantile - 1);
         }

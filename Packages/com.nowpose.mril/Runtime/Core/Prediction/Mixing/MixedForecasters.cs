@@ -27,7 +27,7 @@ namespace Nowpose.Prediction.Mixing
         const int First = Line + 1;
 
         /// <summary>
-        /// Factor by which the line reduces the speed directly after a change point that did not increase it. Without the factor, the errors on
+        /// Factor by which the line multiplies the speed directly after a change point that did not increase it. Without the factor, the errors on
         /// recordings are 0.4 % larger.
         /// </summary>
         const double SpeedRatioAfterStop = 0.5;
@@ -70,7 +70,7 @@ namespace Nowpose.Prediction.Mixing
         }
 
         /// <param name="points">Number of points of each table that are used.</param>
-        /// <remarks>A forecaster without enough samples or a solution is replaced by a line.</remarks>
+        /// <remarks>A line replaces a forecaster that has too few samples or no solution.</remarks>
         public void Fill(MotionState motion, double[] tables, int points)
         {
             if (motion.ConnectedSamples < 2)

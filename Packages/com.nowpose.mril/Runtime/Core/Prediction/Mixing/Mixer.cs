@@ -187,9 +187,9 @@ namespace Nowpose.Prediction.Mixing
             }
         }
 
-        // Updates the weights with the errors of all forecasters. Errors across a change point are not used, because no forecaster can predict it. Errors
-        // of forecasts from a single sample are not used either: all forecasts equal this sample, and as the largest errors of a motion, they would hide
-        // the differences between the forecasters for seconds.
+        // Updates the weights with the errors of all forecasters. Errors across a change point are not used, because no forecaster can predict it.
+        // Errors of forecasts from a single sample are not used either: all these forecasts are equal to the sample. Their errors are the largest
+        // errors of a motion, so they would hide the differences between the forecasters for seconds.
         void Learn(MotionState motion, ForecastSnapshots.Snapshot snapshot, double forgettingFactor)
         {
             var ahead = motion.Samples.NewestTime - snapshot.Time;
@@ -198,7 +198,7 @@ namespace Nowpose.Prediction.Mixing
             for (var i = 0; i < Mixture; i++)
             {
                 var error = snapshot.At(i, time) - truth;
-                // The product of two such errors would overflow.
+                // The product of two larger errors would overflow.
                 if (!(Math.Abs(error) < JointSample.MaxMagnitude)) return;
                 _errors[i] = error > threshold ? threshold : error < -threshold ? -threshold : error;
             }

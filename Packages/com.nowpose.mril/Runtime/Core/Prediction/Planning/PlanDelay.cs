@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Prediction.Planning
 {
-    /// <summary>Estimates the delay and the offset with which a joint follows its plan. Detects a joint that does not follow its plan.</summary>
+    /// <summary>Estimates the delay and the offset with which a joint follows its plan. Detects whether the joint follows its plan.</summary>
     /// <remarks>
     /// Position of the joint = plan(t − delay) + offset. A Kalman filter estimates both values together, because each sample shows only
     /// their combined effect. The delay has an effect only while the plan moves. Its initial standard deviation is 0.1 s; the first moves reduce it.
@@ -37,7 +37,7 @@ namespace Nowpose.Prediction.Planning
         double _time;
         bool _hasStarted;
 
-        /// <summary>Delay in s; positive if the joint is late.</summary>
+        /// <summary>Delay in s; positive if the joint lags behind the plan.</summary>
         public double Delay { get; private set; }
 
         /// <summary>Offset in rad or m.</summary>

@@ -37,7 +37,7 @@ namespace Nowpose.Prediction.Planning
             _delay.Start(plan.Range);
         }
 
-        /// <summary>Drops the plan.</summary>
+        /// <summary>Drops the current and the next plan.</summary>
         public void Drop() => _current = _next = default;
 
         public void Reset()
@@ -89,7 +89,8 @@ namespace Nowpose.Prediction.Planning
         }
 
         /// <summary>
-        /// Returns the plan's position, clamped to its start and end. Call it only while there is a plan.
+        /// Returns the joint's position according to the plan, its delay and its offset. The position is constant before the plan's start and after
+        /// its end. Call it only while there is a plan.
         /// </summary>
         public double At(double time) => PlanAt(time).At(time - _delay.Delay, out _) + _delay.Offset;
 

@@ -12,9 +12,9 @@ namespace Nowpose.Prediction.Samples
         const int Capacity = 256;
 
         /// <summary>
-        /// Maximum distance from the line between the neighbours, or from the sample with the same time, relative to the displacement there. A
-        /// sample that was overtaken on the network is closer, even at a reversal. After a step of the clock back by two intervals, the distance
-        /// is twice the displacement.
+        /// Maximum distance from the line between the neighbours, or from the sample with the same time, relative to the displacement there. The
+        /// distance of a sample that was overtaken on the network is smaller, even at a reversal. After a step of the clock back by two intervals,
+        /// the distance is twice the displacement.
         /// </summary>
         const double MaxDistanceRatio = 1.5;
 
@@ -39,7 +39,7 @@ namespace Nowpose.Prediction.Samples
             if (_count < Capacity) _count++;
         }
 
-        /// <summary>Finds the position at the time of a sample.</summary>
+        /// <summary>Finds the position of the stored sample with the given time.</summary>
         public bool TryFind(double order, out double position)
         {
             var i = IndexAt(order);

@@ -16,7 +16,7 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Weight of one vote in the mean: eight maximum votes against the line reject it at first, 25 after many votes for it.</summary>
         const double VoteWeight = 0.03;
 
-        /// <summary>Maximum vote, a decimal logarithm: a ratio of ten.</summary>
+        /// <summary>Maximum vote. It is a decimal logarithm, so 1 means a ratio of ten.</summary>
         const double MaxVote = 1;
 
         /// <summary>Initial mean, and the mean below which the line is not used: with noise, the mean fluctuates about 0.</summary>

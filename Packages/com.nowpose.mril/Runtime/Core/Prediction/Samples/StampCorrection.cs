@@ -10,7 +10,7 @@ namespace Nowpose.Prediction.Samples
     /// </remarks>
     sealed class StampCorrection
     {
-        /// <summary>Minimum standard deviation of stamps to correct, in s; less scatter is harmless.</summary>
+        /// <summary>Minimum standard deviation of stamps to correct, in s; a smaller deviation is harmless.</summary>
         const double MinDeviation = 0.3e-3;
 
         /// <summary>Maximum standard deviation of the stamps of a source without occasional delays, in s.</summary>
@@ -20,8 +20,8 @@ namespace Nowpose.Prediction.Samples
         const double MaxScatter = 3;
 
         /// <summary>
-        /// Number of consecutive stamps off the line on the same side after which the line restarts. Scatter is unlikely to cause them, so the period
-        /// has changed.
+        /// Number of consecutive stamps off the line on the same side after which the line restarts. Scatter is unlikely to cause so many, so the
+        /// period has changed.
         /// </summary>
         const int InARow = 3;
 

@@ -22,7 +22,7 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Maximum pause in intervals. After a longer pause, the line is discarded, because the source may have restarted.</summary>
         const double MaxPause = 40;
 
-        /// <summary>Maximum number of samples lost between the first stamps.</summary>
+        /// <summary>Maximum number of samples that may be lost between the first stamps.</summary>
         const int MaxLostAtStart = 4;
 
         /// <summary>Ratio of scatter below which a shorter interval is preferred: shorter intervals always fit slightly better.</summary>
@@ -87,7 +87,7 @@ namespace Nowpose.Prediction.Samples
                 if (_count == MinStamps) EstimateInterval();
             }
             if (!IsKnown) return;
-            // Wrong sample numbers would affect the line until they are forgotten.
+            // Wrong sample numbers would affect the line until their weight has decayed.
             _misfits = IsTooScattered ? _misfits + 1 : 0;
             if (_misfits == MinStamps) Reset();
         }

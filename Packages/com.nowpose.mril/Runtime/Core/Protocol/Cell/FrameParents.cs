@@ -22,7 +22,7 @@ namespace Nowpose.Protocol.Cell
         /// <summary>Number of frames with a parent.</summary>
         public int Count => _parents.Count;
 
-        /// <summary>Returns the parent of a frame; null if none is known.</summary>
+        /// <summary>Parent of a frame; null if none is known.</summary>
         public string this[string child] => _parents.TryGetValue(child, out var parent) ? parent : null;
 
         /// <summary>Sets the parent of a frame. If the new parent would violate a limit, the previous parent is kept.</summary>
@@ -51,7 +51,7 @@ namespace Nowpose.Protocol.Cell
         int DistanceToRoot(string frame, string forbidden, out bool isReached)
         {
             var depth = 0;
-            // Without a cycle, a path has at most two steps per frame: one to its parent, and one from a link to its root link.
+            // Without a cycle, a path has at most two steps per frame: one from the frame to its parent, and one from a link to its root link.
             for (var steps = 0; steps <= 2 * ProtocolLimits.Frames + 1; steps++)
             {
                 isReached = frame == forbidden;

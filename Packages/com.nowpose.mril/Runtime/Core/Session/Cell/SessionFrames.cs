@@ -66,7 +66,7 @@ namespace Nowpose.Session.Cell
             return _needed.Add(pose.ToTransform(default, FrameParents.World, name), isStationary: true);
         }
 
-        /// <summary>Returns a frame; null if no pose of the frame has been received since <see cref="Need"/>.</summary>
+        /// <summary>Returns a frame that was requested with <see cref="Need"/>; null if no pose of the frame has been received.</summary>
         public CellFrame Find(string name)
         {
             var index = Tree.IndexOf(name);

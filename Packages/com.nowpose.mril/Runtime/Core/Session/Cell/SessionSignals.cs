@@ -56,7 +56,7 @@ namespace Nowpose.Session.Cell
             oldest.Release();
         }
 
-        /// <summary>Stores which signals have lost their source, and why. Thread-safe.</summary>
+        /// <summary>Stores the signals whose source has ended, with the reasons. Thread-safe.</summary>
         public void Take(JointStatusMessage message)
         {
             var ended = new Dictionary<string, string>(StringComparer.Ordinal);

@@ -19,7 +19,7 @@ namespace Nowpose.Session.Hindcast
 
         readonly int[] _counts = new int[Steps];
 
-        // Range of the steps in use: loops skip the others, because the errors of one quantity fall into only a few steps.
+        // Range of the steps in use. Loops skip all other steps, because the errors of one quantity fall into only a few steps.
         int _first = Steps, _end;
 
         public void Add(double squared)

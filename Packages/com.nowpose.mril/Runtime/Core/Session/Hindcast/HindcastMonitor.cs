@@ -117,7 +117,7 @@ namespace Nowpose.Session.Hindcast
         {
             if (_placeOfJoint[joint] < 0) return;
             _tracks[_placeOfJoint[joint]] = default;
-            // Frames that are waiting would otherwise receive the true position of this joint twice or not at all.
+            // Otherwise, the waiting frames would receive the true position of this joint twice or not at all.
             _frames.Clear();
         }
 

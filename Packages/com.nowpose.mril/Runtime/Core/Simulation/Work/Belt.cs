@@ -7,8 +7,8 @@ namespace Nowpose.Simulation.Work
 {
     /// <summary>Conveyor belt that moves workpieces from the place where a robot puts them down to the place where a robot picks them up.</summary>
     /// <remarks>
-    /// The belt moves by one station per cycle of the robot, from rest to rest. On a ring around the world's origin, angle, radius and height
-    /// change linearly along the belt, and workpieces turn with it. On a straight belt, position and rotation change linearly.
+    /// The belt moves by one station per cycle of the robot, from rest to rest. On a ring around the world's origin, angle, radius and height change
+    /// linearly along the belt, and workpieces rotate with the belt. On a straight belt, position and rotation change linearly.
     /// </remarks>
     sealed class Belt
     {

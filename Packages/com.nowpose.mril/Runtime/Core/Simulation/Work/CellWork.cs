@@ -121,8 +121,8 @@ namespace Nowpose.Simulation.Work
             }
         }
 
-        // Returns the robot that has the workpiece or last had it. A workpiece moves on to the next robot after three cycles. Before its first cycle,
-        // it is at the place to which earlier cycles would have moved it.
+        // Returns the robot that has the workpiece or last had it. A workpiece moves on to the next robot after three cycles. Before its first
+        // cycle, it is where earlier cycles would have left it.
         int RobotOf(int workpiece, double seconds, out double sinceTaken)
         {
             var period = Names.Count * _motion.CycleSeconds;

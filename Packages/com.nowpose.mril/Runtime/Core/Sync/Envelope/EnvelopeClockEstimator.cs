@@ -34,7 +34,7 @@ namespace Nowpose.Sync.Envelope
 
         /// <summary>
         /// ScatterShare: maximum hidden scatter of the bounds, as a multiple of the mean excess of the round-trip times over their minimum.
-        /// MinForScatter: minimum number of exchanges from which on this limit applies.
+        /// MinForScatter: minimum number of exchanges for this limit to apply.
         /// </summary>
         const int ScatterShare = 2, MinForScatter = 5;
 

@@ -135,7 +135,7 @@ namespace Nowpose.Sync.Envelope
             OffsetError = ErrorFactor * Math.Sqrt(variance);
             // A single exchange contains no information about the slope.
             var known = Math.Max(_xx - _xz * _xz / zz, MinShare * slopeWeight);
-            // Distance to the slope that the data alone would give, because the prior shifts the slope.
+            // Distance by which the prior shifts the slope away from the slope of the data alone.
             var priorShift = slopeWeight / known * Math.Abs(Curve.Slope - slopePrior);
             SlopeError = ErrorFactor * Math.Sqrt(1 / known) + priorShift;
         }

@@ -20,7 +20,7 @@ namespace Nowpose.Sync.Envelope
         const double MinScale = 3e-6;
 
         /// <summary>
-        /// Contribution to the scale if no exchange falls into a part of a coarse clock's step, as a fraction of that part. Half of this value is too
+        /// Part of a coarse clock's step into which no exchange falls: fraction of this part that is added to the scale. Half of this value is too
         /// small.
         /// </summary>
         const double UnsampledShare = 0.1;
@@ -29,13 +29,13 @@ namespace Nowpose.Sync.Envelope
         const double AgeGrowth = 2e-8;
 
         /// <summary>
-        /// Minimum number of blocks with full weight at any age. Otherwise the scale could shrink until too few blocks determine it.
+        /// Number of blocks whose age reduces their weight by at most half. Otherwise the scale could shrink until too few blocks determine it.
         /// </summary>
         const int BlocksAtLeast = 8;
 
         /// <summary>
-        /// Exponent of the number of blocks by which the scatter of the round trips is divided. The quotient is added to the scale, because few
-        /// bounds may agree by chance, and a line through three late packets can be steep.
+        /// The scatter of the round trips, divided by the number of blocks to this power, is added to the scale, because few bounds may agree by
+        /// chance, and a line through three late packets can be steep.
         /// </summary>
         const double CountPower = 1.5;
 

@@ -12,7 +12,7 @@ namespace Nowpose.Sync.Envelope
     /// delay is added to each bound, and the offset and the skew are unchanged. A delay that is shorter than all earlier delays replaces the
     /// reference, and the offset moves by half the difference. In both cases the error is half the difference of the changes of the two directions.
     /// Until a change is recognised, the fit may follow it by 1.2 times this amount. If a change is too small to be distinguished from a wrong skew,
-    /// the offset moves by half of the change. The error is then widened if the other direction shows that the path has changed. Allocates nothing
+    /// the offset moves by half of the change. The error is then increased if the other direction shows that the path has changed. Allocates nothing
     /// after construction.
     /// </remarks>
     sealed class MinDelay
@@ -71,7 +71,7 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         const double ExpectedSignificance = 7;
 
-        /// <summary>Significance of a change that may be hidden by a wrong skew. Such a change only widens the error.</summary>
+        /// <summary>Significance of a change that may be hidden by a wrong skew. Such a change only increases the error.</summary>
         const double HiddenSignificance = 3;
 
         /// <summary>
@@ -175,7 +175,7 @@ namespace Nowpose.Sync.Envelope
             if (violation <= 0) return;
             // A remaining excess below half the minimum change is caused by individual late exchanges, not by a path change, so it is removed.
             if (_excess - violation < MinChange / 2) violation = _excess;
-            // A small violation means that the excess was overestimated; a large violation means that the path changed again with this exchange.
+            // A small violation means that the excess was overestimated; a large violation means that the path has changed again at this exchange.
             var isEstimate = violation < 3 * _excessError;
             Shift(0, isEstimate ? Math.Min(_sinceChange, count) : 1, -violation);
             _excessError *= 1 - violation / _excess;
@@ -185,7 +185,7 @@ namespace Nowpose.Sync.Envelope
 
         bool FindLonger(MinDelay other, int count, double skewError, double resolution)
         {
-            // After a change of the path in one direction, a change in the other direction is likely, too, by a different amount.
+            // After a change of the path in one direction, a change in the other direction is also likely, but by a different amount.
             var isExpected = (other._excess > 0 && other._sinceChange <= MaxWindow) || other._sinceShorter > 0;
             var minDuration = isExpected ? MinDurationExpected : MinDuration;
             var minChange = isExpected ? MinChange / 2 : MinChange;
@@ -223,7 +223,7 @@ namespace Nowpose.Sync.Envelope
             return false;
         }
 
-        // Widens the error after a change in the other direction. The delay in this direction may have changed, too, by less than the effect of a
+        // Increases the error after a change in the other direction. The delay in this direction may have changed, too, by less than the effect of a
         // wrong skew. The offset then moves by half of that change.
         void AddHiddenError(int window, int earlier)
         {
@@ -233,8 +233,8 @@ namespace Nowpose.Sync.Envelope
             _sinceHidden = 0;
         }
 
-        // Enlarges the detected change if a tighter bound shows that the minimum delay is even shorter. After few exchanges, the minimum delay is
-        // uncertain.
+        // Enlarges the detected change if a tighter bound shows that the minimum delay is even shorter. Shortly after the detection, the minimum
+        // delay is uncertain.
         void RefineReference(int count)
         {
             if (++_sinceShorter > Math.Min(count, MaxEarlier)) _sinceShorter = 0;

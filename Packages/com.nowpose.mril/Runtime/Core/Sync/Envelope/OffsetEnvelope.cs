@@ -46,7 +46,7 @@ namespace Nowpose.Sync.Envelope
 
         /// <summary>
         /// Returns whether a correction of the server within the error bounds that it stated explains an exchange. Such a correction moves each
-        /// bound by at most the sum of the error bounds, while a step of a clock that is hidden by the round-trip time moves it further.
+        /// bound by at most the sum of the error bounds, while a clock step that the round-trip time hides moves it further.
         /// </summary>
         public bool Explains(in SyncExchange exchange, in ClockLine line, TimeSpan margin)
         {
@@ -69,7 +69,7 @@ namespace Nowpose.Sync.Envelope
         }
 
         /// <summary>
-        /// Returns the server's error bound for a line through the recent exchanges: the mean bound, but at least the newest bound.
+        /// Returns the server's error bound for a line through the recent exchanges: the larger of the mean bound and the newest bound.
         /// </summary>
         public TimeSpan ServerErrorBound()
         {

@@ -3,8 +3,8 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// Range of the skew that two exchanges with short round-trip times prove, one of the oldest and one of the newest exchanges: at each of the two
-    /// times, the offset was between the bounds of the exchange.
+    /// Range of the skew that two exchanges with short round-trip times prove. One is among the oldest exchanges, the other among the newest. At
+    /// each of the two times, the offset was between the bounds of the exchange.
     /// </summary>
     readonly struct ProvenSkew
     {

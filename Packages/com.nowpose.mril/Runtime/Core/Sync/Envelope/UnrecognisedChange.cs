@@ -134,8 +134,9 @@ namespace Nowpose.Sync.Envelope
             if (blocks > 0) _usual += earlier - sum / blocks;
         }
 
-        // Returns the movement of the offset as a fraction of a change, if the change happened before the given number of newest exchanges. If the
-        // newest fraction f of one side's points is shifted by a step, a line fitted to both sides moves at its end by f/2 + 3f(1 − f)/2 of the step.
+        // Returns the movement of the offset as a fraction of a change, if the change occurred immediately before the given number of newest
+        // exchanges. If the newest fraction f of one side's points is shifted by a step, a line fitted to both sides moves at its end by f/2 + 3f(1
+        // − f)/2 of the step.
         double Followed(int newest)
         {
             var since = ClockTicks.Seconds(SentAt(newest) - _history[0].Received);

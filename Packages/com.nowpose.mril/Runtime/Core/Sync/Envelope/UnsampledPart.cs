@@ -9,8 +9,8 @@ namespace Nowpose.Sync.Envelope
     sealed class UnsampledPart
     {
         /// <summary>
-        /// Number of recent exchanges that are used. If they are spread at random over the step, the longest gap is about a twelfth of the step. They
-        /// span a few seconds, a time in which the skew does not move them to another part of the step.
+        /// Number of recent exchanges that are used. If they are spread at random over the step, the longest gap is about a twelfth of the step.
+        /// They span a few seconds. In this time, the skew does not move them to another part of the step.
         /// </summary>
         const int Recent = 60;
 
