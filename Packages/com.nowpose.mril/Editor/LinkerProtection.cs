@@ -5,7 +5,7 @@ using UnityEditor.UnityLinker;
 
 namespace Nowpose.Editor
 {
-    /// <summary>Passes Unity's linker, in each build of a project with this package, the list of assemblies that it must not strip.</summary>
+    /// <summary>In each build of a project with this package, passes to Unity's linker the list of the assemblies that it must not strip.</summary>
     /// <remarks>
     /// Unity reads a link.xml only from Assets/, so a package must supply one through this interface. The assemblies:
     /// <list type="bullet">

@@ -61,7 +61,8 @@ namespace Nowpose.Editor.Setup
         /// <summary>Returns whether a version is supported.</summary>
         /// <param name="version">A version or a URL, as in a manifest.</param>
         /// <returns>
-        /// Null if the supported versions are limited and the value, unless it equals <see cref="Reference"/>, contains no version.
+        /// Null if the answer is unknown: the supported versions are limited, and the value contains no version and differs from
+        /// <see cref="Reference"/>.
         /// </returns>
         public bool? Serves(string version)
         {

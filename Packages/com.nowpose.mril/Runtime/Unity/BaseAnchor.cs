@@ -92,7 +92,10 @@ namespace Nowpose.Unity
         /// <summary>Describes the state, and what the user must do, in one line.</summary>
         public string Words => _fault ?? Tracker?.Words ?? "placed by hand";
 
-        /// <summary>Details of the markers. Null before this component is first enabled, and while its fields are invalid.</summary>
+        /// <summary>
+        /// Tracker that determines the base from the markers; provides the state, the lock and each marker. Null before this component is first
+        /// enabled, and while its fields are invalid.
+        /// </summary>
         public BaseTracker Tracker { get; private set; }
 
         /// <summary>Replaces the cell and the markers that were entered in the Inspector.</summary>

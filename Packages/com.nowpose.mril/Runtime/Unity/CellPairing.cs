@@ -71,7 +71,9 @@ namespace Nowpose.Unity
         /// <remarks>Also null while no cell is paired and the session connects with its own settings.</remarks>
         public string Guidance => Flow == null || Flow.IsSettled || (Question == null && Cell == null && _source.IsConnecting) ? null : Flow.Words;
 
-        /// <summary>As <see cref="Problem"/>, but without problems with the file of paired cells, because they do not prevent a connection.</summary>
+        /// <summary>
+        /// Like <see cref="Problem"/>, but excludes problems with the file of paired cells, because these do not prevent a connection.
+        /// </summary>
         internal string Obstacle => Flow?.Problem;
 
         /// <summary>Name of the cell in use; null if no cell is paired.</summary>

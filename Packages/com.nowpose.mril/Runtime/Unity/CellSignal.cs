@@ -13,8 +13,8 @@ namespace Nowpose.Unity
     /// <remarks>
     /// A Boolean has the value 0 or 1. The events report the first known value and then each change exactly once, in order, even if several changes
     /// become visible in the same frame. Assign any method with one parameter, such as <c>GameObject.SetActive</c>, <c>Animator.SetTrigger</c> or
-    /// <c>TextMesh.text</c>. Methods with the name of a parameter and its value, such as <c>Animator.SetBool</c> and <c>Animator.SetFloat</c>, have
-    /// events of their own.
+    /// <c>TextMesh.text</c>. Methods that take the name of a parameter and its value, such as <c>Animator.SetBool</c> and <c>Animator.SetFloat</c>,
+    /// have events of their own.
     /// </remarks>
     [AddComponentMenu("Nowpose/Signal")]
     public sealed class CellSignal : MonoBehaviour

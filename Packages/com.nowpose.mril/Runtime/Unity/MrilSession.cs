@@ -16,9 +16,9 @@ namespace Nowpose.Unity
     /// display time.
     /// </summary>
     /// <remarks>
-    /// The component computes the pose late in LateUpdate, after the scripts of users. Components that show the robot listen to
-    /// <see cref="Shown"/>. The session ends when the application is paused, or loses the focus and does not run in the background. Afterwards a
-    /// new session starts and synchronises its clock again, so old data cannot look current.
+    /// The component computes the pose late in LateUpdate, after most other scripts. Components that show the robot listen to
+    /// <see cref="Shown"/>. The session ends when the application is paused, or loses the focus without running in the background. When the
+    /// application continues, a new session starts and synchronises its clock again, so old data cannot look current.
     /// </remarks>
     [AddComponentMenu("Nowpose/Session")]
     [DefaultExecutionOrder(ExecutionOrder)]

@@ -10,9 +10,9 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Shows when the pose of a robot or of an object of the cell is not current, or when the base is uncertain. All parts below this object then
-    /// become striped and fainter, and a label states the reason. Before the first joint positions arrive, only the label is drawn. The parts of
-    /// a rig or gripper that no longer follows the session are hidden.
+    /// Shows that the pose of a robot or of an object of the cell is not current, or that the base is uncertain: all parts below this object become
+    /// striped and fainter, and a label states the reason. Before the first joint positions arrive, only the label is drawn. The parts of a rig or
+    /// gripper that no longer follows the session are hidden.
     /// </summary>
     /// <remarks>
     /// Sets the shader properties <c>_Fade</c> (0 to 1) and <c>_Hatch</c> (0 or 1), which the shaders of the package have, through a property block.

@@ -31,7 +31,9 @@ namespace Nowpose.Unity
             moved.localRotation = rotation;
         }
 
-        /// <summary>Moves a transform to a pose relative to its parent, given as the origin in a URDF is: right-handed, in URDF axes.</summary>
+        /// <summary>
+        /// Moves a transform to a pose relative to its parent. Like an origin in a URDF, the pose is right-handed and in URDF axes.
+        /// </summary>
         internal static void Place(this Transform moved, in RigidTransform origin)
         {
             var pose = UnityFrame.ToUnity(origin);

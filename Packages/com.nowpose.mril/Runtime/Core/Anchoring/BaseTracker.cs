@@ -154,8 +154,9 @@ namespace Nowpose.Anchoring
             _words.Update(this, _now);
         }
 
-        /// <summary>Releases the position that the device holds, removes the pose of the base, and starts a new search. A stored position is
-        /// kept.</summary>
+        /// <summary>
+        /// Releases the position that the device holds, removes the pose of the base, and starts a new search. A stored position is kept.
+        /// </summary>
         public void Release()
         {
             _place.Release(seekAgain: true);

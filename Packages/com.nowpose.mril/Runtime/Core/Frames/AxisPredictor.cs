@@ -13,8 +13,9 @@ namespace Nowpose.Frames
         /// <summary>Maximum difference from the first value that counts as rounding, in m or rad.</summary>
         const double Rounding = 1e-9;
 
-        /// <summary>Number of samples kept before the first change. From these samples, the predictor recognises that the motion starts from
-        /// rest.</summary>
+        /// <summary>
+        /// Number of samples kept before the first change. From these samples, the predictor recognises that the motion starts from rest.
+        /// </summary>
         const int Kept = 8;
 
         readonly JointPredictor _predictor;

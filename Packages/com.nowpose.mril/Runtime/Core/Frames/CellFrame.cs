@@ -9,8 +9,10 @@ namespace Nowpose.Frames
     /// <summary>A stationary frame of the cell, or a tracked frame with its predictor.</summary>
     sealed class CellFrame
     {
-        /// <summary>Maximum number of poses in a new parent that wait for the next display frame. When the maximum is reached, a further pose
-        /// replaces the newest one.</summary>
+        /// <summary>
+        /// Maximum number of poses in a new parent that wait for the next display frame. When the maximum is reached, a further pose replaces the
+        /// newest one.
+        /// </summary>
         const int MaxWaiting = 8;
 
         readonly Func<BodyPredictor> _newPredictor;

@@ -82,8 +82,9 @@ namespace Nowpose.Frames
             _isHandedOver = true;
         }
 
-        /// <summary>Cancels all placements by a gripper: the sources of the objects that it holds or has released determine their places
-        /// again.</summary>
+        /// <summary>
+        /// Cancels all placements by a gripper: the sources of the objects that it holds or has released determine their places again.
+        /// </summary>
         public void TakeFrom(ReachGrip gripper)
         {
             for (var i = 0; i < _frames.Count; i++)

@@ -28,8 +28,9 @@ namespace Nowpose.Latency
         /// <summary>Value of the condition on this device.</summary>
         public string Actual { get; }
 
-        /// <summary>Whether the mismatch prevents the use of the profile. True for another device or refresh rate, because L_visu depends on
-        /// both.</summary>
+        /// <summary>
+        /// Whether the mismatch prevents the use of the profile. True for another device or refresh rate, because L_visu depends on both.
+        /// </summary>
         public bool IsRefusal => Condition == DisplayCondition.Device || Condition == DisplayCondition.DisplayRate;
 
         /// <summary>Message in one line: the condition, both values, and the action to take.</summary>

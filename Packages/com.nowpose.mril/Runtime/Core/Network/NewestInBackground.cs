@@ -3,8 +3,9 @@ using System.Threading.Tasks;
 
 namespace Nowpose.Network
 {
-    /// <summary>Handles strings on the thread pool, one at a time, because handling a string takes a long time. Keeps only the newest waiting
-    /// string.</summary>
+    /// <summary>
+    /// Handles strings on the thread pool, one at a time, because handling a string takes a long time. Keeps only the newest waiting string.
+    /// </summary>
     /// <remarks>At any time, at most one string is being handled and one waits.</remarks>
     sealed class NewestInBackground
     {

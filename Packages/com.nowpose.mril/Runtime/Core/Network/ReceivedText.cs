@@ -13,7 +13,7 @@ namespace Nowpose.Network
             Arrival = arrival;
         }
 
-        /// <summary>The message as received. Valid only during the call, because the next message uses the same memory.</summary>
+        /// <summary>The message as received. Valid only during the callback, because the next message uses the same memory.</summary>
         public ReadOnlyMemory<byte> Utf8 { get; }
 
         /// <summary>Reason why the message was dropped; <see cref="DropReason.None"/> if it was not dropped.</summary>

@@ -49,7 +49,7 @@ namespace Nowpose.Network
             if (!IsMeasuring && arrived - _measured >= MeasuredEvery) BeginMeasurement();
             _answers++;
             _step = GreatestCommonDivisor(_step, Math.Abs(time.SinceEpoch.Ticks));
-            // Both readings lie between the first response's arrival and this request, so the clock stood still for at least that long.
+            // The first reading precedes its response's arrival, and this reading follows this request, so the clock stood still in between.
             if (time == _shown) _still = sent - _firstArrived;
             else Change(time, arrived);
             _sentLast = sent;

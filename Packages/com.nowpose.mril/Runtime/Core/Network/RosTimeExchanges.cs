@@ -14,8 +14,8 @@ namespace Nowpose.Network
     /// </summary>
     /// <remarks>
     /// The response contains one time, which the server read between the call and the response; this time is used as both t2 and t3. The server's
-    /// processing times before and after the reading are unknown, so half the round-trip time bounds the error. One call is in
-    /// flight at a time; responses with another id are ignored.
+    /// processing times before and after the reading are unknown, so half the round-trip time bounds the error. Only one call is in flight at a
+    /// time. A late response to an earlier call is counted as a fault.
     /// </remarks>
     sealed class RosTimeExchanges
     {
@@ -69,7 +69,10 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>Receives every service response, on the receiver's thread; ignores responses to other calls.</summary>
+        /// <summary>
+        /// Receives every service response, on the receiver's thread. Ignores responses to other services, and counts a late response to an earlier
+        /// call as a fault.
+        /// </summary>
         /// <param name="fault">Reason why the response could not be read.</param>
         public void Answered(RosbridgeMessage response, DropReason fault, HeadsetTime arrival)
         {

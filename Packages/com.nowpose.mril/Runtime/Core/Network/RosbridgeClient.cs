@@ -213,7 +213,7 @@ namespace Nowpose.Network
             else if (message.Data != null) DescriptionsOf(message.RobotTopic.Robot).Add(message.Data);
         }
 
-        // Called on the receiving threads of successive connections.
+        // Needs no lock, because it is called only on the receiving threads of successive connections.
         NewestInBackground DescriptionsOf(string robot)
         {
             if (_descriptions.TryGetValue(robot, out var known)) return known;

@@ -10,8 +10,9 @@ namespace Nowpose.Pairing
         /// <summary>Maximum number of different codes at a time; further codes are ignored.</summary>
         public const int MaxCount = 256;
 
-        /// <summary>Minimum time out of view after which a code may be dropped when the list is full. By then, a gateway's code has
-        /// expired.</summary>
+        /// <summary>
+        /// Minimum time out of view after which a code may be dropped when the list is full. By then, a gateway's code has expired.
+        /// </summary>
         static readonly TimeSpan Memory = PairingLimits.CodeValidity;
 
         readonly Dictionary<string, SeenCode> _codes = new Dictionary<string, SeenCode>(StringComparer.Ordinal);

@@ -5,8 +5,9 @@ namespace Nowpose.Recording
     {
         public const string Name = "nowpose-session";
 
-        /// <summary>Format version. It is increased only if a reader of the previous version would misread a file, and not for new lines or
-        /// fields.</summary>
+        /// <summary>
+        /// Format version. It is increased only if a reader of the previous version would misread a file, and not for new lines or fields.
+        /// </summary>
         public const int Version = 1;
 
         /// <summary>Version of the package that writes the file.</summary>

@@ -46,8 +46,9 @@ namespace Nowpose.Session
         /// <summary>Whether the robot's moving base, and not one of its joints, is the reason for <see cref="State"/>.</summary>
         internal bool IsLimitedByBase { get; private set; }
 
-        /// <summary>Whether the render time of the previous frames is in the constant-latency range. Only in this range is the display time
-        /// known.</summary>
+        /// <summary>
+        /// Whether the render time of the previous frames is in the constant-latency range. Only in this range is the display time known.
+        /// </summary>
         public RangeState Range { get; private set; }
 
         /// <summary>Reason why the error of this frame cannot be measured, see <see cref="Hindcast.ErrorWithheldReason"/>.</summary>

@@ -36,8 +36,9 @@ namespace Nowpose.Session
         /// <summary>Whether the display time is accurate enough to show a pose as current.</summary>
         public bool IsTrusted { get; }
 
-        /// <summary>Whether the render time of the previous frames is in the constant-latency range. Only in this range is the display time
-        /// known.</summary>
+        /// <summary>
+        /// Whether the render time of the previous frames is in the constant-latency range. Only in this range is the display time known.
+        /// </summary>
         public RangeState Range { get; }
 
         /// <summary>See <see cref="DisplayFrame.ErrorWithheld"/>.</summary>

@@ -64,7 +64,7 @@ namespace Nowpose.Session
             HasSample(joint) ? _epoch + ClockTicks.Span(_joints[joint].NewestTime) : (ControlTime?)null;
 
         /// <summary>
-        /// Raised within <see cref="Add"/> with the index of a joint whose earlier samples were removed because its stamps went back.
+        /// Raised within <see cref="Add"/> with the index of a joint whose earlier samples were removed because the clock of the samples went back.
         /// </summary>
         public event Action<int> Restarted;
 
@@ -170,7 +170,9 @@ namespace Nowpose.Session
             return needed.Length > 0;
         }
 
-        /// <summary>Shows the newest samples unchanged, marked as held, because the prediction time is unknown. Allocates nothing.</summary>
+        /// <summary>
+        /// Shows the newest samples unchanged, marked as held, if positions cannot be predicted or must be held. Allocates nothing.
+        /// </summary>
         public void Hold()
         {
             for (var i = 0; i < _joints.Length; i++)

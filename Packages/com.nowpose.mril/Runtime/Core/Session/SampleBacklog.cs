@@ -4,11 +4,11 @@ using System.Collections.Concurrent;
 namespace Nowpose.Session
 {
     /// <summary>
-    /// Queues messages until the next frame, and selects the messages to process. Allocates nothing after construction; single-threaded.
+    /// Takes the messages that were queued for a frame, and selects the messages to process. Allocates nothing after construction; single-threaded.
     /// </summary>
     /// <remarks>
-    /// After a delay of the network or of a frame, a thousand messages may wait. A joint's sample takes about 5 µs with the default predictor, so a
-    /// thousand messages of seven joints take two frames, which would delay the next frame again.
+    /// After a delay of the network or of a frame, a thousand messages may wait. A joint's sample takes about 5 µs with the default predictor, so
+    /// processing a thousand messages of seven joints takes as long as two frames and would delay the next frame again.
     /// </remarks>
     sealed class SampleBacklog
     {
@@ -53,7 +53,7 @@ namespace Nowpose.Session
             for (var i = Count - 1; i >= 0; i--) _isSelected[i] = Count <= MaxUsualCount || HasNewSample(i);
         }
 
-        /// <summary>Releases the messages.</summary>
+        /// <summary>Removes the references to the messages.</summary>
         public void Clear()
         {
             Array.Clear(_oldestFirst, 0, Count);

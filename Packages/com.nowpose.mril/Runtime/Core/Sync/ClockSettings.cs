@@ -55,8 +55,9 @@ namespace Nowpose.Sync
         /// </summary>
         public double SkewVariation { get; }
 
-        /// <summary>Returns whether a pose based on this clock counts as current: the clock is coarse, synchronised, or in a short
-        /// holdover.</summary>
+        /// <summary>
+        /// Returns whether a pose based on this clock counts as current: the clock is coarse, synchronised, or in a short holdover.
+        /// </summary>
         public bool Trusts(in ClockModel clock) => clock.State == ClockState.Synchronised || clock.State == ClockState.Coarse
             || (clock.State == ClockState.Holdover && clock.EstimatedError <= MaxHoldoverError);
 

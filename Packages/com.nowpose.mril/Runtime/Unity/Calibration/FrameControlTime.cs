@@ -8,7 +8,10 @@ namespace Nowpose.Unity.Calibration
     static class FrameControlTime
     {
         /// <param name="source">The session that computes the frame. Call this method while the frame is current.</param>
-        /// <returns>Null unless the clock is synchronised. In holdover, its error may be ten times as large as the quantity to be measured.</returns>
+        /// <returns>
+        /// Null unless the clock is synchronised. In holdover, the error of the control time may be ten times as large as the quantity to be
+        /// measured.
+        /// </returns>
         public static ControlTime? Of(MrilSession source, DisplayFrame frame)
         {
             if (source.Session == null) return null;

@@ -27,8 +27,8 @@ namespace Nowpose.Unity.Calibration
         public string SavedPath => Path.Combine(Application.persistentDataPath, _fileName);
 
         /// <summary>
-        /// Reasons, one line each, why the last search rejected profiles or could not search a place. If a profile was found, these are the places
-        /// before it.
+        /// Reasons, one line each, why the last search rejected profiles or could not search a place. If a profile was found, these are the reasons
+        /// for the places that were searched before it.
         /// </summary>
         public IReadOnlyList<string> Refusals => _refusals;
 

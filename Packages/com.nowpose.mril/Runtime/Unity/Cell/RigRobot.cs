@@ -21,7 +21,8 @@ namespace Nowpose.Unity.Cell
 
         /// <param name="name">Namespace of the robot; empty for the session's own robot.</param>
         /// <param name="description">Description of a robot in a namespace; not used for the session's own robot.</param>
-        /// <param name="source">The component that has the session. It lists a robot in a namespace among its parts; its own robot is always shown.</param>
+        /// <param name="source">The component that has the session. A robot in a namespace is listed among the parts of this component; the
+        /// session's own robot is not.</param>
         public RigRobot(RobotRig rig, string name, RobotDescriptionAsset description, MrilSession source)
         {
             _source = source;
@@ -45,7 +46,7 @@ namespace Nowpose.Unity.Cell
             }
         }
 
-        // A rig that shows the newest samples for comparison is never current.
+        // A rig that shows the newest samples for comparison is not listed, because its pose is never current.
         bool IsListed => !IsOwn && _rig.Shows == RigPose.Displayed;
 
         bool IsOwn => string.IsNullOrEmpty(_name);

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>An object, signal or further robot of the cell that a component shows.</summary>
+    /// <summary>An object, a signal or an additional robot of the cell that a component shows.</summary>
     interface IShownPart
     {
         /// <summary>Kind and name of the part, such as "object workpiece_1".</summary>

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Tracks, from Unity's messages, whether the application is paused or without focus.</summary>
+    /// <summary>Uses Unity's messages to track whether the application is paused or without focus.</summary>
     readonly struct ApplicationPresence
     {
         readonly bool _isPaused, _isUnfocused;
@@ -14,7 +14,7 @@ namespace Nowpose.Unity.Session
         }
 
         /// <summary>Whether the application is paused, or has no focus and does not run in the background.</summary>
-        /// <remarks>A lost focus does not count in the editor, where frames continue while, for example, the Inspector has the focus.</remarks>
+        /// <remarks>A loss of focus is ignored in the editor, where frames continue while, for example, the Inspector has the focus.</remarks>
         public bool IsAway => _isPaused || (_isUnfocused && !Application.runInBackground && !Application.isEditor);
 
         public ApplicationPresence Paused(bool isPaused) => new ApplicationPresence(isPaused, _isUnfocused);

@@ -39,7 +39,7 @@ namespace Nowpose.Unity.Session
             _followed = session;
             for (; _beyondLimits < session.BeyondLimits.Count; _beyondLimits++) Warn(session.BeyondLimits[_beyondLimits].Words);
             Follow(session.ProfileMismatches);
-            // Each reconnection reports a version mismatch again. The same mismatch is logged only once.
+            // Each reconnection reports a version mismatch again, so the same mismatch is logged only once.
             var versions = session.VersionMismatch;
             if (versions != null && versions != _versions) Warn(_versions = versions);
         }

@@ -32,7 +32,7 @@ namespace Nowpose.Unity.Status
             }
             var place = AroundHead.Of(panel.position, head.position);
             if (!IsGliding && place.IsWithin(settings.TurnDegrees, settings.MoveMetres, goal)) return panel;
-            // Continues a glide to its end. If the glide stopped as soon as the panel is within the limits, each small movement of the head would
+            // Continues a glide to its end. If the glide stopped as soon as the panel was within the limits, each small movement of the head would
             // start another glide.
             place = place.Towards(goal, 1 - Mathf.Exp(-seconds / settings.GlideSeconds));
             IsGliding = !place.IsWithin(SettledDegrees, SettledMetres, goal);

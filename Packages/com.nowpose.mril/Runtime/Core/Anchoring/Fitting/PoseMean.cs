@@ -57,8 +57,9 @@ namespace Nowpose.Anchoring.Fitting
         /// <summary>Estimated error of the mean's rotation, rad.</summary>
         public double ErrorRadians => SpreadRadians / Math.Sqrt(Inliers);
 
-        /// <summary>Returns whether the means of the older and the newer half of the poses agree. The mean of a moving marker is
-        /// meaningless.</summary>
+        /// <summary>
+        /// Returns whether the means of the older and the newer half of the poses agree. The mean of a moving marker is meaningless.
+        /// </summary>
         /// <param name="metres">Position difference that is always allowed, even if the scatter is small, m.</param>
         /// <param name="radians">Angle difference that is always allowed, rad.</param>
         public bool IsSteady(double metres, double radians) =>

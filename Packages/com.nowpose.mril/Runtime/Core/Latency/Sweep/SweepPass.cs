@@ -70,8 +70,9 @@ namespace Nowpose.Latency.Sweep
 
         static bool IsEnough(IReadOnlyList<SweepVisit> visits) => visits.Select(visit => visit.Vertices).Distinct().Count() >= MinLoads;
 
-        /// <summary>Splits visits into runs with increasing or with decreasing load. A load at which the direction changes belongs to both
-        /// runs.</summary>
+        /// <summary>
+        /// Splits visits into runs with increasing or with decreasing load. A load at which the direction changes belongs to both runs.
+        /// </summary>
         static IEnumerable<List<SweepVisit>> RunsOf(IReadOnlyList<SweepVisit> visits)
         {
             var run = new List<SweepVisit>();

@@ -17,7 +17,7 @@ namespace Nowpose.Session.Cell
 
         public NeededFrames(FrameTree tree) => _tree = tree;
 
-        /// <summary>Shows a frame from now on, even if no pose of the frame has been received yet.</summary>
+        /// <summary>Adds a frame to the tree from now on, even if no pose of the frame has been received yet.</summary>
         public void Need(string name)
         {
             if (!_needed.Add(name) || !_others.TryGetValue(name, out var kept)) return;

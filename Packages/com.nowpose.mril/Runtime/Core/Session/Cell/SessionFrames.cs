@@ -37,7 +37,10 @@ namespace Nowpose.Session.Cell
 
         public FrameTree Tree { get; }
 
-        /// <summary>Reports each received pose; raised within <see cref="CompensationSession.Tick"/>.</summary>
+        /// <summary>
+        /// Reports each processed pose, used or dropped, but no pose that a full queue has dropped; raised within
+        /// <see cref="CompensationSession.Tick"/>.
+        /// </summary>
         /// <remarks>A handler must be fast, must not throw, and must not call the session.</remarks>
         public event PoseJudged Judged;
 

@@ -32,7 +32,10 @@ namespace Nowpose.Session.Cell
 
         public SignalTable Table { get; } = new SignalTable();
 
-        /// <summary>Reports each received value; raised within <see cref="CompensationSession.Tick"/>.</summary>
+        /// <summary>
+        /// Reports each processed value, used or dropped, but no value that a full queue has dropped; raised within
+        /// <see cref="CompensationSession.Tick"/>.
+        /// </summary>
         /// <remarks>A handler must be fast, must not throw, and must not call the session.</remarks>
         public event SignalJudged Judged;
 
