@@ -80,7 +80,7 @@ namespace Nowpose.Anchoring
         /// <summary>Whether a person is moving a marker, and the base with it, by hand.</summary>
         public bool IsBeingPlaced { get; private set; }
 
-        /// <summary>Whether the device holds the position of the base.</summary>
+        /// <summary>Whether the device has an anchor for the position of the base, in any state of the anchor.</summary>
         public bool IsHeld => _place.IsThere;
 
         /// <summary>Name under which the device stores the position across restarts; null when it is not stored.</summary>

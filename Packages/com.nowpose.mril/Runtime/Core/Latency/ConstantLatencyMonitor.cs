@@ -101,7 +101,7 @@ namespace Nowpose.Latency
         /// <summary>Source of the newest render time.</summary>
         public RenderTimeSourceKind Source { get; private set; }
 
-        /// <summary>Median that is compared with the limit; null before the first measurement.</summary>
+        /// <summary>Median that is compared with the limit; null before the first measurement with the current source.</summary>
         public TimeSpan? RenderTime => _recent.Count == 0 ? (TimeSpan?)null : _recent.At(0.5);
 
         /// <summary>Adds the render time of one frame. A change of the source restarts the window.</summary>

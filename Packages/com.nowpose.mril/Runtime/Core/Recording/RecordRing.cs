@@ -7,7 +7,7 @@ namespace Nowpose.Recording
     /// </summary>
     /// <remarks>
     /// Implements Vyukov's bounded queue: each slot has the turn number at which it may next be filled or emptied, so a record is visible
-    /// only once it is complete, and a thread that is suspended in between delays only the records after it.
+    /// only once it is complete, and a thread that is suspended while it fills a record delays only the later records.
     /// </remarks>
     sealed class RecordRing
     {

@@ -81,7 +81,7 @@ namespace Nowpose.Recording
                 using (var stream = _settings.Open()) WriteAll(stream);
                 _state = _problem == null ? RecordingState.Closed : RecordingState.Full;
             }
-            // Catches every exception: an uncaught exception would end the application.
+            // Catches every exception, because an uncaught exception would end the application.
             catch (Exception failure)
             {
                 _problem = "recording " + _settings.Path + " has stopped: " + failure.Message.Replace('\r', ' ').Replace('\n', ' ');

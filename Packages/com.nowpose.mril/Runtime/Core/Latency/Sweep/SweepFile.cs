@@ -77,7 +77,7 @@ namespace Nowpose.Latency.Sweep
             {
                 action();
             }
-            // Any exception ends the sweep with a message, not the application.
+            // Catches every exception, so that it ends the sweep with a message and does not end the application.
             catch (Exception fault)
             {
                 _problem = SweepMessages.LogNotWritten(Path, fault.Message.Replace('\r', ' ').Replace('\n', ' '));
