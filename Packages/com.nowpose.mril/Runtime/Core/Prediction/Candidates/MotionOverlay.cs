@@ -3,7 +3,7 @@ using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Candidates
 {
-    /// <summary>Compares the newest samples with the history at a lag, and shifts them to the best fit.</summary>
+    /// <summary>Compares the newest samples with the history at a lag, and shifts the lag to the best fit.</summary>
     /// <remarks>Lags are in grid steps of the history, with fractions. Allocates nothing.</remarks>
     sealed class MotionOverlay
     {

@@ -11,7 +11,7 @@ namespace Nowpose.Prediction.Candidates
     /// </summary>
     /// <remarks>
     /// The first samples of a move determine its start, because all moves under the same limits are equal until they brake
-    /// (Schnierle &amp; Röck 2022, Fig. 12). A sample that lags behind that curve determines the stroke, and therefore the rest of the move.
+    /// (Schnierle &amp; Röck 2022, Fig. 12). A sample that lags behind that curve determines the stroke, and therefore the remainder of the move.
     /// Other moves are predicted wrongly, so a <see cref="CandidateGate"/> decides whether the forecast is used.
     /// </remarks>
     sealed class ProfileForecaster : Forecaster

@@ -5,7 +5,7 @@ using Nowpose.Prediction.Samples;
 namespace Nowpose.Prediction.Candidates
 {
     /// <summary>
-    /// For machines that repeat their motion. Forecasts that the present motion continues in the same way as an earlier, similar motion.
+    /// Forecasts that the present motion continues in the same way as an earlier, similar motion, for machines that repeat their motion.
     /// </summary>
     /// <remarks>
     /// Compares the newest samples with the history at the lags of greatest similarity, refines each lag to the best fit, and averages the

@@ -3,7 +3,7 @@ using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Forecasts the weighted sum of the newest samples' positions.</summary>
+    /// <summary>Forecasts a position as the weighted sum of the newest samples' positions.</summary>
     sealed class LinearForecaster : Forecaster
     {
         readonly PositionWeights _weights;

@@ -10,10 +10,10 @@ namespace Nowpose.Prediction.Forecasting
     /// for sources without noise, but needs only one sample; candidates, which predict the start of a motion, use it.
     /// 2. Is it at rest (<see cref="IsAtRest"/>)? Rest begins when the range of the newest four samples is within a small multiple of the
     /// noise, and ends at a larger distance from the position where it began. The mixture uses it.
-    /// 3. Are the samples at rest only noise (<see cref="IsOnlyNoise"/>), or does the joint move slowly? Then the mixture holds the position.
-    /// The noise is the low decile of the ranges over time, from a quantile tracker. A joint that never rests raises it to the slowest tenth
-    /// of its motion; samples that all move in one direction therefore begin a rest only if they are much slower than the fastest samples of the last
-    /// seconds, as at the end of a motion.
+    /// 3. Are the samples at rest only noise (<see cref="IsOnlyNoise"/>), or does the joint move slowly? If they are only noise, the mixture holds
+    /// the position. The noise is the low decile of the ranges over time, from a quantile tracker. A joint that never rests raises it to the slowest
+    /// tenth of its motion; samples that all move in one direction therefore begin a rest only if they are much slower than the fastest samples of
+    /// the last seconds, as at the end of a motion.
     /// </remarks>
     sealed class RestDetector
     {

@@ -24,11 +24,11 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Appends a snapshot to be filled. Drops the oldest when full.</summary>
         public Snapshot Append() => _snapshots.Append();
 
-        /// <summary>Finds the last snapshot before a time and the first one after it, and drops all older snapshots.</summary>
+        /// <summary>Finds the last snapshot at or before a time and the next snapshot, and drops all earlier snapshots.</summary>
         /// <param name="time">Time to find, in s.</param>
         /// <param name="older">The newest snapshot at or before that time.</param>
         /// <param name="younger">The next snapshot; null if there is none.</param>
-        /// <returns>False if all snapshots are younger.</returns>
+        /// <returns>False if all snapshots are later than that time.</returns>
         public bool TryFind(double time, out Snapshot older, out Snapshot younger)
         {
             (older, younger) = (null, Count > 0 ? _snapshots[0] : null);

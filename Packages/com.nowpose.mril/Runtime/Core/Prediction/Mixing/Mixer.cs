@@ -10,8 +10,8 @@ namespace Nowpose.Prediction.Mixing
     /// </summary>
     /// <remarks>
     /// No single forecaster is best for every motion: the paper's quadratic is better on clean swings, a straight line on many real machines.
-    /// Each new sample takes three steps: it is compared with the forecasts that were made one horizon before it, the weights are solved from
-    /// these errors, and the tables of all forecasts are filled, of which one is displayed.
+    /// Each new sample is processed in three steps: it is compared with the forecasts that were made one horizon before it, the weights are solved
+    /// from these errors, and the tables of all forecasts, one of which is displayed, are filled.
     /// </remarks>
     sealed class Mixer : Forecaster
     {

@@ -43,7 +43,7 @@ namespace Nowpose.Prediction.Planning
         /// <summary>Offset in rad or m.</summary>
         public double Offset { get; private set; }
 
-        /// <summary>Starts a plan; keeps the delay of the previous plan as the estimate.</summary>
+        /// <summary>Starts a plan. Keeps the estimated delay and offset, and increases the uncertainty of the offset if necessary.</summary>
         public void Start(double range)
         {
             var offset = UnknownOffset * Math.Min(range, MaxRange) + MinNoise;
@@ -57,7 +57,7 @@ namespace Nowpose.Prediction.Planning
         /// <param name="difference">Sample minus plan(t − <see cref="Delay"/>) − <see cref="Offset"/>.</param>
         /// <param name="velocity">Velocity of the plan at this time.</param>
         /// <param name="range">Range of the plan's positions.</param>
-        /// <returns>Whether the joint follows.</returns>
+        /// <returns>Verdict of the sample on whether the joint follows the plan.</returns>
         public PlanVerdict Add(double time, double difference, double velocity, double range)
         {
             AddProcessNoise(Math.Min(Math.Max(time - _time, 0), 1), range);

@@ -175,7 +175,8 @@ namespace Nowpose.Prediction.Samples
             NewestOnLine = _newestStamp + meanT - Interval * meanN;
         }
 
-        // The slope of a short line is uncertain, and its error is largest at the newest number.
+        // Rounds the slope if it is close to a multiple of the cycle unit. The slope of a short line is uncertain, and a wrong slope has the largest
+        // effect at the newest sample number.
         static double LikelyInterval(double slope, double standardError)
         {
             var whole = Math.Round(slope / CycleUnit) * CycleUnit;
