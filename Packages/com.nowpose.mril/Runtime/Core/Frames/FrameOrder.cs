@@ -109,7 +109,7 @@ namespace Nowpose.Frames
         /// <summary>Returns the pose of a frame in the world at a time other than the displayed one.</summary>
         /// <param name="frame">Index of the frame, known at the last arrangement.</param>
         /// <param name="at">The time on the control clock, and in seconds since the epoch of the predictors.</param>
-        /// <param name="reach">Place that a gripper gives the frame; null if the frame's own source determines its place.</param>
+        /// <param name="reach">Place that a gripper assigns to the frame; null if the frame's own source determines its place.</param>
         public RigidTransform PoseAt(int frame, ReachPlace reach, (ControlTime Time, double Seconds) at, out PoseOrigin origin) =>
             PoseAt(frame, reach, at, out origin, 0);
 

@@ -92,7 +92,7 @@ namespace Nowpose.Frames
         }
 
         /// <summary>Returns the pose of a frame in the world at a time other than the displayed one.</summary>
-        /// <param name="reach">Place that a gripper gives the frame; null if the frame's own source determines its place.</param>
+        /// <param name="reach">Place that a gripper assigns to the frame; null if the frame's own source determines its place.</param>
         public RigidTransform PoseAt(int index, ReachPlace reach, ControlTime at, out PoseOrigin origin)
         {
             Arrange();

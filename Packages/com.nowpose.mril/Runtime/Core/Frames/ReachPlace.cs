@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 namespace Nowpose.Frames
 {
     /// <summary>
-    /// Place that a gripper, instead of the object's own source, gives an object: in the gripper, or at the position of the release.
+    /// Place that a gripper assigns to an object in place of the object's own source: in the gripper, or at the position of the release.
     /// </summary>
     sealed class ReachPlace
     {

@@ -281,7 +281,7 @@ namespace Nowpose.Pairing
 
         void ClearProblem()
         {
-            // Keeps a problem that was not reported yet.
+            // Keeps a problem that has not been reported yet.
             if (Problem == null || (_changes & PairingChange.Problem) != 0) return;
             _faultUntil = null;
             Problem = null;
