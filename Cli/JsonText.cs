@@ -4,7 +4,7 @@ using System.Text.Json;
 
 namespace Nowpose.Cli;
 
-/// <summary>Writes the JSON that commands print: numbers with all digits, names without escape sequences.</summary>
+/// <summary>Creates the JSON text that commands print: numbers with all digits, names without escape sequences.</summary>
 static class JsonText
 {
     /// <param name="write">Writes one JSON value.</param>

@@ -7,8 +7,8 @@ namespace Nowpose.Gateway;
 
 /// <summary>Accepts connections for the web server, and continues after an error of the operating system.</summary>
 /// <remarks>
-/// Kestrel closes a port permanently at the first exception of its listener. The listener keeps the last file descriptors free, because
-/// without a free descriptor, Kestrel's own listener uses a processor core completely.
+/// Kestrel closes a port permanently at the first exception of its listener. This listener keeps the last file descriptors free, because without a
+/// free descriptor, Kestrel's own listener would fully load a processor core.
 /// </remarks>
 sealed class ResilientListener(IConnectionListener inner, Action<string> log) : IConnectionListener
 {

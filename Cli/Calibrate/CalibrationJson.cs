@@ -4,7 +4,7 @@ using Nowpose.Cli.Figures;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>Writes the JSON that calibration.html reads. <c>Web/src/calibration/data.ts</c> declares its fields.</summary>
+/// <summary>Creates the JSON that calibration.html reads. <c>Web/src/calibration/data.ts</c> declares its fields.</summary>
 static class CalibrationJson
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };

@@ -5,7 +5,9 @@ using Nowpose.Simulation.Work;
 namespace Nowpose.Cli.Demo;
 
 /// <summary>Selects the frames for the report's 3D playback. Each has the true, the displayed and the uncompensated position of all joints.</summary>
-/// <remarks>At most 3600 frames, two minutes at 30 per second. The page is sent by mail, so its size must not grow with the run.</remarks>
+/// <remarks>
+/// At most 3600 frames, two minutes at 30 per second. Users send the page by e-mail, so its size must not grow with the duration of the run.
+/// </remarks>
 sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
 {
     const int MaxInstants = 3600;

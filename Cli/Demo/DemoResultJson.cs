@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Writes result.json: the fields of <see cref="DemoResult"/> in snake case, as specified in cli.md.</summary>
+/// <summary>Creates the content of result.json: the fields of <see cref="DemoResult"/> in snake case, as specified in cli.md.</summary>
 static class DemoResultJson
 {
     static readonly JsonSerializerOptions Options = new()

@@ -11,7 +11,7 @@ sealed class SessionLog
     readonly Lock _gate = new();
     readonly List<SyncExchange> _exchanges = new(ExpectedExchanges);
 
-    // Has the capacity for all samples, because it is filled during frames, and the allocations during frames are measured.
+    // Has the capacity for all samples, so that it does not allocate during frames, whose allocations are measured.
     readonly List<TimeSpan> _latencies;
 
     /// <param name="samples">Expected number of samples. More samples are accepted.</param>

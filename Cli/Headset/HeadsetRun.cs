@@ -10,7 +10,7 @@ using Nowpose.Session;
 namespace Nowpose.Cli.Headset;
 
 /// <summary>Runs the headset runtime without a display against an existing gateway, at the frame rate of a display.</summary>
-/// <param name="say">Receives a line of text when the pose stops being current and when it is current again.</param>
+/// <param name="say">Receives a line of text when the pose stops being current and when it becomes current again.</param>
 sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
 {
     static readonly TimeSpan DescriptionTimeout = TimeSpan.FromSeconds(10);

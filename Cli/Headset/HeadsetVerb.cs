@@ -9,7 +9,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary><c>headset</c>: checks, before a headset is used, whether a gateway and its plant are suitable.</summary>
+/// <summary><c>headset</c>: checks whether a gateway and its plant are suitable for headsets. Needs no headset.</summary>
 static class HeadsetVerb
 {
     static readonly Option<string> Host = new("--host") { Description = "Name or address of the gateway", DefaultValueFactory = _ => "127.0.0.1" };

@@ -5,7 +5,7 @@ namespace Nowpose.Cli.Headset;
 /// <summary>Counts the frames with a current pose, and measures the time without one.</summary>
 sealed class PoseCount
 {
-    /// <summary>Initial time in which frames without a current pose are not counted, because the clock synchronises.</summary>
+    /// <summary>Initial time in which frames without a current pose are not counted, because the clock is still synchronising.</summary>
     static readonly TimeSpan StartAllowance = TimeSpan.FromSeconds(3);
 
     TimeSpan? _first, _lost;

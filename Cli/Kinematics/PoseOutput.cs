@@ -6,7 +6,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Kinematics;
 
-/// <summary>Prints link poses. The poses are row-major 4×4 matrices in the order of the model's links.</summary>
+/// <summary>Formats link poses as text or JSON. The poses are row-major 4×4 matrices in the order of the model's links.</summary>
 static class PoseOutput
 {
     public static string Json(RobotModel model, double[][] poses) => JsonText.Of(isIndented: false, json =>

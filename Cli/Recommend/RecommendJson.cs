@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>Writes the recommendation as JSON, with all digits of the numbers.</summary>
+/// <summary>Formats the recommendation as JSON, with all digits of the numbers.</summary>
 static class RecommendJson
 {
     public static string Of(string path, RecordingTraits traits, IReadOnlyList<(Verdict Verdict, BlendCost Blend)> results) => JsonText.Of(isIndented: true, json =>

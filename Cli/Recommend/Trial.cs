@@ -17,7 +17,7 @@ sealed record Trial(string Predictor, ReplayResult First, ReplayResult Second)
     /// <summary>Gets the relative reduction of the RMS error compared with another trial; 0.1 is 10 % less. Null if the other has no error.</summary>
     public double? GainOver(Trial other) => Share(Rms, other.Rms);
 
-    /// <summary>Gets the relative reduction of the RMS error compared with another trial on one half.</summary>
+    /// <summary>Gets the relative reduction of the RMS error compared with another trial on one half. Null if the other has no error.</summary>
     public double? GainOver(Trial other, Half half) => Share(On(half).Rms, other.On(half).Rms);
 
     public bool IsBetterThan(Trial other, Half half) => On(half).Rms < other.On(half).Rms;

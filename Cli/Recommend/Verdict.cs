@@ -23,7 +23,7 @@ sealed class Verdict
         Recommended = Trials.FirstOrDefault(trial => IsBetter(trial, Default)) ?? Default;
     }
 
-    /// <summary>Maximum relative difference of the total errors for a tie.</summary>
+    /// <summary>Upper limit of the relative difference between the total errors in a tie, exclusive.</summary>
     const double MaxTieDifference = 0.5;
 
     public ISubject Subject { get; }

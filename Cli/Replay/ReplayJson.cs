@@ -2,12 +2,12 @@ using System.Text.Json;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Writes the result of a replay as JSON, with all digits of the numbers.</summary>
+/// <summary>Formats the result of a replay as JSON, with all digits of the numbers.</summary>
 static class ReplayJson
 {
     public static string Of(ReplayResult result) => JsonText.Of(isIndented: true, json => Write(json, result));
 
-    /// <summary>Writes the result of a rigid body. It has no totals, because millimetres and degrees cannot be added.</summary>
+    /// <summary>Formats the result of a rigid body. It has no totals, because millimetres and degrees cannot be added.</summary>
     public static string Of(BodyReplayResult result) => JsonText.Of(isIndented: true, json => Write(json, result));
 
     static void Write(Utf8JsonWriter json, BodyReplayResult result)

@@ -39,7 +39,7 @@ sealed class Preparation
     /// <summary>Reason why <see cref="Apply"/> would fail, in one line; null if none is known.</summary>
     public string Obstacle => _merge.Changes.Count > 0 ? _file.Obstacle : null;
 
-    /// <summary>Steps that the user must do after the preparation.</summary>
+    /// <summary>Steps that the user must take after the preparation.</summary>
     public IReadOnlyList<string> NextSteps => _changes.Count == 0 ? [] : _settings.HasMrtk3 ? [.. AfterMrtk3, InUnity] : [InUnity];
 
     /// <exception cref="InputException">The project cannot be prepared. It is not changed.</exception>

@@ -4,7 +4,7 @@ using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary>Prints the changes to a project, either made or planned.</summary>
+/// <summary>Formats the changes to a project, either made or planned, as text or JSON.</summary>
 static class PreparationOutput
 {
     public static string Text(Preparation preparation, bool isCheck, string backup)

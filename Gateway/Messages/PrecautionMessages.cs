@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Warnings about the security of the gateway's start, with remedies.</summary>
+/// <summary>Warnings about insecure settings, tokens and files, which the gateway logs at startup, with remedies.</summary>
 static class PrecautionMessages
 {
     public const string Root = "security: the gateway runs as root or administrator, but does not need these rights; run it as a separate user";

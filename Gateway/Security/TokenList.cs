@@ -13,7 +13,7 @@ public sealed class TokenList
     static readonly Dictionary<string, Role> Roles =
         new() { ["observer"] = Role.Observer, ["source"] = Role.Source, ["operator"] = Role.Operator };
 
-    // Sufficient for an editor that truncates the file before it writes the new content.
+    // Minimum age of a change before the file is read again. An editor that truncates the file first has then written the new content.
     internal static readonly TimeSpan Settles = TimeSpan.FromMilliseconds(250);
 
     readonly Func<(byte[] Hash, Role Role)[]> _current;

@@ -36,7 +36,7 @@ public sealed class PairingPageTests
         await using var gateway = await PairingGateway.StartAsync();
         using var body = new StringContent("{}");
 
-        // With DNS rebinding, a foreign page whose host name has been redirected to this machine sends such a request.
+        // With DNS rebinding, a page of another site, whose host name has been redirected to this machine, sends such a request.
         var (status, text) = await gateway.SendAsync(new HttpMethod(method), path, method == "POST" ? body : null, ("Host", "evil.example"));
 
         Assert.That(status, Is.EqualTo(HttpStatusCode.Forbidden));

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Calibrate.Head;
 
-/// <summary>Writes the latency for head motion as JSON.</summary>
+/// <summary>Formats the latency for head motion as JSON.</summary>
 static class HeadJson
 {
     public static string Of(HeadResult result) => JsonText.Of(isIndented: true, json =>

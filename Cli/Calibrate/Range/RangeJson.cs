@@ -2,7 +2,7 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Range;
 
-/// <summary>Writes the constant-latency range as JSON.</summary>
+/// <summary>Formats the constant-latency range as JSON.</summary>
 static class RangeJson
 {
     public static string Of(RangeFitResult fit) => JsonText.Of(isIndented: true, json =>

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>Computes where a headset that turns left and right sees a fixed point of the room, in px from the middle of the picture.</summary>
+/// <summary>Computes where a headset that turns left and right sees a fixed point in the room, in px from the middle of the picture.</summary>
 /// <remarks>
 /// The horizontal amplitude is an eighth of the picture's width, and the period is 3 s. If the picture is 43° wide, like the display of a
 /// HoloLens 2, the maximum speed is 12°/s.

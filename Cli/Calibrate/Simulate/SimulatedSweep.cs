@@ -50,7 +50,7 @@ sealed class SimulatedSweep
         {
             var vertices = VerticesOf(i, frames);
             var frame = pipeline.Next(vertices);
-            // For each frame, the log contains the render time of the newest frame that the GPU had finished.
+            // For each frame, the log contains the render time of the newest frame that the GPU has finished by the start of that frame.
             for (; rendered.TryPeek(out var oldest) && oldest.Done <= frame.Start; rendered.Dequeue()) renderMs = oldest.RenderTime.TotalMilliseconds;
             rendered.Enqueue(frame);
             _frames.Add(frame);

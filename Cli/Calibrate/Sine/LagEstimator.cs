@@ -16,7 +16,7 @@ static class LagEstimator
     /// <summary>Minimum correlation. Below it, the hologram does not follow the robot.</summary>
     const double MinCorrelation = 0.9;
 
-    /// <summary>Relative height of a second maximum from which the result is ambiguous.</summary>
+    /// <summary>Minimum height of a second maximum, relative to the first one, that makes the result ambiguous.</summary>
     const double Ambiguous = 0.98;
 
     /// <summary>

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>Writes the result of a back-and-forth jog as JSON.</summary>
+/// <summary>Formats the result of a back-and-forth jog as JSON.</summary>
 static class SineJson
 {
     public static string Of(SineResult result) => JsonText.Of(isIndented: true, json =>

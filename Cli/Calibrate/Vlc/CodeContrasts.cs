@@ -17,12 +17,12 @@ sealed class CodeContrasts
     const double MaxDeviation = 0.45;
 
     /// <summary>
-    /// Maximum median of the absolute deviations of the other pairs, with which dark pairs count as covered. An object in front of a code leaves the
-    /// other pairs as they are; a bright scene behind it changes most of them.
+    /// Dark pairs count as covered only if the median of the other pairs' absolute deviations is at most this value. An object in front of a code
+    /// does not change the other pairs; a bright scene behind the code changes most of them.
     /// </summary>
     const double MaxIntactDeviation = 0.125;
 
-    /// <summary>Share of white cells from which a code counts as overexposed or covered by a bright reflection.</summary>
+    /// <summary>Minimum share of white cells in a code that counts as overexposed or covered by a bright reflection.</summary>
     const double MinWhiteShare = 0.05;
 
     /// <summary>

@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <param name="Control">Centre of the control code.</param>
 /// <param name="Headset">Centre of the headset's code.</param>
 /// <param name="ControlSide">Mean side length of the control code.</param>
-/// <param name="LaterMs">Time by which a rolling shutter exposed the headset's code later than the control's, ms.</param>
+/// <param name="LaterMs">Time from the exposure of the control code to that of the headset's code, caused by a rolling shutter, ms.</param>
 sealed record CodePlaces((double X, double Y) Control, (double X, double Y) Headset, double ControlSide, double LaterMs)
 {
     public static CodePlaces Of(FoundCode control, FoundCode headset, double laterMs) =>

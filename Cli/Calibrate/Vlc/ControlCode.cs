@@ -16,7 +16,7 @@ static class ControlCode
     const double MaxResidual = 0.17;
 
     /// <summary>
-    /// Margin: minimum ratio of the second-best residual to the best one. MinResidual: value that replaces a smaller best residual in this ratio.
+    /// Margin: minimum ratio of the second-best residual to the best one. MinResidual: lower limit of the best residual in this ratio.
     /// </summary>
     const double Margin = 1.6, MinResidual = 0.06;
 

@@ -3,10 +3,10 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Writes the results of the pictures as JSON.</summary>
+/// <summary>Formats the results of the pictures as JSON.</summary>
 static class VlcJson
 {
-    /// <param name="profile">Profile whose mean and deviation are written. If null, those of the pictures near the median are written.</param>
+    /// <param name="profile">Profile that supplies the mean and the deviation. If null, they are computed from the pictures near the median.</param>
     public static string Of(VlcResult result, LatencyProfile profile) => JsonText.Of(isIndented: true, json =>
     {
         json.WriteStartObject();

@@ -43,7 +43,7 @@ static class PaperClaims
         var mean = values.Average();
         double? uncertainty = values.Length < 2 ? null
             : StudentT.InvCDF(0, 1, values.Length - 1, Confidence) * values.StandardDeviation() / Math.Sqrt(values.Length);
-        // Each rule has one limit, so the ends of the interval decide for all its values.
+        // Each rule has one limit, so all values of the interval meet it if both ends do.
         bool isMetBelow = rule.IsMet(mean - (uncertainty ?? 0)), isMetAbove = rule.IsMet(mean + (uncertainty ?? 0));
         return new(rule.Figure, rule.Claim, rule.Paper, mean, uncertainty, rule.Unit, isMetBelow && isMetAbove)
         {

@@ -15,7 +15,7 @@ static class Figure11
     /// <summary>Maximum difference between the L_visu of a picture and the L_visu of the profile, ms.</summary>
     const double Sufficient = 3;
 
-    /// <summary>Minimum number of pictures for computing a spread. Few frames have the longest render times.</summary>
+    /// <summary>Minimum number of pictures for computing a spread. Excludes the longest render times, which too few frames have.</summary>
     const int MinPictures = 30;
 
     const string Beyond = Figure11Texts.AboveLimit;

@@ -4,7 +4,7 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures.Pictures;
 
-/// <summary>Writes the drawings of Fig. 17 side by side to an SVG file. Replaces the page's colours with fixed light ones.</summary>
+/// <summary>Creates an SVG file with the drawings of Fig. 17 side by side. Replaces the page's colours with fixed light ones.</summary>
 static partial class ArmPicture
 {
     const int Width = 320, Height = 264, TitleHeight = 24;

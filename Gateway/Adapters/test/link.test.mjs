@@ -139,7 +139,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     const offers = () => bridge.heard.filter(m => m.op === 'advertise_service').length;
     await until(() => offers() === 1, 'the offer');
 
-    // The gateway refuses the offer, for example because a former connection still serves this clock.
+    // The gateway refuses the offer, for example because an earlier connection still serves this clock.
     bridge.send({ op: 'status', level: 'error', msg: 'advertise_service: taken' });
 
     await until(() => offers() === 2, 'the second offer');

@@ -23,7 +23,7 @@ sealed class Conditions(
 
     const string DoesNotReport = "does not report";
 
-    /// <summary>Start of the remedy within the reason that an adapter gives why a joint may not be at rest.</summary>
+    /// <summary>Start of the remedy in the text with which an adapter explains why a joint may not be at rest.</summary>
     const string OwnRemedy = "; set ";
 
     static readonly string[] CurrentPoses = ["current", "coarse"];

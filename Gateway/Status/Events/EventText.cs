@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Writes events as CSV (RFC 4180) for spreadsheets.</summary>
+/// <summary>Formats events as CSV (RFC 4180) for spreadsheets.</summary>
 static class EventText
 {
     const string Header = "id,kind,which,what,reason,level,since_utc,until_utc,text";

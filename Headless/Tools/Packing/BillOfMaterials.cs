@@ -40,7 +40,7 @@ public sealed class BillOfMaterials
         });
     }
 
-    /// <param name="time">Time of the commit. The current time would give another file at each build of the same commit.</param>
+    /// <param name="time">Time of the commit. With the current time, each build of the same commit would create a different file.</param>
     public string Complete(string version, string commit, DateTimeOffset time) => new JsonObject
     {
         ["bomFormat"] = "CycloneDX",

@@ -26,7 +26,9 @@ static class MaterialAssets
     /// <summary>Creates the material of workpieces. It is yellow to distinguish a workpiece from the gripper that holds it.</summary>
     public static string Workpiece(PackageAssets assets) => Make(assets, "Workpiece", new Color(1, 0.85f, 0.2f, 1));
 
-    /// <summary>Creates the material of the uncompensated pose. It is grey and half transparent, so that it differs not only in colour.</summary>
+    /// <summary>
+    /// Creates the material of the uncompensated pose. It is grey and half transparent, so that it differs in more than its colour.
+    /// </summary>
     public static string Ghost(PackageAssets assets) => Make(assets, "Ghost", new Color(0.8f, 0.8f, 0.8f, 0.4f), AfterVirtualParts);
 
     /// <summary>

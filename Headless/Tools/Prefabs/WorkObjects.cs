@@ -88,7 +88,7 @@ static class WorkObjects
         }
     }
 
-    // The stop at the end of the belt is up while the belt runs, and holds the workpiece that arrives.
+    // Adds the stop at the end of the belt. It is up while the belt runs, and holds the workpiece that arrives.
     static void AddStop(GameObject conveyor, CellWork work, int robot, MrilSession session, Material material)
     {
         var arriving = (BeltEnd(work, robot).Inverse * BeltTo(work, robot).SkipLast(1).Last()).Y;
@@ -104,7 +104,7 @@ static class WorkObjects
         AddCube(stop, "Plate", below, new Vector3(StopThickness, StopStroke, (float)CellWork.Size), material);
     }
 
-    // The stack light beside the end of the belt shows the signals of the robot.
+    // Adds the stack light beside the end of the belt. It shows the signals of the robot.
     static void AddStackLight(GameObject conveyor, CellWork work, int robot, MrilSession session, Material off, Material on)
     {
         var light = AtBeltEnd("Stack Light", conveyor, work, robot, RigidTransform.FromXyzRpy(LightDistance, 0, 0, 0, 0, 0));

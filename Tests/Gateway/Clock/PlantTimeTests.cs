@@ -195,7 +195,7 @@ public class PlantTimeTests
         await Soon.BecomesAsync(() => StatusOf(gateway, "plc")?.State == ClockState.Synchronised, "the clock is known");
         using var back = await PlantAdapterDouble.ConnectAsync(gateway, "plc", plc);
         await Soon.BecomesAsync(() => gateway.Drops[DropReason.JointTaken] == 1, "the second client is refused while the first one responds");
-        // As with a broken cable, the former connection stays open but sends no message.
+        // As with a broken cable, the first connection stays open but sends no message.
         Volatile.Write(ref isGone, true);
         var before = StatusOf(gateway, "plc").Exchanges;
 

@@ -24,7 +24,7 @@ public abstract class PlayerFixture
     [TearDown]
     public void Quit() => Player.Dispose();
 
-    /// <summary>Runs frames of 10 ms, and returns the notes that scripts have made in these frames.</summary>
+    /// <summary>Runs frames of 10 ms, and returns the entries that scripts have written to the journal since the last call.</summary>
     protected string Frame(int count = 1)
     {
         for (var i = 0; i < count; i++) Player.Step(_time += 0.01);

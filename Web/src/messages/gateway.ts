@@ -1,4 +1,4 @@
-/** Reasons why a page has no data of its gateway. */
+/** Reasons why a page has no data from its gateway. */
 export const gatewayReasons = {
   noAnswer: 'the gateway does not respond',
   tokenRequired: 'the gateway requires a token',

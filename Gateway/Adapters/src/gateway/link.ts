@@ -23,7 +23,7 @@ const OFFER_MS = 5000;
 const MAX_STATUSES = 32;
 
 /**
- * Matches the status message of a gateway that does not have the clock of the stamps, for example because it is still measuring this clock. The
+ * Matches the status message of a gateway that does not know the clock of the stamps yet, for example because it is still measuring this clock. The
  * measurement takes up to MEASURING_MS.
  */
 const UNSYNCHRONISED = /\(Unsynchronised\)$/;

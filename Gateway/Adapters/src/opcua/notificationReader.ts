@@ -85,7 +85,7 @@ export class NotificationReader {
     for (const value of this.#readers[node]) this.context.output.refuse(value, reason, text);
   }
 
-  /** Sets the function that returns whether and when the source of a node has stopped writing it. */
+  /** Sets the function that returns the phase in which the source stopped writing a node, or null if it has not stopped. */
   set stopOf(stopOf: (node: number) => SourceStop | null) {
     this.context.output.sourceStopOf = value => stopOf(this.#readers.findIndex(values => values.includes(value)));
   }

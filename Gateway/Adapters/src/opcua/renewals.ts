@@ -1,7 +1,7 @@
 import type { SourceStop } from '../samples/jointOutput';
 import type { Nanoseconds } from '../times';
 
-/** Number of renewals of a node at rest from which its source counts as writing the node periodically. */
+/** Minimum number of renewals of a node at rest after which its source counts as writing the node periodically. */
 const MIN_RENEWALS = 3;
 
 /**
@@ -68,8 +68,8 @@ export class Renewals {
   }
 
   /**
-   * Gets whether the source stopped writing a node at rest or directly after a change. Returns null if the source still writes the node, or if
-   * this is unknown because the source did not write the node periodically at rest.
+   * Gets the phase in which the source stopped writing a node: at rest or directly after a change. Returns null if the source still writes the node,
+   * or if this is unknown because the source did not write the node periodically at rest.
    */
   stopOf(node: number): SourceStop | null {
     const { changedAt, renewals, isRenewed, longestMs } = this.#nodes[node];

@@ -52,7 +52,7 @@ export class SilentNodes {
     this.#renewals = new Renewals(ids.length, now);
   }
 
-  /** Gets the time at which the source stopped writing a node; null if it has not stopped, or if this is unknown. */
+  /** Gets the phase in which the source stopped writing a node; null if it has not stopped, or if this is unknown. */
   stopOf(node: number): SourceStop | null {
     return this.#renewals.stopOf(node);
   }

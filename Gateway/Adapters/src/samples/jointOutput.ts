@@ -73,7 +73,7 @@ export class JointOutput {
   /** Sampling interval of the source in seconds; 0 if unknown. */
   samplingS = 0;
   readonly silence: Silence;
-  /** Gets the time at which the source stopped writing a joint's value; null if it has not stopped, or if this is unknown. */
+  /** Gets the phase in which the source stopped writing a joint's value; null if it has not stopped, or if this is unknown. */
   sourceStopOf: (joint: number) => SourceStop | null = () => null;
 
   /** @param counter Monotonic clock in ms; by default, the clock of this machine. */

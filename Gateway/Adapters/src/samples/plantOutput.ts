@@ -106,7 +106,10 @@ export class PlantOutput {
     return index < this.#firstOfFrames && this.joints.hasEnded(index);
   }
 
-  /** Sets the function that returns the time at which the source stopped writing a value; null if it has not stopped, or if this is unknown. */
+  /**
+   * Sets the function that returns the phase in which the source stopped writing a value. It returns null if the source has not stopped, or if this
+   * is unknown.
+   */
   set sourceStopOf(stopOf: (index: number) => SourceStop | null) {
     this.joints.sourceStopOf = stopOf;
   }

@@ -1,4 +1,4 @@
-// Connects two gateways by a broker and two bridges, and creates the messages that they forward.
+// Connects two gateways through a broker and two bridges, and creates the messages that they forward.
 import { start, until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
@@ -21,7 +21,7 @@ ${more}`);
 
 export const clockOf = ({ port }, more = '') => `  clock: { host: 127.0.0.1, port: ${port}${more} }\n`;
 
-/** Starts two gateways, one with the plant (`near`) and one without (`far`), and connects them by a broker and two bridges. */
+/** Starts two gateways, one with the plant (`near`) and one without (`far`), and connects them through a broker and two bridges. */
 export async function halls(t, { more = '', namespaces = [] } = {}) {
   const robots = namespaces.length === 0 ? '' : `  namespaces: [${namespaces.join(', ')}]\n`;
   const [near, far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);

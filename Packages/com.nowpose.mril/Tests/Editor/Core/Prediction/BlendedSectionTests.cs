@@ -79,8 +79,8 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(blended.Show(1.1 + 20 * TimeConstant).Position, Is.EqualTo(1).Within(1e-6));
         }
 
-        // The plan is offset from the predicted position. The test displays very short steps, in which the position must not move faster
-        // than the blend.
+        // The plan is offset from the predicted position. The test reads the displayed position at very short intervals. Its speed must not exceed
+        // the speed of the motion plus that of the blend.
         [TestCase(1.2, 0.02, TestName = "Follow_PlanInTheFuture_StartsAndEndsWithoutAJump")]
         [TestCase(1.05, 0.02, TestName = "Follow_PlanAlreadyStarted_StartsAndEndsWithoutAJump")]
         public void Follow_Plan_StartsAndEndsWithoutAJump(double start, double beside)
