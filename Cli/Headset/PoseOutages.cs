@@ -29,7 +29,7 @@ sealed class PoseOutages(Action<string> say)
     bool _wasCurrent;
     HeadsetResult.OutageResult _now;
 
-    /// <summary>Whether the last frame belongs to an outage: the pose has not been current for longer than the minimum duration.</summary>
+    /// <summary>Whether the last frame belongs to an outage: the time without a current pose exceeds the minimum duration.</summary>
     public bool IsOutage => _now != null;
 
     /// <param name="time">Start time of the frame since the start of the run; must increase.</param>

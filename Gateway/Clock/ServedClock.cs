@@ -60,7 +60,10 @@ public sealed class ServedClock : IControlClock
 
     /// <summary>Converts a time of a plant's clock to C1.</summary>
     /// <param name="from">The plant's clock; null for a time that is already on C1.</param>
-    /// <returns>False while either clock is unknown, or the plant's clock is no longer accurate enough.</returns>
+    /// <returns>
+    /// False while either clock is unknown, if the plant's clock is no longer accurate enough, or if the time is far from the current time of that
+    /// clock.
+    /// </returns>
     public bool TryMap(PlantClock from, ControlTime time, out ControlTime onControl)
     {
         onControl = time;

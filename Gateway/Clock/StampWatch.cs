@@ -66,7 +66,8 @@ sealed class StampWatch(
     public bool IsContradicted => Found is { IsContradiction: true };
 
     /// <summary>
-    /// The sources whose accepted samples have been in the future for at least <see cref="Seconds"/> seconds, each with the length of time as text.
+    /// The sources whose accepted samples have been in the future for at least <see cref="Seconds"/> seconds, each with the time by which its newest
+    /// such stamp is ahead, as text.
     /// </summary>
     public IReadOnlyList<(string Source, string By)> Ahead { get; private set; } = [];
 
@@ -92,7 +93,7 @@ sealed class StampWatch(
         }
     }
 
-    /// <summary>Evaluates the stamps once a second and logs changes.</summary>
+    /// <summary>Evaluates the stamps of the last few seconds and logs changes. Called once a second.</summary>
     public void Look(Action<string> log)
     {
         ResetOnClockChange();

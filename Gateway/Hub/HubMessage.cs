@@ -85,7 +85,7 @@ public sealed class HubMessage
         RosTopics.JointStatus, message, Stopwatch.GetTimestamp(),
         form => RosbridgeWriter.PublishDiagnostics(RosTopics.JointStatus, message, form));
 
-    /// <summary>Creates the message with the list of signals whose source has ended, for headsets.</summary>
+    /// <summary>Creates the message with the list of signals without current values, for headsets.</summary>
     internal static HubMessage SignalStatus(DiagnosticsMessage message) => new(
         RosTopics.SignalStatus, message, Stopwatch.GetTimestamp(),
         form => RosbridgeWriter.PublishDiagnostics(RosTopics.SignalStatus, message, form));

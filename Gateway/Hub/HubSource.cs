@@ -106,7 +106,7 @@ public sealed class HubSource : IDisposable
     /// <summary>Publishes the list of joints that are not live, with their states. The newest message is kept for later subscribers.</summary>
     internal void PublishJointStatus(DiagnosticsMessage message) => _hub.PublishNewest(this, HubMessage.JointStatus(message));
 
-    /// <summary>Publishes the list of signals whose source has ended; the newest message is kept for later subscribers.</summary>
+    /// <summary>Publishes the list of signals without current values, with the reasons. The newest message is kept for later subscribers.</summary>
     internal void PublishSignalStatus(DiagnosticsMessage message) => _hub.PublishNewest(this, HubMessage.SignalStatus(message));
 
     /// <summary>Publishes the version of the gateway, which is kept for later subscribers.</summary>

@@ -40,11 +40,11 @@ public sealed class MessageHub
     /// <summary>Times from the receipt of a joint state until it is written to a subscriber's socket.</summary>
     public ForwardingTimes Forwarding { get; } = new();
 
-    /// <summary>Raised when a sample was refused, with its source, the joint, and the joint's owner. Called under the hub's lock.</summary>
+    /// <summary>Raised when a sample is refused, with its source, the joint, and the joint's owner. Called under the hub's lock.</summary>
     internal event Action<HubSource, string, HubSource> JointRefused;
 
     /// <summary>
-    /// Raised when a sample was dropped because of its content, with its source, its joints and the reason. Not raised for a sample that names
+    /// Raised when a sample is dropped because of its content, with its source, its joints and the reason. Not raised for a sample that names
     /// a joint of another source.
     /// </summary>
     internal event Action<HubSource, string[], string> SampleDropped;
@@ -52,7 +52,7 @@ public sealed class MessageHub
     /// <summary>Raised with the name of a client that has closed its connection normally.</summary>
     internal event Action<string> Left;
 
-    /// <summary>Raised when a source ended normally: it closed its connection or unadvertised its joint states.</summary>
+    /// <summary>Raised when a source ends normally: it has closed its connection or unadvertised its joint states.</summary>
     internal event Action<HubSource> SourceLeft;
 
     /// <summary>Gets the description of a robot; null until a source has published one.</summary>
@@ -71,7 +71,7 @@ public sealed class MessageHub
         }
     }
 
-    /// <summary>Raised when a source starts to publish signals that had no source. Called under the hub's lock.</summary>
+    /// <summary>Raised when a source starts to publish signals that have no source yet. Called under the hub's lock.</summary>
     internal event Action<IReadOnlyCollection<string>> SignalsBegan;
 
     /// <summary>Raised when a source of signals has ended or has unadvertised the signals. Called under the hub's lock.</summary>
@@ -83,11 +83,16 @@ public sealed class MessageHub
         lock (_lock) action();
     }
 
-    /// <summary>Creates a publisher. A joint belongs to the first source that publishes it, until that source is disposed.</summary>
+    /// <summary>
+    /// Creates a publisher. A joint belongs to the first source that publishes it, until that source releases the joint or is disposed.
+    /// </summary>
     public HubSource OpenSource() => new(this);
 
     /// <summary>Subscribes to a topic: passes the kept messages at once, and all later messages when they are published.</summary>
-    /// <remarks>The kept messages are the robot description, each source's newest set-points, stationary frames and signals.</remarks>
+    /// <remarks>
+    /// The kept messages are the robot description, each source's newest set-points, stationary frames, signals, the lists of joints and signals
+    /// without current data, and the version of the gateway.
+    /// </remarks>
     /// <param name="topic">The topic, with the robot's namespace.</param>
     /// <param name="receive">Called on the publisher's thread; must not block.</param>
     public IDisposable Subscribe(string topic, Action<HubMessage> receive)

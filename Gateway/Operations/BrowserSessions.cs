@@ -18,7 +18,10 @@ sealed class BrowserSessions(TimeProvider time)
 
     const int IdBytes = 32;
 
-    /// <summary>Idle time after which a session ends. A browser left open overnight needs a new login in the morning.</summary>
+    /// <summary>
+    /// Idle time after which a session ends. An open page keeps its session, because it sends requests. A browser without an open page overnight
+    /// needs a new login in the morning.
+    /// </summary>
     static readonly TimeSpan MaxIdle = TimeSpan.FromHours(12);
 
     readonly Dictionary<string, Session> _sessions = [];

@@ -19,7 +19,7 @@ const WINDOW_MS = 10_000;
 /** Minimum number of exchanges for an estimate. */
 export const MIN_EXCHANGES = 8;
 
-/** Maximum skew between the two clocks. The protocol has the same limit. */
+/** Maximum skew between the two clocks. It is less than the 700 ppm that headsets assume. */
 const MAX_SKEW = 500e-6;
 
 const NS_PER_MS = 1e6;

@@ -138,8 +138,8 @@ export class RobotClock {
   }
 
   /**
-   * Adds the upper bound from a response. Returns whether the clock has stepped. It has stepped if all earlier
-   * upper bounds are below the lower bound, or if at least REFUTED consecutive new upper bounds have been below it for at least PERIOD.
+   * Adds the upper bound from a response. Returns whether the clock has stepped. It has stepped if all earlier upper bounds are below the lower
+   * bound, or if at least REFUTED consecutive new upper bounds have been below it for at least PERIOD.
    */
   #areAnswersRefuted(answered: Nanoseconds | null, lower: Nanoseconds, arrived: Nanoseconds): boolean {
     const isLate = answered !== null && answered < this.#lower!;

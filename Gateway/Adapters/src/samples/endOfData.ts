@@ -41,8 +41,8 @@ const SEEN_MARGIN = 1.5;
 const RESOLUTION_MARGIN = 2;
 
 /**
- * Number of deadbands to subtract. One is the motion that the source does not send after the last sample; the remainder is a reserve. If the limit is
- * the floor, more are necessary, because a deadband can also hide the braking: with 3, none of 30 000 emergency stops with a deadband exceeds the
+ * Number of deadbands to subtract. One is the motion that the source does not send after the last sample; the remainder is a reserve. While the floor
+ * applies, more are necessary, because a deadband can also hide the braking: with 3, none of 30 000 emergency stops with a deadband exceeds the
  * floor.
  */
 const DEADBAND_MARGIN = 1.5;
@@ -74,7 +74,8 @@ export type LimitBasis = 'configured' | 'observed' | 'assumed';
  *
  *   a = (|v| − 2q/h₁ − max(2q, 1.5d)/h₂) / ((h₁ + h₂) / 2)      in rad/s² or m/s²
  *
- * where q is the resolution of the positions and d is the deadband, within which the source does not send the motion. If a is above the limit, the
+ * where q is the resolution of the positions and d is the deadband, within which the source does not send the motion. While the floor applies, 3d
+ * replaces 1.5d. If a is above the limit, the
  * joint cannot have stopped, so the data ended during its motion. The limit is the configured one or, without it, the largest of four values: the
  * floor, 1.5 times the largest observed deceleration, 1.5 times the deceleration in the last samples, and 4 times the increase of the deceleration in
  * the last samples. The last two are sufficient: for a constant deceleration that lasts 0.4 h or longer, a does not exceed them. For a shorter one of
@@ -204,8 +205,8 @@ export class EndOfData {
   }
 
   /**
-   * Gets the resolution of the positions, which is at most the smallest step so far. If the source sent a sample at each sampling instant, the noise
-   * of the positions is also a maximum, unless all steps are equal, as when a quantised value changes by one step per sampling instant.
+   * Gets an upper bound of the resolution of the positions: the smallest step so far. If the source sent a sample at each sampling instant, the noise
+   * of the positions is another upper bound, unless all steps are equal, as when a quantised value changes by one step per sampling instant.
    */
   #resolution(samplingS: number): number {
     const intervals = this.#intervals().slice(-NOISE_INTERVALS);

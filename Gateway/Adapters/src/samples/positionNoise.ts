@@ -11,7 +11,10 @@ const ORDER = 6;
 const MAX_DIFFERENCES = 12;
 const MIN_DIFFERENCES = 8;
 
-/** Standard deviation of a difference, as a multiple of the resolution: rounding errors have the standard deviation 0.29, times √924 for order 6. */
+/**
+ * Divisor that converts the largest difference to a resolution. Rounding errors have a standard deviation of 0.29 resolutions, and their differences
+ * of order 6 have √924 times as much, 8.8 resolutions. This value is smaller, so that the estimate is not too small.
+ */
 const GAIN = 7;
 
 /** Maximum number of newest intervals that the estimate uses. */
