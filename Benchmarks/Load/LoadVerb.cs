@@ -7,8 +7,8 @@ namespace Nowpose.Benchmarks.Load;
 static class LoadVerb
 {
     /// <summary>
-    /// Number of additional connections: those of the sampled headset, of a headset that stops reading (new and previous connection), and of the
-    /// measurement of the true time.
+    /// Upper limit of the number of additional connections: those of the sampled headset, of a headset that stops reading (new and previous
+    /// connection), and of the measurement of the true time.
     /// </summary>
     const int OtherConnections = 16;
 

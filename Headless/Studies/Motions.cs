@@ -42,7 +42,7 @@ public static class Motions
     public static AxisMotion Trapezoids(int seed, double seconds = 30) => RandomMoves("trapezoidal velocity", seed, seconds, random => new Limits(
         Between(random, 300, 1200), Between(random, 2000, 8000), 1e8));
 
-    /// <summary>Creates moves, some of which end in an emergency stop from full speed to rest within 30 to 80 ms.</summary>
+    /// <summary>Creates moves. About half of them end early in an emergency stop, which takes 30 to 80 ms.</summary>
     public static AxisMotion EmergencyStops(int seed, double seconds = 60)
     {
         var random = new Random(seed);

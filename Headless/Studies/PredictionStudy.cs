@@ -41,6 +41,6 @@ public static class PredictionStudy
         }
     }
 
-    // Mixes seed and phase, so that consecutive seeds produce independent sequences. .NET's own HashCode returns other values in each process.
+    // Mixes seed and phase, so that consecutive seeds produce independent sequences. .NET's own HashCode returns different values in each process.
     static int HashCode(int seed, int phase) => unchecked((int)(((uint)seed * 2654435761u + (uint)phase) * 2246822519u >> 1));
 }

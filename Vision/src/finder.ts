@@ -165,7 +165,7 @@ function bestOfEach(fits: Fit[]): Fit[] {
   return kept;
 }
 
-/** Keeps one of several candidates whose corners nearly coincide, starting at any corner. */
+/** Keeps one of several candidates whose corners nearly coincide, regardless of the corner with which they start. */
 function distinct(quads: Quad[], side: number): Quad[] {
   const kept: Quad[] = [];
   for (const quad of quads) {
@@ -175,6 +175,6 @@ function distinct(quads: Quad[], side: number): Quad[] {
   return kept;
 }
 
-/** Returns whether the corners of two quads nearly coincide, starting at any corner. */
+/** Returns whether the corners of two quads nearly coincide, regardless of the corner with which they start. */
 const isSame = (quad: Quad, other: Quad, near: number) =>
   areNear(quad, other, near, 0) || areNear(quad, other, near, 1) || areNear(quad, other, near, 2) || areNear(quad, other, near, 3);

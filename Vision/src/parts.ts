@@ -24,7 +24,7 @@ const minShareOfEdge = 0.3;
 /** Range of the ratio of a candidate's longer to its shorter side at which it can be the visible part of a code, of which up to a half is hidden. */
 const minRatio = 1.06;
 const maxRatio = 2.3;
-/** Ratio from which more than a third of a code is hidden. */
+/** Minimum ratio at which more than a third of a code is hidden. */
 const minRatioOfHalf = 1.45;
 
 /**

@@ -30,7 +30,7 @@ interface RefineStep {
   by: number;
   /** Distance from the edges of cells at which light is sampled, in cells. */
   reach: number;
-  /** Minimum share of brightness edges between cells that agree with the code after this refinement step. Below it, the refinement ends early. */
+  /** Minimum share of agreeing steps between cells after this refinement step. Below it, the refinement ends early. */
   minShare: number;
 }
 

@@ -65,7 +65,7 @@ export class RobotPanel {
   }
 
   /**
-   * Sets the states of the joints. Links below a joint that is neither live nor at rest are not drawn at the true pose and at the pose without
+   * Sets the states of the joints. Links below a joint that is neither live nor at rest are drawn neither at the true pose nor at the pose without
    * compensation.
    */
   setJoints(joints: Joint[]): void {

@@ -75,12 +75,12 @@ export type LimitBasis = 'configured' | 'observed' | 'assumed';
  *   a = (|v| − 2q/h₁ − max(2q, 1.5d)/h₂) / ((h₁ + h₂) / 2)      in rad/s² or m/s²
  *
  * where q is the resolution of the positions and d is the deadband, within which the source does not send the motion. While the floor applies, 3d
- * replaces 1.5d. If a is above the limit, the
- * joint cannot have stopped, so the data ended during its motion. The limit is the configured one or, without it, the largest of four values: the
- * floor, 1.5 times the largest observed deceleration, 1.5 times the deceleration in the last samples, and 4 times the increase of the deceleration in
- * the last samples. The last two are sufficient: for a constant deceleration that lasts 0.4 h or longer, a does not exceed them. For a shorter one of
- * size A, a ≤ 0.32 A, so the floor admits each stop with A up to 3 times the floor. The floor allows for emergency stops, which stop all joints. It is
- * therefore left out while another joint continues to move, if a deceleration of this joint has been observed.
+ * replaces 1.5d. If a is above the limit, the joint cannot have stopped, so the data ended during its motion. The limit is the configured one or,
+ * without it, the largest of four values: the floor, 1.5 times the largest observed deceleration, 1.5 times the deceleration in the last samples, and
+ * 4 times the increase of the deceleration in the last samples. The last two are sufficient: for a constant deceleration that lasts 0.4 h or longer,
+ * a does not exceed them. For a shorter one of size A, a ≤ 0.32 A, so the floor admits each stop with A up to 3 times the floor. The floor allows for
+ * emergency stops, which stop all joints. It is therefore left out while another joint continues to move, if a deceleration of this joint has been
+ * observed.
  */
 export class EndOfData {
   readonly #points: Point[] = [];

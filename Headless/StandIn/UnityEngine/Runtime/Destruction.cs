@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>Destroys objects: immediately, or between the updates and the rendering of a frame.</summary>
+/// <summary>Destroys objects: immediately, or at two points of a frame, before the rendering and at the end of the frame.</summary>
 sealed class Destruction
 {
     readonly World _world;
