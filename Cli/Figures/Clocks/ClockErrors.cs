@@ -8,7 +8,7 @@ sealed record ClockErrors(double P50Us, double P95Us, double MaximumUs, double S
     /// <summary>Time after which the estimator has settled, s.</summary>
     public const double SettledAfter = 10;
 
-    /// <summary>Time from which the error of the skew is evaluated, s. The first estimates are made before it.</summary>
+    /// <summary>Time before which the error of the skew is not evaluated, s. By then, the estimator has made its first estimates.</summary>
     public const double FirstSkew = 2;
 
     /// <param name="runs">The estimates of each run, with the exchanges from which they were computed.</param>
