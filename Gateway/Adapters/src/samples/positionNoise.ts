@@ -13,7 +13,7 @@ const MIN_DIFFERENCES = 8;
 
 /**
  * Divisor that converts the largest difference to a resolution. Rounding errors have a standard deviation of 0.29 resolutions, and their differences
- * of order 6 have √924 times as much, 8.8 resolutions. This value is smaller, so that the estimate is not too small.
+ * of order 6 have √924 times as much, 8.8 resolutions. This smaller value makes the estimate larger.
  */
 const GAIN = 7;
 
