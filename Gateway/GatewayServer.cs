@@ -42,7 +42,7 @@ public sealed class GatewayServer : IAsyncDisposable
     readonly GatewayStatus _status;
     readonly WebApplication _web;
 
-    // Opens the sync port, but serves no client; StartAsync starts both servers.
+    // Opens the sync port and starts the sync server. StartAsync starts the web server.
     GatewayServer(GatewayOptions options, IControlClock clock, Action<string> log)
     {
         _options = options;

@@ -43,8 +43,8 @@ sealed class DemoBodies(CellWork work)
     }
 
     /// <param name="IsKnown">Whether a pose of the object had arrived before the frame.</param>
-    /// <param name="Displayed">Pose of the object in the robot's base frame.</param>
-    /// <param name="Held">Pose of the object without compensation.</param>
+    /// <param name="Displayed">Displayed pose of the object in the frame world.</param>
+    /// <param name="Held">Pose of the object in the frame world without compensation.</param>
     /// <param name="Parent">Parent frame of the displayed pose.</param>
     public readonly record struct Shown(bool IsKnown, RigidTransform Displayed, RigidTransform Held, string Parent);
 }

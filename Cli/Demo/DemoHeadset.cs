@@ -59,10 +59,10 @@ sealed class DemoHeadset : IDemoHeadset
 
     public SessionLog Log { get; }
 
-    /// <summary>Position of the tool in the scene; the origin before the robot is known.</summary>
+    /// <summary>Displayed position of the tool, in the base frame of the robot; the origin before the robot is known.</summary>
     public ToolPosition Tool => ToolOf(_displayed);
 
-    /// <summary>Position of the tool without compensation, from the scene's ghost.</summary>
+    /// <summary>Position of the tool without compensation, in the base frame of the robot. It comes from the ghost in the scene.</summary>
     public ToolPosition HeldTool => ToolOf(_held);
 
     /// <summary>Number of alarms that the scene raised because the render time left the constant-latency range.</summary>

@@ -26,7 +26,7 @@ sealed record PlantFile(string Path, string Name, string Summary)
     public IReadOnlyDictionary<string, string> Robots { get; init; } = new Dictionary<string, string>();
 
     /// <summary>
-    /// Whether the plants of a gateway must send joint positions. False for a cell with objects and signals but without a robot.
+    /// Whether the plants of a gateway must send joint positions. False for a cell with objects or signals but without a robot.
     /// </summary>
     /// <param name="plants">All plants of the gateway.</param>
     /// <param name="robot">The URDF that the gateway itself publishes; null if it publishes none.</param>

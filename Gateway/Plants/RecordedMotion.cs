@@ -16,7 +16,7 @@ public sealed class RecordedMotion : IMotion
 
     /// <summary>
     /// Assigns the columns to joints by name. If any column has a name that is not a joint of the robot, assigns all columns in the order of
-    /// the robot's joints.
+    /// the robot's joints, without mimic joints.
     /// </summary>
     /// <remarks>
     /// A joint without a column stays at 0 or, if its limits exclude 0, at the limit nearest to 0. A mimic joint without a column follows the joint

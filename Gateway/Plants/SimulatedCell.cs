@@ -51,7 +51,7 @@ public sealed class SimulatedCell : IDisposable
     /// <summary>Control time at which the motion starts.</summary>
     public ControlTime Start { get; }
 
-    /// <summary>Number of samples sent so far. Thread-safe.</summary>
+    /// <summary>Number of samples that hubs have accepted so far. Thread-safe.</summary>
     public long Samples => Interlocked.Read(ref _samples);
 
     /// <summary>Gets the robot's true joint positions at a given time. Thread-safe; does not allocate.</summary>

@@ -36,7 +36,7 @@ public sealed class Coroutine : YieldInstruction
     {
         if (_waitsFor is WaitForEndOfFrame) return endOfFrame;
 
-        // The coroutine continues in the next frame at the earliest, for any kind of wait.
+        // All other waits last at least until the next frame.
         return !endOfFrame && frame > _frame && (_waitsFor is not Coroutine other || other.Ended);
     }
 }

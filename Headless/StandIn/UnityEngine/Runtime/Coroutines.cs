@@ -39,7 +39,7 @@ sealed class Coroutines
     }
 
     /// <summary>
-    /// Continues the coroutines that wait for a frame or a time. Coroutines that start during this call continue in the next frame.
+    /// Continues the coroutines that wait for the next frame or for another coroutine. Those that start during this call continue in the next frame.
     /// </summary>
     internal void Update() => Pass(endOfFrame: false);
 
