@@ -99,7 +99,7 @@ sealed class ObjectScene : IDisposable, IHeadsetClock
             listener.Received(new JointStateMessage(stamp, _joints, [.. _middles.Select((middle, i) => middle + 0.1 * Math.Sin(t + i))]), arrival, robot);
     }
 
-    // The objects differ in phase. The frequencies have no common period, so the motion never repeats.
+    // The objects differ in phase. All angular frequencies are multiples of 0.1 rad/s, so the motion repeats after 63 s.
     RigidTransform PoseAt(double t, int i) => _isPlane
         ? RigidTransform.FromXyzRpy(0.3 * Math.Sin(t + i), 0.2 * Math.Cos(1.7 * t), 0.7, 0, 0, 0.5 * Math.Sin(1.3 * t))
         : RigidTransform.FromXyzRpy(

@@ -10,7 +10,7 @@ abstract class RecursiveFilter : Forecaster
     /// <summary>Number of samples needed: the newest one, and the previous one for the interval.</summary>
     public override int Samples => 2;
 
-    /// <summary>Position of the newest sample before the one that is passed to <see cref="Update"/>.</summary>
+    /// <summary>Position of the last processed sample. In <see cref="Update"/>, this is the previous sample.</summary>
     protected double Newest { get; private set; }
 
     public override bool Solve(MotionState motion)

@@ -5,7 +5,7 @@ using Spectre.Console;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>Writes the medians over the repeats as a table, and the results of all runs as JSON.</summary>
+/// <summary>Writes the medians over the repeats as a table, and formats the results of all runs as JSON.</summary>
 static class LinkTable
 {
     const int Width = 170;

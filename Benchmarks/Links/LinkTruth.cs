@@ -16,7 +16,7 @@ sealed partial class LinkTruth : IDemoTruth
 
     /// <param name="clockLine">Parameters of the clock, as printed by the gateway.</param>
     /// <param name="motionStart">Start of the motion in control time, ns.</param>
-    /// <param name="robot">"youbot", "ur5" or the path of a file.</param>
+    /// <param name="robot">Name of an included robot, such as "youbot", or path of a URDF.</param>
     public LinkTruth(string clockLine, string motionStart, string robot)
     {
         _motion = new PickAndPlaceMotion(RobotFiles.Load(robot));

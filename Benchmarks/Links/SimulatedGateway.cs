@@ -9,7 +9,7 @@ sealed class SimulatedGateway
 
     readonly Dictionary<string, string> _values = [];
 
-    /// <param name="robot">"youbot", "ur5" or the path of a file.</param>
+    /// <param name="robot">Name of an included robot, such as "youbot", or path of a URDF.</param>
     public static async Task<SimulatedGateway> StartAsync(EmulatedLink link, string robot, int seed, CancellationToken stop)
     {
         var process = Process.Start(link.InGateway(

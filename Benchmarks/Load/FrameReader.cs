@@ -18,7 +18,7 @@ sealed class FrameReader
 
     public void Added(int bytes) => _length += bytes;
 
-    /// <summary>Gets the next complete frame, if there is one. Overwrites the previous payload.</summary>
+    /// <summary>Gets the next complete frame, if there is one. The payload is valid until the next <see cref="Discard"/>.</summary>
     public bool TryTake(ref int at, out int opcode, out ReadOnlySpan<byte> payload)
     {
         opcode = 0;

@@ -7,7 +7,7 @@ using Nowpose.Latency.Profile;
 namespace Nowpose.Cli.Calibrate;
 
 /// <summary><c>--profile</c>: an earlier profile whose render time limit is kept by methods that measure only L_visu.</summary>
-/// <remarks>If no profile was given, the object contains only the conditions of the measurement.</remarks>
+/// <remarks>If no profile was given, the object contains only the conditions of the measurement, and warnings about them.</remarks>
 sealed class EarlierProfile
 {
     readonly IReadOnlyList<string> _warnings;

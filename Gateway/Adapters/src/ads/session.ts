@@ -118,7 +118,7 @@ export class AdsSession {
 
   /**
    * Gets the configured symbols; null for a symbol that the PLC does not have or that is not usable, so that the others can be read. Rejects if no
-   * symbol is usable.
+   * symbol is usable, or if a request fails for another reason.
    */
   async #findSymbols(): Promise<(AdsSymbol | null)[]> {
     const found = await Promise.allSettled(

@@ -1,6 +1,9 @@
 import { pause } from '../backoff';
 
-/** Interval of the checks: LOOK_MS while values arrive, QUIET_LOOK_MS after QUIET_MS without any value. Headsets show a sample for about 300 ms. */
+/**
+ * Interval of the checks: LOOK_MS, or QUIET_LOOK_MS if the PLC sends only changes and no value has arrived for QUIET_MS. Headsets show a sample for
+ * about 300 ms.
+ */
 const LOOK_MS = 500;
 const QUIET_LOOK_MS = 90;
 const QUIET_MS = 50;

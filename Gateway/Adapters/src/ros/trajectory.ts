@@ -15,7 +15,7 @@ interface Trajectory {
 
 const isPoint = (value: unknown): value is Point => typeof value === 'object' && value !== null;
 
-/** Gets the set-points of the forwarded joints; null if none of the joints is forwarded, or if a value is not a number. */
+/** Gets the set-points of the forwarded joints; null if none of the joints is forwarded, the message is malformed, or a value is not a number. */
 export function passedTrajectory(message: Trajectory | null, names: JointNames): object | null {
   const { header, joint_names: sources, points } = message ?? {};
   if (!Array.isArray(sources) || !Array.isArray(points) || !points.every(isPoint)) return null;
