@@ -62,7 +62,7 @@ sealed class DemoFrames
     /// <param name="Clock">The runtime's clock model at the start of the frame.</param>
     /// <param name="OffsetErrorUs">Estimated minus true offset, µs; NaN while unknown.</param>
     /// <param name="Tool">Displayed position of the tool, in the base frame of the robot.</param>
-    /// <param name="HeldTool">Position of the tool without compensation, in the base frame of the robot. It comes from the ghost in the scene.</param>
+    /// <param name="HeldTool">Position of the tool without compensation, in the base frame of the robot. It comes from the scene's ghost.</param>
     /// <param name="Range">The runtime's state relative to the constant-latency range.</param>
     /// <param name="Rendered">Timing of the frame in the display pipeline; all values are 0 without a load.</param>
     /// <param name="Delay">Time by which this machine started the frame too late because it was busy.</param>
