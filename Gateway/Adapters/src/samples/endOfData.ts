@@ -52,7 +52,7 @@ const FLOOR_DEADBAND_MARGIN = 3;
 const GOES_ON_S = 0.3;
 const GOES_ON_STEPS = 3;
 
-/** A joint counts as stopped at its last position if its next motion starts within this fraction of its last step from that position. */
+/** A joint counts as stopped at its last position if its next motion starts near that position: at most this fraction of its last step away. */
 const STOPPED_NEAR = 0.25;
 
 /** Deceleration that every joint is assumed to be capable of, in rad/s² and m/s²: a third of the deceleration in a hard emergency stop. */
