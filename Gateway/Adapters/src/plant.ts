@@ -30,6 +30,7 @@ export async function runPlant(configuration: Configuration): Promise<number> {
   });
   const gateway = new GatewayLink(configuration.gateway, log, 'gateway', {
     malformed: (topic, problem) => status.refuse('malformed', topic, problem),
+    refused: reason => status.refusedByGateway(reason),
   });
   const { clock_resolution_us: resolutionUs, group_ms: groupMs, oldest_ms: oldestMs } = plant;
   const fixed = resolutionUs === undefined ? null : ofMilliseconds(Number(resolutionUs) / 1000);

@@ -187,6 +187,21 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.deepEqual(run.err.match(/says: .*/g), ['says: this', 'says: that', 'says: {"toString":1}']);
   });
 
+  it('GatewayStatus_Error_IsPassedToTheListeners', async t => {
+    const bridge = await RosbridgeDouble.start(t), refusals = [], ending = new AbortController();
+    const events = { refused: reason => refusals.push(reason) };
+    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}), 'gateway', events);
+    const running = link.run(ending.signal);
+    await until(() => bridge.clients.length > 0, 'the link');
+
+    for (const level of ['warning', 'error', 'error']) bridge.send({ op: 'status', level, msg: `${level}: the joint is taken` });
+
+    await until(() => refusals.length === 2, 'both errors');
+    assert.deepEqual(refusals, ['error: the joint is taken', 'error: the joint is taken']);
+    ending.abort();
+    await running;
+  });
+
   it('Message_ListenerThrows_IsCountedAndTheNextMessageIsProcessed', async t => {
     const bridge = await RosbridgeDouble.start(t), heard = [], problems = [], ending = new AbortController();
     const events = { malformed: (topic, problem) => problems.push([topic, problem]) };

@@ -257,6 +257,23 @@ describe('silence', () => {
       { level: 2, name: 'plant/p', message: 'waiting: the connection was lost', hardware_id: 'plant/p', values: [{ key: 'k', value: 'v' }] });
   });
 
+  it('Level_GatewayDropsMessages_IsTwoForFiveSeconds', () => {
+    const reports = [], status = new AdapterStatus('opcua', new Log('plant/test', [], () => {}), () => reports.push(status.level));
+    status.joints.expect('a');
+    status.enter('connected');
+    status.joints.live('a');
+    const live = status.level;
+    reports.length = 0;
+
+    status.refusedByGateway('joint a belongs to another source');
+    status.refusedByGateway('joint a belongs to another source');
+
+    assert.deepEqual([live, status.level, status.message], [0, 2, stateMessages.droppedByGateway('joint a belongs to another source')]);
+    assert.deepEqual(reports, [2], 'the first refusal is reported at once');
+    status.refusedByGateway('joint a belongs to another source', performance.now() - 5001);
+    assert.deepEqual([status.level, status.message], [0, 'connected']);
+  });
+
   it('Joint_RefusedThenDisconnected_IsFaultWithTheReasonOfTheConnection', () => {
     const { status, value } = plant();
     value(0, 1);

@@ -39,6 +39,8 @@ export interface LinkEvents {
   away?(reason: string): void;
   /** Called when a listener has thrown an exception for a message on this topic. */
   malformed?(topic: string, problem: string): void;
+  /** Called with the reason when the gateway has dropped a message of this link. */
+  refused?(reason: string): void;
 }
 
 /**
@@ -231,7 +233,7 @@ export class GatewayLink {
         void this.#answer(text(message.service), message.id);
         break;
       case 'status':
-        if (message.level === 'error') this.#logStatus(text(message.msg));
+        if (message.level === 'error') this.#refuse(text(message.msg));
         break;
     }
   }
@@ -245,10 +247,11 @@ export class GatewayLink {
     }
   }
 
-  // Logs a status message of the gateway. Logs equal messages only once.
-  #logStatus(status: string): void {
+  // Reports and logs a status message of the gateway. Logs equal messages only once.
+  #refuse(status: string): void {
     if (UNSYNCHRONISED.test(status) && performance.now() - this.#measured < MEASURING_MS)
       return this.log.change(`${this.name} measures`, 'measuring', gatewayMessages.measuring(this.name));
+    for (const { refused } of this.#watchers) refused?.(status);
     if (this.#statuses.has(status)) return;
     if (this.#statuses.size >= MAX_STATUSES) this.#statuses.clear();
     this.#statuses.add(status);

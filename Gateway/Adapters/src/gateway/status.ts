@@ -7,6 +7,9 @@ export type PlantState = 'connecting' | 'connected' | 'refused' | 'waiting';
 
 const MAX_REASONS = 32;
 
+/** Time in ms for which a dropped message counts. The gateway reports each message that it drops. */
+const REFUSED_MS = 5000;
+
 /** The status of the plant and its values. Counts values and refusals, and logs each change once. The gateway receives it once per second. */
 export class AdapterStatus {
   #state: PlantState = 'connecting';
@@ -17,6 +20,8 @@ export class AdapterStatus {
   readonly #details: Record<string, string> = {};
   /** The reason for the newest connection failure; empty if the last attempt succeeded or none has failed. */
   #failure = '';
+  /** Reason for which the gateway last dropped a message, and the time in ms; null if it has dropped none. */
+  #gatewayRefusal: { reason: string; at: number } | null = null;
   /** A notice for the user while positions arrive; null if there is none. */
   #notice: string | null = null;
   readonly joints: Conditions;
@@ -67,24 +72,33 @@ export class AdapterStatus {
 
   /**
    * Level of the DiagnosticStatus. 0: the plant is connected, and each joint, frame and signal is live or at rest. 1: the first connection is being
-   * made, there is a notice, or a joint or frame may not be at rest. 2: otherwise.
+   * made, there is a notice, or a joint or frame may not be at rest. 2: otherwise, and while the gateway drops messages.
    */
   get level(): 0 | 1 | 2 {
     if (this.#state === 'connecting' && this.#failure === '') return 1;
-    if (this.#state !== 'connected' || this.#trouble !== null) return 2;
+    if (this.#state !== 'connected' || this.#trouble !== null || this.#droppedBecause !== null) return 2;
     return this.#uncertainty === null && this.#notice === null ? 0 : 1;
   }
 
-  /** Description of the plant's state or, while the plant is connected, of the first joint, frame or signal with a fault. */
+  /**
+   * Description of the plant's state or, while the plant is connected, of the first joint, frame or signal with a fault, or of the reason for which the
+   * gateway drops messages.
+   */
   get message(): string {
     if (this.#state === 'connecting' && this.#failure !== '') return `waiting: ${this.#failure}`;
     if (this.#state !== 'connected') return this.#reason === '' ? this.#state : `${this.#state}: ${this.#reason}`;
     const trouble = this.#trouble;
+    if (trouble === null && this.#droppedBecause !== null) return stateMessages.droppedByGateway(this.#droppedBecause);
     if (trouble === null && this.#notice !== null) return `${this.#state}: ${this.#notice}`;
     const uncertainty = this.#uncertainty;
     if (trouble === null) return uncertainty === null ? this.#state : stateMessages.uncertainRest(...uncertainty);
     const [name, { state, reason }] = trouble;
     return `${name} ${state}: ${reason}`;
+  }
+
+  /** Reason for which the gateway drops messages; null if it drops none. */
+  get #droppedBecause(): string | null {
+    return this.#gatewayRefusal !== null && performance.now() - this.#gatewayRefusal.at < REFUSED_MS ? this.#gatewayRefusal.reason : null;
   }
 
   get #all(): Conditions[] {
@@ -117,6 +131,16 @@ export class AdapterStatus {
     if (clean === null) this.log.resume('notice', `over: ${before}`);
     else this.log.change('notice', clean);
     this.changed();
+  }
+
+  /**
+   * Reports that the gateway has dropped a message, for example because another source publishes its joints.
+   * @param at Time of the report, in ms since the start of the process.
+   */
+  refusedByGateway(reason: string, at = performance.now()): void {
+    const isFirst = this.#droppedBecause === null;
+    this.#gatewayRefusal = { reason: this.log.clean(reason), at };
+    if (isFirst) this.changed();
   }
 
   sampled(): void {

@@ -32,6 +32,7 @@ export const stateMessages = {
   notExpected: (name: string) => `${name} is no longer expected`,
   uncertainRest: (name: string, uncertainty: string) => `${name} is possibly not at rest: ${uncertainty}`,
   validAgain: (name: string) => `${name} is valid again`,
+  droppedByGateway: (reason: string) => `the gateway drops messages: ${reason}`,
 };
 
 // The gateway recognises this remedy by its beginning "set ".
