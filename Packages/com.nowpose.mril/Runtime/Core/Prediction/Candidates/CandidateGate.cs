@@ -23,12 +23,6 @@ namespace Nowpose.Prediction.Candidates
         const double StillTimeConstant = 1;
 
         /// <summary>
-        /// Factor on the maximum error ratio at a standstill, because the start of one of several moves may be correct by chance. Without it, the error
-        /// of a robot with four moves in random order is 6 % larger.
-        /// </summary>
-        const double StillRatio = 0.3;
-
-        /// <summary>
         /// Minimum number of scored forecasts before the candidate may replace the mixture, because a few forecasts may be correct by chance. With 12,
         /// the errors of simulated motions are 1.5 % larger, and those of recordings 0.1 % smaller.
         /// </summary>
@@ -44,7 +38,7 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Forgetting factor of the maximum square, per scored forecast.</summary>
         const double MaxSquareForgettingFactor = 0.998;
 
-        readonly double _maxErrorRatio;
+        readonly double _maxErrorRatio, _maxStillErrorRatio;
         Record _moving;
         Record _still;
         double _maxSquare;
@@ -53,10 +47,11 @@ namespace Nowpose.Prediction.Candidates
         /// <param name="maxErrorRatio">
         /// Maximum ratio, 0 to 1, of the candidate's mean square error to the mixture's mean square error at which the candidate is used in motion.
         /// </param>
-        public CandidateGate(Forecaster forecaster, double maxErrorRatio)
+        /// <param name="maxStillErrorRatio">The same for forecasts from a standstill.</param>
+        public CandidateGate(Forecaster forecaster, double maxErrorRatio, double maxStillErrorRatio)
         {
             Forecaster = forecaster;
-            _maxErrorRatio = maxErrorRatio;
+            (_maxErrorRatio, _maxStillErrorRatio) = (maxErrorRatio, maxStillErrorRatio);
         }
 
         public Forecaster Forecaster { get; }
@@ -69,7 +64,7 @@ namespace Nowpose.Prediction.Candidates
         public double ErrorRatio(bool isStill)
         {
             ref var record = ref isStill ? ref _still : ref _moving;
-            var maxRatio = isStill ? StillRatio * _maxErrorRatio : _maxErrorRatio;
+            var maxRatio = isStill ? _maxStillErrorRatio : _maxErrorRatio;
             return record.Scores >= MinScores && record.Candidate < maxRatio * record.Mixture
                 ? record.Candidate / record.Mixture : double.PositiveInfinity;
         }

@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         public void CreateGate()
         {
             _candidate = new Oracle();
-            _gate = new CandidateGate(_candidate, 0.3);
+            _gate = new CandidateGate(_candidate, 0.3, 0.09);
             _gated = Of(Mixer(_gate));
             _mixture = Of(Mixer());
         }
@@ -87,7 +87,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         [Test]
         public void ErrorRatio_TwoAccurateCandidates_IsSmallerForTheBetter()
         {
-            var worse = new CandidateGate(_candidate, 0.3);
+            var worse = new CandidateGate(_candidate, 0.3, 0.09);
             for (var i = 0; i < 20; i++)
             {
                 _gate.Score(0.1, 1, 1, wasStill: false, time: 0);
