@@ -26,7 +26,7 @@ static class SineVerb
     static readonly Option<PictureBox?> HologramBox = BoxOption.Create("--hologram-box", "Video: a patch of the hologram in the first picture");
     static readonly Option<bool> Inverted = new("--inverted") { Description = "Robot and hologram count in opposite directions" };
     static readonly Option<double?> Application = NumberOption.CreateOptional(
-        "--app-ms", "Compensation off (the ghost): L_app as shown on the status panel", 0.0, 1000, "ms");
+        "--app-ms", "If the recording shows the ghost (compensation off): L_app from the status panel", 0.0, 1000, "ms");
     static readonly Option<double> Sampling = NumberOption.Create(
         "--sampling-ms", "With --app-ms: sampling interval T_s; half of it is subtracted, too", 50.0, 1, 1000, "ms");
     static readonly Option<double?> Configured = NumberOption.CreateOptional(

@@ -10,7 +10,9 @@ sealed class DemoDisplay
 {
     public const int FramesPerSecond = 60;
 
-    /// <summary>Number of stored frames. At most two are in progress, so at least one stored frame is finished.</summary>
+    /// <summary>
+    /// Number of stored frames. With at most two frames in progress, at least one finished frame before the newest is always stored.
+    /// </summary>
     const int Stored = 4;
 
     readonly DisplayPipeline _pipeline;

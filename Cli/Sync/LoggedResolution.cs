@@ -11,7 +11,7 @@ static class LoggedResolution
     /// <summary>Minimum number of exchanges. With fewer, stamps can differ by whole milliseconds by chance.</summary>
     const int MinExchanges = 50;
 
-    /// <summary>Range of the resolution, ns. Half of a shorter cycle is negligible, and no control system has a longer cycle.</summary>
+    /// <summary>Range of the resolution, ns. Half of a shorter cycle is negligible; a longer common step does not count as a cycle.</summary>
     const long MinNs = 100_000, MaxNs = 20_000_000;
 
     /// <summary>

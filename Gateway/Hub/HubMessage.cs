@@ -42,7 +42,7 @@ public sealed class HubMessage
     public object Content { get; }
 
     /// <summary>
-    /// Time at which the last byte of the message was read, or at which this process created it; a count of <see cref="Stopwatch"/>.
+    /// Time at which the last byte of the message was read, or at which this process created it, as a <see cref="Stopwatch"/> timestamp.
     /// </summary>
     public long ReceivedAt { get; }
 

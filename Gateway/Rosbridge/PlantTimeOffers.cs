@@ -56,7 +56,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
 
     /// <summary>Passes on a response from the client.</summary>
     /// <param name="response">The response.</param>
-    /// <param name="count">Time at which the last byte of the response was read, a count of <see cref="System.Diagnostics.Stopwatch"/>.</param>
+    /// <param name="count">Time at which the last byte of the response was read, as a <see cref="System.Diagnostics.Stopwatch"/> timestamp.</param>
     public void Answer(RosbridgeMessage response, long count)
     {
         if (_offers.TryGetValue(response.Service, out var offered)) offered.Caller?.Answer(response, clocks.Counter.At(count));

@@ -201,7 +201,7 @@ sealed class RosbridgeSession : IDisposable
         DropLeftOut(message);
     }
 
-    // Whether a client may use a name. The first name that it uses becomes its name. An observer must not use the name of a plant.
+    // Whether a client may use a name. The first name that it uses becomes its name. Only a source may use the name of an adapter.
     bool IsOwn(string name)
     {
         if (_role != Role.Source && StatusObjects.IsAdapter(name))

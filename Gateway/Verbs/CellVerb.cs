@@ -17,7 +17,7 @@ static class CellVerb
     public static Command Create()
     {
         var cell = new Option<string>("--cell") { Description = "Name of the cell", HelpName = "NAME", Required = true };
-        var host = new Option<string>("--host") { Description = "Name or address under which headsets reach the gateway", HelpName = "HOST", Required = true };
+        var host = new Option<string>("--host") { Description = "Host name or address at which headsets reach the gateway", HelpName = "HOST", Required = true };
         var pin = new PinArguments();
         var offset = new Option<string>("--offset")
         {

@@ -82,7 +82,7 @@ public class RosbridgeAccessTests
     }
 
     [Test]
-    public async Task Origin_HostNameRedirectedToThisMachine_Returns403()
+    public async Task Origin_ForeignHostNameResolvedToThisMachine_Returns403()
     {
         await using var gateway = await Gateways.StartAsync();
         var name = "evil.example:" + gateway.WebSocketEndPoint.Port;

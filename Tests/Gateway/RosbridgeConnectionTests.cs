@@ -104,7 +104,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public async Task Reader_SendsButNeverReads_IsClosed()
+    public async Task Client_SendsButNeverReads_IsDisconnected()
     {
         // The gateway sends no pings at the ping interval here, so the connection can end only because the client does not read.
         var options = Gateways.Options() with { PingInterval = TimeSpan.FromMinutes(5), PongTimeout = TimeSpan.FromMilliseconds(300) };

@@ -47,7 +47,7 @@ public class SimulatedCellTests
     }
 
     [Test]
-    public async Task Publish_SteppedClock_SendsEachSampleAfterItsDelay()
+    public async Task Publish_ClockAdvancesWithEachReading_SendsEachSampleAfterItsDelay()
     {
         var clock = new LookedAtClock();
         var delays = new ConcurrentQueue<double>();

@@ -33,7 +33,7 @@ describe('joints published in overlapping sets', () => {
     assert.equal(tracks.at(0.5), null);
   });
 
-  it('do not depend on the order of the sets', () => {
+  it('do not depend on the order of the names in a message', () => {
     const tracks = new JointTracks(5), joints = ['a', 'b', 'c', 'd', 'e'];
     // Tries all 120 orders.
     const orders = rest => (rest.length === 0 ? [[]]

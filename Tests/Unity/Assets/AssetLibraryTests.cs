@@ -102,7 +102,7 @@ public sealed class AssetLibraryTests
     }
 
     [Test]
-    public void Load_FieldsMissingInTheFile_KeepTheirDefaults()
+    public void Load_FieldsMissingFromTheFile_KeepTheirDefaults()
     {
         var probe = _probed.Probe("");
 

@@ -27,7 +27,7 @@ public sealed partial class DeploymentPageTests
     }
 
     [Test]
-    public void DevicePackages_OnThePage_HaveTheirVersions()
+    public void DevicePackages_OnThePage_HaveVersions()
     {
         var named = Ranges.Select(r => (string)r.Arguments[1]).Distinct();
 

@@ -33,7 +33,7 @@ export const operationsLabels = {
   downloadEvents: 'Download all events as',
   moreEvents: (count: number) => `and ${count} more, in the list of events`,
   profileMismatch: (reason: string) => `the latency profile does not match this headset: ${reason}`,
-  errorWithheld: (reason: string) => `the headset states no errors, because its frames may be late: ${reason}`,
+  errorWithheld: (reason: string) => `the headset withholds its pose errors, because its frames may be late: ${reason}`,
   uncertainRest: 'possibly not at rest',
   measuredClock: 'measured against the control clock',
   recordingDeleted: 'the file was deleted',

@@ -46,7 +46,7 @@ export const frameMessages = {
 /** Error messages about the configuration of robots and about their descriptions. */
 export const robotMessages = {
   tooLarge: (value: unknown) => wrongValue(value, 'the file is larger than 1 MiB; move its meshes to separate files'),
-  notUrdf: (value: unknown) => wrongValue(value, 'the file has no <robot> element; enter a URDF file'),
+  notUrdf: (value: unknown) => wrongValue(value, 'the file has no <robot> element; specify a URDF file'),
   notReadable: (value: unknown, code: string | undefined, included: string[]) =>
     wrongValue(value, `the file cannot be read (${code}); enter an existing URDF file or one of ${included.join(', ')}`),
   noJoint: (value: unknown, guess: string | undefined) =>

@@ -201,7 +201,7 @@ namespace Nowpose.Unity
                 Abandon(problem);
                 return;
             }
-            // Also logs frames while a load is being built. The codes repeat after a period, so a picture of a frame that is missing in the
+            // Also logs frames while a load is being built. The codes repeat after a period, so a picture of a frame that is missing from the
             // log could be matched to a frame one period later.
             if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_conditions.Device, _displayHz));
             ShowPhase();

@@ -8,7 +8,9 @@ namespace Nowpose.UnityPlayer.Assets.Prefabs;
 /// <summary>Finds and changes references to objects of the same file, at any depth of a value.</summary>
 static class LocalReferences
 {
-    /// <summary>Returns a copy in which the fileIDs of local references are mapped by <paramref name="map"/>. Other references stay.</summary>
+    /// <summary>
+    /// Returns a copy in which the fileIDs of local references are mapped by <paramref name="map"/>. Other references are unchanged.
+    /// </summary>
     public static YamlNode Map(YamlNode node, Func<long, long> map)
     {
         if (AssetReference.TryRead(node, out var reference))

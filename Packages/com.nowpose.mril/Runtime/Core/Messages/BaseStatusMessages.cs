@@ -44,8 +44,8 @@ namespace Nowpose.Messages
             + Because(problem);
 
         public static string Elsewhere(string metres, bool hasMarkers) => hasMarkers
-            ? $"the headset now reports a position of the base {metres} m away, which is ignored: look around, or lock again"
-            : $"the headset now reports a position of the base {metres} m away, which is ignored: look around, or place it again";
+            ? $"the headset now reports the base {metres} m from its last position, which is ignored: look around, or lock again"
+            : $"the headset now reports the base {metres} m from its last position, which is ignored: look around, or place it again";
 
         /// <summary>Returns the suffix that adds a problem to a line: "; " and the problem. Empty if the problem is null.</summary>
         public static string Because(string problem) => problem == null ? "" : "; " + problem;

@@ -33,8 +33,8 @@ namespace Nowpose.Session.Cell
         public SignalTable Table { get; } = new SignalTable();
 
         /// <summary>
-        /// Reports each processed value, used or dropped, but no value that a full queue has dropped; raised within
-        /// <see cref="CompensationSession.Tick"/>.
+        /// Raised within <see cref="CompensationSession.Tick"/> for each value that leaves the queue, whether it is used or dropped. Not raised
+        /// for values that were dropped because the queue was full.
         /// </summary>
         /// <remarks>A handler must be fast, must not throw, and must not call the session.</remarks>
         public event SignalJudged Judged;

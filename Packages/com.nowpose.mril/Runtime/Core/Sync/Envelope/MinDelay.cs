@@ -113,7 +113,7 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Number of measured bounds.</summary>
         public int Count => _count;
 
-        /// <summary>Returns the largest tightness of the measured bounds in a range. Only differences between values have a meaning.</summary>
+        /// <summary>Returns the largest tightness of the measured bounds in a range. Only differences between values are meaningful.</summary>
         /// <param name="from">Age of the newest bound of the range.</param>
         /// <param name="to">Age of the oldest bound of the range plus 1 (exclusive).</param>
         public double Tightest(int from, int to)
