@@ -106,14 +106,10 @@ function samplesOf(picture: Light, quad: Quad, side: number): (row: number, colu
 
 /** Samples the light on a square grid. `along` returns the position of a row or column by its index, relative to the side of the code. */
 function gridLight(picture: Light, quad: Quad, length: number, along: (index: number) => number): Float64Array {
-  const seen = homography(quad);
-  const points = Float64Array.from({ length: 2 * length }, (_, i) => along(i >> 1));
-  const lights = new Float64Array(length);
+  const points = new Float64Array(2 * length * length);
+  for (let row = 0, i = 0; row < length; row++)
+    for (let column = 0; column < length; column++, i += 2) [points[i], points[i + 1]] = [along(column), along(row)];
   const light = new Float64Array(length * length);
-  for (let row = 0; row < length; row++) {
-    for (let column = 0; column < length; column++) points[2 * column + 1] = along(row);
-    sampleLight(picture, seen, points, lights, 0, length);
-    light.set(lights, row * length);
-  }
+  sampleLight(picture, homography(quad), points, light, 0, light.length);
   return light;
 }

@@ -41,7 +41,7 @@ export class Equations {
     }
   }
 
-  /** Computes the normal equations, AᵀWA and AᵀWy. Of AᵀWA, only the lower triangle, which is the one that OpenCV's Cholesky decomposition reads. */
+  /** Computes the normal equations: AᵀWy and the lower triangle of AᵀWA. OpenCV's Cholesky decomposition reads no other elements. */
   setNormal(weights: Float64Array, squares: Float64Array, products: Float64Array): void {
     const count = products.length;
     squares.fill(0);

@@ -66,16 +66,11 @@ function lightOfBytes(bytes: Uint8Array | Uint8ClampedArray, first: number, stri
   return light;
 }
 
-/** Maximum number of points for one call of `sampleLight`, which runs so often that it keeps the arrays of their positions in the picture. */
-const maxPoints = 256;
-const xs = new Float64Array(maxPoints);
-const ys = new Float64Array(maxPoints);
-
 /**
  * Computes the light at points of the unit square, which a homography maps to the picture. The light is interpolated between the centres of
  * pixels; NaN outside the picture.
  *
- * @param points u and v of each point, one after another; at most `maxPoints` points.
+ * @param points u and v of each point, one after another.
  * @param lights Receives the light at the points from `first` to `end`, exclusive.
  */
 export function sampleLight(picture: Light, seen: Homography, points: Float64Array, lights: Float64Array, first: number, end: number): void {
@@ -83,17 +78,12 @@ export function sampleLight(picture: Light, seen: Homography, points: Float64Arr
   const { width, height, data } = picture;
   const right = width - 1;
   const bottom = height - 1;
-  // Two short loops are faster than one long loop.
   for (let i = first; i < end; i++) {
     const u = points[2 * i];
     const v = points[2 * i + 1];
     const w = 1 / (g * u + h * v + 1);
-    xs[i] = (a * u + b * v + c) * w - 0.5;
-    ys[i] = (d * u + e * v + f) * w - 0.5;
-  }
-  for (let i = first; i < end; i++) {
-    const x = xs[i];
-    const y = ys[i];
+    const x = (a * u + b * v + c) * w - 0.5;
+    const y = (d * u + e * v + f) * w - 0.5;
     if (x >= 0 && y >= 0 && x < right && y < bottom) {
       const column = x | 0;
       const row = y | 0;
