@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { getPriority, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { after, test } from 'node:test';
@@ -228,6 +228,18 @@ test('continues after an interrupt signal', async () => {
   child.stdin.end(JSON.stringify({ shot: shot([]) }) + '\n');
 
   assert.deepEqual(JSON.parse((await answers.next()).value).codes, []);
+});
+
+test('lowers its priority, but never increases it', { skip: process.platform === 'win32' }, async () => {
+  for (const own of [0, 19]) {
+    const child = spawn('nice', ['-n', String(own), 'node', workerPath], { stdio: ['pipe', 'pipe', 'inherit'] });
+    const answers = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
+    child.stdin.write(JSON.stringify({ pattern }) + '\n');
+    await answers.next();
+
+    assert.equal(getPriority(child.pid), Math.max(10, Math.min(19, getPriority() + own)));
+    child.stdin.end();
+  }
 });
 
 test('finds no codes in a picture without codes', async () => {

@@ -1,6 +1,6 @@
 // Worker process of the command line. Reads one request per line from standard input and writes one response per line, in the same order.
 import './interrupts';
-import { constants, setPriority } from 'node:os';
+import { constants, getPriority, setPriority } from 'node:os';
 import { createInterface } from 'node:readline';
 import { Finder, type Found } from './finder';
 import { mirrored, type Grey } from './levels';
@@ -26,8 +26,9 @@ interface Request {
 type Answer =
   { width: number; height: number; codes: Found[]; isMirrored: boolean } | { places: Place[] } | { error: string } | Record<string, never>;
 
-// Reading pictures uses all cores for minutes. It must not slow down programs that run in real time, such as a gateway.
-setPriority(constants.priority.PRIORITY_BELOW_NORMAL);
+// Reading pictures uses all cores for minutes. It must not slow down programs that run in real time, such as a gateway. A lower priority is kept,
+// because only an administrator may increase it.
+if (getPriority() < constants.priority.PRIORITY_BELOW_NORMAL) setPriority(constants.priority.PRIORITY_BELOW_NORMAL);
 
 let finder: Finder;
 let tracker: Tracker | undefined;
