@@ -1,7 +1,6 @@
 using Nowpose.Anchoring;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
-using Nowpose.Prediction.Mixing;
 
 namespace Nowpose.Cli.Replay;
 
@@ -27,13 +26,11 @@ sealed class SessionBodies
         _settings = settings;
         _stampErrors = new RandomStream(settings.Seed, 5);
         var prediction = SessionReplay.PredictionOf(session.Header.Prediction, settings);
-        var shared = new SharedForecasters();
         foreach (var pose in session.Events)
         {
             if (pose.Kind != RecordedSession.EventKind.Pose) continue;
             var line = session.PoseOf(pose);
-            if (!_bodies.TryGetValue(line.Frame, out var body))
-                _bodies.Add(line.Frame, body = new Body(() => prediction.CreateBody(shared), prediction.MaximumGap));
+            if (!_bodies.TryGetValue(line.Frame, out var body)) _bodies.Add(line.Frame, body = new Body(prediction.CreateBody, prediction.MaximumGap));
             body.AddTruth(pose.TimeLine, line.Parent, pose.At, line.Position, line.Rotation);
         }
     }

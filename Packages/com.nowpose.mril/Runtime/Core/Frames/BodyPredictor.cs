@@ -39,11 +39,10 @@ namespace Nowpose.Frames
         /// <param name="predictor">A name that <see cref="Predictors.Create(string, PredictionLimits, double)"/> accepts.</param>
         /// <param name="limits">Horizon cap and maximum gap. The position limits apply to the coordinates in m and to the angles in rad.</param>
         /// <param name="blend">See <see cref="Predictors.Create(string, PredictionLimits, double)"/>.</param>
-        /// <param name="shared">Forecasters that this predictor shares with those of other bodies; null to create its own.</param>
         /// <exception cref="InputException">The name is unknown.</exception>
-        public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0, SharedForecasters shared = null)
+        public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0)
         {
-            shared ??= new SharedForecasters();
+            var shared = new SharedForecasters();
             _position = Create(predictor, limits, blend, shared);
             _angles = Create(predictor, limits, blend, shared);
             _horizonCap = limits.HorizonCap;

@@ -89,9 +89,8 @@ namespace Nowpose.Session
             Predictors.Create(Predictor, LimitsOf(limits), IsHold ? 0 : ClockTicks.Seconds(Blend), shared);
 
         /// <summary>Creates a predictor for an object of the cell, which has no limits.</summary>
-        /// <param name="shared">Forecasters that the predictors of one session's objects share.</param>
-        internal BodyPredictor CreateBody(SharedForecasters shared) =>
-            new BodyPredictor(Predictor, LimitsOf(JointLimits.None), IsHold ? 0 : ClockTicks.Seconds(Blend), shared);
+        internal BodyPredictor CreateBody() =>
+            new BodyPredictor(Predictor, LimitsOf(JointLimits.None), IsHold ? 0 : ClockTicks.Seconds(Blend));
 
         /// <summary>Combines a joint's limits with the limits of these settings.</summary>
         /// <param name="isRevolute">Whether acceleration and jerk limits of these settings apply to the joint.</param>

@@ -1,7 +1,6 @@
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Network;
-using Nowpose.Prediction.Mixing;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -28,8 +27,7 @@ namespace Nowpose.Session.Cell
         public SessionFrames(PredictionSettings prediction, Subscriptions subscriptions, DropCounters drops)
         {
             _drops = drops;
-            var shared = new SharedForecasters();
-            Tree = new FrameTree(() => prediction.CreateBody(shared));
+            Tree = new FrameTree(prediction.CreateBody);
             _needed = new NeededFrames(Tree);
             subscriptions.Add(RosTopics.Tf, RosTopics.TransformsType);
             subscriptions.Add(RosTopics.TfStatic, RosTopics.TransformsType);
