@@ -5,7 +5,7 @@ using Nowpose.Prediction.Mixing;
 
 namespace Nowpose.Frames
 {
-    /// <summary>Predicts the pose of one tracked frame in its parent at times near the newest samples, usually later than they are.</summary>
+    /// <summary>Predicts the pose of one tracked frame in its parent at times near its newest samples, usually ahead of them.</summary>
     /// <remarks>
     /// The position and the angles of <see cref="RotationHistory"/> have three components each, and each component has the pipeline of a
     /// joint. With <c>adaptive</c>, a mixture with common weights for the three components follows (<see cref="VectorMixture"/>). Times and order of

@@ -15,7 +15,7 @@ namespace Nowpose.Session
         /// <summary>The robot is fainter; its pose is computed as usual.</summary>
         Fade,
 
-        /// <summary>The robot is no fainter than any other striped pose; its pose is computed as usual.</summary>
+        /// <summary>The robot fades only as much as with any other striped pose; its pose is computed as usual.</summary>
         GoOn,
 
         /// <summary>The robot is as faint as a held pose and shows the newest samples without compensation.</summary>

@@ -20,8 +20,8 @@ namespace Nowpose.Prediction.Samples
         const double MaxScatter = 3;
 
         /// <summary>
-        /// Number of consecutive stamps off the line on the same side after which the line restarts. Scatter is unlikely to cause so many, so the
-        /// period has changed.
+        /// Number of consecutive stamps off the line on the same side after which the line restarts. Scatter rarely causes three such stamps, so
+        /// the period has probably changed.
         /// </summary>
         const int InARow = 3;
 
