@@ -123,7 +123,7 @@ test('finds a second code of which up to 45 % is hidden on one side', async () =
 });
 
 test('finds no second code in structured scenes', async () => {
-  const answers = await askAll(Array.from({ length: 20 }, (_, scene) => ({ shot: { ...shot([control, headset]), scene: 100 + scene, sceneLight: 0.8 } })));
+  const answers = await askAll(Array.from({ length: 10 }, (_, scene) => ({ shot: { ...shot([control, headset]), scene: 100 + scene, sceneLight: 0.8 } })));
 
   for (const { codes } of answers) assert.ok(codes.filter(code => !code.isWeak).length <= 2);
 });
@@ -131,11 +131,11 @@ test('finds no second code in structured scenes', async () => {
 // A lattice of dark holes with a pitch of two cells resembles a code with its ring, in which all pairs are equal. At most positions, the light of a
 // dark cell of this code differs from that of the scene. A lattice without any difference is accepted, because a real code must not be missed.
 test('mistakes only few perforated plates for part of a second code', async () => {
-  const answers = await askAll(Array.from({ length: 24 }, (_, i) => ({ shot: perforatedPlate(randomOf(600 + i)) })));
+  const answers = await askAll(Array.from({ length: 12 }, (_, i) => ({ shot: perforatedPlate(randomOf(600 + i)) })));
 
   for (const { codes } of answers) assert.deepEqual(new Set(codes.map(({ kind }) => kind)), new Set(['Control', 'Headset']));
   const mistaken = answers.filter(answer => strongCodes(answer).length > 2).length;
-  assert.ok(mistaken <= 2, `seeds 600 to 623: ${mistaken} of ${answers.length}`);
+  assert.ok(mistaken <= 1, `seeds 600 to 611: ${mistaken} of ${answers.length}`);
 });
 
 test('names the format of a HEIC picture', async () => {
@@ -163,13 +163,13 @@ test('recognises a mirrored picture and reports no codes in it', async () => {
 
 test('finds and reads a weak hologram in front of scenes with equally bright edges', async () => {
   const weak = { ...headset, light: 0.25 };
-  const answers = await askAll(Array.from({ length: 12 }, (_, scene) => ({ shot: { ...shot([weak]), scene, sceneLight: 0.9 } })));
+  const answers = await askAll(Array.from({ length: 8 }, (_, scene) => ({ shot: { ...shot([weak]), scene, sceneLight: 0.9 } })));
 
   const read = answers.filter(({ codes }) => {
     const { levels } = codes.find(code => code.kind === 'Headset') ?? {};
     return levels && pairs.every((cell, pair) => Math.abs((levels[cell] - levels[cell + 1]) / levels[0] - (ones(pair) ? 1 : -1)) < 0.5);
   });
-  assert.ok(read.length >= 11, `${read.length} of ${answers.length}`);
+  assert.ok(read.length >= 7, `${read.length} of ${answers.length}`);
 });
 
 test('finds and reads LEDs in a narrow housing in front of a brighter board', async () => {

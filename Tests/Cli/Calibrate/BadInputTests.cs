@@ -149,7 +149,7 @@ public sealed class BadInputTests : CalibrationFolder
 
         Assert.That(CodesOf(files, 1), Is.EqualTo(alone));
         Assert.That(CodesOf([.. files.Reverse()], 1), Is.EqualTo(alone.Reverse()));
-        var many = Enumerable.Range(0, 13).Select(i => i % files.Length).ToArray();
+        var many = Enumerable.Range(0, 9).Select(i => i % files.Length).ToArray();
         Assert.That(CodesOf([.. many.Select(i => files[i])], 2), Is.EqualTo(many.Select(i => alone[i])));
     }
 

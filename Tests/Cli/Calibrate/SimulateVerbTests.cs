@@ -9,23 +9,23 @@ public sealed class SimulateVerbTests
     [TestCase("--readout-ms=15", "--seed=1")]
     public async Task Simulate_CheckWithDefectivePictures_MeetsTheLimits(string readout, string seed)
     {
-        var run = await CliRun.OfAsync("calibrate", "simulate", "--check", "--pictures", "12", "--spoiled", "0.1", readout, seed);
+        var run = await CliRun.OfAsync("calibrate", "simulate", "--check", "--pictures", "8", "--spoiled", "0.1", readout, seed);
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Output + run.Errors);
-        Assert.That(run.Output, Does.Contain("12 pictures").And.Contain(" 0 misread"));
+        Assert.That(run.Output, Does.Contain("8 pictures").And.Contain(" 0 misread"));
     }
 
     /// <summary>
-    /// Checks the simulation with thirty camera positions and different scenes, sizes, lights, LEDs and squares. Fails if more than one picture in
+    /// Checks the simulation with twenty camera positions and different scenes, sizes, lights, LEDs and squares. Fails if more than one picture in
     /// ten cannot be read.
     /// </summary>
     [Test]
-    public void SimulationCheck_ThirtyCameraPositions_Reads90PercentWithoutMisreading()
+    public void SimulationCheck_TwentyCameraPositions_Reads90PercentWithoutMisreading()
     {
-        var check = SimulationCheck.Run(new SimulationSettings { Pictures = 30, PicturesPerPlace = 1, Seed = 1 }, CancellationToken.None);
+        var check = SimulationCheck.Run(new SimulationSettings { Pictures = 20, PicturesPerPlace = 1, Seed = 1 }, CancellationToken.None);
 
         var all = string.Join('\n', check.Lines());
-        Assert.That(check.Pictures, Is.EqualTo(30));
+        Assert.That(check.Pictures, Is.EqualTo(20));
         Assert.That(check.ReadOfGood, Is.GreaterThan(0.9), all);
         Assert.That(check.Misread, Is.Zero, all);
         Assert.That(check.MeanErrorMs, Is.EqualTo(0).Within(0.1), all);

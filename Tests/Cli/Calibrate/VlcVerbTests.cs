@@ -15,7 +15,7 @@ public sealed class VlcVerbTests
     public async Task TakePictures()
     {
         _folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
-        var run = await CliRun.OfAsync("calibrate", "simulate", "--pictures", "44", "--spoiled", "0.05", "--seed", "11", "--out", _folder);
+        var run = await CliRun.OfAsync("calibrate", "simulate", "--pictures", "30", "--spoiled", "0.05", "--seed", "11", "--out", _folder);
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
     }
 
@@ -41,12 +41,12 @@ public sealed class VlcVerbTests
         Assert.That(errors, Has.Count.EqualTo(json.RootElement.GetProperty("decoded").GetInt32()));
         Assert.That(errors.Select(Math.Abs).Max(), Is.LessThan(2));
         Assert.That(errors.Average(), Is.EqualTo(0).Within(0.4));
-        Assert.That(json.RootElement.GetProperty("pictures").GetInt32(), Is.EqualTo(44));
-        Assert.That(json.RootElement.GetProperty("rejected").GetInt32(), Is.EqualTo(44 - errors.Count));
+        Assert.That(json.RootElement.GetProperty("pictures").GetInt32(), Is.EqualTo(30));
+        Assert.That(json.RootElement.GetProperty("rejected").GetInt32(), Is.EqualTo(30 - errors.Count));
         var profile = LatencyProfileFile.Load(In("out/profile.json"));
         Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(40).Within(1));
         Assert.That(profile.Method, Is.EqualTo(CalibrationMethod.VisibleLight));
-        Assert.That(File.ReadLines(In("out/pairs.csv")).Count(), Is.GreaterThan(0.7 * 44));
+        Assert.That(File.ReadLines(In("out/pairs.csv")).Count(), Is.GreaterThan(0.7 * 30));
     }
 
     [Test]
@@ -156,7 +156,7 @@ public sealed class VlcVerbTests
     [Test]
     public async Task Vlc_ShuffledPictures_GiveTheSameJson()
     {
-        string[] files = [.. Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).Take(14), In("none.jpg")];
+        string[] files = [.. Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).Take(8), In("none.jpg")];
         File.WriteAllBytes(In("none.jpg"), []);
         async Task<string> ResultOf(string[] given)
         {
