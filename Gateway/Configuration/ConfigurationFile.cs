@@ -94,7 +94,7 @@ static class ConfigurationFile
         else entries.Add(entry);
     }
 
-    // Returns null for a value that is neither a word nor a list of words.
+    // Returns null for a value that is neither a scalar nor a list of scalars.
     static ConfigurationEntry ReadValue(Parser parser, string key, string place)
     {
         if (TryReadWord(parser, out var word)) return new ConfigurationEntry(key, [word], false, place);

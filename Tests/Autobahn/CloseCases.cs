@@ -14,7 +14,7 @@ static class CloseCases
     {
         yield return Section("7.1.1–7.1.6",
             "a close after a message, twice, before a ping, before a message, before the rest of a message, and after a long message",
-            "The suite's long message has 256 KiB; ours has 64 KiB, the maximum of our protocol.",
+            "The suite's long message is 256 KiB long; ours is 64 KiB long, the maximum of our protocol.",
             Case("7.1.1", AfterOne("close:1000"), s => { s.Send(); s.SendClose(1000); }),
             Case("7.1.2", "close:1000", s => { s.SendClose(1000); s.SendClose(1000); }),
             Case("7.1.3", "close:1000", s => { s.SendClose(1000); s.SendPing(); }),

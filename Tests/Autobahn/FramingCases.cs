@@ -48,11 +48,11 @@ static class FramingCases
             [.. new[] { 0, 20, 1 }.Select((chop, i) =>
                 Case($"5.{6 + i}", "pong accepted", s => { s.Chop = chop; s.SendFragments(s.Message(), 2, () => s.SendPing("between")); }))]);
         yield return Section("5.9–5.14",
-            "a continuation frame without a first frame, final and not, before a valid message; whole, in pieces, byte by byte", "",
+            "a continuation frame without a first frame, final and non-final, before a valid message; whole, in pieces, byte by byte", "",
             [.. new[] { 0, 20, 1, 0, 20, 1 }.Select((chop, i) =>
                 Case($"5.{9 + i}", Refused, s => { s.Chop = chop; s.Frame(Continuation, [1, 2], isFinal: i < 3); s.Send(); }))]);
         yield return Section("5.15–5.17",
-            "continuation frames without a first frame: after a message in two fragments, and before text, final and not", "",
+            "continuation frames without a first frame: after a message in two fragments, and before text, final and non-final", "",
             Case("5.15", AfterOne(Refused), s => { s.SendFragments(s.Message(), 2); s.Frame(Continuation, [3], isFinal: false); s.Send(); }),
             Case("5.16", Refused, s => Twice(s, isFinal: false)), Case("5.17", Refused, s => Twice(s, isFinal: true)));
         yield return Section("5.18", "a second text frame where a continuation frame is required", "",

@@ -21,7 +21,7 @@ static class Utf8Cases
                 isFinal: false); s.Frame(Continuation);
             }));
         yield return Section("6.2.1–6.2.4", "characters of two and three bytes: whole, in two fragments, one fragment for each byte",
-            "One fragment for each byte is more than the 64 of our protocol: the message is refused and the connection stays open.",
+            "One fragment for each byte exceeds the maximum of 64 fragments of our protocol: the message is refused and the connection stays open.",
             Case("6.2.1", "accepted", s => s.Send("Hello-µ@ßöäüàá-UTF-8!!")), Case("6.2.2", "accepted",
                 s => s.SendFragments(s.Message("Hello-µ@ßöäüàá-UTF-8!!"), 2)),
             Case("6.2.3", "refused", s => s.SendFragments(s.Message("Hello-µ@ßöäüàá-UTF-8!!"), 0)),
@@ -57,11 +57,11 @@ static class Utf8Cases
             "c0", "e0 80", "f0 80 80", "f8 80 80 80", "fc 80 80 80 80", "df", "ef bf", "f7 bf bf", "fb bf bf bf", "fd bf bf bf bf",
             "c0 e0 80 f0 80 80 f8 80 80 80 fc 80 80 80 80 df ef bf f7 bf bf fb bf bf bf fd bf bf bf bf");
         yield return Rows("6.16.1–6.16.3", "bytes that never occur in UTF-8", "6.16", false, "fe", "ff", "fe fe ff ff");
-        yield return Rows("6.17.1–6.17.5", "a slash in more bytes than necessary", "6.17", false, "c0 af", "e0 80 af", "f0 80 80 af",
+        yield return Rows("6.17.1–6.17.5", "overlong encodings of a slash", "6.17", false, "c0 af", "e0 80 af", "f0 80 80 af",
             "f8 80 80 80 af", "fc 80 80 80 80 af");
-        yield return Rows("6.18.1–6.18.5", "the last character of each length in one byte more than necessary", "6.18", false,
+        yield return Rows("6.18.1–6.18.5", "overlong encodings of the last character of each length", "6.18", false,
             "c1 bf", "e0 9f bf", "f0 8f bf bf", "f8 87 bf bf bf", "fc 83 bf bf bf bf");
-        yield return Rows("6.19.1–6.19.5", "NUL in more bytes than necessary", "6.19", false, "c0 80", "e0 80 80", "f0 80 80 80", "f8 80 80 80 80",
+        yield return Rows("6.19.1–6.19.5", "overlong encodings of NUL", "6.19", false, "c0 80", "e0 80 80", "f0 80 80 80", "f8 80 80 80 80",
             "fc 80 80 80 80 80");
         yield return Rows("6.20.1–6.20.7", "halves of surrogate pairs", "6.20", false,
             "ed a0 80", "ed ad bf", "ed ae 80", "ed af bf", "ed b0 80", "ed be 80", "ed bf bf");

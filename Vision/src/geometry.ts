@@ -49,7 +49,7 @@ export const sizeOf = ([a, b, c, d]: Quad): number => (distance(a, b) + distance
 
 export const centreOf = ([a, b, c, d]: Quad): Point => [(a[0] + b[0] + c[0] + d[0]) / 4, (a[1] + b[1] + c[1] + d[1]) / 4];
 
-/** Returns a quad with its corners transformed. Without `map`, because it runs millions of times. */
+/** Returns a quad with its corners transformed. Does not call `map`, because this function runs millions of times. */
 export const mapped = ([a, b, c, d]: Quad, to: (p: Point) => Point): Quad => [to(a), to(b), to(c), to(d)];
 
 export const scaled = (q: Quad, factor: number): Quad => mapped(q, p => [p[0] * factor, p[1] * factor]);

@@ -7,7 +7,7 @@ import { bands, Expected, isWithinBand, outer, stepsOf, type Band, type Pattern,
 export interface Agreement {
   /** Light of a lit cell minus that of a dark cell; linear, 1 is white. */
   light: number;
-  /** Share of the steps from cell to cell that agree with the code, −1 to 1. */
+  /** Agreement of the steps from cell to cell with the code, from −1 (all are opposite) to 1 (all agree). */
   share: number;
 }
 

@@ -8,7 +8,7 @@ import { becomes, gateway, open, showsToolError, withGraphics } from './page.mjs
 
 const { jointReasons, robotMessages, robotReasons } = messages;
 
-/** Number of robots drawn in one picture of the 3D view: draw calls between two clears. */
+/** Number of bodies drawn in one picture of the 3D view: the draw calls between two clears. */
 const bodiesDrawn = async page => {
   await page.locator('.stage').scrollIntoViewIfNeeded();
   return page.evaluate(() => new Promise(done => {

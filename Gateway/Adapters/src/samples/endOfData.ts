@@ -19,7 +19,7 @@ const STEADY = 0.7;
 const EQUAL = 1e-9;
 
 /** No sample was skipped in an interval that is shorter than this multiple of the source's sampling interval or of the shortest interval. */
-const EACH_LOOK = 1.6;
+const NO_GAP = 1.6;
 
 /** Number of newest intervals whose median predicts the next interval. With a median, a single late sample does not hide the end of the data. */
 const RECENT = 5;
@@ -77,7 +77,7 @@ export type LimitBasis = 'configured' | 'observed' | 'assumed';
  * where q is the resolution of the positions and d is the deadband, within which the source does not send the motion. While the floor applies, 3d
  * replaces 1.5d. If a is above the limit, the joint cannot have stopped, so the data ended during its motion. The limit is the configured one or,
  * without it, the largest of four values: the floor, 1.5 times the largest observed deceleration, 1.5 times the deceleration in the last samples, and
- * 4 times the increase of the deceleration in the last samples. The last two are sufficient: for a constant deceleration that lasts 0.4 h or longer,
+ * 4 times the increase of the deceleration in the last samples. The last two are sufficient: for a constant deceleration that lasts at least 0.4 h,
  * a does not exceed them. For a shorter one of size A, a ≤ 0.32 A, so the floor admits each stop with A up to 3 times the floor. The floor allows for
  * emergency stops, which stop all joints. It is therefore left out while another joint continues to move, if a deceleration of this joint has been
  * observed.
@@ -210,8 +210,8 @@ export class EndOfData {
    */
   #resolution(samplingS: number): number {
     const intervals = this.#intervals().slice(-NOISE_INTERVALS);
-    const look = Math.max(samplingS, Math.min(...intervals));
-    const noise = intervals.every(interval => interval < EACH_LOOK * look) ? positionNoise(this.#points) : null;
+    const usual = Math.max(samplingS, Math.min(...intervals));
+    const noise = intervals.every(interval => interval < NO_GAP * usual) ? positionNoise(this.#points) : null;
     return noise === null || noise <= EQUAL * this.#smallestStep ? this.#smallestStep : Math.min(this.#smallestStep, noise);
   }
 

@@ -8,8 +8,8 @@ namespace Nowpose
         Unsynchronised = 0,
 
         /// <summary>
-        /// An offset is known, but its error is not bounded yet: after the first exchange, after a step or a long silence, and while a step
-        /// is suspected.
+        /// An offset is known, but not accurately enough: there are too few exchanges, the estimated error is above
+        /// <see cref="Sync.ClockSettings.CoarseError"/>, the server itself is not synchronised, or a step is suspected.
         /// </summary>
         Converging = 1,
 

@@ -154,7 +154,7 @@ namespace Nowpose.Sync.Envelope
                 min = Math.Min(min, roundTrip);
                 sum += roundTrip;
             }
-            // If the round-trip times scatter little, the bounds hide only a small error, even if the round-trip times are long.
+            // If the round-trip times scatter little, all bounds are nearly equal, even if the round-trip times are long.
             var scatter = ScatterShare * (sum / _history.Count - min);
             return new TimeSpan(Math.Max(0, _history.Count < MinForScatter ? min : Math.Min(min, scatter)));
         }

@@ -168,7 +168,7 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
-        // The step is larger than the stated error bounds, although a round-trip time of 40 ms hides most of it.
+        // A round-trip time of 40 ms hides most of the step. The remaining 1.5 ms is more than the error bound of 1 ms that the server states.
         [TestCase(41.5)]
         [TestCase(-41.5)]
         public void Step_HiddenByALongRoundTripTime_IsCounted(double stepMs)
