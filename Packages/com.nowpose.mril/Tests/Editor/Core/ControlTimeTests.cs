@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void Arithmetic_PointPlusLengthMinusPoint_IsTheLength()
+        public void Arithmetic_TimePlusDurationMinusTime_IsTheDuration()
         {
             var start = ControlTime.FromSeconds(1.7e9);
             var length = new TimeSpan(1);

@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void NoSession_Look_IsDrawnAsNotCurrent()
+        public void NoSession_AnyPart_IsDrawnAsNotCurrent()
         {
             Assert.That(PoseLook.NoSession.IsDrawn, Is.True);
             Assert.That(PoseLook.NoSession.IsHatched, Is.True);

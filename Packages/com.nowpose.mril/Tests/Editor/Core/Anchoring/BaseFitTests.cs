@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Of_OneRotatedPrint_RotatesTheBaseSlightly()
+        public void Of_OneOfThreeMarkersRotated_RotatesTheBaseOnlySlightly()
         {
             RigidTransform Askew(int i) => i == 1 ? PoseNumbers.Turn(0, 2 * Degree, 0) : RigidTransform.Identity;
 

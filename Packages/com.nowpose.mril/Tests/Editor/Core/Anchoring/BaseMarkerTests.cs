@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase(0, double.PositiveInfinity, 0.1, "marker 'cell 7': its rotation is invalid; enter three finite angles")]
         [TestCase(0, 0, 0.001, "marker 'cell 7': its size: 0.001 m is out of range; allowed: 0.005 to 5 m")]
         [TestCase(0, 0, -0.1, "marker 'cell 7': its size: -0.1 m is out of range; allowed: 0.005 to 5 m")]
-        public void Constructor_NumberOutOfRange_ThrowsWithTheName(double x, double yaw, double size, string message)
+        public void Constructor_NumberOutOfRange_NamesValueAndRange(double x, double yaw, double size, string message)
         {
             var fault = Assert.Throws<InputException>(
                 () => new BaseMarker("cell 7", RigidTransform.FromXyzRpy(x, 0, 0, 0, 0, yaw), size));

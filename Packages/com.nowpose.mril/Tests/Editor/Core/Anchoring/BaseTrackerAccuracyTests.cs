@@ -52,8 +52,8 @@ namespace Nowpose.Tests.Core.Anchoring
         // Three markers improve the accuracy most if the errors are systematic, such as a rotated print, because these do not average out with time.
         // Noise averages out even with one marker. Without systematic errors, the gain is at most 2, because the angles of three markers are as
         // useful as their positions.
-        [TestCase(0.5, 3, TestName = "Lock_ThreePrintsRotatedByHalfADegree_FlangeErrorIsAThirdOfTheErrorWithOneMarker")]
-        [TestCase(0.25, 3, TestName = "Lock_ThreePrintsRotatedByAQuarterDegree_FlangeErrorIsAThirdOfTheErrorWithOneMarker")]
+        [TestCase(0.5, 3, TestName = "Lock_ThreePrintsRotatedByHalfADegree_FlangeErrorIsBelowAThirdOfTheErrorWithOneMarker")]
+        [TestCase(0.25, 3, TestName = "Lock_ThreePrintsRotatedByAQuarterDegree_FlangeErrorIsBelowAThirdOfTheErrorWithOneMarker")]
         [TestCase(0.1, 2.2, TestName = "Lock_ThreePrintsRotatedByATenthOfADegree_FlangeErrorIsBelowTheErrorWithOneMarker")]
         [TestCase(0, 1.7, TestName = "Lock_ThreeExactPrints_FlangeErrorIsBelowTheErrorWithOneMarker")]
         public void Lock_ThreeMarkers_FlangeErrorIsBelowTheErrorWithOneMarker(double printDegrees, double minRatio)

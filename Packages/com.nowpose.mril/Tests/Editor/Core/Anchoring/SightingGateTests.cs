@@ -69,7 +69,7 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase("maximum distance: -1 m is out of range; allowed: 0.1 to 20 m", 1850, 400, -1, 60, 10)]
         [TestCase("maximum viewing angle: 90 ° is out of range; allowed: 10 to 89 °", 1850, 400, 2.5, 90, 10)]
         [TestCase("tolerance: 2 m is out of range; allowed: 0.001 to 1 m", 1850, 400, 2.5, 60, 2000)]
-        public void Settings_OutOfRange_ThrowWithTheName(
+        public void Settings_OutOfRange_NameValueAndRange(
             string message, double settle, double oldest, double farthest, double oblique, double toleranceMm)
         {
             var fault = Assert.Throws<InputException>(() => new AnchoringSettings(

@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Frames
 
         // The object is seen for the first time while it moves, as on a conveyor. The noise of the samples is uniform, 0.1 mm RMS.
         [Test]
-        public void At_MotionWithoutAStart_IsAccurateAfterOneSecond()
+        public void At_FirstSampleDuringAMotion_IsAccurateAfterOneSecond()
         {
             double early = 0, late = 0;
             for (var seed = 0; seed < 10; seed++)
@@ -131,7 +131,7 @@ namespace Nowpose.Tests.Core.Frames
         // Rounding depends on the sign of the quaternion, and the mixture amplifies the difference.
         [TestCase("linear", 1e-13)]
         [TestCase("adaptive", 1e-4)]
-        public void Add_ReversedSigns_GiveTheSamePrediction(string name, double tolerance)
+        public void Add_QuaternionsWithReversedSigns_GiveTheSamePrediction(string name, double tolerance)
         {
             var plain = Fed(name, BodyMotions.HandHeld, 100);
             var random = new Random(3);

@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Frames
         static readonly JObject Reference = JObject.Parse(UrdfFiles.Text("../Frames/frame_reference_poses.json"));
 
         [Test]
-        public void World_VehicleArmGripperPart_AgreesWithAnotherLibrary([Range(0, 5)] int number)
+        public void World_PartInAGripperOnAVehiclesArm_AgreesWithAnotherLibrary([Range(0, 5)] int number)
         {
             var given = (JObject)Reference["cases"][number];
             var tree = new FrameTree(() => new BodyPredictor("linear", new PredictionLimits()));

@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void World_FrameWithTheNameOfARoot_MovesTheRobotAndItsObject()
+        public void World_FrameNamedLikeARobotsRootLink_MovesTheRobotAndItsObject()
         {
             var arm = new MovingLinks("arm1", TestRobot.Model);
             var tree = NewTree();
@@ -112,7 +112,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void World_TwoRobotsWithEqualLinks_DoNotMix()
+        public void World_TwoRobotsWithEqualLinkNames_AreSeparate()
         {
             MovingLinks left = new MovingLinks("left", TestRobot.Model), right = new MovingLinks("right", TestRobot.Model);
             var tree = NewTree();
@@ -202,7 +202,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void HandOver_FastObjectStopsAndTheNewsIsLate_MovesToItsPlaceWithoutAJump()
+        public void HandOver_FastObjectStopsAndItsPoseArrivesLate_MovesToItsPlaceWithoutAJump()
         {
             const double frameSeconds = 1 / 60.0, speed = 2, stopped = 1.0, late = 0.2;
             var tree = NewTree();

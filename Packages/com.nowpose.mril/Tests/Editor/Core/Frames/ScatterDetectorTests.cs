@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase(3, false)]
         [TestCase(5, true)]
         [TestCase(40, true)]
-        public void Scatters_NoiseAtRest_IsDetectedFromFourSamples(int samples, bool expected) =>
+        public void Scatters_NoiseAtRest_IsTrueWithEnoughSamples(int samples, bool expected) =>
             Assert.That(Scatters(BodyMotions.WithNoise(BodyMotions.Rest, seed: 11), samples, 0.02), Is.EqualTo(expected));
 
         [TestCase(0.02)]

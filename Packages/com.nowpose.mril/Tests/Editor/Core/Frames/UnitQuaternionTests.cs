@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase(-1.5, 1.2, 0.4)]
         [TestCase(0, 3.14, 0)]
         [TestCase(0, 0, -3.1415926)]
-        public void ExpAndLog_OfAVector_AgreeWithRodriguesAndAreInverse(double vx, double vy, double vz)
+        public void ExpAndLog_OfAVector_AgreeWithRodriguesFormulaAndAreInverse(double vx, double vy, double vz)
         {
             var vector = new Vector3D(vx, vy, vz);
             var angle = vector.Length;

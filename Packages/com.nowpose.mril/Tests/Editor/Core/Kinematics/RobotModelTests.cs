@@ -34,10 +34,10 @@ namespace Nowpose.Tests.Core.Kinematics
             Assert.That(model.IndexOfLink("nothing"), Is.EqualTo(-1));
         }
 
-        [TestCase("", "hand", TestName = "ToolLink_NoKnownName_IsTheLeafWithMostMovingJoints")]
+        [TestCase("", "hand", TestName = "ToolLink_NoKnownName_IsTheLeafWithTheMostMovingJoints")]
         [TestCase("flange", "flange", TestName = "ToolLink_Flange_IsTheFlange")]
         [TestCase("flange tool0", "tool0", TestName = "ToolLink_FlangeAndTool0_IsTool0")]
-        [TestCase("flange tool0 tool_centre_point", "tool_centre_point", TestName = "ToolLink_All_IsTheToolCentrePoint")]
+        [TestCase("flange tool0 tool_centre_point", "tool_centre_point", TestName = "ToolLink_AllKnownNames_IsTheToolCentrePoint")]
         public void ToolLink_SeveralKnownFrameNames_IsTheFrameClosestToTheTool(string frames, string expected)
         {
             var extra = string.Concat(frames.Split(new[] { ' ' }, System.StringSplitOptions.RemoveEmptyEntries)

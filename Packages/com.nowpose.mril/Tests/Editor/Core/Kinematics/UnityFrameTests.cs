@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void FromUnity_ToUnityResult_RoundTrips()
+        public void FromUnity_ResultOfToUnity_ReturnsTheOriginalPose()
         {
             var random = new Random(12);
             for (var i = 0; i < 200; i++)
@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase(0, Math.PI, 0)]
         [TestCase(0, 0, Math.PI)]
         [TestCase(3.1, 0.01, 0.02)]
-        public void FromUnity_ToUnityOfHalfTurn_RoundTrips(double roll, double pitch, double yaw)
+        public void FromUnity_HalfTurnConvertedByToUnity_ReturnsTheOriginalPose(double roll, double pitch, double yaw)
         {
             var pose = RigidTransform.FromXyzRpy(1, 2, 3, roll, pitch, yaw);
 

@@ -71,7 +71,7 @@ namespace Nowpose.Tests.Core.Kinematics
             "r.urdf:4: joint 'j' <mimic>: the chain of mimicked joints through 'k' leads back to this joint");
 
         [Test]
-        public void Read_TwoParents_NamesTheLink() => RefusesJoints(
+        public void Read_LinkWithTwoParents_NamesTheLink() => RefusesJoints(
             Joint("i", "a", "c") + "\n" + Joint("j", "b", "c"),
             "r.urdf:4: joint 'j': link 'c' is already the child of joint 'i'; a link must have at most one parent; remove one of the joints");
 

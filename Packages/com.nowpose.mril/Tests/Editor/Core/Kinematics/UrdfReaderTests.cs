@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("revolute", JointKind.Revolute)]
         [TestCase("continuous", JointKind.Continuous)]
         [TestCase("prismatic", JointKind.Prismatic)]
-        public void Read_KnownType_ReturnsItsKind(string type, JointKind kind)
+        public void Read_KnownJointType_ReturnsItsKind(string type, JointKind kind)
         {
             Assert.That(Joint(type, "").Kind, Is.EqualTo(kind));
         }

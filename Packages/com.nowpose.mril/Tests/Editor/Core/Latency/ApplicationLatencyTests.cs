@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndToEnd_Latencies_IsApplicationPlusVisualisation()
+        public void EndToEnd_ApplicationLatency_AddsTheVisualisationLatency()
         {
             var visualisation = new VisualisationLatency(TimeSpan.FromMilliseconds(40));
 

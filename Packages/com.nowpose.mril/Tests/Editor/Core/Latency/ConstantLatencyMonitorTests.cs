@@ -165,7 +165,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_SourceDiffersFromSourceOfTheLimit_IsUnknownWithTheReason()
+        public void Add_SourceDiffersFromTheSourceOfTheLimit_IsUnknownWithTheReason()
         {
             var monitor = Monitor();
             Add(monitor, 20, 100);

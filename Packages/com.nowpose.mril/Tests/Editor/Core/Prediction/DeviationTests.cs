@@ -102,7 +102,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [TestCaseSource(nameof(Others))]
-        public void DeviationAt_OtherPredictors_IsUnknown(string name) =>
+        public void DeviationAt_PredictorWithoutADeviation_IsUnknown(string name) =>
             Assert.That(Fed(name, Waves, 100).DeviationAt(5.1), Is.NaN);
     }
 }

@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(1.0000009, DropReason.DuplicateSample)]
         [TestCase(2.0000011, DropReason.None)]
         [TestCase(1.9999989, DropReason.None)]
-        public void Add_SameTimeWithinAMicrosecond_IsRefused(double time, DropReason expected)
+        public void Add_TimeNearAnother_IsRefusedOnlyWithinAMicrosecond(double time, DropReason expected)
         {
             var predictor = Polynomial(2, 2);
             predictor.Add(1, 1);
@@ -111,7 +111,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(1e9, 0.5, PredictionKind.Held)]
         [TestCase(0.2, 0.2, PredictionKind.Interpolated)]
         [TestCase(0.15, 0.15, PredictionKind.Interpolated)]
-        public void At_AroundTheHorizonCap_HoldsTheValueThere(double time, double expected, PredictionKind kind)
+        public void At_BeforeAndBeyondTheHorizonCap_HoldsTheValueAtTheCap(double time, double expected, PredictionKind kind)
         {
             var predictor = Polynomial(2, 2, new PredictionLimits()).Fed(new[] { 0.1, 0.15, 0.2 }, t => t);
 

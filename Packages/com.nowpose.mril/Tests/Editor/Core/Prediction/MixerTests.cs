@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Prediction
         // The joint already moves at the first sample. The forecast from this sample alone has a large error, which is equal for all forecasters and
         // must not hide their differences. The noise of the samples is uniform, 0.1 mm RMS.
         [Test]
-        public void At_MotionWithoutAStart_IsAccurateAfterOneSecond()
+        public void At_FirstSampleDuringAMotion_IsAccurateAfterOneSecond()
         {
             double early = 0, late = 0;
             for (var seed = 0; seed < 10; seed++)
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_BeyondTheHorizonCap_HoldsTheValueThere()
+        public void At_BeyondTheHorizonCap_HoldsTheValueAtTheCap()
         {
             var predictor = Fed(Mixed(new PredictionLimits(horizonCap: 0.2)), 60, t => t);
             var newest = 59 * Interval;

@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase("cubic", 0.271)]
         [TestCase("quadratic-h3", 0.328)]
         [TestCase("quadratic-h4", 0.404)]
-        public void Ratio_Sampling50MsLatency100Ms_MatchesFigures13And14(string predictor, double expected)
+        public void Ratio_SamplingOf50MsAndLatencyOf100Ms_MatchesFigures13And14(string predictor, double expected)
         {
             Assert.That(Ratio(predictor), Is.EqualTo(expected).Within(0.02), "seed " + Seed);
         }

@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("refused 5000.125 Bad status", JointDataState.Refused, "Bad status")]
         [TestCase("fault 5000.125 node deleted", JointDataState.Fault, "node deleted")]
         [TestCase("missing 5000.125 ", JointDataState.Missing, "")]
-        public void TryRead_JointStatus_ReturnsStateSinceAndReason(string value, JointDataState state, string reason)
+        public void TryRead_JointStatus_ReturnsStateStartTimeAndReason(string value, JointDataState state, string reason)
         {
             var joint = Read(Message(("a3", value))).Single();
 
@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_NegativeSinceTime_IsRead() =>
+        public void TryRead_NegativeStartTime_IsRead() =>
             Assert.That(Read(Message(("a3", "fault -2.500 node deleted"))).Single().Since, Is.EqualTo(ControlTime.FromSeconds(-2.5)));
 
         [Test]

@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void Write_Reply_MatchesTheTableByteForByte()
+        public void Write_Reply_MatchesTheDocumentedBytes()
         {
             var request = SyncFrame.Request(0x0A0B0C0D, 0x0102030405060708);
 

@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Threads_RecordingConcurrently_LoseAndMixNoLines()
+        public void Recorder_LinesFromSeveralThreads_KeepsEveryLineIntact()
         {
             const int count = 5000;
             var session = NewSession();

@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Header_Conditions_ContainsKnownConditions()
+        public void Header_SomeConditionsUnknown_ContainsOnlyTheKnownConditions()
         {
             var session = NewSession();
             session.Conditions = new DisplayConditions("HoloLens 2", 59.94, graphicsApi: "Direct3D11");
@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Frame_EstimatedError_EqualsTheErrorOfTheClock()
+        public void Frame_EstimatedError_EqualsThatOfTheClock()
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
             var expected = new List<long?>();

@@ -107,7 +107,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Statistics_RobotAtRest_HaveNoErrorAndNoReduction()
+        public void Statistics_RobotAtRest_HaveAnErrorOfZeroAndNoReduction()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed) { IsSamplingByTest = true };
             for (var i = 0; i < 200; i++)

@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Received_DuplicatesLateAndForeignSamples_AreCountedByReason()
+        public void Received_DuplicateLateAndForeignSamples_AreCountedByReason()
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
             foreach (var at in new[] { 1.0, 1.1, 1.2, 1.3, 1.3, 1.3, 0.5, 1.4 }) Send(session, at, at);

@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase("UCHHC", "Synchronised Stale", TestName = "Changed_SamplesStop_IsStaleOnce")]
         [TestCase("UCHCH", "Synchronised Stale Stale", TestName = "Changed_SamplesStopAgain_IsStaleAgain")]
         [TestCase("UChchcchchh", "Synchronised Stale", TestName = "Changed_SamplesFlicker_IsStaleOnce")]
-        [TestCase("UOH", "Synchronised Stale", TestName = "Changed_OutsideRange_IsNotStale")]
+        [TestCase("UOH", "Synchronised Stale", TestName = "Changed_OutsideRangeThenHeld_IsStaleOnlyWhenHeld")]
         [TestCase("UCUH", "Synchronised Lost Stale Synchronised", TestName = "Changed_HeldAfterLost_IsStaleAsSoonAsItsAgeIsKnown")]
         public void Changed_Poses_ReportsTheExpectedChanges(string frames, string expected)
         {
@@ -44,10 +44,10 @@ namespace Nowpose.Tests.Core.Session
 
         // Ranges: ? unknown, i inside, o outside.
         [TestCase("??", "", TestName = "Changed_RangeUnknown_ReportsNothing")]
-        [TestCase("?I", "EnteredRange", TestName = "Changed_InsideForHalfASecond_EnteredRange")]
-        [TestCase("?o", "LeftRange", TestName = "Changed_OutsideFromTheStart_LeftRange")]
+        [TestCase("?I", "EnteredRange", TestName = "Changed_InsideForHalfASecond_ReportsEnteredRange")]
+        [TestCase("?o", "LeftRange", TestName = "Changed_OutsideFromTheStart_ReportsLeftRange")]
         [TestCase("IoOII", "EnteredRange LeftRange EnteredRange", TestName = "Changed_LoadComesAndGoes_ReportsEachChangeOfRange")]
-        [TestCase("Ioioiiiooi", "EnteredRange LeftRange", TestName = "Changed_RangeFlickers_LeftOnce")]
+        [TestCase("Ioioiiiooi", "EnteredRange LeftRange", TestName = "Changed_RangeFlickers_ReportsLeftRangeOnce")]
         [TestCase("I???I", "EnteredRange", TestName = "Changed_RangeTemporarilyUnknown_ReportsNothing")]
         [TestCase("O?iiii?iiii?iiii", "LeftRange", TestName = "Changed_RangeRepeatedlyUnknown_ReportsNoReturn")]
         public void Changed_Ranges_ReportsTheExpectedChanges(string frames, string expected)

@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Change_ReceivedLate_IsInPhase()
+        public void Change_ReceivedLate_JoinsTheMotionOfATimelyChange()
         {
             var (inTime, late) = (Open(), Open());
             inTime.Change(1, At(10));

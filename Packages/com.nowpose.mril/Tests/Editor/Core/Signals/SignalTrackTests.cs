@@ -152,7 +152,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Next_CorrectedToTheVisibleValue_IsNotAChange()
+        public void Next_WaitingChangeCorrectedToTheVisibleValue_IsNotAChange()
         {
             var signal = new SignalTrack("grip");
             signal.Add(At(10), 1);

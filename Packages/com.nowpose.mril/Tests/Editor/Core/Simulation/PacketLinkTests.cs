@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase("cellular", 14, 3)]
         [TestCase("bad", 5, 12)]
         [TestCase("roaming", 3, 5)]
-        public void Delays_PacketsFarApart_AreBasePlusExponentialJitter(string name, double baseMs, double jitterMs)
+        public void Delays_PacketsFarApart_AreTheBaseDelayPlusExponentialJitter(string name, double baseMs, double jitterMs)
         {
             // 40 packets take 7.6 s. The first stall of the roaming link is at 8 s.
             var ms = new List<double>();
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Stall_BothDirections_AreSimultaneous()
+        public void Stalls_OfBothDirections_AreSimultaneous()
         {
             var during = Start + TimeSpan.FromSeconds(9);
 

@@ -124,7 +124,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Clock_SteppedAndFaster_IsFollowedByTheSession()
+        public void Clock_StepsAndChangesItsRate_IsFollowedByTheSession()
         {
             var run = new VirtualCellRun(VirtualCellRun.Settings()).Run(20);
             Assert.That(run.Statistics.Clock.Skew, Is.EqualTo(-37e-6).Within(5e-6), "the headset clock is slower");

@@ -131,7 +131,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Step_SuspectedBeforeALongSilence_IsForgotten()
+        public void Step_SuspectedBeforeALongSilence_IsNotCounted()
         {
             var run = new SyncRun(ClockEstimators.Create(ClockEstimators.Default));
             var link = new SimulatedLink(NetworkProfile.Lan, 95, 40);
@@ -273,7 +273,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Add_ContradictoryServer_DoesNotOverflow()
+        public void Add_ContradictoryTimesOfTheServer_DoesNotOverflow()
         {
             var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
             var contradictions = 0;

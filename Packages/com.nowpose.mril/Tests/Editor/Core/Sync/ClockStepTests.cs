@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("busy-wifi", 50, 2)]
         [TestCase("lan", 0.5, 4)]
         [TestCase("lan", -0.5, 4)]
-        public void Step_ControlClock_IsDetectedOnceWithinTheLimit(string network, double stepMs, double limitSeconds)
+        public void Step_OfTheControlClock_IsDetectedOnceWithinTheLimit(string network, double stepMs, double limitSeconds)
         {
             for (var seed = FirstSeed; seed < FirstSeed + 6; seed++)
             {

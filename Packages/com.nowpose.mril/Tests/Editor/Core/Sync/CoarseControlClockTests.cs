@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase(1, 5)]
         [TestCase(4, 20)]
         [TestCase(10, -50)]
-        public void Step_CoarseControlClock_IsDetected(double resolutionMs, double stepMs)
+        public void Step_OfACoarseControlClock_IsDetected(double resolutionMs, double stepMs)
         {
             var link = new SimulatedLink(NetworkProfile.Lan, 800, 20) { Resolution = Lengths.Ms(resolutionMs) };
             var run = new PacedRun();

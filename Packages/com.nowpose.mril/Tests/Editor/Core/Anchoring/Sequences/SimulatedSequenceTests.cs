@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         [TestCase("lost-and-back.txt")]
         [TestCase("two-disagree.txt")]
         [TestCase("one-moved.txt")]
-        public void LinesOf_StoredFile_EqualTheStoredLines(string file)
+        public void LinesOf_EachSequence_EqualTheLinesOfItsStoredFile(string file)
         {
             var path = Path.Combine(Here(), file);
             // If the environment variable is set to 1, the test writes new files.

@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
             "HoloLens 2", 60, "Direct3D11", "MultiThreaded", "built-in", false, "PrioritizeRendering", ReprojectionMode.Depth);
 
         [Test]
-        public void Conditions_Written_PrecedeTheHeaderWithoutRowValues()
+        public void Conditions_Written_PrecedeTheHeaderAndOmitValuesOfTheRows()
         {
             var text = new StringWriter();
             SweepLog.WriteHeader(text, Conditions);

@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         [TestCase(2_000_000, 1, 5, 1, "steps of the sweep: 1 is out of range; allowed: 2 to 100")]
         [TestCase(2_000_000, 10, 0, 1, "duration of a load: 0 s is out of range")]
         [TestCase(2_000_000, 10, 5, double.NaN, "time for a load to settle: NaN s is out of range")]
-        public void Constructor_OutOfRange_ThrowsWithTheName(int most, int steps, double seconds, double settle, string message)
+        public void Constructor_ValueOutOfRange_NamesTheValue(int most, int steps, double seconds, double settle, string message)
         {
             Assert.That(() => new SweepPlan(most, steps, seconds, settle), Throws.TypeOf<InputException>().With.Message.StartsWith(message));
         }

@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
         // In the first cycle of a motion, no forecast of a start can be correct. Each later cycle has only two scores of a start.
         [Test]
-        public void Score_FalseStartsInTheFirstCycle_AreForgottenAfterTwoCycles()
+        public void Score_FalseStartsInTheFirstCycle_HaveNoEffectAfterTwoCycles()
         {
             for (var i = 0; i < 40; i++) _gate.Score(0.5, 0.01, 0.5, wasStill: true, time: i * Interval);
             Assert.That(_gate.ErrorRatio(isStill: true), Is.EqualTo(double.PositiveInfinity));

@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         [TestCase(0.020)]
         [TestCase(0.050)]
         [TestCase(0.0333)]
-        public void At_EndOfALongDwell_StartIsPredicted(double interval)
+        public void At_EndOfALongDwell_PredictsTheStartOfTheNextMove(double interval)
         {
             const double dwell = 2;
             var predictor = Alone();
@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
         // With these intervals, the number of compared lags is largest. The product compares objects with their history every 0.14 s.
         [Test]
-        public void Add_LongestHistory_StaysPredicted(
+        public void Add_LongestHistory_MotionIsStillPredicted(
             [Values(0.0201, 0.0301, 0.0334, 0.0501, 0.0601, 0.1001)] double interval, [Values(MatchInterval, 0.14)] double matchInterval)
         {
             var predictor = TestPredictors.Of(new TemplateForecaster(PredictionLimits.Unlimited, matchInterval));

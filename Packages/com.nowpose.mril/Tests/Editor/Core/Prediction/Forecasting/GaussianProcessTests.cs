@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         }
 
         [Test]
-        public void Solve_FewOrFarApartSamples_ReturnsFalse()
+        public void Solve_TooFewSamplesOrTooLargeGap_ReturnsFalse()
         {
             var forecaster = new LinearForecaster(new GaussianProcess());
 

@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         [TestCase("quadratic", 1, false)]
         [TestCase("process", 4, false)]
         [TestCase("process", 5, true)]
-        public void Solve_FewSamples_NeedsTheMinimumOfItsWeights(string name, int count, bool expected)
+        public void Solve_FewSamples_SucceedsFromTheMinimumCountOfItsWeights(string name, int count, bool expected)
         {
             Assert.That(new LinearForecaster(New(name)).Solve(Motion(seed: 1, count)), Is.EqualTo(expected));
         }

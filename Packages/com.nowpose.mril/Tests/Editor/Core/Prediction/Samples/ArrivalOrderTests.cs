@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [TestCase(5, 1, 2, 3, 4, 6)]
         [TestCase(4, 3, 2, 1, 5)]
         [TestCase(6, 2, 5, 1, 4, 3, 7)]
-        public void Add_SamplesOutOfOrder_PredictAsInOrder(params int[] order)
+        public void Add_SamplesOutOfOrder_GivesTheSamePredictionAsInOrder(params int[] order)
         {
             JointPredictor shuffled = FedJoint(), inOrder = FedJoint();
 

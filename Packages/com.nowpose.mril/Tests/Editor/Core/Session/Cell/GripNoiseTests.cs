@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Open_SourceAtRestWithNoise_StaysWhereItWasReleased([Values(1, 2, 3)] int seed)
+        public void GripperOpens_SourceAtRestWithNoise_ObjectStaysWhereItWasReleased([Values(1, 2, 3)] int seed)
         {
             var tracker = Tracker(seed, _ => 1);
             var cell = Released(t => PoseOf(tracker(t)));
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Open_NoiseInOneComponent_StaysWhereItWasReleased([Values(1, 2, 3)] int seed)
+        public void GripperOpens_NoiseInOneComponent_ObjectStaysWhereItWasReleased([Values(1, 2, 3)] int seed)
         {
             var random = new Random(seed);
             double Normal() => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         [TestCase(1.0, 0.15)]
         [TestCase(0.1, 0.35)]
         [TestCase(0.01, 2.5)]
-        public void Open_SourceMovesWithNoise_FollowsTheSource(double speed, double withinSeconds)
+        public void GripperOpens_SourceMovesWithNoise_ObjectFollowsTheSource(double speed, double withinSeconds)
         {
             const double start = Open + 2;
             double X(double t) => 1 - speed * Math.Max(0, t - start);
@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Open_SourceTracksTheObjectInTheGripper_FollowsTheSourceImmediately()
+        public void GripperOpens_SourceTracksTheHeldObject_ObjectFollowsTheSourceImmediately()
         {
             double X(double t) => Math.Cos(Shoulder(Math.Min(Math.Max(t, Close), Open)));
             double Y(double t) => Math.Sin(Shoulder(Math.Min(Math.Max(t, Close), Open)));

@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         static readonly RigidTransform Place = At(1.05, 0.02);
 
         [Test]
-        public void Restart_Source_HeldObjectReturnsToTheReportedPose([Values(0, 1)] int value)
+        public void Source_Restarts_HeldObjectReturnsToTheReportedPose([Values(0, 1)] int value)
         {
             var (cell, grip) = NewCell("box");
             var back = 0.0;
@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Restart_SourceWhileGripperClosed_ReportsAFaultUntilTheNextChange()
+        public void Source_RestartsWhileTheGripperIsClosed_CausesAFaultUntilTheNextChange()
         {
             var (cell, grip) = NewCell("box");
             var (back, value) = (0.0, 1);
@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Session.Cell
 
         [TestCase(true)]
         [TestCase(false)]
-        public void Restart_SourceAfterTheRelease_ObjectReturnsToTheReportedPose(bool isOfSignal)
+        public void Source_RestartsAfterTheRelease_ObjectReturnsToTheReportedPose(bool isOfSignal)
         {
             var (cell, _) = NewCell("box");
             var back = 0.0;
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Restart_ControlClock_KeepsTheObjectAndReportsAFault()
+        public void ControlClock_Restarts_ObjectStaysHeldAndAFaultIsReported()
         {
             var (cell, grip) = NewCell("box");
             cell.Sampling = t => SendAll(cell, t + cell.ClockStep, t);

@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Session.Cell
     public class SessionRobotsTests
     {
         [Test]
-        public void Robots_EqualJointNames_DoNotMix()
+        public void Robots_EqualJointNames_AreSeparate()
         {
             var cell = new CellSession();
             var second = cell.Session.Robots.Add("arm2", TestRobot.Model);
