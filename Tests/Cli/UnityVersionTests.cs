@@ -21,7 +21,7 @@ public class UnityVersionTests
     }
 
     [Test]
-    public async Task Unity_PlugInIncompatibleWithUnity63_Fails()
+    public async Task Unity_PlugInIncompatibleWithTheVersion_Fails()
     {
         using var project = new UnityProjectFolder(WithMrtk3, "6000.3.0f1");
 

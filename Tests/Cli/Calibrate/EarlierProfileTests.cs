@@ -63,7 +63,7 @@ public sealed class EarlierProfileTests : CalibrationFolder
     }
 
     [Test]
-    public void SweepTable_Conditions_CombineHeaderAndRows()
+    public void SweepTable_ConditionsInHeaderAndRows_AreCombined()
     {
         var path = Write("sweep.csv", ["# graphics_api: Vulkan", "# reprojection: depth", SweepLog.Header, "5,0,4,display_gpu_time,HoloLens 2,60"]);
 

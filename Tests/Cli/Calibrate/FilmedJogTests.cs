@@ -63,7 +63,7 @@ public class FilmedJogTests : VideoFolder
     }
 
     [Test]
-    public async Task Sine_FfmpegOlderThan51_UsesTheOldOption()
+    public async Task Sine_FfmpegOlderThanVersion5Point1_UsesTheOldOption()
     {
         var video = Video();
         Script(

@@ -6,7 +6,7 @@ namespace Nowpose.Headless.Tests.Cli.Calibrate;
 public sealed class PictureFilesTests : CalibrationFolder
 {
     [Test]
-    public void Of_FolderWithNumberedPictures_ReturnsNumericOrder()
+    public void Of_FolderWithNumberedPictures_ReturnsThemInNumericOrder()
     {
         string[] expected =
             ["a.png", "frame1.png", "frame2.png", "frame9.png", "frame10.png", "frame0011.png", "frame60.png", "img_2_10.png", "img_10_2.png"];

@@ -69,7 +69,7 @@ public class RangeFitTests
     }
 
     [Test]
-    public void Fit_FivePercentMisreadAndThreePercentSlow_FindsTheLimit()
+    public void Fit_FivePercentMisreadPicturesAndThreePercentSlowFrames_FindsTheLimit()
     {
         var spoiled = new SimulatedPictures { Misread = 0.05, Display = new DisplayPipelineSettings(spikeChance: 0.03) };
 

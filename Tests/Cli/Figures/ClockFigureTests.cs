@@ -23,7 +23,7 @@ public class ClockFigureTests
     }
 
     [Test]
-    public void SkewPpmAt_Exchanges_EqualsTheSlopeOfTheOffset()
+    public void SkewPpmAt_SimulatedExchanges_EqualsTheSlopeOfTheOffset()
     {
         var log = new SimulatedExchanges(Settings.Seed, 60);
 

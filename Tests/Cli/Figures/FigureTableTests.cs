@@ -30,7 +30,7 @@ public class FigureTableTests
 
     [TestCase(double.NaN)]
     [TestCase(double.PositiveInfinity)]
-    public void Add_NotFinite_ThrowsWithTheName(double value)
+    public void Add_NotFinite_NamesColumnAndRow(double value)
     {
         var table = new FigureTable(new FigureColumn("time", "ms"), new FigureColumn("hold", "mm"));
 
