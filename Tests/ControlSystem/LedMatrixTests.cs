@@ -60,7 +60,7 @@ public class LedMatrixTests
     [TestCase("bOdd := NOT bOdd", "bEven := NOT bEven", TestName = "Block_WithOneParity_IsDetected")]
     [TestCase("MOD 65536", "MOD 32768", TestName = "Block_FewerBits_IsDetected")]
     [TestCase("aRows[0] := BYTE#16#9F", "aRows[0] := BYTE#16#F9", TestName = "Block_MarksOnTheWrongSide_IsDetected")]
-    public void Block_WrongCode_IsDetected(string right, string wrong)
+    public void Block_FaultInItsSource_IsDetected(string right, string wrong)
     {
         var block = new StructuredText(Text("FB_NowposeLedCode.st").Replace(right, wrong));
 

@@ -39,7 +39,7 @@ public class BrowserSessionsTests
     }
 
     [Test]
-    public void Id_OfEachSession_IsUniqueWith256Bits()
+    public void Id_OfEachSession_IsUniqueAndHas256Bits()
     {
         var sessions = new BrowserSessions(TimeProvider.System);
 

@@ -19,7 +19,7 @@ public class DisplayedTopicTests
         gateway, options => options.SetRequestHeader("Authorization", "Bearer " + Gateways.ObserverToken));
 
     [Test]
-    public async Task Displayed_PublishedByAnObserver_ReachesSubscribersOnlyAsDisplayed()
+    public async Task DisplayedJoints_PublishedByAnObserver_AreSentOnlyOnTheirOwnTopic()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var page = await ObserverAsync(gateway);
@@ -39,7 +39,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public async Task Displayed_WithTheNameOfAnotherHeadset_IsRefused()
+    public async Task DisplayedJoints_WithTheNameOfAnotherHeadset_AreRefused()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var headset = await ObserverAsync(gateway);
@@ -97,7 +97,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public async Task Displayed_SubscribedAfterPublication_IsNotReceived()
+    public async Task DisplayedJoints_PublishedBeforeTheSubscription_AreNotReceived()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var headset = await ObserverAsync(gateway);
@@ -111,7 +111,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public async Task Displayed_TimeStampAnHourAhead_IsDropped()
+    public async Task DisplayedJoints_TimeStampAnHourAhead_AreDropped()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var headset = await ObserverAsync(gateway);
@@ -124,7 +124,7 @@ public class DisplayedTopicTests
     [TestCase("\"frame_id\":\"\"", DropReason.MissingField)]
     [TestCase("\"frame_id\":7", DropReason.WrongType)]
     [TestCase("\"other\":1", DropReason.MissingField)]
-    public void Displayed_WithoutAName_IsRefused(string frame, object expected)
+    public void DisplayedJoints_WithoutAHeadsetName_AreRefused(string frame, object expected)
     {
         var text = Shown("h1").Replace("\"frame_id\":\"h1\"", frame);
 
@@ -133,7 +133,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public void Displayed_NameTooLong_IsRefused()
+    public void DisplayedJoints_HeadsetNameTooLong_AreRefused()
     {
         Assert.That(RosbridgeReader.TryRead(Shown(new string('x', ProtocolLimits.NameLength + 1)), out _, out var reason), Is.False);
         Assert.That(reason, Is.EqualTo(DropReason.NameTooLong));

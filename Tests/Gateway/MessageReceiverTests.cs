@@ -11,7 +11,7 @@ public class MessageReceiverTests
 {
     [TestCase(4.9, DropReason.None)]
     [TestCase(5.1, DropReason.TooSlow)]
-    public async Task Message_CompletedAfterSeconds_IsDroppedIfLateAndTheNextIsAccepted(double seconds, object expected)
+    public async Task Message_CompletedBeforeOrAfterTheTimeout_IsDroppedOnlyIfLateAndTheNextIsAccepted(double seconds, object expected)
     {
         var time = new ManualTime();
         using var socket = new ScriptedWebSocket(

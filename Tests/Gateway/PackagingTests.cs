@@ -47,7 +47,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Gateway_ThreadsIdle_DoNotSpin()
+    public void Gateway_RuntimeSettings_PreventSpinningOfIdleThreads()
     {
         using var settings = JsonDocument.Parse(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "Nowpose.Gateway.runtimeconfig.json")));
 
@@ -56,7 +56,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Unit_SystemdAnalyze_ReportsNoError()
+    public void SystemdUnit_Analysis_ReportsNoError()
     {
         var (status, output) = Analyze("verify", "--man=no", SavedUnit());
 
@@ -65,7 +65,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Unit_SystemdSecurity_HasLowExposure()
+    public void SystemdUnit_SecurityAnalysis_ReportsLowExposure()
     {
         var (_, output) = Analyze("security", "--offline=true", "--no-pager", SavedUnit());
 
@@ -75,7 +75,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Unit_Sandbox_HasAnUnprivilegedUserAndAllowsRuntimeCompilation()
+    public void SystemdUnit_Sandbox_HasAnUnprivilegedUserAndAllowsRuntimeCompilation()
     {
         Assert.That(Unit, Does.Contain("\nType=exec\n").And.Contain("\nUser=nowpose\nGroup=nowpose\n").And.Contain("\nNoNewPrivileges=yes\n"));
         Assert.That(Unit, Does.Not.Match(@"(?m)^MemoryDenyWriteExecute"), ".NET and Node.js compile at runtime");
@@ -83,7 +83,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Unit_User_IsCreatedBySysusers()
+    public void SystemdUnit_User_IsCreatedBySystemdSysusers()
     {
         var users = File.ReadAllLines(Path.Combine(Folder, "nowpose-gateway.sysusers.conf")).Where(line => line[0] != '#');
 
@@ -91,7 +91,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Unit_GatewayFails_IsRestartedWithoutLimit()
+    public void SystemdUnit_GatewayFails_RestartsItWithoutLimit()
     {
         Assert.That(Unit, Does.Contain("\nStartLimitIntervalSec=0\n").And.Contain("\nRestart=on-failure\n"));
         Assert.That(Unit, Does.Not.Contain("StartLimitBurst"));
@@ -100,7 +100,7 @@ public class PackagingTests
     // The unit must not copy the tokens: a copy would still contain tokens that were removed from the file. It must not check the
     // configuration before the start either, because a failed check would be repeated forever.
     [Test]
-    public void Unit_TokensFile_IsReadDirectlyWithoutPreparation()
+    public void SystemdUnit_TokensFile_IsReadByTheGatewayItself()
     {
         var entries = Unit.Split('\n').Where(line => !line.StartsWith('#')).ToArray();
 
@@ -110,7 +110,7 @@ public class PackagingTests
     }
 
     [Test]
-    public async Task Unit_Command_IsValid()
+    public async Task SystemdUnit_Command_IsValid()
     {
         File.WriteAllText(Path.Combine(_folder, "tokens.txt"), "observer a-token-of-an-observer\n");
         File.Copy(Path.Combine(Folder, "gateway.yaml"), Path.Combine(_folder, "gateway.yaml"));

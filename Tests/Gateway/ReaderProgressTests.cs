@@ -141,7 +141,7 @@ public class ReaderProgressTests
     }
 
     [Test]
-    public async Task OpensAsync_PongDoesNotAnswerThePing_IsIgnored()
+    public async Task OpensAsync_PongWithoutAMatchingPing_IsIgnored()
     {
         var time = new SteppedTimers();
         var pings = new List<byte[]>();

@@ -76,7 +76,7 @@ public class RosapiTests
 
     [TestCase("subscribe", "unsubscribe", "no subscription to this topic with the id 2")]
     [TestCase("advertise", "unadvertise", null)]
-    public async Task Withdraw_OtherId_ReceivesAWarningOnlyForASubscription(string op, string withdrawal, string part)
+    public async Task UnsubscribeOrUnadvertise_OtherId_CausesAWarningOnlyForASubscription(string op, string withdrawal, string part)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);

@@ -12,7 +12,7 @@ namespace Nowpose.Headless.Tests.Gateway.Cell;
 public class CellPlantTimeTests
 {
     [Test]
-    public async Task Publish_TimeStampsOnAnotherPlantClock_AreConvertedToC1()
+    public async Task Publish_TimeStampsOfAnotherPlantClock_AreConvertedToControlTime()
     {
         var own = new StopwatchControlClock(Gateways.Start);
         var plc = new StopwatchControlClock(Gateways.Start + TimeSpan.FromSeconds(900));

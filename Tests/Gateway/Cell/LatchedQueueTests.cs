@@ -66,7 +66,7 @@ public class LatchedQueueTests
     }
 
     [Test]
-    public async Task Pump_ClientFast_SendsEachChangeInOrder()
+    public async Task Pump_ClientReadsFast_SendsEachChangeInOrder()
     {
         using var source = _hub.OpenSource();
         using var subscription = new Subscription(_hub, RosTopics.Signals, default, 16, _drops);

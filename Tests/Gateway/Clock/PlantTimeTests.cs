@@ -12,7 +12,7 @@ public class PlantTimeTests
     static readonly ControlTime PlantStart = ControlTime.FromSeconds(900_000);
 
     [Test]
-    public async Task PlantTime_OfferedByAnAdapter_IsServedAsC1WithItsErrorBound()
+    public async Task PlantTime_OfferedByAnAdapter_IsServedAsControlTimeWithItsErrorBound()
     {
         var plc = new StopwatchControlClock(PlantStart, 80e-6);
         await using var gateway = await Gateways.StartAsync();
@@ -69,7 +69,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task JointState_TimeStampOnASecondPlantClock_IsConvertedToC1()
+    public async Task JointState_TimeStampOfASecondPlantClock_IsConvertedToControlTime()
     {
         var ads = new StopwatchControlClock(PlantStart);
         var opcua = new StopwatchControlClock(PlantStart + TimeSpan.FromSeconds(2));

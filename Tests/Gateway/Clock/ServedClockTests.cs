@@ -54,7 +54,7 @@ public class ServedClockTests
     }
 
     [Test]
-    public void AtReceived_InterruptedAfterTheClockIsRead_IsNotEarly()
+    public void AtReceived_InterruptedAfterTheClockIsRead_IsNotTooEarly()
     {
         var own = new InterruptedClock();
         var served = new ServedClock(own, new PlantClocks(null, new StopwatchHeadsetClock()));
@@ -117,7 +117,7 @@ public class ServedClockTests
     }
 
     [Test]
-    public void TryMap_ClocksLostForAnHour_AcceptsOnlyTimesOfC1()
+    public void TryMap_ClocksLostForAnHour_AcceptsOnlyTimesOfTheControlClock()
     {
         var plant = new VirtualPlant();
         var ads = plant.Add("ads", 1000, 0);

@@ -55,7 +55,7 @@ public class LimitTests
     }
 
     [Test]
-    public async Task Message_LongAndFromAnObserver_IsDroppedAsTooLarge()
+    public async Task LongMessage_FromAnObserver_IsDroppedAsTooLarge()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var client = await RawRosbridgeClient.ConnectAsync(
@@ -68,7 +68,7 @@ public class LimitTests
     }
 
     [Test]
-    public async Task Message_LongAndNotADescription_IsDroppedUnparsed()
+    public async Task LongMessage_NotADescription_IsDroppedUnparsed()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);

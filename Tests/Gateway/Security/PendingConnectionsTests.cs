@@ -12,7 +12,7 @@ public class PendingConnectionsTests
     static readonly IPEndPoint Nat = new(IPAddress.Parse("10.0.0.1"), 1), Other = new(IPAddress.Parse("10.0.0.2"), 1);
 
     [Test]
-    public void Enter_TooManyConnectionsOfTheAddress_EvictsItsOldest()
+    public void Enter_TooManyConnectionsFromOneAddress_EvictsItsOldest()
     {
         var evicted = new List<string>();
         var pending = new PendingConnections(2);

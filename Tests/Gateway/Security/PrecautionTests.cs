@@ -8,7 +8,7 @@ public class PrecautionTests
     [TestCase("600", false)]
     [TestCase("640", true)]
     [TestCase("644", true)]
-    public async Task TokensFile_AnyMode_WarnsIfReadableByGroupOrOthers(string mode, bool expected)
+    public async Task TokensFile_AnyMode_CausesAWarningIfReadableByGroupOrOthers(string mode, bool expected)
     {
         if (OperatingSystem.IsWindows()) Assert.Ignore("files have no such modes on Windows");
         var path = Path.GetTempFileName();

@@ -21,7 +21,7 @@ public class WrongTokenTests
     static readonly GatewayOptions Slow = WithTokens with { WrongTokenDelay = TimeSpan.FromMinutes(10), TokenTimeout = TimeSpan.FromMinutes(10) };
 
     [Test]
-    public async Task Http_ManyWrongTokens_BlockTheAddress()
+    public async Task HttpRequests_ManyWrongTokens_BlockTheAddress()
     {
         var time = new SteppedTime();
         await using var gateway = await Gateways.StartAsync(WithTokens with { WrongTokenDelay = TimeSpan.Zero, Time = time });
@@ -114,7 +114,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public async Task Http_WrongTokensOnParallelConnections_AreAnsweredOneByOne()
+    public async Task HttpRequests_WrongTokensOnParallelConnections_AreAnsweredOneByOne()
     {
         var time = new RecordedDelays();
         await using var gateway = await Gateways.StartAsync(Slow with { Time = time });
@@ -139,7 +139,7 @@ public class WrongTokenTests
 
     [TestCase("/operations/login", "{\"token\":\"guess\"}")]
     [TestCase("/pair", "{\"token\":\"guess\",\"name\":\"a\"}")]
-    public async Task Form_ManyWrongParallelRequests_AreLimitedLikeSequentialRequests(string path, string body)
+    public async Task FormRequests_ManyWrongTokensInParallel_AreLimitedLikeSequentialRequests(string path, string body)
     {
         const int Requests = PairingLimits.WrongCodesPerMinute + 3;
         await using var gateway = await PairingGateway.StartAsync(isSecure: false, Gateways.Tokens);
@@ -155,7 +155,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public async Task Http_WithoutAToken_IsNotCounted()
+    public async Task HttpRequest_WithoutAToken_IsNotCounted()
     {
         await using var gateway = await Gateways.StartAsync(Slow);
 
@@ -164,7 +164,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public async Task Sync_ManyWrongTokens_AreDelayedAndAValidTokenIsNot()
+    public async Task SyncPort_ManyWrongTokens_DelaysThemButNotAValidToken()
     {
         await using var gateway = await Gateways.StartAsync(Slow);
         for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++)

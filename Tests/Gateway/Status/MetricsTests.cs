@@ -99,7 +99,7 @@ public class MetricsTests
     }
 
     [Test]
-    public void Of_Joint_IsOneOnlyForItsCurrentState()
+    public void Of_Joint_MetricIsOneOnlyForItsCurrentState()
     {
         var lines = Metrics.Of(Snapshot(), new ForwardingTimes()).Split('\n').Where(line => line.StartsWith("nowpose_joint_state{", StringComparison.Ordinal)).ToList();
 

@@ -14,7 +14,7 @@ public class ReportedJointTests
     public void Open() => _joints = new SampledBoard();
 
     [Test]
-    public void Read_SamplesStopAndTheAdapterReportsRest_IsRest()
+    public void Read_SamplesStopAndTheAdapterReportsRest_IsAtRest()
     {
         _joints.Source.Name = "press";
         _joints.Send(3, "a");
@@ -196,7 +196,7 @@ public class ReportedJointTests
     }
 
     [Test]
-    public void Read_StartInTheFuture_IsNow()
+    public void Read_ReportedStartInTheFuture_ReturnsTheCurrentTime()
     {
         _joints.Board.Report("press", [KeyValuePair.Create("joint/a", "fault 9999999999.000 a wrong clock")]);
 
