@@ -15,7 +15,7 @@ public class PathRunTests
     /// On a link with little jitter, exchanges are rare when the path changes. They become frequent when the error bound has grown.
     /// </summary>
     [Test]
-    public void Play_ChangeWhileExchangesAreRare_KeepsErrorAndSkew(
+    public void Play_ChangeWhileExchangesAreRare_KeepsErrorAndSkewSmall(
         [Range(7000, 7005)] int seed, [Values("requests longer", "replies longer", "both longer")] string change)
     {
         var run = Play(LinkProfile.Clean, Named(change), SizeMs, ClockEstimators.Default, seed);
@@ -83,7 +83,7 @@ public class PathRunTests
     /// still be within the stated error. A shorter path can be detected only after the first packet that is faster than all earlier ones.
     /// </summary>
     [TestCaseSource(nameof(SmallChanges))]
-    public void Within_ChangeTooSmallToDetect_IsAtLeast99Percent(string link, string name)
+    public void ShareWithinTheStatedError_ChangeTooSmallToDetect_IsAtLeast99Percent(string link, string name)
     {
         var runs = Play(link, Named(name), SmallMs, ClockEstimators.Default, SmallSeeds);
 
@@ -130,7 +130,7 @@ public class PathRunTests
     [TestCase("bad", "replies longer", 20006)]
     [TestCase("bad", "requests longer, replies shorter", 20036)]
     [TestCase("lossy", "requests longer", 20008)]
-    public void Within_EstimateFollowsASmallChange_IsAtLeast99Percent(string link, string name, int seed)
+    public void ShareWithinTheStatedError_EstimateFollowsASmallChange_IsAtLeast99Percent(string link, string name, int seed)
     {
         var run = Play(LinkProfile.Named(link), Named(name), 0.5, ClockEstimators.Default, seed);
 

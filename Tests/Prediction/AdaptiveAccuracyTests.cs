@@ -43,7 +43,7 @@ public class AdaptiveAccuracyTests
     [TestCase(20, 100)]
     [TestCase(50, 100)]
     [TestCase(100, 150)]
-    public void Adaptive_StopsRingingAndJumps_IsMoreAccurateThanTheQuadratic(double samplingMs, double latencyMs)
+    public void Adaptive_EmergencyStopsRingingAndJumps_IsMoreAccurateThanTheQuadratic(double samplingMs, double latencyMs)
     {
         foreach (var motionOf in new Func<int, AxisMotion>[] { s => Motions.EmergencyStops(s), s => Motions.Ringing(s), s => Motions.Jumps(s) })
         {

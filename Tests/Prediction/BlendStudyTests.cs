@@ -23,7 +23,7 @@ public class BlendStudyTests
     ];
 
     [TestCaseSource(nameof(Cases))]
-    public void Blend_NewMotions_ReducesJumpsWithASmallErrorIncrease(string predictor, double samplingMs, double latencyMs)
+    public void Blend_MotionsNotUsedForTuning_ReducesJumpsWithASmallErrorIncrease(string predictor, double samplingMs, double latencyMs)
     {
         const int seed = 211;
         var settings = new StudySettings { SamplingInterval = samplingMs / 1000, Latency = latencyMs / 1000, Phases = 2, Seed = seed };

@@ -63,7 +63,7 @@ public sealed partial class FolderTests
     }
 
     [Test]
-    public void Folder_WithFiles_HasThreeOrMore()
+    public void Folder_WithFiles_HasAtLeastThreeFiles()
     {
         var files = RepositoryFiles.All.Where(file => !file.EndsWith(".meta", StringComparison.Ordinal)).ToList();
         var small = files.SelectMany(FoldersOf).Distinct()

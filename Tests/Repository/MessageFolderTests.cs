@@ -56,7 +56,7 @@ public sealed class MessageFolderTests
     }
 
     [Test]
-    public void Exceptions_AllFiles_Exist() => Assert.That(Exceptions.Keys.Except(Sources), Is.Empty);
+    public void ListOfExceptions_Files_Exist() => Assert.That(Exceptions.Keys.Except(Sources), Is.Empty);
 
     [TestCase("throw new E(\"a file has no end\");", "a file has no end")]
     [TestCase("throw new E(\"no end\");", null)]

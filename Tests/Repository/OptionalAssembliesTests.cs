@@ -87,7 +87,7 @@ public sealed class OptionalAssembliesTests
 
     // The plugin's own assembly exists only on these platforms, even if its package is installed.
     [Test]
-    public void Platforms_OfAssembliesOnMicrosoftsPlugin_MatchThePlugin()
+    public void Platforms_OfAssembliesThatUseMicrosoftsPlugin_MatchThePlugin()
     {
         var onIt = Definitions.Where(d => d.References.Contains("Microsoft.MixedReality.OpenXR")).ToList();
 

@@ -71,7 +71,7 @@ public class RosClockResolutionTests
     }
 
     [Test]
-    public void Value_BriefStandstill_IsForgottenAfterTwoMeasurements()
+    public void Value_BriefStandstill_HasNoEffectAfterTwoMeasurements()
     {
         var resolution = new RosClockResolution();
         static TimeSpan Shown(TimeSpan at) => at.TotalSeconds is > 110 and < 110.5 ? TimeSpan.FromSeconds(110) : Floored(at, 1);

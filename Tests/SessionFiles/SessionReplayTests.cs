@@ -260,7 +260,7 @@ public class SessionReplayTests
     }
 
     [Test]
-    public async Task Replay_ObjectsAndSignals_AreCompared()
+    public async Task Replay_ObjectsAndSignals_ReportsErrorsOfObjectsAndChangesOfSignals()
     {
         VirtualRecording.To(_path, predictor: "adaptive", jitterMs: 20, loss: 0.02, hasWork: true);
 

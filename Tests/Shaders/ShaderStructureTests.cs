@@ -99,7 +99,7 @@ public sealed class ShaderStructureTests
     }
 
     [Test]
-    public void Occluder_Passes_WriteOnlyDepthAndAreDrawnFirst()
+    public void OccluderShader_Passes_WriteOnlyDepthAndAreDrawnFirst()
     {
         var shader = ShaderLabReader.Read(RepositoryFiles.Read(Shaders + "Occluder.shader"), "Occluder.shader");
 
@@ -113,7 +113,7 @@ public sealed class ShaderStructureTests
 
     /// <summary>The font's shader has ZTest Always and ZWrite Off. Its text would cover hands and arm, and have no depth for reprojection.</summary>
     [Test]
-    public void Text_Passes_TestAndWriteDepth()
+    public void TextShader_Passes_TestAndWriteDepth()
     {
         var shader = ShaderLabReader.Read(RepositoryFiles.Read(Shaders + "Text.shader"), "Text.shader");
 
@@ -126,7 +126,7 @@ public sealed class ShaderStructureTests
     }
 
     [Test]
-    public void Hologram_Pass_WritesDepth()
+    public void HologramShader_Pass_WritesDepth()
     {
         var shader = ShaderLabReader.Read(RepositoryFiles.Read(Shaders + "Hologram.shader"), "Hologram.shader");
 
