@@ -187,7 +187,7 @@ public class PlayedSignalTests : PlayedParts
     }
 
     [Test]
-    public void ActuatedPart_ChangeReceivedLate_IsInPhase()
+    public void ActuatedPart_ChangeReceivedLate_JoinsTheMotionOfATimelyChange()
     {
         var part = Below<ActuatedPart>("jaw", _session.transform).With("_wayMetres", new Vector3(0, 0, 0.02f)).With("_strokeMs", 300f);
         Run(1);

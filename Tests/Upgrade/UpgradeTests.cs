@@ -42,7 +42,7 @@ public class UpgradeTests
     });
 
     [Test]
-    public async Task Configuration_FromVersion01_IsValid()
+    public async Task Configuration_FromVersion0Point1_IsValid()
     {
         var (status, _, errors) = await CapturedConsole.OfAsync(() => Nowpose.Gateway.CommandLine.RunAsync(
             ["serve", "--config", At("gateway.yaml"), "--sync-port", "0", "--ws-port", "0", "--check"]).Bounded());
@@ -51,7 +51,7 @@ public class UpgradeTests
     }
 
     [Test]
-    public async Task Certificate_FromVersion01_HasTheSamePin()
+    public async Task Certificate_FromVersion0Point1_HasTheSamePin()
     {
         await using var gateway = await StartAsync();
 
@@ -60,7 +60,7 @@ public class UpgradeTests
 
     [TestCase(PairedToken)]
     [TestCase("watch-0123456789abcdef")]
-    public async Task Headset_PinAndTokenFromVersion01_ConnectsToBothPorts(string token)
+    public async Task Headset_PinAndTokenFromVersion0Point1_ConnectsToBothPorts(string token)
     {
         await using var gateway = await StartAsync();
         using var headset = new FaultHeadset(gateway.SyncEndPoint.Port, gateway.WebSocketEndPoint.Port, CertificatePin.Parse(Pin), token);
@@ -73,11 +73,11 @@ public class UpgradeTests
     [TestCase("plant-0123456789abcdef", Role.Source)]
     [TestCase("hall-0123456789abcdef", Role.Operator)]
     [TestCase("another", null)]
-    public void Tokens_FromVersion01_HaveTheSameRoles(string token, Role? role) =>
+    public void Tokens_FromVersion0Point1_HaveTheSameRoles(string token, Role? role) =>
         Assert.That(TokenList.Read(At("tokens.txt")).RoleOf(token), Is.EqualTo(role));
 
     [Test]
-    public void Profile_FromVersion01_HasTheSameValues()
+    public void Profile_FromVersion0Point1_HasTheSameValues()
     {
         var profile = LatencyProfileFile.Load(At("profile.json"));
 
@@ -87,7 +87,7 @@ public class UpgradeTests
 
     [TestCase("gateway.jsonl.gz")]
     [TestCase("headset.jsonl.gz")]
-    public async Task Recording_FromVersion01_CanBeReplayed(string file)
+    public async Task Recording_FromVersion0Point1_CanBeReplayed(string file)
     {
         var run = await CliRun.OfAsync("replay", At(file), "--json");
 
@@ -96,7 +96,7 @@ public class UpgradeTests
     }
 
     [Test]
-    public async Task Sync_RecordingFromVersion01_EvaluatesTheExchanges()
+    public async Task Sync_RecordingFromVersion0Point1_EvaluatesTheExchanges()
     {
         var run = await CliRun.OfAsync("sync", At("headset.jsonl.gz"));
 

@@ -97,7 +97,7 @@ public class BaseAnchorDisplayTests
     }
 
     [Test]
-    public void StatusPanel_CellWithLockedBase_ShowsStateOfTheBase()
+    public void StatusPanel_CellWithLockedBase_ShowsTheStateOfTheBase()
     {
         _played.PlayLocked();
         var texts = _played.Session.GetComponentInChildren<StatusPanel>().GetComponentsInChildren<TextMesh>();

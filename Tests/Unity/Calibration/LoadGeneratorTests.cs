@@ -84,7 +84,7 @@ public sealed class LoadGeneratorTests
 
     [TestCase(LoadMesh.MaxVertices, 2f)]
     [TestCase(600_000, 10f)]
-    [TestCase(100_000, 0.1f, TestName = "Building_StepLongerThanTheTimePerFrame_TakesOneStep")]
+    [TestCase(100_000, 0.1f, TestName = "Update_StepLongerThanTheTimePerFrame_TakesOneStepPerFrame")]
     public void Update_BuildingALoad_StaysWithinTheTimeBudgetPerFrame(int vertices, float msPerFrame)
     {
         Play(0, msPerFrame);

@@ -37,7 +37,7 @@ public class DemoVerbTests
     }
 
     [Test]
-    public async Task Demo_Result_HasTheFieldsOfTheContract()
+    public async Task Demo_Result_HasTheExpectedFields()
     {
         var run = await CliRun.OfAsync("demo", "--seconds", "5", "--network", "lan", "--out", _folder);
 

@@ -32,7 +32,7 @@ public sealed class QrMarkerManagerTests
     }
 
     [Test]
-    public void Manager_UsersCentreMode_IsChangedAndLogged()
+    public void Manager_InCentreMode_IsSetToMostStableModeAndTheChangeIsLogged()
     {
         var manager = _played.Origin.Origin.GetComponent<ARMarkerManager>();
         manager.defaultTransformMode = TransformMode.Center;
@@ -48,7 +48,7 @@ public sealed class QrMarkerManagerTests
     }
 
     [Test]
-    public void Manager_Disabled_StopsUnlessUserOwned()
+    public void Manager_AllItsComponentsDisabled_StopsUnlessTheUserCreatedIt()
     {
         var manager = _played.Origin.Origin.GetComponent<ARMarkerManager>();
         var second = new GameObject("Second").AddComponent<QrMarkers>();

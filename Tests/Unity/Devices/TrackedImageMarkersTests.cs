@@ -157,7 +157,7 @@ public sealed class TrackedImageMarkersTests
     }
 
     [Test]
-    public void Read_NoSessionAbove_UsesTheCountersTime()
+    public void Read_NoSessionAbove_UsesTheTimeOfTheStopwatchClock()
     {
         var alone = new GameObject("Alone").AddComponent<TrackedImageMarkers>();
         var clock = new StopwatchHeadsetClock();

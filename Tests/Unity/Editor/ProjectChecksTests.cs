@@ -157,7 +157,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void Camera_BlackButOpaque_IsMissing()
+    public void Camera_ClearsToOpaqueBlack_CheckReportsTheSettingAsMissing()
     {
         _reviewed.Camera.clearFlags = CameraClearFlags.SolidColor;
         _reviewed.Camera.backgroundColor = new Color(0, 0, 0, 1);

@@ -26,7 +26,7 @@ public sealed class XrPlugInsTests : EditorFixture
     }
 
     [Test]
-    public void UseOpenXr_LoaderNoPreInit_IsTrue()
+    public void UseOpenXr_LoaderWithoutPreInit_IsTrue()
     {
         Put((BuildTargetGroup.WSA, Settings(New<OpenXRLoaderNoPreInit>())));
 

@@ -15,7 +15,7 @@ public sealed partial class ManualNumbersTests
     static IEnumerable<string> Pages => ManualPage.Names;
 
     [TestCaseSource(nameof(Types))]
-    public void FieldRow_NumbersInTheTooltip_Agree(Type type)
+    public void Tooltip_Numbers_AgreeWithTheFieldRowOfTheManual(Type type)
     {
         var inspected = new InspectedType(type);
         var rows = ManualPage.Read(inspected.PageName).TableUnder("Fields").ToDictionary(row => row[0], row => string.Join(" | ", row.Skip(1)));

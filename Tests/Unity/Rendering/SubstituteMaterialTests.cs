@@ -20,7 +20,7 @@ public sealed class SubstituteMaterialTests
 
     /// <summary>The shader Graphics Tools Standard has a property _Fade with the opposite meaning: at 1 the part is fully visible.</summary>
     [Test]
-    public void Show_FadeWithoutHatch_IsUnchanged([Values] bool several)
+    public void Show_MaterialWithFadeButNoHatch_UsesTheSubstituteAndKeepsTheMaterialsFade([Values] bool several)
     {
         var brass = NewMaterial("Brass", ("_Fade", 1));
         _played.Tool.sharedMaterials = several ? [NewMaterial("Hologram", ("_Fade", 0), ("_Hatch", 0)), brass] : [brass];

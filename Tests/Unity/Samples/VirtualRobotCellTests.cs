@@ -143,7 +143,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Scene_Played_FingersFollowTheSignalOfTheGripperInPhase()
+    public void Scene_Played_FingersFollowTheGripperSignalWithoutDelay()
     {
         using var sample = PlayedSample.OfScene().Run(6);
         var robot = RobotFiles.Load("youbot");

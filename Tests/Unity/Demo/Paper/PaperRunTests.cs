@@ -22,7 +22,7 @@ public class PaperRunTests
     static double StandardErrorMs(LatencyProfile profile) => profile.Spread.TotalMilliseconds / Math.Sqrt(profile.Measurements);
 
     [Test]
-    public void Paper_CompleteChain_ReproducesTheNumbersOfThePaper([Values(1, 2, 3)] int seed)
+    public void PaperRun_CompleteChain_ReproducesTheNumbersOfThePaper([Values(1, 2, 3)] int seed)
     {
         var claims = PaperScene.Claims(PaperScene.Play(seed));
 
@@ -33,7 +33,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_TenSeeds_StayWithinThePapersNumbers()
+    public void PaperRun_TenSeeds_ClaimsHoldExceptThatOfTheFittingError()
     {
         PaperRun[] runs = [.. Enumerable.Range(1, 10).Select(seed => PaperScene.Play(seed, PaperScene.MeasuredProfile(seed)))];
         PaperMeasures[] repeats = [.. runs.Select(PaperMeasures.Of)];
@@ -72,7 +72,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_Exchanges_HaveAConstantInterval()
+    public void PaperRun_Exchanges_HaveAConstantInterval()
     {
         var run = PaperScene.Play(1);
 
@@ -85,7 +85,7 @@ public class PaperRunTests
 
     // The workpieces of the demo follow the demo's own motion, so they would not fit the swing.
     [Test]
-    public void Paper_SettingsWithWorkpieces_HasNoWorkpiecesAndNoResultsOfThem()
+    public void PaperRun_SettingsWithWorkpieces_HasNoWorkpiecesAndNoResultsOfThem()
     {
         var run = PaperScene.Play(1, seconds: 12).Run;
 
@@ -96,7 +96,7 @@ public class PaperRunTests
 
     [TestCase("lan", true)]
     [TestCase("busy-wifi", false)]
-    public void Paper_FittingError_IsJudgedForAllExchanges(string network, bool holds)
+    public void PaperRun_FittingError_IsJudgedForAllExchanges(string network, bool holds)
     {
         var claims = PaperScene.Claims(PaperScene.Play(1, network: NetworkProfile.Named(network)));
 
@@ -104,7 +104,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_ClockOffByEightMilliseconds_ClaimsDoNotHold()
+    public void PaperRun_ClockOffByEightMilliseconds_ClaimsDoNotHold()
     {
         var claims = PaperScene.Claims(PaperScene.Play(1, clockErrorMs: 8));
 
@@ -114,7 +114,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_WrongStamps_ClaimsDoNotHold()
+    public void PaperRun_WrongStamps_ClaimsDoNotHold()
     {
         var claims = PaperScene.Claims(PaperScene.Play(1, stampErrorMs: 15));
 
@@ -123,7 +123,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_ProfileOfAnotherDisplay_ClaimsDoNotHold()
+    public void PaperRun_ProfileOfAnotherDisplay_ClaimsDoNotHold()
     {
         var claims = PaperScene.Claims(PaperScene.Play(1, PaperScene.ProfileOf(65)));
 
@@ -133,7 +133,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_RunTooShort_HasNoSwingAndNoVerdictAboutSwings()
+    public void PaperRun_TooShort_HasNoSwingAndNoVerdictAboutSwings()
     {
         var run = PaperScene.Play(1, seconds: 9);
         var claims = PaperScene.Claims(run);
@@ -145,7 +145,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_ClockKnownOnlyLate_ClaimStatesTheReason()
+    public void PaperRun_ClockKnownOnlyLate_ClaimStatesTheReason()
     {
         var run = PaperScene.Play(1, seconds: 14);
         for (var i = 0; run.Run.Frames.Rows[i].Elapsed.TotalSeconds < 12; i++) run.Run.Frames.Rows[i] = run.Run.Frames.Rows[i] with { Clock = default };
@@ -157,7 +157,7 @@ public class PaperRunTests
 
     // This happens, for example, if the machine paused for a moment during the first repeat.
     [Test]
-    public void Paper_FirstRepeatWithoutASwing_HasAllFiguresOfTheOtherRepeats()
+    public void PaperRun_FirstRepeatWithoutASwing_HasAllFiguresOfTheOtherRepeats()
     {
         PaperRun[] repeats = [PaperScene.Play(1, seconds: 11), PaperScene.Play(2)];
         var claims = PaperClaims.Of([.. repeats.Select(PaperMeasures.Of)]);
@@ -172,7 +172,7 @@ public class PaperRunTests
 
     // This happens after Ctrl-C before the first exchange, or with a server that does not respond.
     [Test]
-    public void Paper_NoExchange_WritesTheOtherMeasurements()
+    public void PaperRun_NoExchange_WritesTheOtherMeasurements()
     {
         var run = PaperScene.Play(1, seconds: 0.01);
         var claims = PaperScene.Claims(run);
@@ -185,7 +185,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_Figures_HaveTheClaimsAsCriteria()
+    public void PaperRun_Figures_HaveTheClaimsAsCriteria()
     {
         var run = PaperScene.Play(1);
         var claims = PaperScene.Claims(run);
@@ -200,7 +200,7 @@ public class PaperRunTests
 
     // Recomputes the number of each claim from the written files only.
     [Test]
-    public void Paper_EachClaim_AgreesWithAComputationFromTheWrittenFiles([Values(1, 4)] int seed)
+    public void PaperRun_EachClaim_AgreesWithAComputationFromTheWrittenFiles([Values(1, 4)] int seed)
     {
         var run = PaperScene.Play(seed);
         var expected = new WrittenNumbers(run).InOrderOfTheClaims().ToList();
@@ -215,7 +215,7 @@ public class PaperRunTests
     // The separate fit detects an error of the estimator that would not be visible with the written estimates. RANSAC selects its lines at random, so
     // the two fits differ by up to 0.05 ms, and one exchange of a hundred can be on the other side of 1 ms.
     [Test]
-    public void Paper_FittingErrors_AgreeWithAFitToTheWrittenTimestamps([Values(1, 4)] int seed)
+    public void PaperRun_FittingErrors_AgreeWithAFitToTheWrittenTimestamps([Values(1, 4)] int seed)
     {
         var errors = new WrittenNumbers(PaperScene.Play(seed)).FitErrors.ToList();
 

@@ -17,7 +17,7 @@ public class PaperVerbTests
     JsonElement Json(string file) => JsonDocument.Parse(File.ReadAllText(Path.Combine(_folder, file))).RootElement;
 
     [Test]
-    public async Task Paper_AnotherTrueDisplayLatency_IsMeasuredAndUsed()
+    public async Task PaperOption_AnotherTrueDisplayLatency_IsMeasuredAndUsed()
     {
         var run = await CliRun.OfAsync("demo", "--paper", "--seconds", "20", "--visu-ms", "55", "--out", _folder);
 
@@ -47,7 +47,7 @@ public class PaperVerbTests
     [TestCase(new[] { "--seconds", "10" }, "--seconds: 10 s is out of range; allowed with --paper: 20 to 3600 s")]
     [TestCase(new[] { "--visu-ms", "10" }, "--visu-ms: 10 ms is out of range; with --paper, 17 to 400 ms are allowed")]
     [TestCase(new[] { "--repeats", "0" }, "--repeats: 0 is out of range")]
-    public async Task Paper_ContradictingOption_PrintsOneLineAndExitsWith2(string[] options, string named)
+    public async Task PaperOption_WithAContradictingOption_PrintsOneLineAndExitsWith2(string[] options, string named)
     {
         var run = await CliRun.OfAsync(["demo", "--paper", "--out", Path.Combine(_folder, "none"), .. options]);
 

@@ -115,7 +115,7 @@ public sealed class QuaternionTests
 
     [TestCase(0, 5, 0)]
     [TestCase(0, -1, 0)]
-    public void LookRotation_AlongUp_LooksAlongForward(float x, float y, float z)
+    public void LookRotation_ForwardParallelToUp_LooksAlongForward(float x, float y, float z)
     {
         var way = new Vector3(x, y, z);
 

@@ -231,7 +231,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void ScriptableObject_CreatedAndDestroyed_ReceivesItsMessages()
+    public void ScriptableObject_CreatedAndDestroyed_ReceivesOnlyMessagesOfItsCreation()
     {
         var made = ScriptableObject.CreateInstance<RecordingAsset>();
         Assert.That(Journal.Take(), Is.EqualTo("Awake OnEnable"));
