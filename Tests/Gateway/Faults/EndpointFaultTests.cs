@@ -7,7 +7,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
 /// <summary>Tests a headset when the gateway or the source ends without notice, or when the control clock steps.</summary>
-public class EndFaultTests
+public class EndpointFaultTests
 {
     static readonly string[] Joints = ["arm_joint_1", "arm_joint_2", "arm_joint_3", "arm_joint_4", "arm_joint_5"];
 

@@ -12,7 +12,7 @@ namespace Nowpose.Headless.Tests.Gateway;
 
 /// <summary>Tests that the gateway keeps no data of a client that has disconnected.</summary>
 [NonParallelizable]
-public class DepartedClientTests
+public class DisconnectedClientTests
 {
     const int Clients = 100;
 
