@@ -52,7 +52,7 @@ describe('resolution', () => {
 describe('times', () => {
   it('FileTime_Of1970_IsZero', () => assert.equal(ofFileTime(116444736000000000n), 0n));
 
-  it('FileTime_Any_KeepsTheResolutionOf100ns', () =>
+  it('FileTime_ConvertedToRosTime_KeepsTheResolutionOf100ns', () =>
     assert.deepEqual(toRosTime(ofFileTime(116444736000000000n + 12_345_678_901n)), { sec: 1234, nanosec: 567890100 }));
 });
 

@@ -105,15 +105,15 @@ describe('end of data', () => {
     return count;
   }
 
-  for (const [name, source] of Object.entries({ Exact: {}, Quantised: { quantum: 1e-5 }, WithJitter: { jitter: 0.2, quantum: 1e-5 }, Noisy: { noise: 1e-4, quantum: 1e-4 } }))
+  for (const [name, source] of Object.entries({ Exact: {}, Quantised: { quantum: 1e-5 }, Jittered: { jitter: 0.2, quantum: 1e-5 }, Noisy: { noise: 1e-4, quantum: 1e-4 } }))
     for (const [from, to, ratio, share] of [[8, 16, 1.5, 0.85], [8, 16, 2, 0.99], [16, 24, 1.5, 0.95], [24, 40, 1.5, 0.95]])
-      it(`Verdict_${name}SineWith${from}To${to}SamplesPerPeriodThatNeeds${ratio}TimesItsDeceleration_DetectsTheEndOfData`, () => {
+      it(`CutOf${name}Sine_${from}To${to}SamplesPerPeriodAndStopNeeds${ratio}TimesItsDeceleration_IsMostlyDetected`, () => {
         const { found, all } = cutSines({ from, to, ratio, ...source });
 
         assert.ok(all >= 50 && found >= share * all, `${found} of ${all}, seed ${SEED}`);
       });
 
-  it('Verdict_CutAfterASingleSpeedSinceTheStart_DetectsTheEndOfData', () => {
+  it('Verdict_ConstantSpeedFromTheStartToTheCut_DetectsTheEndOfData', () => {
     for (let i = 0; i < 40; i++) {
       const random = seeded(SEED + i);
 
@@ -123,7 +123,7 @@ describe('end of data', () => {
     }
   });
 
-  it('Verdict_QuantisedValueMovingOneStepPerLook_CountsAsAtRest', () => {
+  it('Verdict_QuantisedValueMovesOneStepPerSample_DetectsNoEndOfData', () => {
     // 0.002 rad per 10 ms: a stop within the step explains the end of the data, although all steps are equal.
     const judge = judgeOf([...Array(30).keys()].map(i => ({ time: 0.01 * i, value: 0.002 * i })));
 
@@ -147,7 +147,7 @@ describe('end of data', () => {
     assert.equal(judgeOf(samples, new EndOfData(FLOOR, 30)).verdict(0.02).limit, 30);
   });
 
-  it('Verdict_LargerDecelerationObservedBefore_RaisesTheLimit', () => {
+  it('Verdict_LargerDecelerationObservedBefore_DetectsNoEndOfData', () => {
     const random = seeded(SEED), judge = new EndOfData(FLOOR);
     const braked = trapezoid({ v: 4, a: 5, brakeAt: 1, brake: 40 });
     judgeOf(changes(braked, random, { interval: 0.01, until: braked.end + 0.5 }), judge);
@@ -157,11 +157,11 @@ describe('end of data', () => {
     assert.equal(judge.verdict(0.01), null);
   });
 
-  for (const [place, isLearned] of [['Same', true], ['Another', false]])
+  for (const [place, isLearned] of [['TheSame', true], ['Another', false]])
     it(`Verdict_MotionStartsAgainAt${place}Place_${isLearned ? 'LearnsTheStop' : 'LearnsNothing'}`, () => {
       // The data end at the highest speed of the motion, 0.5 rad/s.
       const swing = { position: t => 0.25 * Math.sin(2 * t) }, cut = [...changes(swing, () => 0, { interval: 0.05, from: 0, until: 3 * Math.PI })];
-      const judge = judgeOf(cut), before = judge.verdict(0.05, true), shift = place === 'Same' ? 0 : 0.2;
+      const judge = judgeOf(cut), before = judge.verdict(0.05, true), shift = isLearned ? 0 : 0.2;
       const later = { position: t => cut.at(-1).value + shift + 0.25 * Math.sin(2 * t) };
 
       for (const { time, value } of changes(later, () => 0, { interval: 0.05, from: 0, until: 3 * Math.PI }))
@@ -177,7 +177,7 @@ describe('end of data', () => {
     assert.equal(judge.verdict(0.01), null);
   });
 
-  it('Verdict_StepAfterRest_IsNotAMotion', () => {
+  it('Verdict_StepAfterRest_DetectsNoEndOfData', () => {
     const rest = [...Array(20).keys()].map(i => ({ time: 0.02 * i, value: 0.001 * i }));
 
     const judge = judgeOf([...rest, { time: 5, value: 2 }]);

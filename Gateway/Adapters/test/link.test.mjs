@@ -121,7 +121,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
   });
 
   for (const [signal, status] of [['SIGTERM', 0], ['SIGINT', 130]]) {
-    it(`Signal_${signal}_EndsWith${status}`, { skip: process.platform === 'win32' }, async t => {
+    it(`Signal_${signal}_EndsTheAdapterWithStatus${status}`, { skip: process.platform === 'win32' }, async t => {
       const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
       await until(() => bridge.heard.length > 0, 'a message');
 

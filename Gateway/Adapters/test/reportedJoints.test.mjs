@@ -126,8 +126,8 @@ describe('reported joints', () => {
     assert.equal(lines.filter(line => line.includes('a refused')).length, 1);
   });
 
-  for (const [name, value] of [['State', 'broken 1.000 why'], ['Since', 'fault soon why'], ['Huge', `fault 1e99 why`], ['Number', 7], ['Empty', '']])
-    it(`Report_Invalid${name}_IsRefusedCompletelyWithOneLogLine`, () => {
+  for (const [name, value] of [['InvalidState', 'broken 1.000 why'], ['InvalidStartTime', 'fault soon why'], ['HugeStartTime', `fault 1e99 why`], ['NumberAsValue', 7], ['EmptyValue', '']])
+    it(`Report_${name}_IsRefusedCompletelyWithOneLogLine`, () => {
       const { hear, status, lines, stateOf } = bridge();
 
       hear({ a: 'missing 0.000 no such node', b: value });

@@ -96,7 +96,7 @@ describe('joint output', () => {
   });
 
   for (const [name, value, reason] of [
-    ['Text', 'far', 'type'], ['Null', null, 'type'], ['Truth', true, 'type'], ['Array', [1], 'type'],
+    ['Text', 'far', 'type'], ['Null', null, 'type'], ['Boolean', true, 'type'], ['Array', [1], 'type'],
     ['NaN', NaN, 'not-finite'], ['Infinity', Infinity, 'not-finite'], ['TooLargeForScale', 1e308, 'not-finite'],
   ]) {
     it(`Value_${name}_IsRefusedAndCounted`, () => {

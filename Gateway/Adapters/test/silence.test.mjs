@@ -237,7 +237,7 @@ describe('silence', () => {
     assert.equal(cell.stateOf('a'), 'fault');
   });
 
-  it('Level_PlantConnectingThenDisconnected_IsOneThenTwo', () => {
+  it('Level_FromTheStartToALostConnection_Is1Then2Then0Then2', () => {
     const status = new AdapterStatus('opcua', new Log('plant/test', [], () => {}));
     status.joints.expect('a');
     const levels = [status.level];

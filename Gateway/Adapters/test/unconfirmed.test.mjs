@@ -107,7 +107,7 @@ describe('a source that cannot confirm', () => {
       });
     }
 
-  it('EarlierStop_AnotherJointMovesLater_IsNoFault', async () => {
+  it('StoppedJoint_AnotherJointMovesLater_IsAssumedAtRest', async () => {
     // After an earlier slow stop, both joints stop from 0.5 rad/s within one interval.
     const hard = s => (s < 2 ? 0.1 * Math.sin(s * Math.PI / 2) ** 2 : s < 3 ? 0.5 * (s - 2) : null);
     const { stateOf } = await passive({ x: hard, y: s => (s < 3 ? hard(s) : s < 10 ? null : 0.5 * (s - 10)) }, 14);

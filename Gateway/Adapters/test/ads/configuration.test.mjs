@@ -20,17 +20,17 @@ describe('ads configuration', () => {
   });
 
   for (const [name, from, to, expected] of [
-    ['NotPlain', '  plain: true\n', '', `line 3: plant.plain: ${adsSettingMessages.notPlain}`],
-    ['Endpoint', /ads:.*/, '192.168.0.20', 'line 6: plant.endpoint: value "192.168.0.20"; '],
-    ['NetId', '5.24.12.7.1.1', '5.24.12.700.1.1', `line 6: plant.endpoint: ${adsSettingMessages.endpoint('ads://127.0.0.1:48898/5.24.12.700.1.1:851')}`],
-    ['LocalNetId', '192.168.0.10.1.1', '192.168.0.10', 'line 7: plant.local_net_id: value "192.168.0.10"; '],
-    ['Timestamp', 'plain: true', 'plain: true\n  timestamp: notifications', `line 9: plant.timestamp: ${configurationMessages.notAllowed('notifications', 'notification', [])}`],
-    ['NoTime', 'plain: true', 'plain: true\n  timestamp: variable', `line 9: plant.timestamp: ${configurationMessages.noTimeVariable('symbol')}`],
-    ['TimeUnused', 'plain: true', 'plain: true\n  timestamp: notification\n  time: { symbol: GVL.nTime }', `line 10: plant.time: ${configurationMessages.unusedTime('notification')}`],
-    ['Publishing', 'plain: true', 'plain: true\n  sampling_ms: 20\n  publishing_ms: 10', `line 10: plant.publishing_ms: ${configurationMessages.publishingTooShort(10, 20)}`],
-    ['Symbol', 'symbol: GVL.aJoints[0]', 'symbol: GVL aJoints', 'line 11: joints[0].symbol: value '],
+    ['WithoutPlain', '  plain: true\n', '', `line 3: plant.plain: ${adsSettingMessages.notPlain}`],
+    ['InvalidEndpoint', /ads:.*/, '192.168.0.20', 'line 6: plant.endpoint: value "192.168.0.20"; '],
+    ['InvalidNetId', '5.24.12.7.1.1', '5.24.12.700.1.1', `line 6: plant.endpoint: ${adsSettingMessages.endpoint('ads://127.0.0.1:48898/5.24.12.700.1.1:851')}`],
+    ['InvalidLocalNetId', '192.168.0.10.1.1', '192.168.0.10', 'line 7: plant.local_net_id: value "192.168.0.10"; '],
+    ['InvalidTimestamp', 'plain: true', 'plain: true\n  timestamp: notifications', `line 9: plant.timestamp: ${configurationMessages.notAllowed('notifications', 'notification', [])}`],
+    ['TimestampVariableWithoutTime', 'plain: true', 'plain: true\n  timestamp: variable', `line 9: plant.timestamp: ${configurationMessages.noTimeVariable('symbol')}`],
+    ['TimeNotUsed', 'plain: true', 'plain: true\n  timestamp: notification\n  time: { symbol: GVL.nTime }', `line 10: plant.time: ${configurationMessages.unusedTime('notification')}`],
+    ['PublishingFasterThanSampling', 'plain: true', 'plain: true\n  sampling_ms: 20\n  publishing_ms: 10', `line 10: plant.publishing_ms: ${configurationMessages.publishingTooShort(10, 20)}`],
+    ['InvalidSymbol', 'symbol: GVL.aJoints[0]', 'symbol: GVL aJoints', 'line 11: joints[0].symbol: value '],
   ])
-    it(`Check_Invalid${name}_NamesItsLine`, () => {
+    it(`Check_${name}_NamesItsLine`, () => {
       const text = good.replace(from, to);
       assert.notEqual(text, good);
       const path = temporaryFile('ads.yaml', text), lines = wrongIn(path);

@@ -150,7 +150,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
   for (const [name, joints, said] of [
     ['UnknownSymbol', '  - joint: a\n    symbol: MAIN.fAxs1\n', symbolMessages.unknown('line 11', 'MAIN.fAxs1', ['MAIN.fAxis1', 'MAIN.fAxis2'])],
     ['WholeArray', '  - joint: a\n    symbol: GVL.aJoints\n', symbolMessages.unusable('line 11', 'GVL.aJoints', 'ARRAY [0..4] OF LREAL', symbolMessages.array('GVL.aJoints[0]'))],
-    ['Text', '  - joint: a\n    symbol: MAIN.sName\n', symbolMessages.unusable('line 11', 'MAIN.sName', 'STRING', symbolMessages.notNumber)],
+    ['TextSymbol', '  - joint: a\n    symbol: MAIN.sName\n', symbolMessages.unusable('line 11', 'MAIN.sName', 'STRING', symbolMessages.notNumber)],
   ])
     it(`Adapter_${name}_NamesTheLine`, async t => {
       const { adapter } = await cell(t, { joints });

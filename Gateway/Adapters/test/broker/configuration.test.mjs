@@ -12,19 +12,19 @@ const { brokerSettingMessages, configurationMessages } = messages;
 describe('broker configuration', () => {
   const plant = more => `plant:\n  kind: broker\n  direction: subscribe\n  endpoint: mqtt://127.0.0.1\n  topic: nowpose/cell\n${more}`;
   for (const [name, text, expected] of [
-    ['NoClock', plant(''), `line 1: plant.clock: ${brokerSettingMessages.noClock}`],
+    ['WithoutClock', plant(''), `line 1: plant.clock: ${brokerSettingMessages.noClock}`],
     ['ClockOfAPublisher', plant('  clock: { host: a }\n').replace('subscribe', 'publish'), `line 6: plant.clock: ${brokerSettingMessages.unusedClock}`],
-    ['PlainToAnother', plant('  clock: { host: a }\n').replace('127.0.0.1', '10.0.0.5'),
+    ['UnencryptedToAnotherMachine', plant('  clock: { host: a }\n').replace('127.0.0.1', '10.0.0.5'),
       `line 1: plant.plain: ${configurationMessages.notPlain('mqtt')}`],
-    ['Port', plant('  clock: { host: a }\n').replace('127.0.0.1', '127.0.0.1:x'), `line 4: plant.endpoint: ${configurationMessages.address('mqtt://127.0.0.1:x')}`],
-    ['Topic', plant('  clock: { host: a }\n').replace('nowpose/cell', 'nowpose/#'),
+    ['InvalidPort', plant('  clock: { host: a }\n').replace('127.0.0.1', '127.0.0.1:x'), `line 4: plant.endpoint: ${configurationMessages.address('mqtt://127.0.0.1:x')}`],
+    ['InvalidTopic', plant('  clock: { host: a }\n').replace('nowpose/cell', 'nowpose/#'),
       'line 5: plant.topic: value "nowpose/#"; '],
-    ['Direction', plant('').replace('subscribe', 'subscrib'), `line 3: plant.direction: ${configurationMessages.notAllowed('subscrib', 'subscribe', [])}`],
+    ['InvalidDirection', plant('').replace('subscribe', 'subscrib'), `line 3: plant.direction: ${configurationMessages.notAllowed('subscrib', 'subscribe', [])}`],
     ['PasswordInEndpoint', plant('').replace('mqtt://', 'mqtt://me:word@'), 'line 4: plant.endpoint: value "mqtt://***@127.0.0.1"; '],
-    ['PasswordInTheOpen', plant('  clock: { host: a }\n  plain: true\n  user: { name: me, password_file: none }\n').replace('127.0.0.1', '10.0.0.5'),
+    ['PasswordOverOpenConnection', plant('  clock: { host: a }\n  plain: true\n  user: { name: me, password_file: none }\n').replace('127.0.0.1', '10.0.0.5'),
       `line 8: plant.user: ${configurationMessages.passwordInClear('mqtts://')}`],
   ])
-    it(`Check_Invalid${name}_NamesItsLine`, () => {
+    it(`Check_${name}_NamesItsLine`, () => {
       const lines = wrongIn(temporaryFile('broker.yaml', text));
 
       assert.ok(lines.some(line => line.includes(`, ${expected}`)), lines.join('\n'));

@@ -104,16 +104,16 @@ describe('faults behind a broker', { skip: missing, concurrency: 3 }, () => {
 
   for (const [name, topic, payload, reason] of [
     ['StatusWithoutStamp', 'joint_status', '{"status":[{"values":[]}]}', 'malformed'],
-    ['StatusOfAnotherForm', 'joint_status', JSON.stringify(jointStatus(10n, { a: 'broken 1.0 why' })), 'malformed'],
+    ['StatusInAnotherFormat', 'joint_status', JSON.stringify(jointStatus(10n, { a: 'broken 1.0 why' })), 'malformed'],
     ['StatusOfNull', 'joint_status', '{"header":{"stamp":{"sec":1,"nanosec":0}},"status":[null]}', 'malformed'],
-    ['NoJson', 'joint_states', '{"name": [', 'malformed'],
-    ['AList', 'joint_states', '[]', 'malformed'],
+    ['NotJson', 'joint_states', '{"name": [', 'malformed'],
+    ['List', 'joint_states', '[]', 'malformed'],
     ['TooLong', 'joint_states', JSON.stringify({ name: ['x'.repeat(70_000)] }), 'malformed'],
     ['ZeroStamp', 'joint_states', JSON.stringify(state(0n)), 'stamp-zero'],
     ['NaN', 'joint_states', JSON.stringify(state(10n, ['a'], [null])), 'not-finite'],
-    ['NoDescription', 'robot_description', '{"data":"no"}', 'malformed'],
+    ['NotARobotDescription', 'robot_description', '{"data":"no"}', 'malformed'],
     ['PlanWithoutPoint', 'joint_trajectory', '{"header":{},"joint_names":["a"],"points":[null]}', 'malformed'],
-    ['BadPlan', 'joint_trajectory', '{"joint_names":["a"]}', 'malformed'],
+    ['InvalidPlan', 'joint_trajectory', '{"joint_names":["a"]}', 'malformed'],
   ])
     it(`Subscriber_${name}_RefusesTheMessageWithAReason`, async t => {
       const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);

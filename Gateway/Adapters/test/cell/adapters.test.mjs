@@ -269,11 +269,11 @@ signals:
   });
 
   for (const [name, spoil, reason] of [
-    ['NotUnit', one => { one.transform.rotation.w = 0.5; }, 'malformed'],
-    ['NaN', one => { one.transform.translation.x = null; }, 'malformed'],
-    ['NoStamp', one => { one.header = { frame_id: 'map' }; }, 'stamp-missing'],
-    ['NoParent', one => { one.header.frame_id = ''; }, 'malformed'],
-    ['Empty', one => { delete one.transform; }, 'malformed'],
+    ['WithoutUnitQuaternion', one => { one.transform.rotation.w = 0.5; }, 'malformed'],
+    ['WithNaN', one => { one.transform.translation.x = null; }, 'malformed'],
+    ['WithoutStamp', one => { one.header = { frame_id: 'map' }; }, 'stamp-missing'],
+    ['WithoutParent', one => { one.header.frame_id = ''; }, 'malformed'],
+    ['WithoutPose', one => { delete one.transform; }, 'malformed'],
   ])
     it(`Ros_Transform${name}_IsRefused`, async t => {
       const robot = await Robot.start(t);

@@ -22,7 +22,7 @@ const good = { joints: [1], x: 1, y: 2, qz: 0, qw: 1, closed: true };
 describe('mqtt payloads', { skip: missing, concurrency: 3 }, () => {
   for (const [name, payload, reason] of [
     ['Empty', '', 'malformed'],
-    ['NoJson', '{"joints": [', 'malformed'],
+    ['NotJson', '{"joints": [', 'malformed'],
     ['Bytes', '\u0000\u0001\ufffd', 'malformed'],
     ['Text', '"far"', 'field'],
     ['Null', 'null', 'field'],
@@ -94,16 +94,16 @@ describe('mqtt stamps', () => {
     [{}, 's', null],
     [undefined, 's', null],
   ])
-    it(`TimeStamp_${String(value)}In_${unit}_IsConverted`, () => assert.equal(stampIn(value, unit), expected));
+    it(`TimeStamp_${String(value)}In_${unit}_${expected === null ? 'IsNull' : 'IsConverted'}`, () => assert.equal(stampIn(value, unit), expected));
 });
 
 describe('values of topics', () => {
   const values = new TopicValues([{ address: { topic: 'a', field: 'x.1' } }, { address: { node: 'i=1' } }, { address: { topic: 'a' } }, { address: { topic: 'b' } }]);
 
-  it('Values_Topic_AreFoundWithTheirIndices', () =>
+  it('TopicValues_Topics_AreListedWithTheIndicesOfTheirValues', () =>
     assert.deepEqual([values.topics, values.indicesOf('a'), values.indicesOf('c')], [['a', 'b'], [0, 2], []]));
 
-  it('Values_Message_AreFoundByTheirPaths', () =>
+  it('Values_InAMessage_AreFoundByTheirPaths', () =>
     assert.deepEqual(values.in('a', { x: [1, 2] }, 5n).map(({ index, value, stamp }) => [index, value, stamp]), [[0, 2, 5n], [2, { x: [1, 2] }, 5n]]));
 
   for (const message of [null, 5, 'text', [], { x: null }, { x: [1] }, { x: 'ab' }])

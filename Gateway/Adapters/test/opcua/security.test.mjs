@@ -53,7 +53,7 @@ describe('security of OPC UA', () => {
   });
 
   for (const policy of ['Aes128_Sha256_RsaOaep', 'Aes256_Sha256_RsaPss']) {
-    it(`Policy_${policy}_Connects`, async t => {
+    it(`Adapter_Policy${policy}_ConnectsWithIt`, async t => {
       const plant = [`security: {thumbprint: ${server.own.thumbprint}, policy: ${policy}}`, 'user: {name: nowpose}'];
       const { state } = await adapterFor(t, server, plant, JOINTS, WITH_PASSWORD);
 
@@ -151,19 +151,19 @@ describe('security in the configuration', () => {
   const file = (...plant) => temporaryFile('plant.yaml', configuration('ws://127.0.0.1:1', 'opc.tcp://plc:4840', plant, JOINTS));
 
   for (const [name, plant, expected] of [
-    ['NoneWithoutFlag', ['security:', '  mode: none'], `line 8: plant.security.mode: ${opcuaSettingMessages.open}`],
-    ['FlagOfFalse', ['security:', '  mode: none', '  i_know_this_is_open: false'], 'line 9: plant.security.i_know_this_is_open: '],
+    ['ModeNoneWithoutFlag', ['security:', '  mode: none'], `line 8: plant.security.mode: ${opcuaSettingMessages.open}`],
+    ['FlagSetToFalse', ['security:', '  mode: none', '  i_know_this_is_open: false'], 'line 9: plant.security.i_know_this_is_open: '],
     ['WeakPolicy', ['security:', '  policy: Basic128Rsa15'], 'line 8: plant.security.policy: value "Basic128Rsa15"; '],
     ['WrongThumbprint', ['security:', '  thumbprint: 12 34'], 'line 8: plant.security.thumbprint: value "12 34"; '],
     ['PasswordInFile', ['user: {name: me, password: hush-hush}'], `line 7: plant.user.password: ${configurationMessages.unknownEntry('password_file', [])}`],
-    ['PasswordOverOpen', ['security: {mode: none, i_know_this_is_open: true}', 'user: {name: me}'], `line 8: plant.user: ${configurationMessages.passwordInClear('sign_and_encrypt')}`],
+    ['PasswordOverOpenConnection', ['security: {mode: none, i_know_this_is_open: true}', 'user: {name: me}'], `line 8: plant.user: ${configurationMessages.passwordInClear('sign_and_encrypt')}`],
     ['NoPassword', ['user:', '  name: me'], `line 7: plant.user.password_file: ${configurationMessages.noPassword}`],
     ['CertificateWithoutKey', ['user: {certificate: plant.yaml}'], `line 7: plant.user.key: ${opcuaSettingMessages.noPart('key')}`],
-    ['FlagWithoutNone', ['security:', '  i_know_this_is_open: true'], `line 8: plant.security.i_know_this_is_open: ${opcuaSettingMessages.notOpen('sign_and_encrypt')}`],
+    ['FlagWithoutModeNone', ['security:', '  i_know_this_is_open: true'], `line 8: plant.security.i_know_this_is_open: ${opcuaSettingMessages.notOpen('sign_and_encrypt')}`],
     ['NoServerCertificate', ['security:', '  server_certificate: none.der'], `line 8: plant.security.server_certificate: ${fileMessages.notReadable('none.der', 'ENOENT')}`],
-    ['ServerCertificateThatIsNone', ['security:', '  server_certificate: plant.yaml'], `line 8: plant.security.server_certificate: ${opcuaSettingMessages.noCertificate}`],
+    ['ServerCertificateNotACertificate', ['security:', '  server_certificate: plant.yaml'], `line 8: plant.security.server_certificate: ${opcuaSettingMessages.noCertificate}`],
     ['TimeWithoutNode', ['timestamp: variable'], `line 7: plant.timestamp: ${configurationMessages.noTimeVariable('node')}`],
-    ['TimeNotAsked', ['timestamp: source', 'time: {node: i=2258}'], `line 8: plant.time: ${configurationMessages.unusedTime('source')}`],
+    ['TimeNotUsed', ['timestamp: source', 'time: {node: i=2258}'], `line 8: plant.time: ${configurationMessages.unusedTime('source')}`],
     ['PublishingFasterThanSampling', ['sampling_ms: 20', 'publishing_ms: 10'], `line 8: plant.publishing_ms: ${configurationMessages.publishingTooShort(10, 20)}`],
   ]) {
     it(`Check_${name}_NamesLineAndRemedy`, () => {

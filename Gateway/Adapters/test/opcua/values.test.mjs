@@ -21,7 +21,7 @@ describe('values of nodes', () => {
     ['Bad', StatusCodes.BadSensorFailure, 'status-bad'],
     ['Uncertain', StatusCodes.UncertainSubNormal, 'status-uncertain'],
   ]) {
-    it(`Status_${name}_IsClassified`, () => {
+    it(`Status_${name}_${reason === undefined ? 'IsAccepted' : 'IsRefused'}`, () => {
       const value = data(DataType.Double, 1);
       value.statusCode = status;
 

@@ -103,16 +103,16 @@ describe('ros', { concurrency: 4 }, () => {
   });
 
   for (const [name, send, reason] of [
-    ['NoStamp', robot => robot.publish('/joint_states', { header: {}, name: ['a'], position: [1] }), 'stamp-missing'],
+    ['WithoutStamp', robot => robot.publish('/joint_states', { header: {}, name: ['a'], position: [1] }), 'stamp-missing'],
     ['ZeroStamp', robot => robot.jointState(0n, ['a'], [1]), 'stamp-zero'],
     ['FutureStamp', robot => robot.jointState(robot.now() + 5_000_000_000n, ['a'], [1]), 'stamp-future'],
     ['OldStamp', robot => robot.jointState(robot.now() - 60_000_000_000n, ['a'], [1]), 'stamp-old'],
     ['NaN', robot => robot.jointState(robot.now(), ['a'], [null]), 'not-finite'],
-    ['OtherLengths', robot => robot.jointState(robot.now(), ['a', 'b'], [1]), 'malformed'],
-    ['PositionOfNoNumber', robot => robot.jointState(robot.now(), ['a'], [{ toString: 1 }]), 'not-finite'],
+    ['ListsOfDifferentLengths', robot => robot.jointState(robot.now(), ['a', 'b'], [1]), 'malformed'],
+    ['PositionNotANumber', robot => robot.jointState(robot.now(), ['a'], [{ toString: 1 }]), 'not-finite'],
     ['PlanWithoutPoint', robot => plan(robot, [null]), 'malformed'],
-    ['PlanOfNoNumber', robot => plan(robot, [{ positions: [{ toString: 1, valueOf: 1 }] }]), 'malformed'],
-    ['NoDescription', robot => robot.publish('/robot_description', { data: 'not yet' }), 'malformed'],
+    ['PlannedPositionNotANumber', robot => plan(robot, [{ positions: [{ toString: 1, valueOf: 1 }] }]), 'malformed'],
+    ['NotARobotDescription', robot => robot.publish('/robot_description', { data: 'not yet' }), 'malformed'],
   ])
     it(`Adapter_${name}_RefusesTheMessageWithAReason`, async t => {
       const { robot, bridge } = await cell(t, {}, { plant: '  topics: { joint_trajectory: /plan }\n' });
@@ -201,15 +201,15 @@ describe('ros', { concurrency: 4 }, () => {
     ['FrameWithoutTopic', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\nframes:\n  - frame: a\n    position: { unit: m, x: { field: data.0 }, y: 0, z: 0 }\n', `line 5: frames[0].topic: ${rosMessages.noTopic}`],
     ['FrameWithSource', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\nframes:\n  - frame: a\n    source: b\n    position: { unit: m, x: 0, y: 0, z: 0 }\n', `line 6: frames[0].source: ${rosMessages.sourceAndPosition}`],
     ['FrameWithAnglesOnly', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\nframes:\n  - frame: a\n    angles: { order: zyx, axes: moving, unit: deg, values: [0, 0, 0] }\n', 'line 5: frames[0].position: missing, but angles needs it'],
-    ['FrameType', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\nframes:\n  - frame: a\n    topic: /a\n    type: std_msgs/Float64MultiArray\n', 'line 7: frames[0].type: value "std_msgs/Float64MultiArray"; '],
-    ['PlainToAnother', 'plant:\n  kind: ros\n  endpoint: ws://192.168.0.30:9090\n', `line 1: plant.plain: ${configurationMessages.notPlain('ws')}`],
-    ['Endpoint', 'plant:\n  kind: ros\n  endpoint: http://192.168.0.30\n', 'line 3: plant.endpoint: value "http://192.168.0.30"; '],
+    ['InvalidFrameType', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\nframes:\n  - frame: a\n    topic: /a\n    type: std_msgs/Float64MultiArray\n', 'line 7: frames[0].type: value "std_msgs/Float64MultiArray"; '],
+    ['UnencryptedToAnotherMachine', 'plant:\n  kind: ros\n  endpoint: ws://192.168.0.30:9090\n', `line 1: plant.plain: ${configurationMessages.notPlain('ws')}`],
+    ['InvalidEndpoint', 'plant:\n  kind: ros\n  endpoint: http://192.168.0.30\n', 'line 3: plant.endpoint: value "http://192.168.0.30"; '],
     ['PinWithoutTls', `plant:\n  kind: ros\n  endpoint: ws://127.0.0.1\n  pin: sha256/${'A'.repeat(43)}=\n`, `line 4: plant.pin: ${configurationMessages.pinWithoutTls}`],
-    ['Port', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:90900\n', `line 3: plant.endpoint: ${configurationMessages.address('ws://127.0.0.1:90900')}`],
-    ['Topic', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\n  topics: { joint_states: joint states }\n', 'line 4: plant.topics.joint_states: value '],
+    ['InvalidPort', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:90900\n', `line 3: plant.endpoint: ${configurationMessages.address('ws://127.0.0.1:90900')}`],
+    ['InvalidTopic', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\n  topics: { joint_states: joint states }\n', 'line 4: plant.topics.joint_states: value '],
     ['SourceTwice', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\njoints:\n  - joint: a\n  - joint: b\n    source: a\n', `line 6: joints[1]: ${rosMessages.sourceTwice('a')}`],
   ])
-    it(`Check_Invalid${name}_NamesItsLine`, () => {
+    it(`Check_${name}_NamesItsLine`, () => {
       const lines = wrongIn(temporaryFile('ros.yaml', text));
 
       assert.ok(lines[0].includes(`, ${expected}`), lines[0]);

@@ -114,7 +114,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     await until(() => bridge.jointStates.some(state => seconds(state.header.stamp) === seconds(header.stamp)), 'the joints with the same stamp');
   });
 
-  it('Following_MovingArm_ReportsTheLagBehindTheCommand', async t => {
+  it('Adapter_MovingArm_ReportsTheLagBehindTheCommand', async t => {
     const { bridge } = await cell(t);
 
     await until(() => bridge.state?.following_ms !== undefined, 'a lag');
@@ -224,8 +224,8 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.equal(adapter.err.split(robotStateMessages.programStopped('stopped')).length, 2, adapter.err);
   });
 
-  for (const [what, safety, bits] of [['Mode', 4, 0], ['Bit', null, 1 << 3]])
-    it(`Robot_InRecovery_IsReportedByThe${what}`, async t => {
+  for (const [what, safety, bits] of [['SafetyMode', 4, 0], ['SafetyBit', null, 1 << 3]])
+    it(`Robot_InRecovery_IsRecognisedByThe${what}`, async t => {
       const robot = new RtdeRobot({ missing: safety === null ? ['safety_mode'] : [] });
       Object.assign(robot.state, { safety: safety ?? 0, bits });
       const { bridge } = await cell(t, robot);
@@ -255,7 +255,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
   });
 
   for (const [what, bytes, text] of [
-    ['WithBytesThatAreNone', Buffer.alloc(64), rtdeMessages.damaged(ANY)],
+    ['WithBytesThatAreNoPackage', Buffer.alloc(64), rtdeMessages.damaged(ANY)],
     ['WithAPackageOfAnotherSize', packageOf('U', byte(1), 'short'), rtdeMessages.invalidData(ANY, fieldMessages.packageSize(6, ANY))],
   ])
     it(`Stream_${what}_AdapterReadsAgain`, async t => {
@@ -279,13 +279,13 @@ describe('rtde adapter', { concurrency: 4 }, () => {
   });
 
   for (const [what, robot, text, state] of [
-    ['Version1Only', { accepts: 1 }, rtdeMessages.oldProtocol(ANY), 'refused'],
+    ['WithVersion1Only', { accepts: 1 }, rtdeMessages.oldProtocol(ANY), 'refused'],
     ['WithoutAField', { missing: ['actual_q'] }, fieldMessages.needed('actual_q'), 'refused'],
-    ['OfAnotherType', { types: { actual_q: 'DOUBLE' } }, fieldMessages.otherType('actual_q', 'DOUBLE', 'VECTOR6D'), 'refused'],
-    ['ThatIsMute', { isMute: true }, rtdeMessages.noRtdeAnswer(ANY), 'refused'],
+    ['WithAFieldOfAnotherType', { types: { actual_q: 'DOUBLE' } }, fieldMessages.otherType('actual_q', 'DOUBLE', 'VECTOR6D'), 'refused'],
+    ['ThatNeverAnswers', { isMute: true }, rtdeMessages.noRtdeAnswer(ANY), 'refused'],
     ['WithHalfPackages', { sendsHalf: true }, rtdeMessages.halfPackage(ANY, 2), 'waiting'],
-    ['ForOneClient', { onConnection: socket => socket.destroy() }, rtdeMessages.endedBeforeAnswer(rtdeMessages.ended(ANY)), 'waiting'],
-    ['OfGarbage', { isMute: true, onConnection: pour }, rtdeMessages.notRtde(ANY), 'refused'],
+    ['ThatClosesTheConnection', { onConnection: socket => socket.destroy() }, rtdeMessages.endedBeforeAnswer(rtdeMessages.ended(ANY)), 'waiting'],
+    ['ThatSendsGarbage', { isMute: true, onConnection: pour }, rtdeMessages.notRtde(ANY), 'refused'],
   ])
     it(`Controller_${what}_IsLoggedInOneLineAndRetried`, async t => {
       let connections = 0;

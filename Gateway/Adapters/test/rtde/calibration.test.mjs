@@ -134,13 +134,13 @@ describe('rtde calibration', () => {
   });
 
   for (const [what, talk, text] of [
-    ['Garbage', socket => socket.on('error', () => {}).write(Buffer.alloc(64, 0xa5)), calibrationMessages.notPrimary(ANY)],
-    ['Http', socket => socket.on('error', () => {}).write('HTTP/1.1 400 Bad Request\r\n\r\n'), calibrationMessages.notPrimary(ANY)],
-    ['AnEnd', socket => socket.on('error', () => {}).end(), calibrationMessages.ended(ANY)],
-    ['AnotherRobot', socket => socket.on('error', () => {}).write(stateWith(arm(1).map(joint => ({ ...joint, a: 1.5 * joint.a })))), calibrationMessages.otherRobot(ANY)],
-    ['Silence', socket => socket.on('error', () => {}), calibrationMessages.late(ANY, 5)],
+    ['IsGarbage', socket => socket.on('error', () => {}).write(Buffer.alloc(64, 0xa5)), calibrationMessages.notPrimary(ANY)],
+    ['IsAnHttpAnswer', socket => socket.on('error', () => {}).write('HTTP/1.1 400 Bad Request\r\n\r\n'), calibrationMessages.notPrimary(ANY)],
+    ['EndsWithoutData', socket => socket.on('error', () => {}).end(), calibrationMessages.ended(ANY)],
+    ['IsOfAnotherRobot', socket => socket.on('error', () => {}).write(stateWith(arm(1).map(joint => ({ ...joint, a: 1.5 * joint.a })))), calibrationMessages.otherRobot(ANY)],
+    ['NeverArrives', socket => socket.on('error', () => {}), calibrationMessages.late(ANY, 5)],
   ])
-    it(`Adapter_CalibrationIs${what}_LogsOneLineAndSendsPositions`, async t => {
+    it(`Adapter_Calibration${what}_LogsOneLineAndSendsPositions`, async t => {
       const { bridge, adapter } = await cell(t, talk);
 
       await adapter.said('no calibration: ');

@@ -130,7 +130,7 @@ describe('rtde clock', () => {
     }
   });
 
-  it('Clock_WithoutAnswersAndPackagesLateForSeconds_HasALargerBound', () => {
+  it('Clock_WithoutAnswersAndPackagesLateForSeconds_ErrorMostlyStaysWithinItsBound', () => {
     let held = 0, count = 0;
     for (let seed = 1; seed <= 10; seed++) {
       const link = new Link({ seed, answers: false });
@@ -169,7 +169,7 @@ describe('rtde clock', () => {
       assert.equal(link.stepped.length, 1);
     });
 
-  it('Clock_RobotSilent_HasNoTime', () => {
+  it('Clock_RobotSendsNoData_ThrowsAnError', () => {
     const link = new Link({ seed: 1 });
     assert.throws(() => link.clock.at(0n), /sends no data/);
     link.play(3000);

@@ -51,7 +51,7 @@ describe('rtde layout', () => {
     ['Zeros', Buffer.alloc(64)], ['SshBanner', Buffer.from('SSH-2.0-OpenSSH_9.2\r\n')], ['Http', Buffer.from('HTTP/1.1 400 Bad Request\r\n')],
     ['SizeBelowItsHeader', Buffer.from([0, 2, 85])], ['UnknownType', Buffer.from([0, 9, 66])],
   ])
-    it(`Reader_${what}_ThrowsNotRtdeError`, () => assert.throws(() => new PackageReader().add(bytes), NotRtdeError));
+    it(`Reader_${what}_RejectsTheBytesAsNotRtde`, () => assert.throws(() => new PackageReader().add(bytes), NotRtdeError));
 
   it('Reader_RandomBytes_ReturnsPackagesOrThrowsWithLimitedMemory', () => {
     let rejected = 0;
@@ -85,8 +85,8 @@ describe('rtde layout', () => {
   });
 
   for (const [what, payload, text] of [
-    ['Short', PAYLOAD.subarray(0, 40), fieldMessages.packageSize(40, PAYLOAD.length)],
-    ['Long', Buffer.concat([PAYLOAD, byte(0)]), fieldMessages.packageSize(PAYLOAD.length + 1, PAYLOAD.length)],
+    ['TooShort', PAYLOAD.subarray(0, 40), fieldMessages.packageSize(40, PAYLOAD.length)],
+    ['TooLong', Buffer.concat([PAYLOAD, byte(0)]), fieldMessages.packageSize(PAYLOAD.length + 1, PAYLOAD.length)],
     ['OfAnotherRecipe', Buffer.concat([byte(2), PAYLOAD.subarray(1)]), fieldMessages.packageRecipe(2, 1)],
     ['WithoutATime', Buffer.concat([byte(1), doubles(NaN), PAYLOAD.subarray(9)]), fieldMessages.packageTime(NaN)],
   ])
@@ -99,7 +99,7 @@ describe('rtde layout', () => {
   for (const [what, types, text] of [
     ['Missing', TYPES.replace('VECTOR6D', 'NOT_FOUND'), fieldMessages.needed('actual_q')],
     ['OfAnotherType', TYPES.replace('VECTOR6D', 'VECTOR6INT32'), fieldMessages.otherType('actual_q', 'VECTOR6INT32', 'VECTOR6D')],
-    ['InAnotherNumber', 'DOUBLE', fieldMessages.recipe(9, 1)],
+    ['CountDiffers', 'DOUBLE', fieldMessages.recipe(9, 1)],
   ])
     it(`Recipe_RequiredField${what}_ThrowsAnError`, () =>
       assert.throws(() => new Recipe(fieldsOf('actual'), answer(types)), error => error instanceof RecipeError && error.message === text));
