@@ -57,7 +57,7 @@ test('finds both codes in any orientation and reads their cells', async () => {
   }
 });
 
-test('finds all codes of a kind', async () => {
+test('finds several codes of one kind', async () => {
   const second = { ...control, corners: square(400, 160, 76, -0.4) };
 
   const [{ codes }] = await ask({ shot: shot([control, headset, second]) });
@@ -130,7 +130,7 @@ test('finds no second code in structured scenes', async () => {
 
 // A lattice of dark holes with a pitch of two cells resembles a code with its ring, in which all pairs are equal. At most positions, the light of a
 // dark cell of this code differs from that of the scene. A lattice without any difference is accepted, because a real code must not be missed.
-test('mistakes only few perforated plates for part of a second code', async () => {
+test('mistakes only a few perforated plates for part of a second code', async () => {
   const answers = await askAll(Array.from({ length: 12 }, (_, i) => ({ shot: perforatedPlate(randomOf(600 + i)) })));
 
   for (const { codes } of answers) assert.deepEqual(new Set(codes.map(({ kind }) => kind)), new Set(['Control', 'Headset']));

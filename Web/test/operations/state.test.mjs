@@ -159,7 +159,7 @@ describe('the shown state', () => {
     await becomes(page, '#plots', '140');
   });
 
-  it('keeps focus and choice while numbers and headsets change', async () => {
+  it('keeps the focus and the chosen headset while numbers and headsets change', async () => {
     const page = await open();
     await page.locator('input[value="right door"]').check();
 
