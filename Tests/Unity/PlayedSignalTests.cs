@@ -320,12 +320,12 @@ public class PlayedSignalTests : PlayedParts
         SendPose("world", "lid", _cell.Now - Latency, Along(1));
         Run(2);
 
-        Assert.That(FaultsNow(), Is.EqualTo("object part: no new poses arrive; object lid: no new poses arrive"));
+        Assert.That(FaultsNow(), Is.EqualTo("object part: no new poses are arriving; object lid: no new poses are arriving"));
         Assert.That(parts.Summary, Is.EqualTo("! 2 not current"));
         var signal = Below<CellSignal>("closed", _session.transform);
         _session.transform.Find("part").gameObject.SetActive(false);
         Run(0.1);
-        Assert.That(FaultsNow(), Is.EqualTo("object lid: no new poses arrive; signal closed: " + signal.Fault), "a hidden object is not shown");
+        Assert.That(FaultsNow(), Is.EqualTo("object lid: no new poses are arriving; signal closed: " + signal.Fault), "a hidden object is not shown");
         Run(1, t => SendPose("world", "lid", t, Along(1)));
         signal.gameObject.SetActive(false);
         Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("", "1 current")));

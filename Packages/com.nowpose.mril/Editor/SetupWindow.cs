@@ -124,7 +124,7 @@ namespace Nowpose.Editor
 
         static string Summary(int missing, HeadsetPlatform platform) => missing == 0
             ? SetupTexts.Complete(platform.Headset)
-            : missing + (missing == 1 ? " point is" : " points are") + " missing for " + platform.Headset + ".";
+            : missing + (missing == 1 ? " item is" : " items are") + " missing for " + platform.Headset + ".";
 
         bool Draw(int index)
         {

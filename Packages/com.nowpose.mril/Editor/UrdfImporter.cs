@@ -26,7 +26,7 @@ namespace Nowpose.Editor
 
         const long MaxFileBytes = 16L << 20;
 
-        [SerializeField, Tooltip("Material of the links up to the flange. Choose an occluder if the real arm is to hide the objects behind it. "
+        [SerializeField, Tooltip("Material of the links up to the flange. Choose an occluder if the real arm should hide the objects behind it. "
             + "Empty: the colours of the URDF and the materials of the models.")]
         Material _armMaterial = null;
 

@@ -32,7 +32,7 @@ public class BaseAnchorDisplayTests
         Assert.That(_played.Anchor.Words, Is.EqualTo("looking for markers; no AR Session is in the scene"));
         _played.Markers.enabled = false;
         _played.Cell.Run(12, _played.Session);
-        Assert.That(_played.Anchor.Words, Is.EqualTo("looking for markers; allow the camera if it is blocked"));
+        Assert.That(_played.Anchor.Words, Is.EqualTo("looking for markers; allow access to the camera if it is blocked"));
     }
 
     [Test]
@@ -70,7 +70,8 @@ public class BaseAnchorDisplayTests
         _played.Cell.Run(1, _played.Session);
 
         Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Moved));
-        Assert.That(_played.Anchor.Words, Does.Match("^marker 'a', (49|50|51) mm, 0\\.\\d° from its expected position: put it back, or lock again$"));
+        Assert.That(
+            _played.Anchor.Words, Does.Match("^marker 'a' is (49|50|51) mm, 0\\.\\d° from its expected position: put it back, or lock again$"));
         Assert.That(_played.Anchor.transform.position, Is.EqualTo(before));
         var said = _played.Cell.Player.Logs.Where(log => log.Message.Contains("from its expected position")).ToList();
         Assert.That(said.Select(log => log.Type), Is.EqualTo(new[] { LogType.Warning }), "once");

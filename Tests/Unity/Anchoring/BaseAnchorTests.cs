@@ -55,8 +55,8 @@ public class BaseAnchorTests
         device.Pose = RigidTransform.FromXyzRpy(0.012, 0, 0, 0, 0, 0) * device.Pose.Value;
         _played.Markers.IsBlind = true;
         _played.Cell.Run(3, _played.Session);
-        Assert.That(texts.FaultOf(_played.Anchor), Is.EqualTo("base: locked by 1 marker; moved by the headset by 12 mm, 0.0°"));
-        Assert.That(_played.Logged.Count(message => message.Contains("moved by the headset by 12 mm")), Is.EqualTo(1));
+        Assert.That(texts.FaultOf(_played.Anchor), Is.EqualTo("base: locked by 1 marker; the headset has moved it by 12 mm, 0.0°"));
+        Assert.That(_played.Logged.Count(message => message.Contains("the headset has moved it by 12 mm")), Is.EqualTo(1));
     }
 
     [Test]

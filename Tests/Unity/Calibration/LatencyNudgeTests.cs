@@ -221,7 +221,7 @@ public sealed class LatencyNudgeTests
 
         Assert.That(_nudge.Apply(), Is.False);
 
-        Assert.That(_nudge.Problem, Is.EqualTo("nudge: the backward direction has no mark; mark both directions"));
+        Assert.That(_nudge.Problem, Is.EqualTo("nudge: the backward direction has no mark; set marks in both directions"));
         Assert.That(_session.Session.Visualisation.Length.TotalMilliseconds, Is.EqualTo(UsedVisuMs));
         Assert.That(_nudge.ForwardCount, Is.EqualTo(1));
     }
@@ -235,7 +235,7 @@ public sealed class LatencyNudgeTests
 
         Assert.That(_nudge.Mark(), Is.False);
 
-        Assert.That(_nudge.Problem, Is.EqualTo("nudge: the tool does not move steadily; mark while it moves at constant speed"));
+        Assert.That(_nudge.Problem, Is.EqualTo("nudge: the tool does not move steadily; set marks while it moves at constant speed"));
     }
 
     [Test]

@@ -95,7 +95,7 @@ public sealed class DisplayTimeFallbackTests
         _played.Runtime.LightOf = t => Right(t);
         _played.Run(3);
 
-        Assert.That(panel, Is.EqualTo(isReported ? "! 40.0 ms|runtime's are implausible" : "40.0 ms|as set"));
+        Assert.That(panel, Is.EqualTo(isReported ? "! 40.0 ms|implausible display times" : "40.0 ms|as set"));
         Assert.That(message.Contains("display times of the runtime are implausible"), Is.EqualTo(isReported));
         Assert.That(diagnostic, Is.EqualTo(isReported ? "implausible" : null));
         Assert.That(lines, Is.EqualTo(isReported ? 1 : 0));

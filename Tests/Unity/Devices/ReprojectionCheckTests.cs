@@ -93,7 +93,7 @@ public sealed class ReprojectionCheckTests
         Break(broken);
         Play(4);
         var (panel, depth, mode) = (Panel(), Diagnostic("depth_submission"), _session.Statistics.Reprojection);
-        var lines = Lines("not submitted");
+        var lines = Lines(" submitted: ");
 
         _display.Dispose();
         _cell.Player.World.Gpu.Display.AsksForDepth = true;

@@ -19,7 +19,7 @@ public sealed class SetupWindowTests : EditorFixture
     {
         Send("OnGUI");
 
-        Assert.That(GuiRecorder.Texts[2], Is.EqualTo("15 points are missing for a HoloLens 2."));
+        Assert.That(GuiRecorder.Texts[2], Is.EqualTo("15 items are missing for a HoloLens 2."));
         Assert.That(GuiRecorder.Texts, Does.Contain("✗ Scripting backend is IL2CPP"));
         Assert.That(GuiRecorder.Texts, Does.Contain("missing: a backend other than IL2CPP is selected"));
         Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64));
@@ -36,7 +36,7 @@ public sealed class SetupWindowTests : EditorFixture
         GuiRecorder.Clear();
         Send("OnGUI");
 
-        Assert.That(GuiRecorder.Texts[2], Is.EqualTo("14 points are missing for a HoloLens 2."));
+        Assert.That(GuiRecorder.Texts[2], Is.EqualTo("14 items are missing for a HoloLens 2."));
         Assert.That(GuiRecorder.Texts, Does.Contain("✓ Capability WebCam"));
         Assert.That(GuiRecorder.Buttons, Does.Not.Contain("Declare WebCam"));
         Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam));
@@ -76,7 +76,7 @@ public sealed class SetupWindowTests : EditorFixture
 
         var texts = Draw();
 
-        Assert.That(texts[2], Is.EqualTo("8 points are missing for an Android headset."));
+        Assert.That(texts[2], Is.EqualTo("8 items are missing for an Android headset."));
         Assert.That(texts, Does.Contain("✗ Internet Access is set to Require"));
         Assert.That(texts, Has.None.Contains("Capability"));
         Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64), "a selection in the list does not switch the build target");

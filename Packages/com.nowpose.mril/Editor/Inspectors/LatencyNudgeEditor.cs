@@ -36,7 +36,7 @@ namespace Nowpose.Editor.Inspectors
             }
             using (new EditorGUILayout.HorizontalScope())
             {
-                if (GUILayout.Button("Mark the agreement")) Target.Mark();
+                if (GUILayout.Button("Set mark")) Target.Mark();
                 if (GUILayout.Button("Apply")) Target.Apply();
                 if (GUILayout.Button("Clear")) Target.Clear();
             }

@@ -24,7 +24,7 @@ namespace Nowpose.Editor.Messages
         public const string LoadUrdf = "Load a URDF file …";
         public const string LoadUrdfTitle = "Load a URDF file (expand xacro files first)";
 
-        public static string UrdfUnreadable(string asset, string path, string reason) => $"[Nowpose] '{asset}': {path} cannot be read; {reason}";
+        public static string UrdfUnreadable(string asset, string path, string reason) => $"[Nowpose] '{asset}': {path} cannot be read: {reason}";
 
         public const string HasLinks = "The rig already has links. Delete them to build the robot again.";
         public const string Capacity = "capacity must be 2 or more";

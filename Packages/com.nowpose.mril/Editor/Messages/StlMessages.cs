@@ -34,7 +34,7 @@ namespace Nowpose.Editor.Messages
         public const string NoTriangles = "the mesh has no triangles; it needs at least one; export the mesh again";
 
         public static string NoArea(int count) =>
-            $"each of its {count} triangles has the area 0; export the mesh again, larger or with a finer resolution";
+            $"each of its {count} triangles has zero area; export the mesh again, larger or with a finer resolution";
 
         public static string TooMany(string file, long count, int max) =>
             $"{file}: {count} triangles or more; the maximum is {max}; simplify the mesh";

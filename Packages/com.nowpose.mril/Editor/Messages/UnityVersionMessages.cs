@@ -10,7 +10,7 @@ namespace Nowpose.Editor.Messages
 
         public const string Recommended = "use 2022.3 for a HoloLens 2";
         public const string Compiled2021 = "compiled against 2021.3.26; " + Recommended;
-        public const string Compiled2022 = "compiled against 2022.3.7; the release for a HoloLens 2";
+        public const string Compiled2022 = "compiled against 2022.3.7; recommended for a HoloLens 2";
         public const string Compiled6000 = "compiled against 6000.0.78, not tested on a device; " + Recommended;
         public const string NotCompiled = "not compiled against this release; " + Recommended;
         public const string NotTested = "not compiled against this release, not tested on a device; " + Recommended;

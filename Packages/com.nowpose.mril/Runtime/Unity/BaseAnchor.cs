@@ -30,7 +30,7 @@ namespace Nowpose.Unity
         List<AnchorMarker> _markers = new List<AnchorMarker>();
 
         [SerializeField, Range(100, 60_000), Tooltip("Minimum time for which the markers are seen before the base is locked, ms. Default 1850: "
-            + "long enough to average most of the tracker's noise, and the user waits less than 2 s.")]
+            + "long enough to average out most of the tracker's noise, while the user waits less than 2 s.")]
         float _settleMs = 1850;
 
         [FormerlySerializedAs("_oldestMs")]

@@ -10,8 +10,8 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Name of the joint that moves this finger, as in the robot's URDF.")]
         string _joint = "";
 
-        [SerializeField, Tooltip("The object that moves. Place it as at joint position 0 (closed, on the youBot), with its axes along those of "
-            + "the joint's frame.")]
+        [SerializeField, Tooltip("The object that moves. Place it where it is at joint position 0 (closed on the youBot), with its axes "
+            + "parallel to those of the joint's frame.")]
         Transform _finger = null;
 
         public GripperFinger() { }

@@ -15,7 +15,7 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class HandPlacedMarker : MonoBehaviour, IMarkerSource
     {
-        [SerializeField, Tooltip("Text of the marker of the base that this object replaces. Empty: this object's transform is the robot's base "
+        [SerializeField, Tooltip("Text of the base's marker that this object replaces. Empty: this object's transform is the robot's base "
             + "frame.")]
         string _payload = "";
 

@@ -22,12 +22,12 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The session to calibrate. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("Name of the profile's file below the application's persistent data path, where it is also saved, and in "
-            + "StreamingAssets; or a full path.")]
+        [SerializeField, Tooltip("File name of the profile. The file is searched for below the application's persistent data path, where it is also "
+            + "saved, and then in StreamingAssets. A full path is also allowed.")]
         string _fileName = "latency-profile.json";
 
-        [SerializeField, Tooltip("Profile that is used if neither folder contains one. An Android app can receive a profile only in this way. Empty: "
-            + "none.")]
+        [SerializeField, Tooltip("Profile that is used if neither folder contains one. It is the only way to ship a profile with an Android app. "
+            + "Empty: none.")]
         TextAsset _shipped = null;
 
         MrilSession _source;

@@ -57,7 +57,7 @@ namespace Nowpose.Unity
             + "are logged too, but do not affect the fit.")]
         float _settleSeconds = 1;
 
-        [SerializeField, Tooltip("Repeat the loads in reverse order. Otherwise, a processor that becomes warm would look like an effect of the "
+        [SerializeField, Tooltip("Repeat the loads in reverse order. Otherwise, a processor that warms up would look like an effect of the "
             + "load.")]
         bool _goesDown = true;
 

@@ -23,7 +23,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The rig whose robot's path is drawn. Empty: the rig on a parent.")]
         RobotRig _rig = null;
 
-        [SerializeField, Range(0.1f, 5), Tooltip("Time span ahead that the line shows, in seconds.")]
+        [SerializeField, Range(0.1f, 5), Tooltip("Maximum duration of the displayed path, in seconds from the displayed pose.")]
         float _aheadSeconds = 1;
 
         [SerializeField, Range(0.001f, 0.1f), Tooltip("Width of the line in metres.")]

@@ -32,8 +32,8 @@ namespace Nowpose.Unity
             + "label.")]
         TextMesh _words = null;
 
-        [SerializeField, Tooltip("Replaces opaque materials whose shader lacks _Hatch or _Fade while the pose is not current. Its own shader "
-            + "must have both, as the package's Hologram does. Empty: such parts are hidden instead.")]
+        [SerializeField, Tooltip("While the pose is not current, this material replaces opaque materials whose shader lacks _Hatch or _Fade. Its own "
+            + "shader must have both, as the package's Hologram does. Empty: such parts are hidden instead.")]
         Material _substitute = null;
 
         readonly PoseMaterials _materials = new PoseMaterials();

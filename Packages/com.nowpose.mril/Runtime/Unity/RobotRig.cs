@@ -33,8 +33,8 @@ namespace Nowpose.Unity
             + "comparison.")]
         RigPose _shows = RigPose.Displayed;
 
-        [SerializeField, Tooltip("Material of the links up to the flange, for a robot built from primitives. Choose an occluder if the real arm is "
-            + "to hide the objects behind it.")]
+        [SerializeField, Tooltip("Material of the links up to the flange, for a robot built from primitives. Choose an occluder if the real arm "
+            + "should hide the objects behind it.")]
         Material _armMaterial = null;
 
         [SerializeField, Tooltip("Material of the links that the flange carries, for a robot built from primitives.")]

@@ -27,7 +27,7 @@ namespace Nowpose.Unity
         string _folder = "recordings";
 
         [SerializeField, Tooltip("Maximum size of one file in megabytes, 0.001 to 100000. At this size the recording ends with a message. 500 MB "
-            + "are five hours of a usual session.")]
+            + "hold five hours of a typical session.")]
         double _maximumMegabytes = 500;
 
         [SerializeField, Tooltip("Record when this component is enabled. Turn off if a menu calls StartRecording.")]

@@ -14,7 +14,8 @@ namespace Nowpose.Unity
     public sealed class SessionSettingsAsset : ScriptableObject
     {
         [Header("Gateway")]
-        [SerializeField, Tooltip("Name or address of the gateway. 127.0.0.1 is this machine, for a gateway beside the editor.")]
+        [SerializeField, Tooltip("Name or address of the gateway. 127.0.0.1 is this machine: use it for a gateway on the same machine as "
+            + "the editor.")]
         string _host = "127.0.0.1";
 
         [SerializeField, Tooltip("TCP port of the clock synchronisation, 1 to 65535. The gateway's default is 47010.")]
@@ -43,7 +44,8 @@ namespace Nowpose.Unity
             + "device's name in its system settings.")]
         string _headsetName = "";
 
-        [SerializeField, Tooltip("Namespace of the session's robot in the cell, such as arm1 for /arm1/joint_states. Empty: the robot without one.")]
+        [SerializeField, Tooltip("Namespace of the session's robot in the cell, such as arm1 for /arm1/joint_states. Empty: the robot without a "
+            + "namespace.")]
         string _robotNamespace = "";
 
         [SerializeField, Tooltip("Send the displayed joints to the gateway up to 20 times a second, about 9 kB/s, so that its operations page "
@@ -62,7 +64,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Source of the render times from which the limit was determined. The limit is not valid for another source.")]
         RenderTimeSourceKind _renderTimeLimitSource = RenderTimeSourceKind.None;
 
-        [SerializeField, Tooltip("Response while the render time is outside the constant-latency range. Fade: shows the predicted pose, fainter. "
+        [SerializeField, Tooltip("Response while the render time is outside the constant-latency range. Fade: the predicted pose, fainter. "
             + "Go On: the predicted pose, only slightly fainter. Hold: the newest samples. Stripes and a label mark the robot in each case. "
             + "Default Fade, because a late prediction is more accurate than the newest samples.")]
         OutsideRangeResponse _outsideRange = OutsideRangeResponse.Fade;
@@ -77,15 +79,15 @@ namespace Nowpose.Unity
         string _predictor = Predictors.Default;
 
         [SerializeField, Tooltip("Maximum time in ms by which a prediction is ahead of the newest sample, 0 to 5000. Beyond it the pose stays "
-            + "and is marked as held. 300 ms: a longer prediction is worse than none.")]
+            + "and is marked as held. Default 300: longer predictions are less accurate than the newest sample.")]
         double _horizonCapMs = 300;
 
         [SerializeField, Tooltip("Maximum time between two samples, ms, 1 to 60000. After a longer gap the prediction starts again, because the "
             + "motion before the gap does not determine the motion after it.")]
         double _maximumGapMs = 500;
 
-        [SerializeField, Tooltip("Time in ms in which a joint makes most of the correction when a new sample changes the prediction, 0 to 200. "
-            + "0: the joint jumps. 14 ms increases the error by less than 5 %. Frequent samples shorten it.")]
+        [SerializeField, Tooltip("Time constant in ms with which a joint moves to the corrected prediction after a new sample, 0 to 200. It is at "
+            + "most a fifth of the sampling interval. 0: the joint jumps. Default 14: the error increases by less than 5 %.")]
         double _blendMs = PredictionSettings.DefaultBlendMs;
 
         [SerializeField, Tooltip("Display joints at the set-points that the control system publishes ahead of time, delayed by the lag of the "
@@ -96,11 +98,11 @@ namespace Nowpose.Unity
             + "predicts no higher speed, unless the joint already moves faster. Example: with a speed override of 30 percent, enter 30.")]
         double _speedPercent = 100;
 
-        [SerializeField, Tooltip("Maximum acceleration of revolute joints without one in the URDF, radians per second squared, 0.01 to 1000000. "
-            + "0: unknown. If this limit and the jerk limit are known, moves from rest to rest are predicted with their motion profile.")]
+        [SerializeField, Tooltip("Maximum acceleration of revolute joints for which the URDF states none, radians per second squared, 0.01 to "
+            + "1000000. 0: unknown. If this limit and the jerk limit are known, moves from rest to rest are predicted with their motion profile.")]
         double _accelerationRadians = 0;
 
-        [SerializeField, Tooltip("Maximum jerk of revolute joints without one in the URDF, radians per second cubed, 0.01 to 1000000. 0: "
+        [SerializeField, Tooltip("Maximum jerk of revolute joints for which the URDF states none, radians per second cubed, 0.01 to 1000000. 0: "
             + "unknown. The value is in the robot's data sheet or in the machine data of its control system.")]
         double _jerkRadians = 0;
 
@@ -113,8 +115,9 @@ namespace Nowpose.Unity
             + "default is 5 to 15 times more accurate over WiFi and follows clock steps.")]
         string _clockEstimator = ClockEstimators.Default;
 
-        [SerializeField, Tooltip("Time between two clock exchanges, ms, 20 to 10000. A quarter of it applies after the connection and after a clock "
-            + "step, up to five times as much while the offset is very accurate. 200 ms: the clock is synchronised within seconds at little network load.")]
+        [SerializeField, Tooltip("Time between two clock exchanges, ms, 20 to 10000. The session uses a quarter of this time after it has "
+            + "connected and after a clock step, and up to five times this time while the offset is very accurate. Default 200: the clock is "
+            + "synchronised within seconds, at a low network load.")]
         double _syncIntervalMs = ProtocolLimits.SyncIntervalMs;
 
         static double Known(double limit) => limit == 0 ? double.PositiveInfinity : limit;

@@ -26,8 +26,8 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Material of the background, which is drawn before the text. Empty: no background.")]
         Material _ground = null;
 
-        [SerializeField, Tooltip("Child of this object that stays below the panel's lower edge, such as a bar to grasp it by. One unit of it "
-            + "becomes one font size. Empty: none.")]
+        [SerializeField, Tooltip("Child of this object that stays below the panel's lower edge, such as a bar to grasp the panel by. It is scaled so "
+            + "that one of its units is one font size. Empty: none.")]
         Transform _bar = null;
 
         [SerializeField, Range(0.1f, 2), Tooltip("Time between two updates of the text in seconds. Default 0.25: numbers that change faster "

@@ -27,25 +27,25 @@ namespace Nowpose.Messages
         public static string ConflictOfLock(string marker, int mm, string degrees) =>
             $"; {marker} is {mm} mm, {degrees}° from where the other markers place it";
 
-        public static string Corrected(int mm, string degrees) => $"; moved by the headset by {mm} mm, {degrees}°";
+        public static string Corrected(int mm, string degrees) => $"; the headset has moved it by {mm} mm, {degrees}°";
 
         /// <param name="isBlind">Whether no code of any kind has been reported for a long time.</param>
         /// <param name="problem">Problem of the source of markers; null if there is none.</param>
         public static string Looking(bool isBlind, string problem) =>
-            isBlind ? "looking for markers; allow the camera if it is blocked" : "looking for markers" + Because(problem);
+            isBlind ? "looking for markers; allow access to the camera if it is blocked" : "looking for markers" + Because(problem);
 
         /// <param name="marker">The marker with the largest difference.</param>
         public static string Moved(int markers, string marker, string difference) => markers > 1
-            ? $"{markers} markers have moved, the worst is {marker}, {difference} from its expected position: put them back, or lock again"
-            : $"{marker}, {difference} from its expected position: put it back, or lock again";
+            ? $"{markers} markers have moved; the worst, {marker}, is {difference} from its expected position: put them back, or lock again"
+            : $"{marker} is {difference} from its expected position: put it back, or lock again";
 
         public static string Restored(bool hasMarkers, string problem) =>
             (hasMarkers ? "restored from an earlier run: look at a marker to confirm it" : "restored from an earlier run: lock it to confirm it")
             + Because(problem);
 
         public static string Elsewhere(string metres, bool hasMarkers) => hasMarkers
-            ? $"the headset now reports the base {metres} m from its last position, which is ignored: look around, or lock again"
-            : $"the headset now reports the base {metres} m from its last position, which is ignored: look around, or place it again";
+            ? $"the headset now reports the base {metres} m from its last position; the new position is ignored: look around, or lock again"
+            : $"the headset now reports the base {metres} m from its last position; the new position is ignored: look around, or place it again";
 
         /// <summary>Returns the suffix that adds a problem to a line: "; " and the problem. Empty if the problem is null.</summary>
         public static string Because(string problem) => problem == null ? "" : "; " + problem;

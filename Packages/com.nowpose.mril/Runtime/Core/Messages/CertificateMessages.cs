@@ -22,6 +22,6 @@ namespace Nowpose.Messages
             $"certificate pin \"{text}\" is not the base64 of 32 bytes; copy it as the gateway prints it (sha256/…=)";
 
         public const string NotX509 =
-            "certificate: its bytes are not those of an X.509 certificate, so it has no public key to pin; use a certificate in the format PEM or DER";
+            "certificate: its bytes are not those of an X.509 certificate, so it has no public key to pin; use a certificate in PEM or DER format";
     }
 }

@@ -39,7 +39,7 @@ namespace Nowpose.Messages
         public const string RosTimeZero = "the time is zero; with use_sim_time, start the node that publishes /clock";
 
         public static string RosTimeMissing(DropReason fault) =>
-            $"the response contains no time ({fault}); check that rosapi has the service get_time";
+            $"the response contains no time ({fault}); check that rosapi provides the service get_time";
 
         public static string StartRosapi(string reason) =>
             $"{reason}; start the node rosapi together with rosbridge, as rosbridge's launch file does";
@@ -65,9 +65,9 @@ namespace Nowpose.Messages
         public static string OtherSyncFrame(SyncFrameKind kind, SyncFrameKind expected) =>
             $"the reply is a frame of kind {kind} instead of {expected}; check that host and sync port are those of a gateway";
 
-        public static string MessageTooLong(int max) => $"a message of more than {max} bytes";
+        public static string MessageTooLong(int max) => $"a message was longer than {max} bytes";
         public static string MessageTooSlow(double seconds) =>
-            FormattableString.Invariant($"a message that was not complete within {seconds} s");
+            FormattableString.Invariant($"a message was not complete within {seconds} s");
 
         public const string TokenNotAcceptedByHttp = "the gateway does not accept this headset's token (401); pair again or correct the token";
 

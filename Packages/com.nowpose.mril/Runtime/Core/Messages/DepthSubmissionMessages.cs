@@ -20,7 +20,7 @@ namespace Nowpose.Messages
                 case DepthSubmission.NoMainCamera:
                     return "depth is not submitted: no enabled camera has the tag MainCamera; tag the headset's camera";
                 case DepthSubmission.NotRequested:
-                    return "depth is possibly not submitted: the display does not ask Unity to fill its depth buffer; check the OpenXR plugin's log "
+                    return "depth might not be submitted: the display does not ask Unity to fill its depth buffer; check the OpenXR plugin's log "
                         + "and the render pipeline's depth settings";
                 default: return null;
             }

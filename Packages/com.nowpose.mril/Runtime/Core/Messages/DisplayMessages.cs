@@ -10,8 +10,8 @@ namespace Nowpose.Messages
         const string Implausible = "display times of the runtime are implausible";
 
         const string WhatToDo =
-            "The calibrated L_visu is used. Restart the application; if it happens again, disable the component Display Time, and report the line of the "
-            + "performance counter in the log";
+            "The calibrated L_visu is used. Restart the application; if it happens again, disable the component Display Time, and report the line "
+            + "about the performance counter in the log";
 
         const string Warning = Implausible + "; " + WhatToDo;
 
@@ -19,7 +19,7 @@ namespace Nowpose.Messages
         /// <param name="ahead">Display time minus the frame's start; null if it is no longer known.</param>
         public static string ImplausibleTimes(TimeSpan? ahead) => ahead.HasValue
             ? Implausible + ": " + ahead.Value.TotalMilliseconds.ToString("0.#", CultureInfo.InvariantCulture)
-                + " ms after the start of the frame; 0 to 500 ms are possible. " + WhatToDo
+                + " ms after the start of the frame; allowed: 0 to 500 ms. " + WhatToDo
             : Warning;
 
         /// <summary>Returns a message about the current display problem. Allocates nothing.</summary>

@@ -19,10 +19,10 @@ namespace Nowpose.Messages
 
         public static string NotUnitQuaternion(string tolerance) => $"a rotation is not a unit quaternion; its norm must be 1 ± {tolerance}; normalise it";
 
-        public const string FileNumber = "a number must be finite";
+        public const string FileNumber = "a number is not finite; correct it";
         public const string OwnParent = "a frame is its own parent; correct its header.frame_id";
         public const string FieldMissing = "a field is missing; add it";
 
-        public static string NotTransforms(DropReason fault) => $"is not a tf2_msgs/TFMessage as JSON ({fault}); correct the file";
+        public static string NotTransforms(DropReason fault) => $"is not a tf2_msgs/TFMessage in JSON ({fault}); correct the file";
     }
 }

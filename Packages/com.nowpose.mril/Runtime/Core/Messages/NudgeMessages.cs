@@ -6,14 +6,14 @@ namespace Nowpose.Messages
     static class NudgeMessages
     {
         public static string TooSlow(double mmPerS, double minMmPerS) =>
-            FormattableString.Invariant($"nudge: the tool moves at {mmPerS:0} mm/s along the axis; mark at {minMmPerS:0} mm/s or more");
+            FormattableString.Invariant($"nudge: the tool moves at {mmPerS:0} mm/s along the axis; set marks at {minMmPerS:0} mm/s or more");
 
         public static string OtherSpeed(double mmPerS, double earlierMmPerS) =>
             FormattableString.Invariant($"nudge: the tool moves at {mmPerS:0} mm/s, and moved at {earlierMmPerS:0} mm/s during the earlier marks; ")
             + "use the same speed, or clear the marks";
 
         public static string NoMark(bool isForward) => isForward
-            ? "nudge: the forward direction has no mark; mark both directions"
-            : "nudge: the backward direction has no mark; mark both directions";
+            ? "nudge: the forward direction has no mark; set marks in both directions"
+            : "nudge: the backward direction has no mark; set marks in both directions";
     }
 }

@@ -53,8 +53,8 @@ namespace Nowpose.Messages
         public static string CodeTooLong(int length, int max) => $"pairing code: {length} characters; allowed: up to {max}";
 
         public static string TooManyInView(int max, int minutes) =>
-            $"pairing codes: {max} different codes were in view, which is the maximum; additional codes are read in {minutes} minutes or after a "
-            + "restart";
+            $"pairing codes: {max} different codes were in view, which is the maximum; new codes are ignored until some of them have been out "
+            + $"of view for {minutes} minutes, or until a restart";
 
         public static string TokenInvalid(int bytes) => $"token code: the token is not the base64url encoding of {bytes} bytes; show the code again";
 

@@ -14,7 +14,7 @@ namespace Nowpose.Messages
             FormattableString.Invariant($"time, position and order must be finite; they are {time} s, {position}, {order} s");
 
         public static string PositionCount(int positions, int times) =>
-            $"{positions} positions for {times} times; the numbers must be equal and at least 1";
+            $"{positions} positions for {times} times; the counts must be equal and at least 1";
 
         public static string DerivativeCount(int times) => $"the numbers of velocities and accelerations must equal the number of times, {times}";
         public static string TimeOrder(int index, double time, double earlier) =>

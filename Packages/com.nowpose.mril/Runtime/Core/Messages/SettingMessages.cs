@@ -6,7 +6,7 @@ namespace Nowpose.Messages
     static class SettingMessages
     {
         public const string NotPositive = "must be positive and finite";
-        public const string Vertices = "must be 0 to a billion vertices";
+        public const string Vertices = "must be from 0 to 1000000000 vertices";
 
         public static string OutOfRange(string name, double value, string suffix, double min, double max) =>
             FormattableString.Invariant($"{name}: {value}{suffix} is out of range; allowed: {min} to {max}{suffix}");

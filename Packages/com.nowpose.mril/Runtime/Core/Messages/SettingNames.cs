@@ -7,8 +7,8 @@ namespace Nowpose.Messages
         public const string ToolSpeed = "speed of the tool";
         public const string DeviceModel = "the model's name";
         public const string VisualisationSpread = "spread of the visualisation latency";
-        public const string MaxRenderTime = "maximum render time measured";
-        public const string BuildingTime = "building time per frame";
+        public const string MaxRenderTime = "maximum measured render time";
+        public const string BuildingTime = "build time per frame";
         public const string HeadMotionUncertainty = "uncertainty of the head motion latency";
         public const string MaxSweepLoad = "maximum load of the sweep, vertices";
         public const string SweepSteps = "steps of the sweep";
@@ -25,6 +25,6 @@ namespace Nowpose.Messages
         public const string RenderTimePerVertices = "render time per million vertices";
         public const string RenderTimeScatter = "scatter of the render time";
         public const string SlowFrameChance = "probability of a slow frame";
-        public const string VisualisationInTime = "visualisation latency of frames in time";
+        public const string VisualisationInTime = "visualisation latency while frames are ready in time";
     }
 }

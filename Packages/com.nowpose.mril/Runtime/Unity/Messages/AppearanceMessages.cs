@@ -9,7 +9,8 @@ namespace Nowpose.Unity.Messages
         public static string NoMaterial(string part) => $"a material of '{part}' is missing";
 
         public static string NotFadeable(string material, string part) =>
-            $"material '{material}' of '{part}' is opaque, not blended by its alpha, or one of several, and its shader lacks _Hatch or _Fade";
+            $"material '{material}' of '{part}' cannot show that the pose is not current: its shader lacks _Hatch or _Fade, and it is opaque, "
+            + "is not blended by its alpha, or is one of several materials";
 
         public static string Substituted(string component, string problem, string substitute, string remedy) =>
             $"pose appearance '{component}': {problem}. While the pose is not current, the part is drawn with '{substitute}'. "

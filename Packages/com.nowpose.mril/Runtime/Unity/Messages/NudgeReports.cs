@@ -5,7 +5,7 @@ namespace Nowpose.Unity.Messages
     /// <summary>Error messages and results of the calibration by eye.</summary>
     static class NudgeReports
     {
-        public const string NotSteady = "nudge: the tool does not move steadily; mark while it moves at constant speed";
+        public const string NotSteady = "nudge: the tool does not move steadily; set marks while it moves at constant speed";
 
         public static string Result(double visuMs, double spreadMs, int marks, double offsetMm, NudgeAxis axis) =>
             FormattableString.Invariant($"nudge: L_visu {visuMs:0.0} ms ± {spreadMs:0.0} ms from {marks} marks; the base is misplaced by ")

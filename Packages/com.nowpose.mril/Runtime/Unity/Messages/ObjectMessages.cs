@@ -5,7 +5,7 @@ namespace Nowpose.Unity.Messages
     {
         public const string ParentUnknown = "its parent is unknown";
         public const string ParentNotCurrent = "its parent's pose is not current";
-        public const string PosesStopped = "no new poses arrive";
+        public const string PosesStopped = "no new poses are arriving";
         public const string RobotUnknown = "its robot is unknown";
 
         public static string NoLink(string robot, string link) => $"the robot '{robot}' has no link '{link}'; correct Link";

@@ -5,10 +5,10 @@ namespace Nowpose.Unity.Messages
     /// <summary>Names of the states of a pose, and reasons why a pose is not current.</summary>
     static class PoseMessages
     {
-        public const string GripperUnattached = "the gripper is disabled or is not attached to a link of a moving rig";
+        public const string GripperUnattached = "the gripper is disabled or is not attached to a link of an active rig";
         public const string RigDisabled = "the rig is disabled or cannot show the robot";
         public const string SessionPaused = "the session is disabled or paused";
-        public const string NotPlaced = "neither a hand nor a source has placed it";
+        public const string NotPlaced = "it was placed neither by hand nor by a source";
 
         /// <summary>Returns the name of a state. The text beside the robot and the status panel use the same name.</summary>
         public static string Of(PoseState pose, OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)

@@ -18,7 +18,7 @@ namespace Nowpose.Unity.Status
 
         public string Of(SessionStatistics statistics)
         {
-            if (statistics.IsDisplayTimeImplausible) return "runtime's are implausible";
+            if (statistics.IsDisplayTimeImplausible) return "implausible display times";
             if (statistics.IsDisplayTimeInconsistent) return StatusMessages.LatenciesDiffer;
             if (statistics.IsLightPredicted) return StatusMessages.LatencyPredicted;
             if (statistics.Profile == null) return "as set";

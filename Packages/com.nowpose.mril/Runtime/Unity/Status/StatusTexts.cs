@@ -29,8 +29,8 @@ namespace Nowpose.Unity.Status
 
         static readonly string[] Labels =
         {
-            "Pose", "Clock", "L_app", "L_visu", "Horizon", "Render time", "Range", "Error reduction", "Error left", "Gateway", "Robot", "Base", "Objects",
-            "", "", "", "", "", "", "",
+            "Pose", "Clock", "L_app", "L_visu", "Horizon", "Render time", "Range", "Error reduction", "Residual error", "Gateway", "Robot", "Base",
+            "Objects", "", "", "", "", "", "", "",
         };
 
         static readonly string[] Poses = WordsOfPoses();
@@ -277,7 +277,7 @@ namespace Nowpose.Unity.Status
             if (statistics.BeyondLimits != null) return "! beyond its limits";
             switch (statistics.RobotDescriptionMatch)
             {
-                case RobotDescriptionMatch.Same: return "as the gateway's";
+                case RobotDescriptionMatch.Same: return "same as gateway's";
                 case RobotDescriptionMatch.Different: return "! differs";
                 default: return Unknown;
             }

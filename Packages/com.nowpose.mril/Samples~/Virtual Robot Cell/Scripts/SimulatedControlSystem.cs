@@ -71,7 +71,7 @@ namespace Nowpose.Samples
             + "between two quartz clocks.")]
         float _skewPpm = 37;
 
-        [Header("Chance")]
+        [Header("Random numbers")]
         [SerializeField, Tooltip("Seed of all delays and losses, read at the start of the simulation. The same seed gives the same delays.")]
         int _seed = 1;
 

@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(new BaseTracker(new AnchoringSettings()).Words, Is.EqualTo("placed by hand"));
             _cell.IsInView = _ => false;
             Assert.That(Words(9), Is.EqualTo("looking for markers"));
-            Assert.That(Words(2), Is.EqualTo("looking for markers; allow the camera if it is blocked"));
+            Assert.That(Words(2), Is.EqualTo("looking for markers; allow access to the camera if it is blocked"));
             _cell.Tracker.SourceProblem = "no XR Origin";
             Assert.That(Words(), Is.EqualTo("looking for markers; no XR Origin"));
             _cell.Tracker.SourceProblem = null;
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Words(3);
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866, 0.25, 0, 0, 0, 2);
 
-            Assert.That(Words(3), Does.Match("^marker 'b', (99|100|101) mm, 0\\.\\d° from its expected position: put it back, or lock again$"));
+            Assert.That(Words(3), Does.Match("^marker 'b' is (99|100|101) mm, 0\\.\\d° from its expected position: put it back, or lock again$"));
             _cell.Tracker.Relock();
             Assert.That(Words(3), Does.Match("^locked by 2 markers, moved by 0\\.\\d mm, 0\\.\\d\\d°; "
                 + "marker 'b' is (99|100|101) mm, 0\\.\\d° from where the other markers place it$"));
@@ -94,7 +94,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Words(3);
             _cell.Base = RigidTransform.FromXyzRpy(0, 0, 0.03, 0, 0, 0) * _cell.Base;
 
-            Assert.That(Words(1.5), Does.StartWith("3 markers have moved, the worst is marker '"));
+            Assert.That(Words(1.5), Does.StartWith("3 markers have moved; the worst, marker '"));
         }
 
         [Test]

@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Tracker.CorrectedMetres, Is.EqualTo(before.DistanceTo(_cell.Base)).Within(1e-6));
             Assert.That(Tracker.CorrectedRadians, Is.EqualTo(0.02).Within(1e-6));
             Assert.That(Tracker.IsCorrected, Is.True);
-            Assert.That(Tracker.Words, Does.Match("^locked by 3 markers; moved by the headset by \\d\\d mm, 1\\.1°$"));
+            Assert.That(Tracker.Words, Does.Match("^locked by 3 markers; the headset has moved it by \\d\\d mm, 1\\.1°$"));
         }
 
         [Test]

@@ -46,10 +46,10 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [TestCase("\"w\": 1.0", "\"w\": 1.1", 25, "a rotation is not a unit quaternion; its norm must be 1 ± 0.001; normalise it")]
-        [TestCase("\"x\": 0.5", "\"x\": NaN", 14, "a number must be finite")]
+        [TestCase("\"x\": 0.5", "\"x\": NaN", 14, "a number is not finite; correct it")]
         [TestCase("\"frame_id\": \"world\"", "\"frame_id\": \"box\"", 25, "a frame is its own parent; correct its header.frame_id")]
         [TestCase("\"child_frame_id\": \"box\",", "", 25, "a field is missing; add it")]
-        [TestCase("\"y\": 0.0,", "\"y\": 0.0;", 15, "is not a tf2_msgs/TFMessage as JSON (NotJson); correct the file")]
+        [TestCase("\"y\": 0.0,", "\"y\": 0.0;", 15, "is not a tf2_msgs/TFMessage in JSON (NotJson); correct the file")]
         public void Load_InvalidContent_IsRefusedWithTheLineNumber(string good, string bad, int line, string words)
         {
             var pose = RigidTransform.FromXyzRpy(0.5, 0, 0, 0, 0, 0);

@@ -192,7 +192,7 @@ namespace Nowpose.Tests.Core.Simulation
         {
             Assert.That(
                 Assert.Throws<InputException>(() => new DisplayPipelineSettings(refreshMs: 20, plateauMs: 10)).Message,
-                Is.EqualTo("visualisation latency of frames in time: 10 ms is out of range; allowed: 20 to 500 ms"));
+                Is.EqualTo("visualisation latency while frames are ready in time: 10 ms is out of range; allowed: 20 to 500 ms"));
         }
     }
 }

@@ -100,7 +100,7 @@ namespace Nowpose.Tests.Unity.Import
 
         [Test]
         public void Read_OnlyTrianglesWithoutArea_ThrowsWithTheCount() => Refuses(
-            Binary("", new float[9], new float[9]), "a.stl: each of its 2 triangles has the area 0");
+            Binary("", new float[9], new float[9]), "a.stl: each of its 2 triangles has zero area");
 
         [Test]
         public void Read_LongWordWithControlCharacters_IsShownInOneShortLine()

@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Unity.Status
             var rows = Enumerable.Range((int)StatusRow.FirstPart, 6).Select(row => (StatusRow)row).ToArray();
             var named = count <= 6 ? count : 5;
             Assert.That(rows.Take(named).Select(texts.ValueOf), Is.EqualTo(Enumerable.Range(0, named).Select(i => "! object box_" + i)));
-            Assert.That(rows.Take(named).Select(texts.NoteOf), Is.All.EqualTo("no new poses arrive"));
+            Assert.That(rows.Take(named).Select(texts.NoteOf), Is.All.EqualTo("no new poses are arriving"));
             Assert.That(texts.ValueOf(StatusRow.LastPart), Is.EqualTo(count < 6 ? "" : count == 6 ? "! object box_5" : "! and 15 more"));
             Assert.That(rows.Count(texts.IsShown), Is.EqualTo(Math.Min(6, count)));
         }
@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Unity.Status
             public Part(string title) => Title = title;
 
             public string Title { get; }
-            public string Fault => "no new poses arrive";
+            public string Fault => "no new poses are arriving";
         }
 
         [Test]
@@ -312,7 +312,7 @@ namespace Nowpose.Tests.Unity.Status
             Assert.That(Note(TransportSecurity.Plain, Loopback), Is.EqualTo("within this machine"));
         }
 
-        [TestCase(RobotDescriptionMatch.Same, "as the gateway's|youBot")]
+        [TestCase(RobotDescriptionMatch.Same, "same as gateway's|youBot")]
         [TestCase(RobotDescriptionMatch.Different, "! differs|youBot")]
         [TestCase(RobotDescriptionMatch.Unknown, "–|youBot")]
         public void Update_Robot_ShowsWhetherTheDescriptionMatches(object match, string expected)

@@ -30,8 +30,8 @@ namespace Nowpose.Tests.Core.Latency.Calibration
             Assert.That(marks.Result.Count, Is.EqualTo(3));
         }
 
-        [TestCase(19, "nudge: the tool moves at 19 mm/s along the axis; mark at 20 mm/s or more")]
-        [TestCase(double.NaN, "nudge: the tool moves at NaN mm/s along the axis; mark at 20 mm/s or more")]
+        [TestCase(19, "nudge: the tool moves at 19 mm/s along the axis; set marks at 20 mm/s or more")]
+        [TestCase(double.NaN, "nudge: the tool moves at NaN mm/s along the axis; set marks at 20 mm/s or more")]
         [TestCase(-200, "nudge: the tool moves at 200 mm/s, and moved at 250 mm/s during the earlier marks; use the same speed, or clear the marks")]
         public void Add_InvalidSpeed_ThrowsAndKeepsTheMarks(double speedMmPerS, string message)
         {

@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase(40, 1, "HoloLens 2", -60, 300, 15, 15, "display rate: -60 Hz is out of range; allowed: 0 to 1000 Hz")]
         [TestCase(40, 1, "HoloLens 2", 60, -1, 15, 15, "measurements: -1 is out of range; allowed: 0 to 2147483647")]
         [TestCase(40, 1, "HoloLens 2", 60, 300, 0, 15, "render time limit: 0 ms is out of range; allowed: 0.1 to 1000 ms")]
-        [TestCase(40, 1, "HoloLens 2", 60, 300, 15, double.NaN, "maximum render time measured: NaN ms is out of range; allowed: 0.1 to 1000 ms")]
+        [TestCase(40, 1, "HoloLens 2", 60, 300, 15, double.NaN, "maximum measured render time: NaN ms is out of range; allowed: 0.1 to 1000 ms")]
         public void LatencyProfile_InvalidValue_ThrowsWithTheReason(
             double visuMs, double spreadMs, string device, double displayHz, int measurements, double limitMs, double validToMs, string message)
         {
