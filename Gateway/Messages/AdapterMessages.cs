@@ -18,7 +18,7 @@ static class AdapterMessages
         $"{file}: the adapter did not finish the check of this file within {seconds} s; try again when the machine is less busy";
 
     public static string FormerKey(string adapter, string former, string current) =>
-        $"adapter {adapter}: uses the former key {former}NAME in its reports, which the next release ignores; update it to use {current}NAME";
+        $"adapter {adapter}: uses the former key {former}NAME in its reports, which the next release will ignore; update it to use {current}NAME";
 
     public const string NodeNeeded = "--plant: Node.js 20 or newer is needed to read a control system";
 

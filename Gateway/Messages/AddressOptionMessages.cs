@@ -25,7 +25,7 @@ static class AddressOptionMessages
         $"--bind {address}: not an address of this machine ({reason}); use an IP address of this machine, localhost or any";
 
     public static string ClockName(string name) =>
-        $"--clock: '{name}' is not the name of a clock; allowed: own, or a name of 1 to 32 characters of a-z, 0-9, _ and -.";
+        $"--clock: '{name}' is not a valid clock name; allowed: own, or a name of 1 to 32 characters of a-z, 0-9, _ and -.";
 
     public const string PairingWithTls =
         "--pairing with --tls: headsets accept one key only, and each start would create a new one; add --certificate FILE";

@@ -6,7 +6,7 @@ static class CellMessageFaults
     public const string OwnParent = "is its own parent";
     public const string StampZero = "has a zero stamp";
 
-    public static string SignalTwice(string signal) => $"signal {signal} is named twice";
+    public static string SignalTwice(string signal) => $"signal {signal} occurs twice";
     public static string SignalValue(string signal, string value) => $"value of signal {signal} is {value}";
 
     public static string Norm(double norm, double tolerance) =>

@@ -27,7 +27,7 @@ static class DropMessages
         DropReason.LengthMismatch => "the arrays of the message differ in length",
         DropReason.TooManyJoints => $"the message has more than {ProtocolLimits.Joints} joints",
         DropReason.NameTooLong => $"a name is longer than {ProtocolLimits.NameLength} characters",
-        DropReason.DuplicateName => "a joint is named twice",
+        DropReason.DuplicateName => "a joint occurs twice",
         DropReason.StampZero => "the stamp is zero",
         DropReason.StampOutOfRange => "the stamp's nanoseconds are outside 0 to 999999999, or its seconds do not fit in 32 bits",
         DropReason.StampInFuture => "the time stamp is later than the control time by more than the clock's error bound plus 1 s",
@@ -43,7 +43,8 @@ static class DropMessages
         DropReason.TooManySignals => $"exceeds the maximum of {ProtocolLimits.Signals} signals",
         DropReason.FrameTaken or DropReason.SignalTaken => "belongs to another source",
         DropReason.InvalidNamespace =>
-            $"the namespace of a robot is a letter followed by letters, digits and underscores, with at most {ProtocolLimits.NamespaceLength} characters in all",
+            "the namespace of a robot must be a letter followed by letters, digits and underscores, with at most "
+                + $"{ProtocolLimits.NamespaceLength} characters in all",
         DropReason.TooManyRobots => $"exceeds the maximum of {ProtocolLimits.Robots} robots in namespaces",
         _ => reason.ToString(),
     };

@@ -3,15 +3,15 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Remedies for the events on the operations page.</summary>
 static class EventRemedies
 {
-    public const string Source = "Check that its source runs and reaches the gateway.";
+    public const string Source = "Check that its source is running and can reach the gateway.";
     public const string MissingJoint = "Check that the plant offers the joint's value and that the plant's configuration names it correctly.";
     public const string Values = "Check the values that its source sends.";
     public const string Plant = "Check the plant and its connection.";
     public const string CellVariables = "Check its variables in the plant and its entry in the plant's configuration.";
     public const string ClockAdapter = "Check the adapter that reads this clock.";
-    public const string Adapters = "Check that the adapter of each plant runs and is connected.";
+    public const string Adapters = "Check that the adapter of each plant is running and connected.";
     public const string GatewayLog = "Read the adapter's lines in the gateway's log.";
-    public const string Adapter = "Check that the adapter runs and reaches the gateway.";
+    public const string Adapter = "Check that the adapter is running and can reach the gateway.";
     public const string HeadsetPower = "Check the headset's power and its network.";
     public const string MissingJoints = "Check the sources of these joints.";
     public const string HeadsetNetwork = "Check the network between the headset and the gateway.";

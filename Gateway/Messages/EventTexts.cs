@@ -57,7 +57,7 @@ static class EventTexts
     public const string CertificateExpired = "the gateway's certificate has expired";
     public const string NotUpdated = "status: the state could not be updated";
 
-    public const string UncertainRest = "is possibly not at rest";
+    public const string UncertainRest = "may not be at rest";
 
     /// <summary>Start of the reason for such a joint in the messages of the gateway. The text is part of the protocol.</summary>
     public const string UncertainRestReason = "may not be at rest: ";

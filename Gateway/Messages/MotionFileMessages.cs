@@ -28,7 +28,7 @@ static class MotionFileMessages
         FormattableString.Invariant($"fields {fields}: the quaternion has length {length:G6}; allowed: {min:G6} to {max:G6}");
 
     public static string EmptyField(string field) => $"field {field} is empty; a number is needed";
-    public static string NotANumber(string field, string text) => $"field {field}: {text} is not a number; write decimals with a point";
+    public static string NotANumber(string field, string text) => $"field {field}: {text} is not a number; use a point as the decimal separator";
     public static string NotFinite(string field, string text) => $"field {field}: {text} is not a finite number; correct it, or remove the row";
 
     public static string TooLarge(string field, string text, double max) =>

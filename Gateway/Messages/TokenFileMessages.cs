@@ -6,6 +6,6 @@ static class TokenFileMessages
     const string Lines = "\"observer TOKEN\", \"source TOKEN\" or \"operator TOKEN\"";
 
     public static string NoToken(string path) => $"{path}: contains no token; allowed: lines {Lines}";
-    public static string NotALine(string where) => $"{where}: the line must be {Lines}, the token without spaces";
+    public static string NotALine(string where) => $"{where}: the line must be {Lines}; the token must not contain spaces";
     public static string TooLong(string where, int max) => $"{where}: the token is longer than {max} bytes; use a shorter one";
 }

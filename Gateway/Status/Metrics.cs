@@ -80,8 +80,9 @@ static class Metrics
 
     static void AddSources(PrometheusText text, IReadOnlyList<SourceStatus> sources)
     {
-        AddEach(text, "nowpose_source_rate_hertz", Gauge, "Messages per second over the last seconds.", sources, LabelOf, source => source.RateHz);
-        text.Begin("nowpose_source_age_seconds", "summary", "Control time at the gateway minus the samples' time stamps, over the last seconds.");
+        AddEach(
+            text, "nowpose_source_rate_hertz", Gauge, "Messages per second over the last few seconds.", sources, LabelOf, source => source.RateHz);
+        text.Begin("nowpose_source_age_seconds", "summary", "Control time at the gateway minus the samples' time stamps, over the last few seconds.");
         foreach (var source in sources)
         {
             text.Add(source.AgeMs?.P50 * Milli, LabelOf(source), ("quantile", "0.5"));
@@ -145,7 +146,7 @@ static class Metrics
         text.One("nowpose_recording_failed", Gauge, "1 when the recording stopped because of a problem.", recording.Problem == null ? 0 : 1);
         text.One("nowpose_recording_lines", Gauge, "Lines in the newest recording.", recording.Lines);
         text.One("nowpose_recording_bytes", Gauge, "Size of the newest recording.", recording.Bytes);
-        text.One("nowpose_recording_lost_lines", Gauge, "Lines that are missing in the newest recording.", recording.Lost);
+        text.One("nowpose_recording_lost_lines", Gauge, "Lines that are missing from the newest recording.", recording.Lost);
     }
 
     static void AddProcess(PrometheusText text)

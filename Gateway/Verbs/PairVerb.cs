@@ -25,7 +25,7 @@ static class PairVerb
         var socket = NumberOption.Create("--ws-port", "TCP port of the gateway's WebSocket", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
         var pin = new PinArguments();
         var renew = new Option<bool>("--renew") { Description = "Create a new code; the current code becomes invalid" };
-        var command = new Command("pair", "Show the code that pairs a headset with the gateway on this machine; valid once and for 5 minutes")
+        var command = new Command("pair", "Show the code that pairs a headset with the gateway on this machine; usable once, within 5 minutes")
         {
             host, socket, renew,
         };

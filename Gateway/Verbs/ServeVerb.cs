@@ -39,7 +39,7 @@ static class ServeVerb
         };
         var stationary = new Option<string>("--stationary")
         {
-            Description = "File of stationary objects (.json), as a headset saves them or by hand; the gateway publishes them on /tf_static",
+            Description = "File of stationary objects (.json), saved by a headset or written by hand; the gateway publishes them on /tf_static",
             HelpName = "FILE",
         };
         var command = new Command("serve", "Serve the data of the sources that connect to the gateway");

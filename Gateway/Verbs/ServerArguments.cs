@@ -75,7 +75,7 @@ sealed class ServerArguments
     readonly Option<int> _maxConnections = NumberOption.Create("--max-connections", "Maximum number of connections to each of the two ports", 256, 1, 10_000, "");
 
     readonly Option<double> _skew = NumberOption.Create(
-        "--skew-ppm", "Rate error of the control clock; headsets interpret a larger one as clock steps", 0.0, -500, 500, "ppm");
+        "--skew-ppm", "Rate error of the control clock; headsets would interpret a larger error as clock steps", 0.0, -500, 500, "ppm");
 
     readonly Option<double?> _clockStart = new("--clock-start-s")
     {
@@ -91,7 +91,7 @@ sealed class ServerArguments
 
     readonly Option<bool> _check = new("--check")
     {
-        Description = "Check the configuration, print what would be served, and end without any change",
+        Description = "Check the configuration, print what would be served, and exit without changing anything",
     };
 
     public void AddTo(Command command)

@@ -46,7 +46,7 @@ public class ConfigurationTests
     [TestCase("check: true", "no such entry")]
     [TestCase("config: other.yaml", "no such entry")]
     [TestCase("? [a]\n: b", "a key must be a scalar")]
-    [TestCase("clock: UPPER", "'UPPER' is not the name of a clock")]
+    [TestCase("clock: UPPER", "'UPPER' is not a valid clock name")]
     [TestCase("\"a", ": not valid YAML")]
     [TestCase("plants: []", "has no value")]
     [TestCase("ws-port: []", "is a list; give one value")]

@@ -106,7 +106,7 @@ public class RobotNamespaceTests
         foreach (var robot in new[] { "1arm", "arm-1", "a/b", new string('r', 33) })
         {
             await _first.SendAsync($"{{\"op\":\"{op}\",\"topic\":\"/{robot}/joint_states\"{rest}}}");
-            await _first.ExpectErrorAsync($"{op} /{robot}/joint_states dropped: the namespace of a robot is a letter");
+            await _first.ExpectErrorAsync($"{op} /{robot}/joint_states dropped: the namespace of a robot must be a letter");
         }
 
         Assert.That(_gateway.Drops[DropReason.InvalidNamespace], Is.EqualTo(4));

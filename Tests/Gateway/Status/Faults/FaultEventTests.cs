@@ -86,7 +86,8 @@ public class FaultEventTests
         var (_, csv, type) = await _gateway.GetAsync("/operations/events?format=csv");
         Assert.That(
             csv.Split("\r\n")[1],
-            Does.StartWith("1,\"joint\",\"a (gateway)\",\"is stale\",").And.EndsWith(". Check that its source runs and reaches the gateway.\""));
+            Does.StartWith("1,\"joint\",\"a (gateway)\",\"is stale\",")
+                .And.EndsWith(". Check that its source is running and can reach the gateway.\""));
         Assert.That(type.ContentType.MediaType, Is.EqualTo("text/csv"));
         Assert.That((await _gateway.GetAsync("/operations/events?format=xml")).Status, Is.EqualTo(HttpStatusCode.BadRequest));
     }

@@ -111,7 +111,7 @@ public class JointFaultTests
         Assert.That((await _gateway.GetAsync("/metrics")).Text, Does.Contain("nowpose_joint_rest_uncertain{joint=\"a\",source=\"press\"} 1"));
         Assert.That(status.GetProperty("level").GetString(), Is.EqualTo("warning"));
         Assert.That(status.GetProperty("text").GetString(), Is.EqualTo(
-            "joint a (press) is possibly not at rest: the stop itself was not observed (since 2026-11-20 11:59:57 UTC). "
+            "joint a (press) may not be at rest: the stop itself was not observed (since 2026-11-20 11:59:57 UTC). "
                 + "Check that the joint is at rest; if it is, set its max_deceleration in the plant's configuration."));
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
 

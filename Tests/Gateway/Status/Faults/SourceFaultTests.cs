@@ -146,7 +146,7 @@ public class SourceFaultTests
 
         Assert.That((await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable))[1], Is.EqualTo(
             "a source of joint positions is missing: no adapter has reported a joint and no sample has arrived (since 2026-11-20 12:00:00 UTC). "
-                + "Check that the adapter of each plant runs and is connected."));
+                + "Check that the adapter of each plant is running and connected."));
     }
 
     [TestCase(false, HttpStatusCode.OK, TestName = "Ready_PlantWithObjectsOnly_NeedsNoSourceOfJointPositions")]
