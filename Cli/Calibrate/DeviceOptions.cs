@@ -15,7 +15,8 @@ sealed class DeviceOptions
     };
 
     readonly Option<double> _displayHz = NumberOption.Create(
-        "--display-hz", "Refresh rate of the headset's display; 0: same default as --device", 0.0, 0, 1000, "Hz");
+        "--display-hz", "Refresh rate of the headset's display; 0: the rate in the sweep's log; without a log, the profile is valid for any rate",
+        0.0, 0, 1000, "Hz");
 
     readonly Option<string> _graphicsApi = Text("--graphics-api", "Graphics API as named by SystemInfo.graphicsDeviceType, for example Direct3D11");
 

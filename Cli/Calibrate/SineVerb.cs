@@ -24,7 +24,7 @@ static class SineVerb
     static readonly Option<string> Joint = new("--joint") { Description = "Column of --control" };
     static readonly Option<PictureBox?> RobotBox = BoxOption.Create("--robot-box", "Video: a patch of the robot's tool in the first picture");
     static readonly Option<PictureBox?> HologramBox = BoxOption.Create("--hologram-box", "Video: a patch of the hologram in the first picture");
-    static readonly Option<bool> Inverted = new("--inverted") { Description = "Robot and hologram count in opposite directions" };
+    static readonly Option<bool> Inverted = new("--inverted") { Description = "The values of robot and hologram increase in opposite directions" };
     static readonly Option<double?> Application = NumberOption.CreateOptional(
         "--app-ms", "If the recording shows the ghost (compensation off): L_app from the status panel", 0.0, 1000, "ms");
     static readonly Option<double> Sampling = NumberOption.Create(

@@ -10,7 +10,7 @@ static class Figure16Texts
         + "hard to predict.";
 
     public static string Beyond(string curved, string steady, string quadraticCurved, string quadraticSteady) =>
-        $"the error of adaptive is {curved} where the velocity changes within a section and {steady} where it does not; the error of the "
+        $"The error of adaptive is {curved} where the velocity changes within a section and {steady} where it does not; the error of the "
         + $"quadratic is {quadraticCurved} and {quadraticSteady}.";
 
     public const string Summary = "Tool error over the whole swing, all runs";

@@ -13,7 +13,7 @@ static class KinematicsMessages
     public const string NoMovingJoint = "this robot has no moving joint; remove --joints";
 
     public static string NotANumber(string joint, string text, string unit) =>
-        $"--joints: {joint}: '{text}' is not a finite number in {unit}; write decimals with a point";
+        $"--joints: {joint}: '{text}' is not a finite number in {unit}; use a point as the decimal separator";
 
     public const string TooLarge = "--joints: these values are too large to compute the poses; use smaller ones";
 

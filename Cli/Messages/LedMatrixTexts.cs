@@ -8,7 +8,7 @@ static class LedMatrixTexts
         + "and the headset show 12345 ms";
 
     public const string TopMarks = "two dark marks at the top";
-    public const string Pairs = "of each pair one is lit: left for 1, right for 0";
+    public const string Pairs = "one LED of each pair is lit: left for 1, right for 0";
     public const string RightMarks = "two more dark marks on the right";
     public const string NoMargin = "no margin; a headset does not draw black";
     public const string Front = "front of the board";

@@ -14,7 +14,7 @@ static class PairFileMessages
     public static string ColumnTwice(string path, string column) => $"{path}:1: column {column} occurs twice; remove one";
 
     public static string NotMilliseconds(string path, int row, string column, string text) =>
-        $"{path}:{row}: {column}: '{text}' is not a number of milliseconds; write decimals with a point";
+        $"{path}:{row}: {column}: '{text}' is not a number of milliseconds; use a point as the decimal separator";
 
     public static string NotVertices(string path, int row, string column, string text, int max) =>
         $"{path}:{row}: {column}: '{text}' is not a whole number from 0 to {max}";

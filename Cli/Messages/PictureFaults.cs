@@ -17,7 +17,7 @@ static class PictureFaults
     public static string HeadsetCodes(string count) => $"{count} headset codes: show only one";
 
     public const string PartlyCovered = "partly covered; remove what is in front of it";
-    public const string NoMargin = "without a dark margin; give it a black margin as wide as the distance of its LEDs";
+    public const string NoMargin = "without a dark margin; give it a black margin as wide as the pitch of its LEDs";
     public const string Undecided = "unclear: some of its pairs show neither 0 nor 1" + Unclear;
     public const string WrongParity = "misread: its parity is wrong" + Unclear;
     public const string Inconsistent = "unclear: its brightness fits no time" + Unclear;

@@ -17,7 +17,7 @@ static class SineMessages
 
     public static string NoCorrelation(double correlation, double min) =>
         FormattableString.Invariant($"recording: the hologram does not follow the robot: correlation {correlation:0.00}, at least {min} is ")
-        + "needed; check the columns; if one of them counts in the opposite direction, add --inverted";
+        + "needed; check the columns; if their values increase in opposite directions, add --inverted";
 
     public static string LagOutOfRange(double lagMs, double minMs, double maxMs) =>
         FormattableString.Invariant($"recording: the lag with the best correlation is at or beyond {lagMs:0} ms; allowed: {minMs:0} to ")
@@ -50,7 +50,7 @@ static class SineMessages
         + "seconds or more";
 
     public const string BothWays =
-        "--app-ms and --visu-ms exclude each other: use --app-ms if the video shows the ghost, which is not compensated, "
+        "--app-ms and --visu-ms cannot be combined: use --app-ms if the video shows the ghost, which is not compensated, "
         + "or --visu-ms if it shows the gripper, which is";
 
     public static string PatchLost(string path, int picture, bool isRobot, double match, double min) => FormattableString.Invariant(

@@ -15,7 +15,7 @@ static class SweepFileMessages
     public static string NotWhole(string field, string text, string unit) =>
         $"{field}: '{text}' is not a whole number of {unit}; correct it, or sweep again";
     public static string NotANumber(string field, string text, string unit) =>
-        $"{field}: '{text}' is not a number of {unit}; write decimals with a point";
+        $"{field}: '{text}' is not a number of {unit}; use a point as the decimal separator";
 
     public static string TwoHeadsets(string path, string device, string other) =>
         $"{path}: frames of '{device}' and of '{other}'; a sweep must be from one headset: keep the rows of one";

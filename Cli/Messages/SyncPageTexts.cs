@@ -10,7 +10,7 @@ static class SyncPageTexts
         $"--page: {page}: the data file of the page would have the same name; use a name that ends in .html";
 
     public const string Ransac = "RANSAC, as in the paper";
-    public const string Title = "Clock synchronisation of your log";
+    public const string Title = "Clock synchronisation from your log";
     public const string Subtitle = "Fig. 8 of the paper from recorded exchanges.";
 
     /// <param name="logged">Number of exchanges in the log.</param>

@@ -4,7 +4,7 @@ namespace Nowpose.Cli.Messages;
 static class UnityNextSteps
 {
     public const string InUnity =
-        "Open the project in Unity. Window → Nowpose → Project Setup lists the remaining settings for a headset, and applies most of them.";
+        "Open the project in Unity. Window → Nowpose → Project Setup lists the remaining settings for a headset, and can apply most of them.";
 
     public const string Git =
         "git must be on Unity's PATH: MRTK3 and Graphics Tools are fetched from their repositories, at the tags of their releases.";

@@ -21,7 +21,7 @@ static class VlcMessages
         + "sweep's log with --sweep";
 
     public static string FewPictures(int pictures) =>
-        $"L_visu was computed from {pictures} pictures only and may be wrong by some ms: take 30 or more";
+        $"L_visu was computed from only {pictures} pictures and may be wrong by a few ms: take 30 or more";
 
     public static string NoVisuInSweep(int pictures) =>
         $"L_visu cannot be determined from these {pictures} pictures of the sweep; no profile was written; take more pictures";

@@ -89,7 +89,7 @@ public class RecommendVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         Assert.That(run.Output, Does.Match(@"Use predictor [\w-]+: .*\."));
-        Assert.That(run.Output, Does.Match(@"Use blend (0|14) ms\. A blend of 14 ms increases the RMS error by -?[\d.]+ %"));
+        Assert.That(run.Output, Does.Match(@"Use a blend of (0|14) ms\. A blend of 14 ms increases the RMS error by -?[\d.]+ %"));
         Assert.That(run.Output, Does.Contain("use this").And.Contain("second half").And.Contain("a sample every 50 ms, 100 ms late"));
     }
 

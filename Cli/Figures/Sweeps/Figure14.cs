@@ -40,7 +40,7 @@ static class Figure14
     {
         var exceptions = data.Where(i => data.RmsMm(longer)[i] <= data.RmsMm(shorter)[i]);
         var ratios = Enumerable.Range(0, data.Values.Count).Select(i => data.RmsMm(longer)[i] / data.RmsMm(shorter)[i]).ToArray();
-        return new($"Everywhere {words}.", exceptions.Length == 0,
+        return new($"{words} everywhere.", exceptions.Length == 0,
             $"{Text(ratios.Min())} to {Text(ratios.Max())} × its error" + (exceptions.Length == 0 ? "" : $"; not at {SweepData.List(exceptions)}"));
     }
 

@@ -182,5 +182,6 @@ public class SineVerbTests : CalibrationFolder
 
     [Test]
     public async Task Sine_OptionsForBothMethods_Fails() =>
-        Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90).Lines()), "--app-ms", "60", "--visu-ms", "40"), Does.Contain("exclude each other"));
+        Assert.That(
+            await RefusalOf("sine", Write("jog.csv", new Jog(90).Lines()), "--app-ms", "60", "--visu-ms", "40"), Does.Contain("cannot be combined"));
 }

@@ -58,7 +58,7 @@ public sealed class VlcVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         Assert.That(run.Output, Does.Contain("L_visu is "));
-        Assert.That(run.Errors, Does.Match("L_visu was computed from [2-8] pictures only"));
+        Assert.That(run.Errors, Does.Match("L_visu was computed from only [2-8] pictures"));
         Assert.That(LatencyProfileFile.Load(In("out/profile.json")).Range, Is.Null);
     }
 
