@@ -147,7 +147,7 @@ export class GatewayLink {
       const opened = performance.now();
       const reason = await this.#connect(stop);
       if (stop.aborted) break;
-      this.log.change(this.name, `${this.name} ${this.address.url} away: ${this.log.clean(reason)}`);
+      this.log.change(this.name, `${this.name} ${this.address.url} disconnected: ${this.log.clean(reason)}`);
       for (const { away } of this.#watchers) away?.(reason);
       // Keeps the longer delay for a gateway that accepts connections and closes them immediately.
       if (performance.now() - opened > STEADY_MS) backoff.reset();

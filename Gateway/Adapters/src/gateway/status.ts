@@ -128,7 +128,7 @@ export class AdapterStatus {
     const before = this.#notice;
     this.#notice = clean;
     this.detail('notice', clean);
-    if (clean === null) this.log.resume('notice', `over: ${before}`);
+    if (clean === null) this.log.resume('notice', `ended: ${before}`);
     else this.log.change('notice', clean);
     this.changed();
   }

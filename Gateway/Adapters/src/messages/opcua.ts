@@ -66,7 +66,7 @@ export const opcuaRefusalMessages = {
   noPolicy: (policy: string) =>
     `the server offers no SignAndEncrypt with ${policy}; choose another plant.security.policy, or enable this policy on the server`,
   login: 'the server does not support this kind of login; use another one in plant.user: password_file, certificate and key, or no user',
-  noFreeSession: 'the server has no free session or connection; end a connection of another client',
+  noFreeSession: 'the server has no free session or connection; close a connection of another client',
 };
 
 /** Reasons why a node cannot be read, or its value cannot be used. */

@@ -26,18 +26,18 @@ export const rtdeMessages = {
   noRecipe: (place: string) => `${place} does not respond to the request for the output recipe; if this happens again, restart the controller`,
   notStarted: (place: string) => `${place} does not start sending data; if this happens again, restart the controller`,
   damaged: (place: string) =>
-    `the data stream from ${place} is corrupt; the adapter connects again. If this happens again, check the robot's network`,
+    `the data stream from ${place} is corrupt; the adapter reconnects. If this happens again, check the robot's network`,
   endedBeforeAnswer: (problem: string) => `${problem} before it responded; if other programs read this robot over RTDE, stop one of them`,
   endedWhileReading: (problem: string) =>
     `${problem}; check whether the controller was switched off or restarted. The adapter continues when the controller responds`,
   silent: (place: string, seconds: number) =>
-    `nothing has arrived from ${place} for ${seconds} s; check the robot's network and whether its controller runs`,
+    `nothing has arrived from ${place} for ${seconds} s; check the robot's network and whether its controller is running`,
   halfPackage: (place: string, seconds: number) =>
-    `only part of a package has arrived from ${place} for ${seconds} s; check the robot's network and whether its controller runs`,
+    `only part of a package has arrived from ${place} for ${seconds} s; check the robot's network and whether its controller is running`,
   invalidData: (place: string, problem: string) =>
-    `${place} sends ${problem}; the adapter connects again. If this happens again, update the controller's software`,
+    `${place} sends ${problem}; the adapter reconnects. If this happens again, update the controller's software`,
   restarted: (before: number, after: number) =>
-    `the controller was restarted: its time went from ${before.toFixed(1)} s back to ${after.toFixed(1)} s; the adapter connects again`,
+    `the controller was restarted: its time went from ${before.toFixed(1)} s back to ${after.toFixed(1)} s; the adapter reconnects`,
   message: (text: string) => `message from the controller: ${text}`,
   lostPackages:
     "packages are missing from the controller's data stream (counted as refused/package-lost); "
@@ -62,7 +62,7 @@ export const fieldMessages = {
   oneNumber: (field: string) => `${field} is a single number; remove index`,
   index: (field: string, count: number) => `${field} has ${count} numbers; set index to 0 to ${count - 1}`,
   noBits: (field: string) => `${field} has no bits; remove bit`,
-  packageSize: (size: number, expected: number) => `a data package of ${size} bytes; the recipe has ${expected}`,
+  packageSize: (size: number, expected: number) => `a data package of ${size} bytes instead of ${expected}`,
   packageRecipe: (recipe: number, expected: number) => `a data package of recipe ${recipe} instead of ${expected}`,
   packageTime: (timestamp: number) => `a data package with the invalid timestamp ${timestamp} s`,
   bit: (field: string, count: number) => `${field} has ${count} bits; set bit to 0 to ${count - 1}`,
@@ -71,7 +71,7 @@ export const fieldMessages = {
 /** Messages about the state of a robot. */
 export const robotStateMessages = {
   programStopped: (program: string) => `the state of the robot's program is ${program}; the positions are still sent`,
-  programRuns: "the robot's program runs again",
+  programRuns: "the robot's program is running again",
   noPower: (mode: string) => `the arm has no power (robot mode ${mode}), so its joint angles are not measured; switch it on at the teach pendant`,
 };
 

@@ -30,7 +30,7 @@ export const stateMessages = {
   liveAgain: (name: string) => `${name} is live again`,
   restWithoutFault: (name: string) => `${name} is at rest and no longer has a fault`,
   notExpected: (name: string) => `${name} is no longer expected`,
-  uncertainRest: (name: string, uncertainty: string) => `${name} is possibly not at rest: ${uncertainty}`,
+  uncertainRest: (name: string, uncertainty: string) => `${name} may not be at rest: ${uncertainty}`,
   validAgain: (name: string) => `${name} is valid again`,
   droppedByGateway: (reason: string) => `the gateway drops messages: ${reason}`,
 };

@@ -107,7 +107,7 @@ export const ros: Kind = {
   passesUnlisted: ({ joints }) => joints.length === 0,
   summary(configuration) {
     const { endpoint, jointStates, hasClock, frames } = settingsOf(configuration);
-    return `rosbridge ${endpoint}, ${jointStates}, ${hasClock ? 'its time' : 'not its time'}, ${readNames(configuration, 'all joints')}${frames.length === 0 ? '' : `; frames ${frames.map(({ frame }) => frame).join(', ')}`}`;
+    return `rosbridge ${endpoint}, ${jointStates}, ${hasClock ? 'with its clock' : 'without its clock'}, ${readNames(configuration, 'all joints')}${frames.length === 0 ? '' : `; frames ${frames.map(({ frame }) => frame).join(', ')}`}`;
   },
 };
 

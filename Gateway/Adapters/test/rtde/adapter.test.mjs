@@ -204,7 +204,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     await until(() => bridge.status.level === 0, 'no warning');
     const lines = adapter.err.split('\n').filter(line => /protective|program/.test(line));
     assert.deepEqual(lines.map(line => line.slice(12)), [
-      robotStateMessages.programStopped('stopped'), safetyStops[3], robotStateMessages.programRuns, `over: ${safetyStops[3]}`,
+      robotStateMessages.programStopped('stopped'), safetyStops[3], robotStateMessages.programRuns, `ended: ${safetyStops[3]}`,
     ]);
   });
 
