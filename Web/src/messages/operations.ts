@@ -2,7 +2,7 @@
 export const emptyMessages = {
   adapters: 'No adapter is running: joint positions come from the gateway itself, or from other rosbridge clients.',
   joints: 'No joint is configured, and no joint positions have arrived.',
-  sources: 'No joint positions arrive.',
+  sources: 'No joint positions are arriving.',
   clocks: 'No plant offers its clock: the gateway serves its own.',
   frames: 'No source publishes objects.',
   signals: 'No source publishes signals.',
@@ -34,7 +34,7 @@ export const operationsLabels = {
   moreEvents: (count: number) => `and ${count} more, in the list of events`,
   profileMismatch: (reason: string) => `the latency profile does not match this headset: ${reason}`,
   errorWithheld: (reason: string) => `the headset withholds its pose errors, because its frames may be late: ${reason}`,
-  uncertainRest: 'possibly not at rest',
+  uncertainRest: 'may not be at rest',
   measuredClock: 'measured against the control clock',
   recordingDeleted: 'the file was deleted',
 };

@@ -34,5 +34,5 @@ export const meanings: Record<string, string> = {
   Refused: 'Number of values that could not be used',
   Reconnects: 'Number of connections after the first one',
   Security: 'Encryption and signature of the connection',
-  'together (ms)': 'Sum of the hops: the end-to-end latency from the sample to the display',
+  'total (ms)': 'Sum of the hops: the end-to-end latency from the sample to the display',
 };

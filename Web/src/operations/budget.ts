@@ -14,7 +14,7 @@ export class Budget {
     const columns: Column<Headset>[] = HOPS.map(hop => ({ label: `${hop} (ms)`, isNumber: true, cell: h => format(h.budget_ms?.[hop]) }));
     this.table = new LiveTable<Headset>(
       'Latency by hop',
-      [...columns, { label: 'together (ms)', isNumber: true, cell: h => format(totalOf(h)) }],
+      [...columns, { label: 'total (ms)', isNumber: true, cell: h => format(totalOf(h)) }],
       headset => headset.name,
       emptyMessages.latencies,
       name => this.barOf(name),
