@@ -59,7 +59,7 @@ public sealed class Player : IDisposable
     /// <exception cref="AssetException">The scene does not exist or is invalid.</exception>
     public void LoadScene(string path, Action<IReadOnlyList<GameObject>> prepare = null)
     {
-        if (_assets == null) throw new InvalidOperationException("this player was made without assets");
+        if (_assets == null) throw new InvalidOperationException("this player was created without assets");
 
         using var scope = _world.Enter();
         var scene = _assets.LoadScene(path);

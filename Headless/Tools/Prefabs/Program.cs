@@ -18,7 +18,7 @@ if (args.Contains("--help"))
     return 0;
 }
 var unknown = args.FirstOrDefault(a => a is not ("--check" or "--pictures"));
-if (unknown != null) return Refuse($"unknown option {unknown}; --check, --pictures and --help are known");
+if (unknown != null) return Refuse($"unknown option {unknown}; use --check, --pictures or --help");
 var root = ProjectRoot.Find(Directory.GetCurrentDirectory());
 if (root == null) return Refuse($"no Unity project at or above {Directory.GetCurrentDirectory()}");
 

@@ -18,7 +18,7 @@ public sealed class InvalidAssetTests
     [TearDown]
     public void TearDown() => _probed.Dispose();
 
-    [TestCase("  number: two", "Assets/Arm.prefab &3 LoaderProbe.number: \"two\" is no Int32")]
+    [TestCase("  number: two", "Assets/Arm.prefab &3 LoaderProbe.number: \"two\" is not a valid Int32")]
     [TestCase("  number: 1e3", "LoaderProbe.number")]
     [TestCase("  number: 3000000000", "LoaderProbe.number")]
     [TestCase("  exact: .nan", "LoaderProbe.exact")]
@@ -36,7 +36,7 @@ public sealed class InvalidAssetTests
     [TestCase("  parts:\n  - nmae: a", "LoaderProbe.parts[0]: LoaderProbePart has no serialised field nmae")]
     [TestCase("  other: 5", "LoaderProbe.other: has to be a reference")]
     [TestCase("  other: {fileID: 99}", "&3 MonoBehaviour.other: the file has no object 99")]
-    [TestCase("  other: {fileID: 11}", "LoaderProbe.other: {fileID: 11} is a GameObject, the field takes a Transform")]
+    [TestCase("  other: {fileID: 11}", "LoaderProbe.other: {fileID: 11} is a GameObject, but the field takes a Transform")]
     [TestCase("  transforms:\n  - {fileID: 98}", "&3 MonoBehaviour.transforms: the file has no object 98")]
     [TestCase("  asset: {fileID: 11400000, guid: 000000000000000000000000000000ff, type: 2}", "LoaderProbe.asset: no asset has the GUID")]
     [TestCase("  asset: {fileID: 11400000, guid: 00000000000000000000000000000001, type: 2}",
@@ -54,7 +54,7 @@ public sealed class InvalidAssetTests
     [TestCase("guid: 00000000000000000000000000000001, type: 3", "guid: 00000000000000000000000000000077, type: 3",
         "&3 MonoBehaviour.m_Script: no script has the GUID")]
     [TestCase("guid: 00000000000000000000000000000001, type: 3", "guid: 00000000000000000000000000000002, type: 3",
-        "&3 MonoBehaviour.m_Script: Assets/Scripts/LoaderProbeAsset.cs holds no MonoBehaviour")]
+        "&3 MonoBehaviour.m_Script: Assets/Scripts/LoaderProbeAsset.cs contains no MonoBehaviour")]
     [TestCase("fileID: 11500000", "fileID: 11400000", "&3 MonoBehaviour.m_Script: has to be")]
     [TestCase("  - {fileID: 12}\n", "  - {fileID: 13}\n", "&2 Transform.m_Children: the file has no object 13")]
     [TestCase("  - {fileID: 12}\n", "  - {fileID: 12}\n  - {fileID: 12}\n", "&2 Transform.m_Children: lists a child twice")]

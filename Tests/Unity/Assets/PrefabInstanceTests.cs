@@ -212,7 +212,7 @@ public sealed class PrefabInstanceTests
     }
 
     [TestCase("propertyPath: text\n", "propertyPath: txet\n", "MonoBehaviour.txet: the prefab has no such property")]
-    [TestCase("propertyPath: text\n", "propertyPath: text.more\n", "has no parts, so no more")]
+    [TestCase("propertyPath: text\n", "propertyPath: text.more\n", "has no fields, so it has no more")]
     [TestCase("propertyPath: text\n", "propertyPath: parts\n", "MonoBehaviour.parts: is not a single value; modify its fields separately")]
     [TestCase("propertyPath: text\n", "propertyPath: parts.Array\n",
         "MonoBehaviour.parts: is a list: its path must continue with Array.size or Array.data[n]")]

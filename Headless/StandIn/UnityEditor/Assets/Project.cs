@@ -113,6 +113,6 @@ static class Project
     {
         for (var at = new DirectoryInfo(folder); at != null; at = at.Parent)
             if (File.Exists(Path.Combine(at.FullName, "Packages", "manifest.json"))) return at.FullName;
-        throw new DirectoryNotFoundException($"{folder} lies in no Unity project");
+        throw new DirectoryNotFoundException($"{folder} is not in a Unity project");
     }
 }

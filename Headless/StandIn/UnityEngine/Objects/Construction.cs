@@ -11,7 +11,7 @@ static class Construction
     {
         if (type == null || type.IsAbstract || !typeof(Object).IsAssignableFrom(type))
         {
-            throw new ArgumentException($"no object can be made of {type?.FullName ?? "no type"}", nameof(type));
+            throw new ArgumentException($"cannot create an object of the type {type?.FullName ?? "null"}", nameof(type));
         }
 
         try

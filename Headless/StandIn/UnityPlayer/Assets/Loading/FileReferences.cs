@@ -31,7 +31,7 @@ sealed class FileReferences : IReferences
         var found = reference.Guid != null ? _assets.ObjectAt(reference, place) : OwnObject(reference.FileId, place);
         return type.IsInstanceOfType(found)
             ? found
-            : throw place.Error(reference + " is a " + found.GetType().Name + ", the field takes a " + type.Name);
+            : throw place.Error(reference + " is a " + found.GetType().Name + ", but the field takes a " + type.Name);
     }
 
     public AssetReference ReferenceTo(Object target, Place place)

@@ -139,7 +139,7 @@ sealed class LoadedAssets
     {
         var documents = _files.Documents(file);
         if (documents.Count != 1 || documents[0].FileId != fileId)
-            throw new AssetException(file.Path + ": has to hold one object, &" + Numbers.Write(fileId));
+            throw new AssetException(file.Path + ": must contain one object, &" + Numbers.Write(fileId));
         var described = new FileObject(documents[0], file.Path);
         var (known, made) = make(described);
         if (described.ClassId != known.Id || described.ClassName != known.Name) throw described.Place.Error("has to be a " + known.Name);

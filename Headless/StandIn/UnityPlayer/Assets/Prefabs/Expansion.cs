@@ -47,7 +47,7 @@ sealed class Expansion
 
     void Add(FileObject added)
     {
-        if (!_byId.TryAdd(added.FileId, added)) throw added.Place.Error("this fileID stands for two objects once the prefab instances are put in");
+        if (!_byId.TryAdd(added.FileId, added)) throw added.Place.Error("this fileID refers to two objects in the expanded file");
         _objects.Add(added);
     }
 
@@ -67,7 +67,7 @@ sealed class Expansion
         if (source.Guid != instance.SourceGuid) throw stripped.Place.In("m_CorrespondingSourceObject").Error("is not in the prefab of its instance");
         var found = instance.Source.Find(source.FileId)
             ?? throw stripped.Place.In("m_CorrespondingSourceObject").Error("the prefab has no object " + Numbers.Write(source.FileId));
-        if (found.ClassId != document.ClassId) throw stripped.Place.Error("stands for a " + found.ClassName);
+        if (found.ClassId != document.ClassId) throw stripped.Place.Error("refers to a " + found.ClassName);
         return instance.Map(found.FileId);
     }
 

@@ -50,7 +50,7 @@ static class PropertyPath
                 replace = changed => sequence.Children[index] = changed;
                 continue;
             }
-            var mapping = node as YamlMappingNode ?? throw place.Error("has no parts, so no " + steps[i]);
+            var mapping = node as YamlMappingNode ?? throw place.Error("has no fields, so it has no " + steps[i]);
             var name = new YamlScalarNode(steps[i]);
             place = place.In(steps[i]);
             node = Part(mapping, name, place);

@@ -40,7 +40,7 @@ static class Nodes
             case YamlMappingNode mapping:
                 return Copy(mapping);
             default:
-                throw new ArgumentException("a node of another kind: " + node.NodeType, nameof(node));
+                throw new ArgumentException("unsupported kind of node: " + node.NodeType, nameof(node));
         }
     }
 

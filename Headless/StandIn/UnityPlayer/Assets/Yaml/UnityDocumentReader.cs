@@ -37,7 +37,7 @@ static class UnityDocumentReader
         {
             var end = i + 1 < heads.Count ? heads[i + 1].Index : text.Length;
             var document = Document(heads[i], text, end, file);
-            if (!ids.Add(document.FileId)) throw new AssetException(file + " &" + document.FileId + ": this fileID stands twice in the file");
+            if (!ids.Add(document.FileId)) throw new AssetException(file + " &" + document.FileId + ": this fileID occurs twice in the file");
             documents.Add(document);
         }
         return documents;
@@ -45,14 +45,14 @@ static class UnityDocumentReader
 
     static void RequireAllHeadsKnown(string text, MatchCollection heads, string file)
     {
-        if (heads.Count == 0) throw new AssetException(file + ": holds no object");
+        if (heads.Count == 0) throw new AssetException(file + ": contains no object");
         if (heads[0].Index != Header.Length) throw new AssetException(file + ": text before the first object");
         var known = new HashSet<int>();
         foreach (Match head in heads) known.Add(head.Index);
         foreach (Match start in DocumentStarts.Matches(text))
         {
             if (!known.Contains(start.Index))
-                throw new AssetException(file + " line " + LineOf(text, start.Index) + ": not the head of an object (--- !u!CLASS &FILEID)");
+                throw new AssetException(file + " line " + LineOf(text, start.Index) + ": not the header of an object (--- !u!CLASS &FILEID)");
         }
     }
 
@@ -63,11 +63,11 @@ static class UnityDocumentReader
             throw new AssetException(where + ": not a fileID (a 64-bit integer other than 0)");
         var start = head.Index + head.Length;
         var root = Body(text, start, end, where);
-        if (root.Children.Count != 1) throw new AssetException(where + ": has to hold one class name with its fields");
+        if (root.Children.Count != 1) throw new AssetException(where + ": must contain one class name with its fields");
         foreach (var entry in root.Children)
         {
             if (!(entry.Key is YamlScalarNode name) || !(entry.Value is YamlMappingNode fields))
-                throw new AssetException(where + ": has to hold one class name with its fields");
+                throw new AssetException(where + ": must contain one class name with its fields");
             return new UnityDocument(int.Parse(head.Groups[1].Value), name.Value, fileId, fields, head.Groups[3].Success);
         }
         throw new AssetException(where + ": is empty");
@@ -85,7 +85,7 @@ static class UnityDocumentReader
             throw new AssetException(where + " line " + (LineOf(text, start) + exception.Start.Line - 1) + ": " + exception.Message, exception);
         }
         if (stream.Documents.Count != 1 || !(stream.Documents[0].RootNode is YamlMappingNode root))
-            throw new AssetException(where + ": has to hold one class name with its fields");
+            throw new AssetException(where + ": must contain one class name with its fields");
         return root;
     }
 
