@@ -13,8 +13,10 @@ static class Figure14Texts
     public const string HalfTheError =
         "From 0 to ±10 ms, the factor by which the error grows is less than half as large with h = 3 and with h = 4 as with h = 2.";
 
+    /// <param name="three">Errors at which h = 3 is better than h = 2, for example "from ±4 ms".</param>
+    /// <param name="four">Errors at which h = 4 is better than h = 3.</param>
     public static string Growth(string growth, string three, string four) =>
-        $"{growth}; h = 3 is better than h = 2 from ±{three}, and h = 4 better than h = 3 from ±{four}";
+        $"{growth}; h = 3 is better than h = 2 {three}, and h = 4 is better than h = 3 {four}";
 
     public static string LongerIsWorse(string where) => $"{where} a longer history predicts less accurately, as long as t_k is exact.";
 

@@ -45,5 +45,5 @@ static class Figure14
     }
 
     static string Crossover(SweepData data, string winner, string loser) =>
-        data.Crossover(winner, loser) is double ms ? Text(ms) + " ms" : "nowhere";
+        data.Crossover(winner, loser) is double ms ? $"from ±{Text(ms)} ms" : "at no error";
 }
