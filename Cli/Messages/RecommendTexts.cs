@@ -13,7 +13,7 @@ static class RecommendTexts
 
     public static string Blend(double ms, double defaultMs, string share, string first, string second) =>
         FormattableString.Invariant($"Use a blend of {ms:0} ms. A blend of {defaultMs} ms increases the RMS error by {share} ({first} and ")
-        + FormattableString.Invariant($"{second} in the two halves), and removes the jumps between predictions.";
+        + FormattableString.Invariant($"{second} in the two halves), and removes the jumps between predictions.");
 
     public static string Condition(double samplingMs, double? latencyMs) =>
         FormattableString.Invariant($"a sample every {samplingMs:0.###} ms, {latencyMs:0.###} ms late");
