@@ -100,7 +100,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
             });
 
             Assert.That(detectedAt, Is.InRange(6.1, 7.0), "six readings a second");
-            Assert.That(played.Tracker.Words, Does.Match("^marker 'right', (29|30|31) mm, "));
+            Assert.That(played.Tracker.Words, Does.Match("^marker 'right' is (29|30|31) mm, "));
             Assert.That(played.Tracker.Base.Value.DistanceTo(before), Is.EqualTo(0));
         }
     }
