@@ -21,7 +21,7 @@ static class HeadMotionMessages
         + "place in the room: disable Body Follow, and place the headset's code at the distance of the control code";
 
     public const string NoProfile =
-        "no profile was written: add --profile with the profile of the still pictures, to which the latency for head motion is added";
+        "no profile was written: add --profile with the profile from the pictures without head motion, to which the latency for head motion is added";
 
     public const string UnknownReprojection =
         "the reprojection mode is unknown: state it with --reprojection, because the latency is valid for one mode only";
@@ -30,6 +30,6 @@ static class HeadMotionMessages
         FormattableString.Invariant($"the latency is uncertain by ± {uncertaintyMs:0.0} ms: turn farther or faster, or film longer");
 
     public static string OtherVisu(double movingMs, double stillMs) =>
-        FormattableString.Invariant($"L_visu of the moving pictures is {movingMs:0.0} ms, of the still pictures {stillMs:0.0} ms. The ")
-        + "profile keeps the value of the still pictures. Check that both were taken with the same settings and a low load";
+        FormattableString.Invariant($"L_visu is {movingMs:0.0} ms in the pictures with head motion and {stillMs:0.0} ms in those without it. ")
+        + "The profile keeps the latter. Check that both were taken with the same settings and a low load";
 }

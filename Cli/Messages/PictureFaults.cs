@@ -20,7 +20,7 @@ static class PictureFaults
     public const string NoMargin = "without a dark margin; give it a black margin as wide as the pitch of its LEDs";
     public const string Undecided = "unclear: some of its pairs show neither 0 nor 1" + Unclear;
     public const string WrongParity = "misread: its parity is wrong" + Unclear;
-    public const string Inconsistent = "unclear: its brightness fits no time" + Unclear;
+    public const string Inconsistent = "unclear: the brightness of its cells matches no time" + Unclear;
     public const string TooWeak = "unclear: its contrast is too low or too high" + Unclear;
     public const string AmbiguousTime = "ambiguous: more than one time fits" + Unclear;
     public const string NoCode = "no code found" + ShowBoth;

@@ -25,7 +25,7 @@ static class CellVerb
             HelpName = "X,Y,Z[,ROLL,PITCH,YAW]",
         };
         var size = NumberOption.Create(
-            "--size-mm", "Edge of the printed code without its white margin", 120.0, CellCode.MinSizeMetres * 1000,
+            "--size-mm", "Side length of the printed code without its white margin", 120.0, CellCode.MinSizeMetres * 1000,
             CellCode.MaxSizeMetres * 1000, "mm");
         var sync = NumberOption.Create("--sync-port", "TCP port of the clock synchronisation", ProtocolLimits.SyncPort, 1, IPEndPoint.MaxPort, "");
         var socket = NumberOption.Create("--ws-port", "TCP port of the WebSocket", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");

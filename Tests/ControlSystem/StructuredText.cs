@@ -4,7 +4,7 @@ namespace Nowpose.Headless.Tests.ControlSystem;
 
 /// <summary>Interprets the subset of Structured Text (IEC 61131-3) used by the files of the LED matrix, directly from their text.</summary>
 /// <remarks>
-/// Supports integers, BOOL, arrays from 0, assignments, IF, FOR, and calls of function blocks with named inputs. Each variable has the
+/// Supports integers, BOOL, zero-based arrays, assignments, IF, FOR, and calls of function blocks with named inputs. Each variable has the
 /// range of its type. Anything else is an error that names the token.
 /// </remarks>
 sealed partial class StructuredText

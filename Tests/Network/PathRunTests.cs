@@ -178,7 +178,7 @@ public class PathRunTests
     }
 
     /// <summary>
-    /// One direction becomes longer and the other one shorter. An error of half the sum cannot be excluded, and the stated error must include it.
+    /// One direction becomes longer and the other one shorter. An error of half the sum of both changes cannot be excluded, and the stated error must include it.
     /// The round-trip times show that no clock has stepped, but on links with jitter only after more exchanges.
     /// </summary>
     [Test]

@@ -45,7 +45,7 @@ public class NumberAccuracyTests
         var random = new Random(Seed);
         for (var i = 0; i < 50_000; i++)
         {
-            // The value has 54 bits, and the last one is dropped. It is below 10^17, so that ten times the value fits in 19 digits.
+            // The value has 54 bits, one more than a double, and its last bit is 1.
             var halfway = new BigInteger((1L << 53) + random.NextInt64(1L << 53) | 1);
             var shift = random.Next(0, 9);
             var text = (halfway << shift).ToString(CultureInfo.InvariantCulture);

@@ -56,7 +56,7 @@ describe('using a plot', () => {
     assert.deepEqual(plain(await text(page, '#error .value')), ['10 mm', '1 mm']);
   });
 
-  it('reads latency, speed and their product in the error field', async () => {
+  it('shows latency, speed and their product at the pointer in the error field', async () => {
     const page = await browser.open(report());
 
     await page.locator('#field .u-over').hover();

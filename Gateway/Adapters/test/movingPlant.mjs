@@ -55,7 +55,7 @@ writeClock();
 console.log('state serving');
 
 const COMMANDS = ['delete', 'stop', 'bad', 'nan', 'repair', 'rest'];
-let done = 0;
+let received = 0;
 
 async function obey(line) {
   const [command, argument] = line.split(' ');
@@ -64,8 +64,9 @@ async function obey(line) {
     return writeClock();
   }
   if (!COMMANDS.includes(command)) throw new Error(`unknown command: ${line}`);
+  const number = ++received;
   await plant[command](argument);
-  console.log(`done ${command} ${++done} ${Date.now() / 1000}`);
+  console.log(`done ${command} ${number} ${Date.now() / 1000}`);
 }
 
 const lines = createInterface({ input: process.stdin });

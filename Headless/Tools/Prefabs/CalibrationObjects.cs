@@ -9,7 +9,7 @@ namespace Nowpose.Prefabs;
 /// </summary>
 static class CalibrationObjects
 {
-    /// <summary>Distance of the code from the user. At this distance, its height is an eighth of the picture of the headset's camera.</summary>
+    /// <summary>Distance of the code from the user. At this distance, its height is an eighth of the height of the headset camera's picture.</summary>
     const float DistanceMetres = 1;
 
     /// <summary>

@@ -112,7 +112,7 @@ public class BaseAnchorDisplayTests
 
         Assert.That(Text("Base 1"), Is.EqualTo("! moved"));
         Assert.That(Text("Base 2"), Is.EqualTo("100 mm off"));
-        Assert.That(Text("Message 0"), Does.Match("^! base: marker 'a', (99|100|101) mm, "));
+        Assert.That(Text("Message 0"), Does.Match("^! base: marker 'a' is (99|100|101) mm, "));
     }
 
     [Test]

@@ -15,7 +15,7 @@ public sealed class SetupWindowTests : EditorFixture
     public void SetUp() => _window = Keep(ScriptableObject.CreateInstance<SetupWindow>());
 
     [Test]
-    public void Draw_NewProject_ShowsMissingPointsWithoutChanges()
+    public void Draw_NewProject_ListsMissingItemsAndChangesNothing()
     {
         Send("OnGUI");
 

@@ -165,7 +165,7 @@ export class EndOfData {
     return required > limit ? { required, limit, basis } : null;
   }
 
-  /** Gets the deceleration required for a stop at the last sample if it is above all observed decelerations; null otherwise. */
+  /** Gets the deceleration required for a stop at the last sample if it exceeds the limit from the observed decelerations; null otherwise. */
   unobserved(samplingS: number): number | null {
     if (this.#points.length < MIN_SAMPLES || this.configured !== null) return null;
     const required = this.#required(samplingS, FLOOR_DEADBAND_MARGIN);

@@ -28,10 +28,10 @@ namespace Nowpose.Mrtk3
             + "question before they agree.")]
         TextMesh _question = null;
 
-        [SerializeField, Tooltip("The button that agrees. Its event calls Accept.")]
+        [SerializeField, Tooltip("Button to agree. Its event calls Accept.")]
         StatefulInteractable _accept = null;
 
-        [SerializeField, Tooltip("The button that declines. Its event calls Refuse.")]
+        [SerializeField, Tooltip("Button to decline. Its event calls Refuse.")]
         StatefulInteractable _refuse = null;
 
         /// <summary>Maximum line width as a multiple of the font size. The question then fits its background.</summary>

@@ -25,7 +25,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Displacement from the position for 0 to the position for 1, in the parent's axes, metres.")]
         Vector3 _wayMetres = Vector3.zero;
 
-        [SerializeField, Tooltip("Rotation from 0 to 1 about the object's own axes, Euler angles in degrees.")]
+        [SerializeField, Tooltip("Rotation from the orientation for 0 to the orientation for 1, about the object's own axes, Euler angles in degrees.")]
         Vector3 _turnDegrees = Vector3.zero;
 
         [SerializeField, Range(0, 60_000), Tooltip("Time for the whole stroke, ms. 0: the part jumps.")]

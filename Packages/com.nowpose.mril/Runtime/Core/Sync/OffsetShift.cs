@@ -14,7 +14,7 @@ namespace Nowpose.Sync
         /// <summary>Minimum number of exchanges for the detection of a step.</summary>
         public const int MinExchanges = 15;
 
-        /// <summary>Minimum number of exchanges that violate the boundfor the detection of a step.</summary>
+        /// <summary>Minimum number of exchanges that violate the bound for the detection of a step.</summary>
         const int MinViolations = 3;
 
         /// <summary>Maximum number of exchanges, three seconds at the quick pace. If they do not confirm a step, the path has changed.</summary>

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Latency.Profile
 {
-    /// <summary>Method that determined L_visu, from the most to the least accurate.</summary>
+    /// <summary>Method that determined L_visu. The members are ordered from the most to the least accurate.</summary>
     enum CalibrationMethod
     {
         /// <summary>Pictures that show the codes of both clocks, Schnierle &amp; Röck 2022, Eq. (7).</summary>
