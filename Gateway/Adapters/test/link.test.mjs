@@ -158,7 +158,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
 
     await refuse(1);
     bridge.clients[0].terminate();
-    await run.said('away');
+    await run.said('disconnected');
 
     await refuse(2);
   });

@@ -25,8 +25,7 @@ export const rtdeMessages = {
   oldProtocol: (place: string) => `${place} supports RTDE protocol version 1 only; version 2 is required, so update the controller's software`,
   noRecipe: (place: string) => `${place} does not respond to the request for the output recipe; if this happens again, restart the controller`,
   notStarted: (place: string) => `${place} does not start sending data; if this happens again, restart the controller`,
-  damaged: (place: string) =>
-    `the data stream from ${place} is corrupt; the adapter reconnects. If this happens again, check the robot's network`,
+  damaged: (place: string) => `the data stream from ${place} is corrupt; the adapter reconnects. If this happens again, check the robot's network`,
   endedBeforeAnswer: (problem: string) => `${problem} before it responded; if other programs read this robot over RTDE, stop one of them`,
   endedWhileReading: (problem: string) =>
     `${problem}; check whether the controller was switched off or restarted. The adapter continues when the controller responds`,

@@ -181,7 +181,7 @@ describe('ros', { concurrency: 4 }, () => {
   - { frame: stand, position: { unit: m, x: 1, y: 0, z: 0.5 } }
 ` });
       await until(() => robot.isHeardBy('/rack/pose'), () => adapter.err);
-      const stamp = robot.now(), sentMs = Date.now();
+      const stamp = robot.now();
 
       robot.publish('/rack/pose', isStamped ? { header: { stamp: robot.time(stamp) }, ...data } : data);
 
@@ -192,7 +192,8 @@ describe('ros', { concurrency: 4 }, () => {
       // 90° about z, then 90° about the turned x axis: Rz(90°) Rx(90°).
       for (const axis of ['x', 'y', 'z', 'w']) assert.ok(Math.abs(rotation[axis] - 0.5) < 1e-12, axis);
       if (isStamped) assert.equal(nanoseconds(header.stamp), stamp);
-      else assert.ok(nanoseconds(header.stamp) >= BigInt(sentMs) * 1_000_000n, 'the time of arrival');
+      // The adapter's estimate of the robot's clock may be wrong by half of a round-trip time.
+      else assert.ok(Math.abs(Number(nanoseconds(header.stamp) - stamp)) < 1e9, 'the time of arrival');
       const [{ transforms: [stationary] }] = bridge.published('/tf_static');
       assert.deepEqual([stationary.child_frame_id, stationary.transform.translation], ['stand', { x: 1, y: 0, z: 0.5 }]);
     });
