@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Spectre.Console;
 
 namespace Nowpose.Cli.Calibrate;
@@ -6,9 +5,6 @@ namespace Nowpose.Cli.Calibrate;
 /// <summary>Prints a calibration's result to stdout and its warnings to stderr.</summary>
 static class ResultTable
 {
-    /// <summary>Maximum length of a list in the table, in characters. The page shows the complete list.</summary>
-    const int MaxLength = 400;
-
     /// <param name="profilePath">Path of the profile; null if none was written.</param>
     /// <param name="json">JSON to print instead of the table; null prints the table.</param>
     public static void Print(CalibrationPageData page, string profilePath, string pagePath, string json)
@@ -27,14 +23,8 @@ static class ResultTable
     static void PrintTable(CalibrationPageData page)
     {
         var table = new Table().AddColumns("result", "");
-        foreach (var fact in page.Facts) table.AddRow(Markup.Escape(fact[0]), Markup.Escape(Shortened(fact[1])));
+        foreach (var fact in page.Facts) table.AddRow(Markup.Escape(fact[0]), Markup.Escape(fact[1]));
         ResultConsole.Create().Write(table);
         Console.Out.WriteLine(page.Result);
-    }
-
-    static string Shortened(string list)
-    {
-        var end = list.Length > MaxLength ? list.LastIndexOf(", ", MaxLength, StringComparison.Ordinal) : -1;
-        return end < 0 ? list : CalibrationPageTexts.Shortened(list[..end], list[end..].Split(", ").Length - 1);
     }
 }

@@ -32,6 +32,7 @@ sealed class DemoHeadset : IDemoHeadset
         Log = new SessionLog(samples);
         var assets = new AssetLibrary(Path.Combine(AppContext.BaseDirectory, "UnityProject"));
         _player = new Player(assets);
+        _player.ConnectDisplay(DemoDisplay.FramesPerSecond);
         // Sets the clock and the settings before the scene starts, because the component connects immediately.
         _player.LoadScene(Sample + SceneFor(robot, assets), roots =>
         {

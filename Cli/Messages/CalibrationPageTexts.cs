@@ -22,9 +22,6 @@ static class CalibrationPageTexts
     public const string RenderTimeSource = "Render time measured with";
     public const string ValidForAny = "any (not stated)";
 
-    public static string Shortened(string list, int more) =>
-        FormattableString.Invariant($"{list} and {more} more, which the page and --json list");
-
     public const string OverPictures = "L_visu from picture to picture";
 
     public const string OverPicturesNote =

@@ -84,6 +84,13 @@ public sealed class Player : IDisposable
         _loop.Run(timeSeconds);
     }
 
+    /// <summary>Starts the headset's display with this refresh rate.</summary>
+    public void ConnectDisplay(double hertz)
+    {
+        _world.Gpu.ConnectDisplay();
+        _world.Gpu.DisplayHz = (float)hertz;
+    }
+
     /// <summary>Sets the GPU time that the runtime of the headset's display reports for the last frame. Starts the display if necessary.</summary>
     public void ReportGpuTime(TimeSpan length)
     {

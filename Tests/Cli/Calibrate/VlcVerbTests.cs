@@ -193,7 +193,7 @@ public sealed class VlcVerbTests
         Assert.That(json.RootElement.GetProperty("visu_ms_mean").ValueKind, Is.EqualTo(JsonValueKind.Null));
         var page = await File.ReadAllTextAsync(In("out/calibration.html"));
         for (var i = 0; i < 30; i++) Assert.That(page, Does.Contain($"a-rather-long-name-{i}.HEIC"));
-        Assert.That(table.Output, Does.Contain("a-rather-long-name-1.HEIC").And.Contain("more"));
+        for (var i = 0; i < 30; i++) Assert.That(table.Output, Does.Contain($"a-rather-long-name-{i}.HEIC"));
     }
 
     [Test]

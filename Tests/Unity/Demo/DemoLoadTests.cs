@@ -56,6 +56,17 @@ public class DemoLoadTests
     }
 
     [Test]
+    public void Demo_LoadThatMissesRefreshesWithoutARangeInTheProfile_WithholdsTheErrorReduction()
+    {
+        var profile = new LatencyProfile(
+            40, 1, "another headset", 0, DateTime.UtcNow, CalibrationMethod.VisibleLight, 10, null, RenderTimeSourceKind.None);
+
+        var result = new DemoScore(LoadedDemo.Play(1_500_000, 1, 12, profile)).Result();
+
+        Assert.That((result.Hindcast.Reduction, result.Hindcast.Withheld), Is.EqualTo(((double?)null, "frames miss refreshes")));
+    }
+
+    [Test]
     public void Demo_LoadWithinTheLimit_RaisesNeitherAlarmNorError([Values(1, 2, 3)] int seed)
     {
         var run = LoadedDemo.Play(300_000, seed);

@@ -22,6 +22,9 @@ namespace Nowpose.Latency
 
         /// <summary>The render time is beyond the calibrated range, and the calibration found no limit in it.</summary>
         BeyondMeasured,
+
+        /// <summary>No range is known, and the render time is above the display's refresh interval, so frames miss refreshes.</summary>
+        LongerThanRefresh,
     }
 
     /// <summary>Whether the render time is in the constant-latency range, so that L_visu has its calibrated value.</summary>
@@ -76,6 +79,11 @@ namespace Nowpose.Latency
             }
         }
 
+        /// <summary>
+        /// Time between two refreshes of the display; null if unknown. Without a range, it is the only limit beyond which L_visu is certainly longer.
+        /// </summary>
+        public TimeSpan? RefreshInterval { get; set; }
+
         public RangeState State
         {
             get
@@ -91,7 +99,7 @@ namespace Nowpose.Latency
             get
             {
                 if (State != RangeState.Unknown) return RangeUnknownReason.None;
-                if (_range == null) return RangeUnknownReason.NoLimit;
+                if (_range == null) return IsLongerThanRefresh ? RangeUnknownReason.LongerThanRefresh : RangeUnknownReason.NoLimit;
                 if (Source == RenderTimeSourceKind.None) return RangeUnknownReason.NoRenderTime;
                 if (Source != _range.Source) return RangeUnknownReason.OtherSource;
                 return _isBeyond == true ? RangeUnknownReason.BeyondMeasured : RangeUnknownReason.TooFewFrames;
@@ -103,6 +111,8 @@ namespace Nowpose.Latency
 
         /// <summary>Median that is compared with the limit; null before the first measurement with the current source.</summary>
         public TimeSpan? RenderTime => _recent.Count == 0 ? (TimeSpan?)null : _recent.At(0.5);
+
+        bool IsLongerThanRefresh => _recent.Count >= FramesToJudge && _recent.At(0.5) > RefreshInterval;
 
         /// <summary>Adds the render time of one frame. A change of the source restarts the window.</summary>
         /// <param name="renderTime">

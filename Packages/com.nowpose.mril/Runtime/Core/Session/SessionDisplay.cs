@@ -24,6 +24,7 @@ namespace Nowpose.Session
             _conditions = new ConditionCheck(settings.RewriteBeforeRender);
             Selector = new DisplayTimeSelector(settings.Visualisation, settings.Profile);
             RenderTimes = new ConstantLatencyMonitor(settings.Range);
+            UpdateRefreshInterval();
         }
 
         public DisplayTimeSelector Selector { get; }
@@ -71,7 +72,14 @@ namespace Nowpose.Session
         public DisplayConditions Conditions
         {
             get { lock (_gate) return _conditions.Conditions; }
-            set { lock (_gate) _conditions.Report(value); }
+            set
+            {
+                lock (_gate)
+                {
+                    _conditions.Report(value);
+                    UpdateRefreshInterval();
+                }
+            }
         }
 
         public IReadOnlyList<ConditionMismatch> ProfileMismatches
@@ -96,8 +104,13 @@ namespace Nowpose.Session
             {
                 Selector.Calibrate(profile?.Visualisation ?? _settings.Visualisation, profile ?? _settings.Profile);
                 RenderTimes.Range = profile?.WatchedRange ?? _settings.Range;
+                UpdateRefreshInterval();
             }
         }
+
+        // The device's report takes precedence over the profile.
+        void UpdateRefreshInterval() => RenderTimes.RefreshInterval =
+            (_conditions.Conditions.DisplayHz ?? Selector.Profile?.Conditions.DisplayHz) is double hertz ? TimeSpan.FromSeconds(1 / hertz) : (TimeSpan?)null;
 
         public void Rendered(TimeSpan renderTime, RenderTimeSourceKind source)
         {

@@ -248,6 +248,7 @@ namespace Nowpose.Unity.Status
                 case RangeUnknownReason.NoRenderTime: return "not measured";
                 case RangeUnknownReason.TooFewFrames: return "measuring";
                 case RangeUnknownReason.OtherSource: return StatusMessages.OtherSourceLimit;
+                case RangeUnknownReason.LongerThanRefresh: return StateNames.FramesMissRefreshes;
                 case RangeUnknownReason.BeyondMeasured: return "beyond measured range";
                 default: return "";
             }

@@ -23,6 +23,9 @@ namespace Nowpose.Session.Hindcast
 
         /// <summary>A limit is known, but the render time is not measured, so late frames cannot be detected.</summary>
         NoRenderTime,
+
+        /// <summary>No limit is known, and the render time is above the display's refresh interval.</summary>
+        LongerThanRefresh,
     }
 
     /// <summary>Determines why errors are withheld, and describes the reason.</summary>
@@ -35,6 +38,7 @@ namespace Nowpose.Session.Hindcast
             switch (renderTimes.UnknownReason)
             {
                 case RangeUnknownReason.BeyondMeasured: return ErrorWithheldReason.BeyondMeasured;
+                case RangeUnknownReason.LongerThanRefresh: return ErrorWithheldReason.LongerThanRefresh;
                 case RangeUnknownReason.OtherSource when !isPredicted: return ErrorWithheldReason.OtherSource;
                 case RangeUnknownReason.NoRenderTime when !isPredicted: return ErrorWithheldReason.NoRenderTime;
                 default: return ErrorWithheldReason.None;
@@ -50,6 +54,7 @@ namespace Nowpose.Session.Hindcast
                 case ErrorWithheldReason.BeyondMeasured: return "beyond measured range";
                 case ErrorWithheldReason.OtherSource: return StateNames.OtherSourceLimit;
                 case ErrorWithheldReason.NoRenderTime: return StateNames.RenderTimeNotMeasured;
+                case ErrorWithheldReason.LongerThanRefresh: return StateNames.FramesMissRefreshes;
                 default: return null;
             }
         }

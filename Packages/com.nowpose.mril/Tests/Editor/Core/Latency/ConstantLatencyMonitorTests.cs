@@ -230,6 +230,17 @@ namespace Nowpose.Tests.Core.Latency
             Assert.That(monitor.RenderTime.Value.TotalMilliseconds, Is.EqualTo(100).Within(1e-3));
         }
 
+        [TestCase(16, RangeUnknownReason.NoLimit)]
+        [TestCase(18, RangeUnknownReason.LongerThanRefresh)]
+        public void UnknownReason_NoRange_SaysWhetherFramesMissRefreshes(double renderMs, object reason)
+        {
+            var monitor = new ConstantLatencyMonitor(null) { RefreshInterval = TimeSpan.FromSeconds(1 / 60.0) };
+
+            Add(monitor, renderMs, 100);
+
+            Assert.That((monitor.State, monitor.UnknownReason), Is.EqualTo((RangeState.Unknown, (RangeUnknownReason)reason)));
+        }
+
         [Test]
         public void Range_ChangedWhileRunning_AppliesFromTheNextFrame()
         {

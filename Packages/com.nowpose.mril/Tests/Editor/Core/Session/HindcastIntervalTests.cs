@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Session.Hindcast;
@@ -122,6 +123,22 @@ namespace Nowpose.Tests.Core.Session
 
             Assert.That(Statistics(simulated).Range, Is.EqualTo(RangeState.Unknown));
             AssertWithheld(Statistics(simulated), ErrorWithheldReason.BeyondMeasured);
+        }
+
+        [Test]
+        public void Statistics_NoRangeAndRenderTimeAboveARefreshInterval_HaveTheReasonInsteadOfAnError()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            simulated.Session.Conditions = new DisplayConditions("headset", 60);
+            Render(simulated, 5);
+            simulated.Run(8);
+            var before = Statistics(simulated);
+
+            Render(simulated, 18);
+            simulated.Run(0.1);
+
+            AssertStated(before);
+            AssertWithheld(Statistics(simulated), ErrorWithheldReason.LongerThanRefresh);
         }
 
         // Without render times of the source for which the range was calibrated, late frames are not detected, even if another source reports short

@@ -26,6 +26,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(ErrorWithheldReason.BeyondMeasured, "–|beyond measured range")]
         [TestCase(ErrorWithheldReason.OtherSource, "–|limit is for another source")]
         [TestCase(ErrorWithheldReason.NoRenderTime, "–|render time not measured")]
+        [TestCase(ErrorWithheldReason.LongerThanRefresh, "–|frames miss refreshes")]
         public void Update_ErrorIsWithheld_ShowsTheReasonBesideTheMissingError(object reason, string expected)
         {
             var statistics = new SessionStatistics { ErrorWithheld = (ErrorWithheldReason)reason };

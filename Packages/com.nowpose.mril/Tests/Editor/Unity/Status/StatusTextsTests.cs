@@ -270,6 +270,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(RangeState.Unknown, RangeUnknownReason.NoLimit, "–|no limit is known")]
         [TestCase(RangeState.Unknown, RangeUnknownReason.NoRenderTime, "–|not measured")]
         [TestCase(RangeState.Unknown, RangeUnknownReason.TooFewFrames, "–|measuring")]
+        [TestCase(RangeState.Unknown, RangeUnknownReason.LongerThanRefresh, "–|frames miss refreshes")]
         [TestCase(RangeState.Unknown, RangeUnknownReason.BeyondMeasured, "–|beyond measured range")]
         [TestCase(RangeState.Unknown, RangeUnknownReason.OtherSource, "–|limit is for another source")]
         public void Update_Range_ShowsTheReasonIfUnknown(RangeState range, object reason, string expected)
@@ -344,7 +345,7 @@ namespace Nowpose.Tests.Unity.Status
             var texts = new StatusTexts();
             for (var pose = PoseState.Incomplete; pose <= PoseState.Current; pose++)
                 for (var clock = ClockState.Unsynchronised; clock <= ClockState.Holdover; clock++)
-                    for (var reason = RangeUnknownReason.None; reason <= RangeUnknownReason.OtherSource; reason++)
+                    for (var reason = RangeUnknownReason.None; reason <= RangeUnknownReason.LongerThanRefresh; reason++)
                     {
                         var model = new ClockModel(default, default, 0, Ms(0.35), clock);
                         texts.Update(new SessionStatistics { Pose = pose, Clock = model, RangeUnknownReason = reason }, Plain, "", null);
