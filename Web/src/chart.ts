@@ -1,6 +1,6 @@
 import uPlot from 'uplot';
 import { el } from './dom';
-import { plotMessages } from './messages/plots';
+import { plotLabels, plotMessages } from './messages/plots';
 import { colour, onColoursChanged } from './theme';
 
 const charts: Chart[] = [];
@@ -33,7 +33,7 @@ export class Chart {
       class: 'plot',
       tabindex: 0,
       role: 'group',
-      'aria-roledescription': 'plot',
+      'aria-roledescription': plotLabels.plot,
       'aria-label': `${options.description} ${plotMessages.keys}`,
     });
     this.plot = new uPlot(this.uplotOptions(), options.data, this.element);

@@ -2,6 +2,7 @@ import uPlot from 'uplot';
 import { Chart } from './chart';
 import { type FieldData, hasPoints, type OperatingPath } from './data';
 import { Legend } from './legend';
+import { axisLabels, traceLabels } from './messages/plots';
 import { format } from './numbers';
 import { colour } from './theme';
 import { type Look, LOOKS } from './traces';
@@ -33,13 +34,13 @@ export function operatingPlot(paths: Path[], isoMm: number[], description: strin
         chart.plot.redraw(false);
       },
     })),
-    { label: 'equal error', look: LOOKS.bound },
+    { label: traceLabels.equalError, look: LOOKS.bound },
   ]);
   const chart = new Chart({
     description,
     height: 340,
-    xLabel: 'latency (ms)',
-    yLabel: 'speed (mm/s)',
+    xLabel: axisLabels.latency,
+    yLabel: axisLabels.speed,
     // The points are drawn by paintPoints, because uPlot allows only one value per x, and two points can have the same latency.
     series: [{}, { show: false }],
     data: [
@@ -57,7 +58,10 @@ export function operatingPlot(paths: Path[], isoMm: number[], description: strin
 export function pathsOf(field: FieldData): Path[] {
   const path = (label: string, look: Look, points: OperatingPath | null | undefined) =>
     hasPoints(points?.latency_ms) ? [{ label, look, points: points!, shown: true }] : [];
-  return [...path('uncompensated', LOOKS.holdPoints, field.hold), ...path('compensated', LOOKS.compensatedPoints, field.compensated)];
+  return [
+    ...path(traceLabels.uncompensated, LOOKS.holdPoints, field.hold),
+    ...path(traceLabels.compensated, LOOKS.compensatedPoints, field.compensated),
+  ];
 }
 
 /**

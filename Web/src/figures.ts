@@ -2,7 +2,7 @@ import type { Chart } from './chart';
 import { el } from './dom';
 import type { Legend } from './legend';
 import { plotLabels, plotMessages } from './messages/plots';
-import { PAPER } from './messages/report';
+import { PAPER, paperLabels } from './messages/report';
 import { term } from './terms';
 
 export interface FigureOptions {
@@ -39,8 +39,9 @@ function section(options: FigureOptions, ...content: HTMLElement[]): HTMLElement
   );
 }
 
-function citation(source: string): HTMLElement {
-  return el('span', { class: 'source' }, '(', el('a', { href: PAPER }, `Schnierle & Röck 2022, ${source}`), ')');
+/** Creates the reference to a figure, an equation or a section of the paper. */
+export function citation(place: string): HTMLElement {
+  return el('span', { class: 'source' }, '(', el('a', { href: PAPER }, paperLabels.citation(place)), ')');
 }
 
 /** Creates the last paragraph of a page, with a link to the paper. */
@@ -55,7 +56,7 @@ export function plotHint(): HTMLElement {
 }
 
 export function plotBlock({ chart, legend }: Plot): HTMLElement {
-  const reset = el('button', { type: 'button', class: 'reset' }, 'Reset zoom');
+  const reset = el('button', { type: 'button', class: 'reset' }, plotLabels.resetZoom);
   reset.addEventListener('click', () => chart.reset());
   return el('div', { class: 'plot-block' }, el('div', { class: 'bar' }, legend.element, reset), chart.element);
 }

@@ -2,6 +2,7 @@ import uPlot from 'uplot';
 import { Chart } from './chart';
 import type { LatencyData } from './data';
 import { Legend } from './legend';
+import { axisLabels, plotLabels } from './messages/plots';
 import { format } from './numbers';
 import { colour } from './theme';
 
@@ -16,8 +17,8 @@ export function histogram(latency: LatencyData, description: string): { chart: C
   const chart = new Chart({
     description,
     height: 260,
-    xLabel: 'application latency (ms)',
-    yLabel: 'samples',
+    xLabel: axisLabels.applicationLatency,
+    yLabel: axisLabels.samples,
     series: [
       {},
       {
@@ -35,7 +36,7 @@ export function histogram(latency: LatencyData, description: string): { chart: C
       legend.show(
         i < 0 || i >= bins.length
           ? ''
-          : `${format(bins[i])} to ${format(bins[i] + width, 'ms')}: ${counts[i]} samples (${format((100 * counts[i]) / total, '%')})`,
+          : plotLabels.bin(format(bins[i]), format(bins[i] + width, 'ms'), counts[i], format((100 * counts[i]) / total, '%')),
       );
     },
   });

@@ -3,6 +3,7 @@ import { Chart } from './chart';
 import type { Ink } from './theme';
 import { colour } from './theme';
 import { Legend } from './legend';
+import { axisLabels } from './messages/plots';
 import { format } from './numbers';
 import type { Playhead } from './playhead';
 import type { Trace } from './traces';
@@ -57,7 +58,7 @@ export function linePlot(options: LinePlotOptions): { chart: Chart; legend: Lege
   );
   const chart = new Chart({
     ...options,
-    xLabel: labelOf(options.x ?? { name: 'time', unit: 's' }),
+    xLabel: labelOf(options.x ?? { name: axisLabels.time, unit: 's' }),
     data,
     series: [{}, ...traces.map(series)],
     bands: options.band ? bandsOf(traces, options.band) : undefined,

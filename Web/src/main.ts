@@ -18,7 +18,7 @@ import { factTable, reductionOf, summaryTable } from './tables';
 
 function headline(rows: SummaryRow[]): HTMLElement {
   const row = rows.find(r => reductionOf(r) != null);
-  if (!row) return el('p', { class: 'missing' }, plotMessages.partNotMeasured('Tool error'));
+  if (!row) return el('p', { class: 'missing' }, plotMessages.partNotMeasured(reportLabels.toolError));
   const reduction = reductionOf(row)!;
   return el(
     'p',
@@ -34,9 +34,9 @@ function overview(report: Report): HTMLElement {
   return el(
     'section',
     { class: 'overview', 'aria-labelledby': 'result-heading' },
-    el('h2', { id: 'result-heading' }, 'Result'),
+    el('h2', { id: 'result-heading' }, reportLabels.result),
     headline(rows),
-    hasPoints(rows) ? summaryTable(rows) : el('p', { class: 'missing' }, plotMessages.partNotMeasured('Comparison')),
+    hasPoints(rows) ? summaryTable(rows) : el('p', { class: 'missing' }, plotMessages.partNotMeasured(reportLabels.comparison)),
     el('p', { class: 'claim' }, reportMessages.uncompensatedAndCompensated),
   );
 }
@@ -47,8 +47,8 @@ function facts(report: Report): HTMLElement {
   return el(
     'section',
     { id: 'facts', 'aria-labelledby': 'facts-heading' },
-    el('h2', { id: 'facts-heading' }, 'Conditions and figures'),
-    el('div', { class: 'columns' }, table('Settings', report.settings), table('Measured', report.facts)),
+    el('h2', { id: 'facts-heading' }, reportLabels.conditions),
+    el('div', { class: 'columns' }, table(reportLabels.settings, report.settings), table(reportLabels.measured, report.facts)),
   );
 }
 
@@ -62,7 +62,7 @@ function ofPaper(report: Report, playhead?: Playhead): HTMLElement[] {
 function page(report: Report): Node[] {
   const playhead = hasPoints(report.playback?.t) ? new Playhead() : undefined;
   return [
-    el('header', {}, el('h1', {}, report.title || 'Nowpose report'), report.subtitle ? el('p', {}, report.subtitle) : null),
+    el('header', {}, el('h1', {}, report.title || reportLabels.title), report.subtitle ? el('p', {}, report.subtitle) : null),
     el(
       'main',
       {},
@@ -79,5 +79,5 @@ function page(report: Report): Node[] {
 }
 
 const report = readReport();
-document.title = report.title || 'Nowpose report';
+document.title = report.title || reportLabels.title;
 document.getElementById('page')!.replaceChildren(...page(report));

@@ -1,6 +1,7 @@
 import type { PlaybackData } from './data';
 import { el } from './dom';
 import { Legend } from './legend';
+import { traceLabels } from './messages/plots';
 import { reportLabels, reportMessages } from './messages/report';
 import { robotDescriptions } from './messages/robot';
 import type { Playhead } from './playhead';
@@ -12,9 +13,9 @@ import type { Look } from './traces';
 const SPEEDS = [1, 0.5, 0.25, 0.1];
 
 const LEGEND: Record<Part, { label: string; look: Look }> = {
-  truth: { label: 'where it was', look: { ink: '--truth', width: 2, dash: [], mark: 'filled' } },
-  displayed: { label: 'compensated', look: { ink: '--compensated', width: 2, dash: [], mark: 'filled' } },
-  hold: { label: 'uncompensated', look: { ink: '--hold', width: 2, dash: [], mark: 'filled' } },
+  truth: { label: traceLabels.truePose, look: { ink: '--truth', width: 2, dash: [], mark: 'filled' } },
+  displayed: { label: traceLabels.compensated, look: { ink: '--compensated', width: 2, dash: [], mark: 'filled' } },
+  hold: { label: traceLabels.uncompensated, look: { ink: '--hold', width: 2, dash: [], mark: 'filled' } },
 };
 
 /** Plays the session with three copies of the robot: at its true pose, at the displayed pose, and at the pose without compensation. */
@@ -22,7 +23,7 @@ export class Playback {
   readonly element: HTMLElement;
   private readonly view = new RobotView(robotDescriptions.session);
   private readonly words = el('p', { class: 'apart' });
-  private readonly button = el('button', { type: 'button', class: 'play' }, 'Play');
+  private readonly button = el('button', { type: 'button', class: 'play' }, reportLabels.play);
   private readonly slider: HTMLInputElement;
   private readonly clock = el('output', { class: 'clock' });
   private readonly speed = el('select', {}, ...SPEEDS.map(s => el('option', { value: s }, `${s} ×`)));
@@ -42,12 +43,12 @@ export class Playback {
     this.element = el(
       'section',
       { id: 'playback', 'aria-labelledby': 'playback-heading' },
-      el('h2', { id: 'playback-heading' }, 'Playback'),
+      el('h2', { id: 'playback-heading' }, reportLabels.playback),
       el('p', { class: 'claim' }, reportMessages.playback),
       legend.element,
       this.words,
       this.view.element,
-      el('div', { class: 'player' }, this.button, this.slider, this.clock, el('label', {}, 'Speed ', this.speed)),
+      el('div', { class: 'player' }, this.button, this.slider, this.clock, el('label', {}, `${reportLabels.speed} `, this.speed)),
     );
     this.button.addEventListener('click', () => this.toggleRun());
     this.slider.addEventListener('input', () => {
@@ -69,7 +70,7 @@ export class Playback {
     const { t } = this.data;
     if (this.time >= t[t.length - 1]) this.playhead.move(t[0], this);
     this.playedAt = performance.now();
-    this.button.textContent = 'Pause';
+    this.button.textContent = reportLabels.pause;
     requestAnimationFrame(() => this.step());
   }
 
@@ -86,7 +87,7 @@ export class Playback {
 
   private stop(): void {
     this.playedAt = null;
-    this.button.textContent = 'Play';
+    this.button.textContent = reportLabels.play;
   }
 
   private toggle(part: Part, shown: boolean): void {

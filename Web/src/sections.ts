@@ -3,57 +3,58 @@ import { beyond, fieldPlot, pathsOf } from './fieldPlot';
 import { figure, type FigureOptions, notMeasured } from './figures';
 import { histogram } from './histogram';
 import { linePlot } from './linePlot';
-import { plotDescriptions, plotLabels } from './messages/plots';
-import { claimMessages, reportLabels, reportMessages } from './messages/report';
+import { axisLabels, plotDescriptions, plotValueMessages, traceLabels } from './messages/plots';
+import { claimMessages, claimSources, claimTitles, reportLabels, reportMessages } from './messages/report';
+import { tableLabels } from './messages/tables';
 import { format, statistics } from './numbers';
 import type { Playhead } from './playhead';
 import { factTable, statisticsTable } from './tables';
 import { LOOKS, type Trace } from './traces';
 
 export function errorSection(error: ErrorData | null | undefined, playhead?: Playhead): HTMLElement {
-  const options: FigureOptions = { id: 'error', title: plotLabels.toolError, claim: claimMessages.error, source: 'Sect. 3' };
+  const options: FigureOptions = { id: 'error', title: claimTitles.error, claim: claimMessages.error, source: claimSources.error };
   const traces = [
-    trace('uncompensated', LOOKS.hold, error?.t, error?.hold),
-    trace('compensated', LOOKS.compensated, error?.t, error?.compensated),
+    trace(traceLabels.uncompensated, LOOKS.hold, error?.t, error?.hold),
+    trace(traceLabels.compensated, LOOKS.compensated, error?.t, error?.compensated),
   ].flat();
   if (traces.length === 0) return notMeasured(options);
   const description = plotDescriptions.error(inWords(traces, 'mm'));
   return figure(
     options,
-    [linePlot({ description, height: 300, yLabel: 'tool error (mm)', unit: 'mm', traces, playhead, fromZero: true })],
-    numbersOf('Tool error', 'mm', traces),
+    [linePlot({ description, height: 300, yLabel: axisLabels.toolError, unit: 'mm', traces, playhead, fromZero: true })],
+    numbersOf(reportLabels.toolError, 'mm', traces),
   );
 }
 
 export function jointSection(joint: JointData | null | undefined, playhead?: Playhead): HTMLElement {
   const options: FigureOptions = {
     id: 'joint',
-    title: joint?.name ? `Joint position: ${joint.name}` : 'Joint position',
+    title: joint?.name ? claimTitles.jointNamed(joint.name) : claimTitles.joint,
     claim: claimMessages.joint,
-    source: 'Fig. 16',
+    source: claimSources.joint,
   };
   const signal = (label: string, look: Trace['look'], s: Signal | null | undefined) => trace(label, look, s?.t, s?.v);
   const traces = [
-    signal('ground truth', LOOKS.truth, joint?.truth),
-    signal('received', LOOKS.hold, joint?.received).map(t => ({ ...t, stepped: true })),
-    signal('predicted', LOOKS.compensated, joint?.predicted),
+    signal(traceLabels.groundTruth, LOOKS.truth, joint?.truth),
+    signal(traceLabels.received, LOOKS.hold, joint?.received).map(t => ({ ...t, stepped: true })),
+    signal(traceLabels.predicted, LOOKS.compensated, joint?.predicted),
   ].flat();
   if (traces.length === 0) return notMeasured(options);
   const unit = joint!.unit;
   const description = plotDescriptions.joint(joint!.name, inWords(traces, unit));
   return figure(
     options,
-    [linePlot({ description, height: 300, yLabel: `position (${unit})`, unit, traces, playhead })],
-    numbersOf('Joint position', unit, traces),
+    [linePlot({ description, height: 300, yLabel: axisLabels.position(unit), unit, traces, playhead })],
+    numbersOf(claimTitles.joint, unit, traces),
   );
 }
 
 export function fieldSection(field: FieldData | null | undefined): HTMLElement {
-  const options: FigureOptions = { id: 'field', title: 'Error field', claim: claimMessages.field, source: 'Fig. 18' };
+  const options: FigureOptions = { id: 'field', title: claimTitles.field, claim: claimMessages.field, source: claimSources.field };
   const paths = field ? pathsOf(field) : [];
   if (paths.length === 0) return notMeasured(options);
   const rows = paths.map(p => [p.label, statistics(p.points.latency_ms)] as const);
-  const words = rows.map(([label, s]) => `${label}: latency ${format(s?.min)} to ${format(s?.max, 'ms')}.`).join(' ');
+  const words = rows.map(([label, s]) => plotValueMessages.latency(label, format(s?.min), format(s?.max, 'ms'))).join(' ');
   const outside = beyond(field!);
   const note = outside > 0 ? ` ${reportMessages.pointsBeyond(outside)}` : '';
   const description = plotDescriptions.field(words + note);
@@ -69,13 +70,13 @@ export function fieldSection(field: FieldData | null | undefined): HTMLElement {
 }
 
 export function clockSection(clock: ClockData | null | undefined, playhead?: Playhead): HTMLElement {
-  const options: FigureOptions = { id: 'clock', title: 'Clock synchronisation', claim: claimMessages.clock, source: 'Fig. 8' };
+  const options: FigureOptions = { id: 'clock', title: claimTitles.clock, claim: claimMessages.clock, source: claimSources.clock };
   const negative = clock?.bound_us?.map(b => (b == null ? null : -b));
-  const offset = trace('offset', LOOKS.compensated, clock?.t, clock?.offset_us);
+  const offset = trace(traceLabels.offset, LOOKS.compensated, clock?.t, clock?.offset_us);
   const error = [
-    trace('bound (±)', LOOKS.bound, clock?.t, clock?.bound_us),
-    trace('bound, negative', LOOKS.bound, clock?.t, negative).map(t => ({ ...t, mirror: true })),
-    trace('error', LOOKS.compensated, clock?.t, clock?.error_us),
+    trace(traceLabels.bound, LOOKS.bound, clock?.t, clock?.bound_us),
+    trace(traceLabels.negativeBound, LOOKS.bound, clock?.t, negative).map(t => ({ ...t, mirror: true })),
+    trace(traceLabels.error, LOOKS.compensated, clock?.t, clock?.error_us),
   ].flat();
   if (offset.length + error.length === 0) return notMeasured(options);
   const extent = errorExtent(clock!);
@@ -87,7 +88,7 @@ export function clockSection(clock: ClockData | null | undefined, playhead?: Pla
       linePlot({
         description: plotDescriptions.clockOffset(inWords(offset, 'µs')),
         height: 200,
-        yLabel: 'offset (µs)',
+        yLabel: axisLabels.offset,
         unit: 'µs',
         traces: offset,
         playhead,
@@ -98,7 +99,7 @@ export function clockSection(clock: ClockData | null | undefined, playhead?: Pla
       linePlot({
         description: plotDescriptions.clockError(inWords(error, 'µs') + note),
         height: 260,
-        yLabel: 'offset error (µs)',
+        yLabel: axisLabels.offsetError,
         unit: 'µs',
         traces: error,
         playhead,
@@ -106,7 +107,7 @@ export function clockSection(clock: ClockData | null | undefined, playhead?: Pla
         band: error.some(t => t.mirror) ? '--band' : undefined,
       }),
     );
-  return figure({ ...options, claim: options.claim + note }, plots, numbersOf('Clock', 'µs', [...offset, ...error]));
+  return figure({ ...options, claim: options.claim + note }, plots, numbersOf(reportLabels.clock, 'µs', [...offset, ...error]));
 }
 
 /**
@@ -123,7 +124,12 @@ function maxMagnitude(values: Value[]): number {
 }
 
 export function latencySection(latency: LatencyData | null | undefined): HTMLElement {
-  const options: FigureOptions = { id: 'latency', title: latency?.label || 'Application latency', claim: claimMessages.latency, source: 'Eq. 2' };
+  const options: FigureOptions = {
+    id: 'latency',
+    title: latency?.label || claimTitles.latency,
+    claim: claimMessages.latency,
+    source: claimSources.latency,
+  };
   if (!hasPoints(latency?.bin_ms)) return notMeasured(options);
   const { bin_ms: bins, count } = latency!;
   const top = count.indexOf(count.reduce((a, b) => Math.max(a, b), 0));
@@ -133,9 +139,9 @@ export function latencySection(latency: LatencyData | null | undefined): HTMLEle
     options,
     [histogram(latency!, description)],
     factTable(
-      'Samples by latency',
-      bins.map((b, i) => [`from ${format(b)}`, count[i] ?? 0]),
-      ['Latency (ms)', 'Samples'],
+      tableLabels.samplesByLatency,
+      bins.map((b, i) => [tableLabels.latencyFrom(format(b)), count[i] ?? 0]),
+      [tableLabels.latency, tableLabels.samples],
     ),
   );
 }
@@ -149,7 +155,7 @@ export function inWords(traces: Trace[], unit: string): string {
     .filter(t => !t.mirror)
     .map(t => {
       const s = statistics(t.v);
-      return s ? `${t.label}: ${format(s.min)} to ${format(s.max, unit)}, RMS ${format(s.rms, unit)}.` : `${t.label}: none.`;
+      return s ? plotValueMessages.range(t.label, format(s.min), format(s.max, unit), format(s.rms, unit)) : plotValueMessages.none(t.label);
     })
     .join(' ');
 }

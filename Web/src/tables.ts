@@ -1,5 +1,6 @@
 import type { Fact, SummaryRow } from './data';
 import { el } from './dom';
+import { tableLabels } from './messages/tables';
 import { format, type Statistics } from './numbers';
 import { term } from './terms';
 
@@ -17,7 +18,7 @@ export function row(label: string, ...cells: string[]): HTMLElement {
 }
 
 export function summaryTable(rows: SummaryRow[]): HTMLElement {
-  const caption = 'Uncompensated against compensated';
+  const caption = tableLabels.comparison;
   const body = rows.map(r => row(r.unit ? `${r.label} (${r.unit})` : r.label, format(r.uncompensated), format(r.compensated), change(r)));
   return scrollable(
     caption,
@@ -25,7 +26,7 @@ export function summaryTable(rows: SummaryRow[]): HTMLElement {
       'table',
       { class: 'numbers' },
       el('caption', {}, caption),
-      header('Quantity', 'Uncom\u00adpensated', 'Compen\u00adsated', 'Change'),
+      header(tableLabels.quantity, tableLabels.uncompensated, tableLabels.compensated, tableLabels.change),
       el('tbody', {}, ...body),
     ),
   );
@@ -42,7 +43,7 @@ export function reductionOf(row: SummaryRow): number | null {
   return uncompensated == null || compensated == null || uncompensated === 0 ? null : 1 - compensated / uncompensated;
 }
 
-export function factTable(caption: string, facts: Fact[], labels = ['Name', 'Value']): HTMLElement {
+export function factTable(caption: string, facts: Fact[], labels = [tableLabels.name, tableLabels.value]): HTMLElement {
   const body = facts.map(([label, value]) => row(String(label), value == null ? '–' : String(value)));
   return scrollable(caption, el('table', { class: 'facts' }, el('caption', {}, caption), header(...labels), el('tbody', {}, ...body)));
 }
@@ -56,7 +57,7 @@ export function statisticsTable(name: string, unit: string, rows: [string, Stati
       'table',
       { class: 'numbers' },
       el('caption', {}, caption),
-      header('Signal', 'Points', 'Minimum', 'Maximum', 'RMS', '95 % within'),
+      header(tableLabels.signal, tableLabels.points, tableLabels.minimum, tableLabels.maximum, tableLabels.rms, tableLabels.p95),
       el('tbody', {}, ...body),
     ),
   );

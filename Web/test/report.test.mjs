@@ -9,7 +9,7 @@ import { report } from './sample.mjs';
 
 const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>&lt;b&gt;"\'';
 const PLOTS = 6;
-const { figuresLabels, plotLabels, plotMessages, reportLabels } = messages;
+const { claimTitles, figuresLabels, plotLabels, plotMessages, reportLabels } = messages;
 
 let browser;
 before(async () => { browser = await Browser.start(); });
@@ -30,7 +30,7 @@ describe('a complete report', () => {
 
     assert.deepEqual(await text(page, 'h1'), ['Nowpose: youBot over WiFi']);
     assert.equal(await page.title(), 'Nowpose: youBot over WiFi');
-    assert.deepEqual(await text(page, 'h2'), ['Result', plotLabels.toolError, 'Joint position: arm_joint_1', 'Error field',
+    assert.deepEqual(await text(page, 'h2'), ['Result', claimTitles.error, 'Joint position: arm_joint_1', 'Error field',
       'Clock synchronisation', 'Application latency of the samples', 'Conditions and figures']);
   });
 

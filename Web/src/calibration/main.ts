@@ -3,8 +3,8 @@ import '../report.css';
 import '../paper/figures.css';
 import './calibration.css';
 import { el } from '../dom';
-import { credit, plotBlock, plotHint } from '../figures';
-import { creditMessages, PAPER } from '../messages/report';
+import { citation, credit, plotBlock, plotHint } from '../figures';
+import { calibrationLabels, creditMessages } from '../messages/report';
 import { plotOf } from '../paper/plots';
 import { dataTable } from '../paper/tables';
 import { text } from '../paper/text';
@@ -18,7 +18,7 @@ function page(data: CalibrationData): Node[] {
       'main',
       {},
       ...data.warnings.map(warning => el('p', { class: 'warning', role: 'note' }, ...text(warning))),
-      el('section', { 'aria-label': 'Result' }, factTable('Result and conditions', data.facts)),
+      el('section', { 'aria-label': calibrationLabels.result }, factTable(calibrationLabels.facts, data.facts)),
       plotHint(),
       ...data.sections.map(section),
     ),
@@ -28,7 +28,6 @@ function page(data: CalibrationData): Node[] {
 
 function section({ heading, source, words, plots, table }: SectionData, index: number): HTMLElement {
   const id = `section-${index + 1}`;
-  const citation = source ? el('span', { class: 'source' }, '(', el('a', { href: PAPER }, `Schnierle & Röck 2022, ${source}`), ')') : null;
   const blocks = plots.map(plot => {
     const block = plotBlock(plotOf(plot, heading, plots.length > 1));
     return plots.length > 1 ? el('div', { class: 'titled' }, el('h3', {}, plot.title), block) : block;
@@ -37,12 +36,12 @@ function section({ heading, source, words, plots, table }: SectionData, index: n
     'section',
     { 'aria-labelledby': id },
     el('h2', { id }, heading),
-    el('p', {}, ...text(words), ' ', citation),
+    el('p', {}, ...text(words), ' ', source ? citation(source) : null),
     ...blocks,
-    table ? el('details', {}, el('summary', {}, 'Numbers'), dataTable(heading, table)) : null,
+    table ? el('details', {}, el('summary', {}, calibrationLabels.numbers), dataTable(heading, table)) : null,
   );
 }
 
 const data = readCalibration();
-document.title = `${data.title} · Nowpose`;
+document.title = calibrationLabels.title(data.title);
 document.getElementById('page')!.replaceChildren(...page(data));

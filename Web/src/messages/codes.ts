@@ -6,6 +6,12 @@ export const clockCodeMessages = {
     `Monitor: ${rateHz.toFixed(1)} Hz, L_monitor ≈ ${meanMs.toFixed(0)} ± ${maxErrorMs.toFixed(0)} ms plus the panel’s own delay.`,
 };
 
+/** Captions of the page that shows the control clock's code. */
+export const clockCodeLabels = {
+  notSynchronised: (reason: string) => `not synchronised: ${reason}`,
+  controlTime: (seconds: string) => `C1 ${seconds} s`,
+};
+
 /** Reasons why the page shows no code. */
 export const clockCodeReasons = {
   waiting: 'waiting for the gateway',
@@ -18,6 +24,10 @@ export const clockCodeReasons = {
 
 /** Captions of the codes on the pairing page. */
 export const pairingLabels = {
+  noEncryption: 'no encryption',
+  key: (key: string) => `key ${key}`,
+  showCode: 'Show the code',
+  hideCode: 'Hide the code',
   validFor: (time: string) => `valid for ${time}, or until a headset has used it`,
   marker: (name: string, size: string, offset: string, modules: number, text: string) =>
     `${name} · edge of the code ${size} mm · pose in the base frame ${offset} (m, °) · ${modules} modules · ${text}`,

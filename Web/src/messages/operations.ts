@@ -30,13 +30,35 @@ export const operationsMessages = {
 
 /** Parts of the messages on the operations page. */
 export const operationsLabels = {
+  operations: 'Operations',
+  host: (host: string) => `host ${host}`,
+  gateway: (version: string) => `Nowpose gateway ${version}`,
+  product: (version: string) => `Nowpose ${version}`,
+  since: (event: string, time: string) => `${event} – since ${time}`,
+  forwarding: (median: string, p99: string) => `${median}, P99 ${p99}`,
+  nothingForwarded: 'nothing forwarded',
   downloadEvents: 'Download all events as',
+  or: 'or',
   moreEvents: (count: number) => `and ${count} more, in the list of events`,
   profileMismatch: (reason: string) => `the latency profile does not match this headset: ${reason}`,
   errorWithheld: (reason: string) => `the headset withholds its pose errors, because its frames may be late: ${reason}`,
-  uncertainRest: 'may not be at rest',
-  measuredClock: 'measured against the control clock',
-  recordingDeleted: 'the file was deleted',
+  missingJoints: (joints: string) => `missing joints: ${joints}`,
+  lastFailure: (reason: string) => `last failure: ${reason}`,
+  refusedValues: (reasons: string) => `refused values: ${reasons}`,
+};
+
+/** State and controls of the recorder. */
+export const recorderLabels = {
+  record: 'Record',
+  stop: 'Stop recording',
+  off: 'off',
+  recording: (file: string, size: string) => `recording ${file}: ${size}`,
+  stopped: (file: string, size: string) => `stopped; last ${file}: ${size}`,
+  size: (lines: string, size: string) => `${lines} lines, ${size}`,
+  lost: (lines: string) => `${lines} lines are missing`,
+  problem: (state: string, reason: string) => `${state}. Problem: ${reason}`,
+  fileDeleted: 'the file was deleted',
+  deleted: (files: string) => `Deleted: ${files}`,
 };
 
 /** Definitions of the hops, which add up to the end-to-end latency. */

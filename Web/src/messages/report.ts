@@ -7,6 +7,9 @@ const ARTICLE =
   'M. Schnierle, S. Röck, “Latency and sampling compensation in mixed-reality-in-the-loop simulations of production systems”, '
   + `Production Engineering (2022), ${PAPER}`;
 
+/** References to the paper. */
+export const paperLabels = { citation: (place: string) => `Schnierle & Röck 2022, ${place}`, figure: (number: string) => `Fig. ${number}` };
+
 /** Credits for the method at the end of each page. */
 export const creditMessages = {
   report: `Method: ${ARTICLE}. Made by Nowpose.`,
@@ -44,8 +47,37 @@ export const claimMessages = {
     + 'refresh, which the headset reports (shaded).',
 };
 
+/** Places in the paper to which the figures of the report refer. */
+export const claimSources = { error: 'Sect. 3', joint: 'Fig. 16', field: 'Fig. 18', clock: 'Fig. 8', latency: 'Eq. 2', range: 'Fig. 10' };
+
+/** Titles of the figures of the report. */
+export const claimTitles = {
+  error: 'Tool error over time',
+  joint: 'Joint position',
+  jointNamed: (joint: string) => `Joint position: ${joint}`,
+  field: 'Error field',
+  clock: 'Clock synchronisation',
+  latency: 'Application latency',
+  range: 'Constant-latency range',
+};
+
 /** Captions of the report. */
 export const reportLabels = {
+  title: 'Nowpose report',
+  result: 'Result',
+  toolError: 'Tool error',
+  comparison: 'Comparison',
+  clock: 'Clock',
+  display: 'Display',
+  renderTime: 'Render time',
+  visualisationLatency: 'Visualisation latency',
+  conditions: 'Conditions and figures',
+  settings: 'Settings',
+  measured: 'Measured',
+  playback: 'Playback',
+  play: 'Play',
+  pause: 'Pause',
+  speed: 'Speed',
   lessError: 'less tool error with compensation',
   moreError: 'more tool error with compensation',
   latencyOfPoints: 'Latency of the operating points',
@@ -57,8 +89,40 @@ export const figuresMessages = { notComputed: (figures: string) => `Not computed
 
 /** Captions of the paper's figures and claims. */
 export const figuresLabels = {
+  contents: 'Contents',
+  verdicts: 'Verdicts',
+  conditionsOfAll: 'Conditions',
+  figure: 'Figure',
+  title: 'Shows',
+  claim: 'Claim',
+  paper: 'Paper',
+  measured: 'Measured',
+  verdict: 'Verdict',
+  condition: 'Condition',
+  paperSays: 'The paper says',
+  weMeasure: 'We measure',
+  beyond: 'Beyond the paper',
+  dataFile: (file: string) => `Data, as in ${file}`,
+  dataOf: (figure: string) => `Data of ${figure}`,
   claimsAndRun: 'The paper’s claims and this run',
   claims: 'Claims of the paper and whether they hold in this run',
   figures: 'Figures of the paper and whether their claims hold',
   conditions: 'Conditions of all figures unless stated otherwise',
+};
+
+/** Results of the criteria of a claim. */
+export const criterionLabels = {
+  met: 'met',
+  notMet: 'not met',
+  undecided: 'undecided',
+  notMeasured: 'not measured',
+  measured: (value: string) => `Measured: ${value}`,
+};
+
+/** Captions of the calibration page. */
+export const calibrationLabels = {
+  title: (title: string) => `${title} · Nowpose`,
+  result: 'Result',
+  facts: 'Result and conditions',
+  numbers: 'Numbers',
 };

@@ -6,6 +6,9 @@ export const robotDescriptions = {
   live: 'The true pose of the robot half a second ago, and the pose that the selected headset displayed at that time.',
 };
 
+/** Kind of the view of the robot for screen readers. */
+export const robotLabels = { view: '3D view' };
+
 /** Text of the views of the robot. */
 export const robotMessages = {
   keys: 'Drag to turn the view, and double-click to reset it. On the keyboard, the arrow keys turn the view, plus and minus zoom, and 0 resets it.',
@@ -36,8 +39,8 @@ export const jointReasons = {
   inState: (joint: string, state: string) => `${joint} is ${state}`,
 };
 
-/** Reasons why a robot cannot be shown. */
-export const robotReasons = { notUrdf: 'the robot description is not a URDF' };
+/** Reasons why a robot or a frame cannot be shown. */
+export const robotReasons = { notUrdf: 'the robot description is not a URDF', tooManyFrames: 'too many frames' };
 
 // Smaller differences are not meaningful, because predictions are not that accurate.
 const apart = (mm: number) => (mm < 0.1 ? 'less than 0.1\u00a0mm' : format(mm, 'mm'));

@@ -1,5 +1,6 @@
 import { el } from '../dom';
 import { emptyMessages, hopMeanings } from '../messages/operations';
+import { captionLabels, columnLabels } from '../messages/terms';
 import { format } from '../numbers';
 import { type Column, LiveTable } from './liveTable';
 import { type Headset, HOPS } from './state';
@@ -11,14 +12,14 @@ export class Budget {
   private readonly table: LiveTable<Headset>;
 
   constructor() {
-    const columns: Column<Headset>[] = HOPS.map(hop => ({ label: `${hop} (ms)`, isNumber: true, cell: h => format(h.budget_ms?.[hop]) }));
+    const columns: Column<Headset>[] = HOPS.map(hop => ({ label: columnLabels.hop(hop), isNumber: true, cell: h => format(h.budget_ms?.[hop]) }));
     this.table = new LiveTable<Headset>(
-      'Latency by hop',
-      [...columns, { label: 'total (ms)', isNumber: true, cell: h => format(totalOf(h)) }],
+      captionLabels.hops,
+      [...columns, { label: columnLabels.total, isNumber: true, cell: h => format(totalOf(h)) }],
       headset => headset.name,
       emptyMessages.latencies,
       name => this.barOf(name),
-      'Headset',
+      columnLabels.headset,
     );
     const legend = HOPS.map(hop => el('li', {}, el('span', { class: `hop ${hop}`, 'aria-hidden': 'true' }), `${hop}: ${hopMeanings[hop]}`));
     this.element = el('div', {}, el('ul', { class: 'hops' }, ...legend), this.table.element);

@@ -1,5 +1,6 @@
 import { el } from '../dom';
 import { emptyMessages } from '../messages/operations';
+import { captionLabels, columnLabels } from '../messages/terms';
 import { LiveTable } from './liveTable';
 import { type CellFrame, type Signal, type State } from './state';
 
@@ -13,12 +14,12 @@ const levelOf = (state: string) => (state === 'live' || state === 'stationary' ?
 export class Cell {
   readonly element: HTMLElement;
   private readonly frames = new LiveTable<CellFrame>(
-    'Objects',
+    captionLabels.objects,
     [
-      { label: 'State', cell: frame => frame.state, level: frame => levelOf(frame.state) },
-      { label: 'Parent', cell: frame => frame.parent ?? '–' },
-      { label: 'Age', cell: frame => seconds(frame.age_s), isNumber: true },
-      { label: 'Source', cell: frame => frame.source },
+      { label: columnLabels.state, cell: frame => frame.state, level: frame => levelOf(frame.state) },
+      { label: columnLabels.parent, cell: frame => frame.parent ?? '–' },
+      { label: columnLabels.age, cell: frame => seconds(frame.age_s), isNumber: true },
+      { label: columnLabels.source, cell: frame => frame.source },
     ],
     frame => frame.name,
     emptyMessages.frames,
@@ -27,12 +28,12 @@ export class Cell {
     frame => frame.reason ?? '',
   );
   private readonly signals = new LiveTable<Signal>(
-    'Signals',
+    captionLabels.signals,
     [
-      { label: 'State', cell: signal => signal.state, level: signal => levelOf(signal.state) },
-      { label: 'Value', cell: signal => (signal.value == null ? '–' : String(signal.value)), isNumber: true },
-      { label: 'For', cell: signal => seconds(signal.age_s), isNumber: true },
-      { label: 'Source', cell: signal => signal.source },
+      { label: columnLabels.state, cell: signal => signal.state, level: signal => levelOf(signal.state) },
+      { label: columnLabels.value, cell: signal => (signal.value == null ? '–' : String(signal.value)), isNumber: true },
+      { label: columnLabels.valueFor, cell: signal => seconds(signal.age_s), isNumber: true },
+      { label: columnLabels.source, cell: signal => signal.source },
     ],
     signal => signal.name,
     emptyMessages.signals,

@@ -1,5 +1,7 @@
 import { el } from '../dom';
 import { emptyMessages, operationsLabels } from '../messages/operations';
+import { stateLabels } from '../messages/states';
+import { captionLabels, columnLabels } from '../messages/terms';
 import { LiveTable } from './liveTable';
 import { eventWords } from './overall';
 import type { StatusEvent } from './state';
@@ -9,18 +11,18 @@ import { lengthWords, localTime } from './times';
 export class Events {
   readonly element: HTMLElement;
   private readonly table = new LiveTable<StatusEvent>(
-    'Events',
+    captionLabels.events,
     [
-      { label: 'State', cell: e => (e.until_utc ? 'ended' : 'active'), level: e => (e.until_utc ? 'over' : e.level) },
-      { label: 'Start', cell: e => localTime(e.since_utc) },
-      { label: 'End', cell: e => (e.until_utc ? localTime(e.until_utc) : '–') },
-      { label: 'Duration', cell: e => (e.until_utc ? lengthWords((Date.parse(e.until_utc) - Date.parse(e.since_utc)) / 1000) : '–') },
-      { label: 'Event', cell: e => eventWords(e), isLong: true },
+      { label: columnLabels.state, cell: e => (e.until_utc ? stateLabels.ended : stateLabels.active), level: e => (e.until_utc ? 'over' : e.level) },
+      { label: columnLabels.start, cell: e => localTime(e.since_utc) },
+      { label: columnLabels.end, cell: e => (e.until_utc ? localTime(e.until_utc) : '–') },
+      { label: columnLabels.duration, cell: e => (e.until_utc ? lengthWords((Date.parse(e.until_utc) - Date.parse(e.since_utc)) / 1000) : '–') },
+      { label: columnLabels.event, cell: e => eventWords(e), isLong: true },
     ],
     e => String(e.id),
     emptyMessages.events,
     undefined,
-    'No.',
+    columnLabels.number,
   );
 
   constructor() {
@@ -30,7 +32,7 @@ export class Events {
       'div',
       {},
       this.table.element,
-      el('p', { class: 'downloads' }, `${operationsLabels.downloadEvents} `, link('csv'), ' or ', link('json'), '.'),
+      el('p', { class: 'downloads' }, `${operationsLabels.downloadEvents} `, link('csv'), ` ${operationsLabels.or} `, link('json'), '.'),
     );
   }
 

@@ -1,5 +1,7 @@
 import { el } from '../dom';
 import { emptyMessages, operationsLabels } from '../messages/operations';
+import { stateLabels } from '../messages/states';
+import { captionLabels, columnLabels } from '../messages/terms';
 import { format } from '../numbers';
 import { LiveTable } from './liveTable';
 import { type Headset, numberOf, textOf } from './state';
@@ -25,26 +27,26 @@ export class Headsets {
 
   constructor(private readonly chosenChanged: (name: string | null) => void) {
     this.table = new LiveTable<Headset>(
-      'Headsets',
+      captionLabels.headsets,
       [
-        { label: 'Clock', cell: headset => stateOf(headset) },
-        { label: 'Pose', cell: poseOf, level: poseLevel },
-        number('Current (%)', 'current_share', v => 100 * v),
-        number('Error (mm)', 'error_mm'),
-        number('Held (mm)', 'error_mm_hold'),
-        number('Error reduction (%)', 'reduction', v => 100 * v),
-        number('Clock within (µs)', 'error_bound_us'),
-        number('RTT (ms)', 'rtt_ms'),
-        number('L_app (ms)', 'l_app_ms'),
-        number('L_visu (ms)', 'l_visu_ms'),
-        { label: 'Render time', cell: headset => rangeOf(headset) },
-        number('Samples', 'samples'),
-        number('Dropped', 'dropped'),
+        { label: columnLabels.clock, cell: headset => stateOf(headset) },
+        { label: columnLabels.pose, cell: poseOf, level: poseLevel },
+        number(columnLabels.current, 'current_share', v => 100 * v),
+        number(columnLabels.error, 'error_mm'),
+        number(columnLabels.held, 'error_mm_hold'),
+        number(columnLabels.reduction, 'reduction', v => 100 * v),
+        number(columnLabels.clockWithin, 'error_bound_us'),
+        number(columnLabels.roundTrip, 'rtt_ms'),
+        number(columnLabels.applicationLatency, 'l_app_ms'),
+        number(columnLabels.visualisationLatency, 'l_visu_ms'),
+        { label: columnLabels.renderTime, cell: headset => rangeOf(headset) },
+        number(columnLabels.samples, 'samples'),
+        number(columnLabels.dropped, 'dropped'),
       ],
       headset => headset.name,
       emptyMessages.headsets,
       name => this.choiceOf(name),
-      'Shown',
+      columnLabels.shown,
       noteOf,
     );
     this.element = this.table.element;
@@ -74,7 +76,9 @@ export class Headsets {
 }
 
 function stateOf(headset: Headset): string {
-  return headset.seen_s_ago > SILENT_S ? `silent for ${Math.round(headset.seen_s_ago)} s` : withError(headset, 'state') || 'not known';
+  return headset.seen_s_ago > SILENT_S
+    ? stateLabels.silent(`${Math.round(headset.seen_s_ago)} s`)
+    : withError(headset, 'state') || stateLabels.notKnown;
 }
 
 /** Returns the state of the clock or of the pose as text. For a coarse clock, adds the error that the headset reports. */
@@ -83,7 +87,7 @@ function withError(headset: Headset, key: string): string {
 }
 
 function poseOf(headset: Headset): string {
-  return headset.seen_s_ago > SILENT_S ? 'not known' : withError(headset, 'pose') || 'not reported';
+  return headset.seen_s_ago > SILENT_S ? stateLabels.notKnown : withError(headset, 'pose') || stateLabels.notReported;
 }
 
 function poseLevel(headset: Headset): string {
@@ -97,7 +101,7 @@ function noteOf(headset: Headset): string {
   const mismatch = textOf(headset, 'profile_mismatch');
   const withheld = textOf(headset, 'error_withheld');
   return [
-    missing && `missing joints: ${missing}`,
+    missing && operationsLabels.missingJoints(missing),
     mismatch && operationsLabels.profileMismatch(mismatch),
     withheld && operationsLabels.errorWithheld(withheld),
   ]
@@ -107,7 +111,7 @@ function noteOf(headset: Headset): string {
 
 function rangeOf(headset: Headset): string {
   const range = textOf(headset, 'range');
-  const word = range === 'inside' ? 'in range' : range === 'outside' ? 'OUT OF RANGE' : range || 'no range known';
+  const word = range === 'inside' ? stateLabels.inRange : range === 'outside' ? stateLabels.outOfRange : range || stateLabels.noRange;
   const render = numberOf(headset, 'render_ms');
   return render == null ? word : `${word}, ${format(render, 'ms')}`;
 }

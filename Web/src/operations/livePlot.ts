@@ -2,6 +2,7 @@ import type uPlot from 'uplot';
 import { Chart } from '../chart';
 import { plotBlock } from '../figures';
 import { Legend } from '../legend';
+import { axisLabels } from '../messages/plots';
 import { format } from '../numbers';
 import { colour } from '../theme';
 import type { Look } from '../traces';
@@ -34,7 +35,7 @@ export class LivePlot {
     this.chart = new Chart({
       description,
       height: 200,
-      xLabel: 'time (s), 0 is now',
+      xLabel: axisLabels.timeBeforeNow,
       yLabel,
       data: this.data(),
       series: [

@@ -1,6 +1,6 @@
 import { el } from '../dom';
 import { scrollable } from '../tables';
-import { meanings } from '../messages/terms';
+import { columnLabels, meanings } from '../messages/terms';
 import { term } from '../terms';
 
 export interface Column<T> {
@@ -33,7 +33,7 @@ export class LiveTable<T> {
     private readonly key: (item: T) => string,
     none: string,
     private readonly head: (key: string) => Node | string = name => name,
-    first = 'Name',
+    first = columnLabels.name,
     private readonly noteOf: (item: T) => string = () => '',
   ) {
     this.none = el('p', { class: 'missing' }, none);

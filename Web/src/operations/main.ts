@@ -1,7 +1,8 @@
 import 'uplot/dist/uPlot.min.css';
 import '../report.css';
 import './operations.css';
-import { operationsMessages } from '../messages/operations';
+import { operationsLabels, operationsMessages } from '../messages/operations';
+import { stateLabels } from '../messages/states';
 import { byId } from '../pairing/elements';
 import { Budget } from './budget';
 import { Cell } from './cell';
@@ -90,19 +91,21 @@ function show(state: State): void {
   setText(byId('clock'), clockWords(state));
   setText(
     byId('forwarding'),
-    state.forward_ms ? `${state.forward_ms.p50.toFixed(2)} ms, P99 ${state.forward_ms.p99.toFixed(2)} ms` : 'nothing forwarded',
+    state.forward_ms
+      ? operationsLabels.forwarding(`${state.forward_ms.p50.toFixed(2)} ms`, `${state.forward_ms.p99.toFixed(2)} ms`)
+      : operationsLabels.nothingForwarded,
   );
   setText(
     byId('connections'),
     Object.entries(state.connections ?? {})
       .map(([name, { open }]) => `${open} ${name}`)
-      .join(', ') || 'none',
+      .join(', ') || stateLabels.none,
   );
   setText(
     byId('drops'),
     Object.entries(state.drops ?? {})
       .map(([why, count]) => `${why} ${count}`)
-      .join(', ') || 'none',
+      .join(', ') || stateLabels.none,
   );
   setText(byId('role'), state.role ?? '–');
   byId('pairing').hidden = !state.pairs_headsets;

@@ -1,31 +1,32 @@
 import { el } from '../dom';
 import { operationsLabels, operationsMessages } from '../messages/operations';
+import { levelLabels } from '../messages/states';
 import { byId } from '../pairing/elements';
 import { setText } from './liveTable';
 import type { Level, State, StatusEvent } from './state';
 import { localTime } from './times';
 
-const WORDS: Record<Level | 'unknown', string> = { ok: 'OK', warning: 'Warning', error: 'Fault', unknown: 'Not known' };
 const MAX_ALARMS = 8;
 
 /** Shows title, status line and alarms at the top of the page. */
 export class Overall {
   private readonly line = byId('status');
   private readonly alarms = byId('alarms');
+  private title = document.title;
 
   show({ cell, host, version, status, events }: State): void {
-    setText(byId('cell'), cell || 'Operations');
-    setText(byId('place'), [host && `host ${host}`, version && `Nowpose gateway ${version}`].filter(Boolean).join(' · '));
+    setText(byId('cell'), cell || operationsLabels.operations);
+    setText(byId('place'), [host && operationsLabels.host(host), version && operationsLabels.gateway(version)].filter(Boolean).join(' · '));
     const level = status?.level ?? 'unknown';
-    const title = [cell || 'Operations', host, version && `Nowpose ${version}`].filter(Boolean).join(' · ');
-    document.title = level === 'ok' ? title : `${WORDS[level]}: ${title}`;
-    this.setLine(level, status ? `${WORDS[level]}: ${status.text}` : operationsMessages.stateNotReported);
+    this.title = [cell || operationsLabels.operations, host, version && operationsLabels.product(version)].filter(Boolean).join(' · ');
+    document.title = level === 'ok' ? this.title : `${levelLabels[level]}: ${this.title}`;
+    this.setLine(level, status ? `${levelLabels[level]}: ${status.text}` : operationsMessages.stateNotReported);
     this.showAlarms((events ?? []).filter(event => !event.until_utc));
   }
 
   /** Shows that the state is unknown. Called when the gateway does not respond. */
   lose(): void {
-    document.title = `Not known: ${document.title.replace(/^(Warning|Fault|Not known): /, '')}`;
+    document.title = `${levelLabels.unknown}: ${this.title}`;
     this.setLine('unknown', operationsMessages.noState);
   }
 
@@ -38,7 +39,7 @@ export class Overall {
     const worst = [...active].sort((a, b) => Number(b.level === 'error') - Number(a.level === 'error'));
     const lines = worst
       .slice(0, MAX_ALARMS)
-      .map(event => ({ level: event.level, text: `${eventWords(event)} – since ${localTime(event.since_utc)}` }));
+      .map(event => ({ level: event.level, text: operationsLabels.since(eventWords(event), localTime(event.since_utc)) }));
     if (worst.length > MAX_ALARMS) lines.push({ level: 'warning', text: operationsLabels.moreEvents(worst.length - MAX_ALARMS) });
     this.alarms.hidden = lines.length === 0;
     while (this.alarms.children.length > lines.length) this.alarms.lastElementChild!.remove();

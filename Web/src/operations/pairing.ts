@@ -1,3 +1,4 @@
+import { pairingLabels } from '../messages/codes';
 import { byId } from '../pairing/elements';
 import { startToken } from '../pairing/token';
 
@@ -9,7 +10,7 @@ export function startPairing(): void {
     if (stop) stop();
     stop = stop ? null : startToken();
     byId('code').hidden = stop === null;
-    button.textContent = stop ? 'Hide the code' : 'Show the code';
+    button.textContent = stop ? pairingLabels.hideCode : pairingLabels.showCode;
     button.setAttribute('aria-expanded', String(stop !== null));
   });
 }

@@ -1,6 +1,7 @@
 import { el } from '../dom';
 import { emptyMessages, operationsLabels, operationsMessages } from '../messages/operations';
-import { longLabels } from '../messages/terms';
+import { clockLabels, stateLabels } from '../messages/states';
+import { captionLabels, columnLabels } from '../messages/terms';
 import { format } from '../numbers';
 import { LiveTable } from './liveTable';
 import { type Joint, numberOf, type PlantClock, type Source, type State, textOf, type Words } from './state';
@@ -13,7 +14,7 @@ const SILENT_S = 3;
 const KEY = '\u0000';
 
 const JOINT_LEVELS: Record<string, string> = { live: 'ok', rest: 'rest' };
-const JOINT_WORDS: Record<string, string> = { rest: 'assumed at rest' };
+const JOINT_WORDS: Record<string, string> = { rest: stateLabels.assumedAtRest };
 
 const word = (label: string, key: string) => ({ label, cell: (words: Words) => textOf(words, key) || '–' });
 const count = (label: string, key: string) => ({
@@ -26,20 +27,20 @@ const count = (label: string, key: string) => ({
 export class Plants {
   readonly element: HTMLElement;
   private readonly adapters = new LiveTable<Words>(
-    'Plant connections',
+    captionLabels.adapters,
     [
-      word('Kind', 'kind'),
+      word(columnLabels.kind, 'kind'),
       {
-        label: 'State',
-        cell: a => (a.seen_s_ago > SILENT_S ? `silent for ${lengthWords(a.seen_s_ago)}` : textOf(a, 'state') || 'not known'),
+        label: columnLabels.state,
+        cell: a => (a.seen_s_ago > SILENT_S ? stateLabels.silent(lengthWords(a.seen_s_ago)) : textOf(a, 'state') || stateLabels.notKnown),
         level: a => (a.seen_s_ago <= SILENT_S && textOf(a, 'state') === 'connected' ? 'ok' : 'error'),
       },
-      word('Endpoint', 'endpoint'),
-      word('Security', 'security'),
-      count('Samples', 'samples'),
-      count('Refused', 'refused'),
-      count('Reconnects', 'reconnects'),
-      count('Sampling (ms)', 'sampling_ms'),
+      word(columnLabels.endpoint, 'endpoint'),
+      word(columnLabels.security, 'security'),
+      count(columnLabels.samples, 'samples'),
+      count(columnLabels.refused, 'refused'),
+      count(columnLabels.reconnects, 'reconnects'),
+      count(columnLabels.sampling, 'sampling_ms'),
     ],
     a => a.name,
     emptyMessages.adapters,
@@ -48,55 +49,58 @@ export class Plants {
     adapterNote,
   );
   private readonly joints = new LiveTable<Joint>(
-    'Joints',
+    captionLabels.joints,
     [
-      { label: 'Source', cell: j => j.source },
+      { label: columnLabels.source, cell: j => j.source },
       {
-        label: 'State',
-        cell: j => (j.uncertain ? operationsLabels.uncertainRest : (JOINT_WORDS[j.state] ?? j.state)),
+        label: columnLabels.state,
+        cell: j => (j.uncertain ? stateLabels.uncertainRest : (JOINT_WORDS[j.state] ?? j.state)),
         level: j => (j.uncertain ? 'warning' : (JOINT_LEVELS[j.state] ?? 'error')),
       },
-      { label: 'Since', cell: j => localTime(j.since_utc) },
-      { label: 'Rate (Hz)', isNumber: true, cell: j => format(j.rate_hz) },
-      { label: 'Age', isNumber: true, cell: j => (j.age_s == null ? '–' : lengthWords(j.age_s)) },
+      { label: columnLabels.since, cell: j => localTime(j.since_utc) },
+      { label: columnLabels.rate, isNumber: true, cell: j => format(j.rate_hz) },
+      { label: columnLabels.age, isNumber: true, cell: j => (j.age_s == null ? '–' : lengthWords(j.age_s)) },
     ],
     j => j.name + KEY + j.source,
     emptyMessages.joints,
     key => key.split(KEY)[0],
-    'Joint',
+    columnLabels.joint,
     jointNote,
   );
   private readonly sources = new LiveTable<Source>(
-    longLabels.sources,
+    captionLabels.sources,
     [
-      { label: 'Rate (Hz)', isNumber: true, cell: s => format(s.rate_hz) },
-      { label: longLabels.ageAtGateway, isNumber: true, cell: s => format(s.age_ms?.p50) },
-      { label: 'P95 (ms)', isNumber: true, cell: s => format(s.age_ms?.p95) },
+      { label: columnLabels.rate, isNumber: true, cell: s => format(s.rate_hz) },
+      { label: columnLabels.ageAtGateway, isNumber: true, cell: s => format(s.age_ms?.p50) },
+      { label: columnLabels.p95, isNumber: true, cell: s => format(s.age_ms?.p95) },
     ],
     s => s.joints.join(', '),
     emptyMessages.sources,
     undefined,
-    'Joints',
+    columnLabels.joints,
     ({ beyond_limits: joints }) => (joints?.length ? operationsMessages.beyondLimits(joints) : ''),
   );
   private readonly clocks = new LiveTable<PlantClock>(
-    longLabels.plantClocks,
+    captionLabels.clocks,
     [
-      { label: 'Use', cell: c => (c.is_control_clock ? 'control clock' : operationsLabels.measuredClock) },
-      { label: 'State', cell: c => (c.connected ? stateWords(c.state, c.estimated_error_us, c.error_bound_us) : 'not connected') },
-      { label: longLabels.aheadOfControl, isNumber: true, cell: c => format(c.offset_to_control_ms) },
-      { label: 'Skew (ppm)', isNumber: true, cell: c => format(c.skew_ppm) },
-      { label: 'RTT (ms)', isNumber: true, cell: c => format(c.rtt_ms) },
-      { label: '± (µs)', isNumber: true, cell: c => format(c.estimated_error_us) },
-      { label: 'Error bound (µs)', isNumber: true, cell: c => format(c.error_bound_us) },
-      { label: 'Resolution (µs)', isNumber: true, cell: c => format(c.resolution_us) },
-      { label: 'Failures', isNumber: true, cell: c => format(c.failures) },
+      { label: columnLabels.use, cell: c => (c.is_control_clock ? stateLabels.controlClock : stateLabels.measuredClock) },
+      {
+        label: columnLabels.state,
+        cell: c => (c.connected ? stateWords(c.state, c.estimated_error_us, c.error_bound_us) : stateLabels.notConnected),
+      },
+      { label: columnLabels.aheadOfControl, isNumber: true, cell: c => format(c.offset_to_control_ms) },
+      { label: columnLabels.skew, isNumber: true, cell: c => format(c.skew_ppm) },
+      { label: columnLabels.roundTrip, isNumber: true, cell: c => format(c.rtt_ms) },
+      { label: columnLabels.estimatedError, isNumber: true, cell: c => format(c.estimated_error_us) },
+      { label: columnLabels.errorBound, isNumber: true, cell: c => format(c.error_bound_us) },
+      { label: columnLabels.resolution, isNumber: true, cell: c => format(c.resolution_us) },
+      { label: columnLabels.failures, isNumber: true, cell: c => format(c.failures) },
     ],
     c => c.name,
     emptyMessages.clocks,
     undefined,
     undefined,
-    c => (c.last_failure ? `last failure: ${c.last_failure}` : ''),
+    c => (c.last_failure ? operationsLabels.lastFailure(c.last_failure) : ''),
   );
 
   constructor() {
@@ -120,16 +124,16 @@ function jointNote({ reason, uncertain }: Joint): string {
 function adapterNote(adapter: Words): string {
   const refused = Object.keys(adapter).filter(key => key.startsWith('refused/') && numberOf(adapter, key));
   const counts = refused.map(key => `${key.slice('refused/'.length)} ${format(numberOf(adapter, key))}`);
-  return [textOf(adapter, 'reason'), counts.length > 0 ? `refused values: ${counts.join(', ')}` : ''].filter(Boolean).join('; ');
+  return [textOf(adapter, 'reason'), counts.length > 0 ? operationsLabels.refusedValues(counts.join(', ')) : ''].filter(Boolean).join('; ');
 }
 
 /** Returns the state of the control clock in one line. */
 export function clockWords({ clock }: State): string {
-  if (!clock) return 'not known';
-  const source = clock.source === 'own' ? 'the gateway’s own' : `of ${clock.source}`;
+  if (!clock) return stateLabels.notKnown;
+  const source = clock.source === 'own' ? clockLabels.ownClock : clockLabels.clockOf(clock.source);
   // For a coarse clock, the state already contains the error. The gateway's own clock has no error.
   const isFine = clock.state !== 'coarse';
-  const error = clock.estimated_error_us && isFine ? `, ±\u00a0${format(clock.estimated_error_us, 'µs')}` : '';
-  const bound = clock.error_bound_us && isFine ? `, within ${format(clock.error_bound_us, 'µs')}` : '';
+  const error = clock.estimated_error_us && isFine ? `, ${clockLabels.error(format(clock.estimated_error_us, 'µs'))}` : '';
+  const bound = clock.error_bound_us && isFine ? `, ${clockLabels.bound(format(clock.error_bound_us, 'µs'))}` : '';
   return `${stateWords(clock.state, clock.estimated_error_us, clock.error_bound_us)}, ${source}${error}${bound}`;
 }

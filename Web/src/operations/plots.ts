@@ -1,5 +1,6 @@
 import { el } from '../dom';
 import { livePlotDescriptions } from '../messages/operations';
+import { axisLabels, traceLabels } from '../messages/plots';
 import { LOOKS } from '../traces';
 import { LivePlot } from './livePlot';
 import { numberOf, type State } from './state';
@@ -9,22 +10,22 @@ const DASHED = { ink: '--quadratic', width: 2, dash: [8, 4] } as const;
 /** Plots the selected headset and the plant over the last two minutes. */
 export class Plots {
   readonly element: HTMLElement;
-  private readonly latency = new LivePlot(livePlotDescriptions.latency, 'latency (ms)', 'ms', [
-    { label: 'L_app', look: LOOKS.compensated },
-    { label: 'L_visu', look: LOOKS.hold },
-    { label: 'round trip', look: { ...DASHED, dash: [8, 4] } },
+  private readonly latency = new LivePlot(livePlotDescriptions.latency, axisLabels.latency, 'ms', [
+    { label: traceLabels.applicationLatency, look: LOOKS.compensated },
+    { label: traceLabels.visualisationLatency, look: LOOKS.hold },
+    { label: traceLabels.roundTrip, look: { ...DASHED, dash: [8, 4] } },
   ]);
-  private readonly clock = new LivePlot(livePlotDescriptions.clock, 'clock bound (µs)', 'µs', [
-    { label: 'shown headset', look: LOOKS.compensated },
-    { label: 'control clock', look: LOOKS.hold },
+  private readonly clock = new LivePlot(livePlotDescriptions.clock, axisLabels.clockBound, 'µs', [
+    { label: traceLabels.shownHeadset, look: LOOKS.compensated },
+    { label: traceLabels.controlClock, look: LOOKS.hold },
   ]);
-  private readonly error = new LivePlot(livePlotDescriptions.error, 'tool error (mm)', 'mm', [
-    { label: 'held', look: LOOKS.hold },
-    { label: 'compensated', look: LOOKS.compensated },
+  private readonly error = new LivePlot(livePlotDescriptions.error, axisLabels.toolError, 'mm', [
+    { label: traceLabels.held, look: LOOKS.hold },
+    { label: traceLabels.compensated, look: LOOKS.compensated },
   ]);
-  private readonly rate = new LivePlot(livePlotDescriptions.rate, 'rate (Hz)', 'Hz', [
-    { label: 'fastest source', look: LOOKS.compensated },
-    { label: 'slowest source', look: LOOKS.hold },
+  private readonly rate = new LivePlot(livePlotDescriptions.rate, axisLabels.rate, 'Hz', [
+    { label: traceLabels.fastestSource, look: LOOKS.compensated },
+    { label: traceLabels.slowestSource, look: LOOKS.hold },
   ]);
 
   constructor() {

@@ -1,4 +1,4 @@
-import { operationsLabels, operationsMessages } from '../messages/operations';
+import { operationsMessages, recorderLabels } from '../messages/operations';
 import { format } from '../numbers';
 import { byId } from '../pairing/elements';
 import { setText } from './liveTable';
@@ -21,7 +21,7 @@ export class Recorder {
     this.button.hidden = !can;
     this.button.disabled = !may || !can;
     this.button.classList.toggle('on', this.isOn);
-    setText(this.button, this.isOn ? 'Stop recording' : 'Record');
+    setText(this.button, this.isOn ? recorderLabels.stop : recorderLabels.record);
     setText(byId('recording'), wordsOf(recording, can));
     setText(byId('may-record'), may || !can ? '' : operationsMessages.recordAsOperator);
   }
@@ -36,12 +36,12 @@ export class Recorder {
 
 function wordsOf(recording: Recording | null | undefined, can: boolean): string {
   if (!recording || !can) return operationsMessages.noFolder;
-  const size = `${format(recording.lines ?? 0)} lines, ${format((recording.bytes ?? 0) / 1e6, 'MB')}`;
-  const lost = recording.lost ? `, ${format(recording.lost)} lines are missing` : '';
+  const written = recorderLabels.size(format(recording.lines ?? 0), format((recording.bytes ?? 0) / 1e6, 'MB'));
+  const size = recording.lost ? `${written}, ${recorderLabels.lost(format(recording.lost))}` : written;
   const state = recording.on
-    ? `recording ${recording.file ?? ''}: ${size}${lost}`
+    ? recorderLabels.recording(recording.file ?? '', size)
     : recording.file
-      ? `stopped; last ${recording.file}: ${recording.deleted ? operationsLabels.recordingDeleted : `${size}${lost}`}`
-      : 'off';
-  return recording.problem ? `${state}. Problem: ${recording.problem}` : state;
+      ? recorderLabels.stopped(recording.file, recording.deleted ? recorderLabels.fileDeleted : size)
+      : recorderLabels.off;
+  return recording.problem ? recorderLabels.problem(state, recording.problem) : state;
 }

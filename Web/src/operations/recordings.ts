@@ -1,5 +1,6 @@
 import { el } from '../dom';
-import { emptyMessages, operationsMessages } from '../messages/operations';
+import { emptyMessages, operationsMessages, recorderLabels } from '../messages/operations';
+import { captionLabels, columnLabels } from '../messages/terms';
 import { format } from '../numbers';
 import { byId } from '../pairing/elements';
 import { LiveTable, setText } from './liveTable';
@@ -12,17 +13,18 @@ const POLL_MS = 5000;
 export class Recordings {
   private readonly note = byId('recordings-note');
   private readonly table = new LiveTable<StoredRecording>(
-    'Recordings',
+    captionLabels.recordings,
     [
-      { label: 'Size (MB)', isNumber: true, cell: file => format(file.bytes / 1e6) },
-      { label: 'Last written', cell: file => localTime(file.changed_utc) },
+      { label: columnLabels.size, isNumber: true, cell: file => format(file.bytes / 1e6) },
+      { label: columnLabels.lastWritten, cell: file => localTime(file.changed_utc) },
     ],
     file => file.name,
     emptyMessages.recordings,
     linkTo,
-    'File',
+    columnLabels.file,
   );
   private listed = new Set<string>();
+  private deleted = '';
   private asked = -Infinity;
   private file = '';
 
@@ -49,8 +51,9 @@ export class Recordings {
     if ('trouble' in answer) return setText(this.note, operationsMessages.notListed(answer.trouble));
     const names = new Set(answer.value.map(file => file.name));
     const deleted = [...this.listed].filter(name => !names.has(name));
-    if (deleted.length > 0) setText(this.note, `Deleted: ${deleted.join(', ')}`);
-    else if (this.listed.size === 0 || !this.note.textContent!.startsWith('Deleted')) setText(this.note, '');
+    // The names of deleted files stay on the page until further files are deleted.
+    if (deleted.length > 0) this.deleted = recorderLabels.deleted(deleted.join(', '));
+    setText(this.note, this.deleted);
     this.listed = names;
     this.table.show(answer.value);
   }

@@ -12,6 +12,7 @@ export interface Drawing {
 
 export function draw(text: string): Drawing {
   const code = qrcode(0, 'M');
+  // eslint-disable-next-line nowpose/messages -- the name of a mode of the code
   code.addData(text, 'Byte');
   code.make();
   const modules = code.getModuleCount();

@@ -41,7 +41,7 @@ async function show(fields: Record<string, string>, end: AbortSignal): Promise<v
   if ('trouble' in answer) trouble = answer.trouble;
   else {
     trouble = '';
-    byId('key').textContent = answer.value.key === '' ? 'no encryption' : `key ${answer.value.key}`;
+    byId('key').textContent = answer.value.key === '' ? pairingLabels.noEncryption : pairingLabels.key(answer.value.key);
     endsAt = performance.now() + answer.value.left_s * 1000;
     if (answer.value.text !== text) {
       text = answer.value.text;

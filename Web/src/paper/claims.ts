@@ -1,6 +1,6 @@
 import type { ClaimData } from '../data';
 import { el } from '../dom';
-import { figuresLabels } from '../messages/report';
+import { figuresLabels, paperLabels } from '../messages/report';
 import { header, scrollable } from '../tables';
 import { anchorOf } from './section';
 import { text } from './text';
@@ -13,7 +13,7 @@ import { badge } from './verdict';
 export function claimsSection(claims: ClaimData[], figures: string[]): HTMLElement {
   const caption = figuresLabels.claimsAndRun;
   const name = (figure: string) => {
-    const words = `Fig. ${figure}`;
+    const words = paperLabels.figure(figure);
     return figures.includes(figure) ? el('a', { href: `#${anchorOf(figure)}` }, words) : words;
   };
   const rows = claims.map(c =>
@@ -37,7 +37,7 @@ export function claimsSection(claims: ClaimData[], figures: string[]): HTMLEleme
         'table',
         { class: 'contents' },
         el('caption', {}, figuresLabels.claims),
-        header('Figure', 'Claim', 'Paper', 'Measured', 'Verdict'),
+        header(figuresLabels.figure, figuresLabels.claim, figuresLabels.paper, figuresLabels.measured, figuresLabels.verdict),
         el('tbody', {}, ...rows),
       ),
     ),

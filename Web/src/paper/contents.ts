@@ -1,5 +1,5 @@
 import { el } from '../dom';
-import { figuresLabels } from '../messages/report';
+import { figuresLabels, paperLabels } from '../messages/report';
 import { header, scrollable } from '../tables';
 import type { FigureData } from './data';
 import { anchorOf } from './section';
@@ -12,14 +12,23 @@ export function contents(figures: FigureData[]): HTMLElement {
     el(
       'tr',
       {},
-      el('th', { scope: 'row' }, el('a', { href: `#${anchorOf(f.number)}` }, `Fig. ${f.number}`)),
+      el('th', { scope: 'row' }, el('a', { href: `#${anchorOf(f.number)}` }, paperLabels.figure(f.number))),
       el('td', {}, f.title),
       el('td', {}, badge(f.verdict)),
     ),
   );
   return el(
     'nav',
-    { 'aria-label': 'Contents' },
-    scrollable(caption, el('table', { class: 'contents' }, el('caption', {}, caption), header('Figure', 'Shows', 'Claim'), el('tbody', {}, ...rows))),
+    { 'aria-label': figuresLabels.contents },
+    scrollable(
+      caption,
+      el(
+        'table',
+        { class: 'contents' },
+        el('caption', {}, caption),
+        header(figuresLabels.figure, figuresLabels.title, figuresLabels.claim),
+        el('tbody', {}, ...rows),
+      ),
+    ),
   );
 }

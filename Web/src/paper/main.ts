@@ -3,14 +3,15 @@ import '../report.css';
 import './figures.css';
 import { el } from '../dom';
 import { credit, plotHint } from '../figures';
-import { creditMessages, figuresLabels, figuresMessages } from '../messages/report';
+import { creditMessages, figuresLabels, figuresMessages, paperLabels } from '../messages/report';
+import { tableLabels } from '../messages/tables';
 import { factTable } from '../tables';
 import { contents } from './contents';
 import { type FiguresData, readFigures } from './data';
 import { figureSection } from './section';
 
 function page(data: FiguresData): Node[] {
-  const missing = data.missing.map(number => `Fig. ${number}`).join(', ');
+  const missing = data.missing.map(number => paperLabels.figure(number)).join(', ');
   return [
     el('header', {}, el('h1', {}, data.title), el('p', {}, data.subtitle)),
     el(
@@ -21,11 +22,15 @@ function page(data: FiguresData): Node[] {
         { class: 'first' },
         el(
           'section',
-          { 'aria-label': 'Verdicts' },
+          { 'aria-label': figuresLabels.verdicts },
           contents(data.figures),
           missing ? el('p', { class: 'missing' }, figuresMessages.notComputed(missing)) : null,
         ),
-        el('section', { 'aria-label': 'Conditions' }, factTable(figuresLabels.conditions, data.conditions, ['Condition', 'Value'])),
+        el(
+          'section',
+          { 'aria-label': figuresLabels.conditionsOfAll },
+          factTable(figuresLabels.conditions, data.conditions, [figuresLabels.condition, tableLabels.value]),
+        ),
       ),
       plotHint(),
       ...data.figures.map(figureSection),

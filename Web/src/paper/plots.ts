@@ -1,6 +1,7 @@
 import { operatingPlot } from '../fieldPlot';
 import type { Plot } from '../figures';
 import { linePlot } from '../linePlot';
+import { plotValueLabels } from '../messages/plots';
 import { format, statistics } from '../numbers';
 import type { PlotData } from './data';
 import { lookOf, pointsOf } from './looks';
@@ -44,7 +45,7 @@ function inWords({ x, y, traces, iso_mm }: PlotData): string {
     traces
       .map(t => {
         const s = statistics(iso_mm ? t.x : t.y);
-        return s ? `${t.label} ${over.name} from ${format(s.min)} to ${format(s.max, over.unit)}` : `${t.label}: none`;
+        return s ? plotValueLabels.range(t.label, over.name, format(s.min), format(s.max, over.unit)) : plotValueLabels.none(t.label);
       })
       .join('; ') + '.'
   );

@@ -1,6 +1,6 @@
 import { el } from '../dom';
 import { plotBlock } from '../figures';
-import { PAPER } from '../messages/report';
+import { figuresLabels, PAPER, paperLabels } from '../messages/report';
 import type { DrawingData, FigureData } from './data';
 import { plotOf } from './plots';
 import { dataTable, textTable } from './tables';
@@ -15,7 +15,7 @@ export function anchorOf(number: string): string {
 export function figureSection(figure: FigureData): HTMLElement {
   const id = anchorOf(figure.number);
   const heading = `${id}-heading`;
-  const name = `Fig. ${figure.number}`;
+  const name = paperLabels.figure(figure.number);
   const pictures = [
     ...figure.plots.map(plot => titled(plot.title, figure.plots.length > 1, plotBlock(plotOf(plot, name, figure.plots.length > 1)))),
     figure.drawings.length > 0 ? el('div', { class: 'drawings' }, ...figure.drawings.map(drawing)) : null,
@@ -30,18 +30,18 @@ export function figureSection(figure: FigureData): HTMLElement {
       el(
         'div',
         { class: 'words' },
-        el('h3', {}, 'The paper says'),
-        el('p', {}, ...text(figure.claim), ' ', el('a', { class: 'source', href: PAPER }, `(Schnierle & Röck 2022, ${name})`)),
-        el('h3', {}, 'We measure'),
+        el('h3', {}, figuresLabels.paperSays),
+        el('p', {}, ...text(figure.claim), ' ', el('a', { class: 'source', href: PAPER }, `(${paperLabels.citation(name)})`)),
+        el('h3', {}, figuresLabels.weMeasure),
         criteria(figure.criteria),
-        figure.beyond ? el('h3', {}, 'Beyond the paper') : null,
+        figure.beyond ? el('h3', {}, figuresLabels.beyond) : null,
         figure.beyond ? el('p', {}, ...text(figure.beyond)) : null,
       ),
       el('div', { class: 'pictures' }, ...pictures),
     ),
     figure.summary ? textTable(figure.summary) : null,
     el('p', { class: 'conditions' }, ...text(figure.conditions)),
-    el('details', {}, el('summary', {}, `Data, as in ${figure.file}`), dataTable(`Data of ${name}`, figure.table)),
+    el('details', {}, el('summary', {}, figuresLabels.dataFile(figure.file)), dataTable(figuresLabels.dataOf(name), figure.table)),
   );
 }
 

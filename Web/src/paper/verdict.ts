@@ -1,4 +1,5 @@
 import { el } from '../dom';
+import { criterionLabels } from '../messages/report';
 import type { CriterionData, Verdict } from './data';
 import { text } from './text';
 
@@ -16,9 +17,9 @@ export function badge(verdict: Verdict): HTMLElement {
 }
 
 function signOf({ is_met: isMet, is_undecided: isUndecided }: CriterionData): { css: string; sign: string; words: string } {
-  if (isUndecided) return { css: 'undecided', sign: '?', words: 'undecided:' };
-  if (isMet == null) return { css: 'unmeasured', sign: '–', words: 'not measured:' };
-  return isMet ? { css: 'met', sign: '✓', words: 'met:' } : { css: 'unmet', sign: '✗', words: 'not met:' };
+  if (isUndecided) return { css: 'undecided', sign: '?', words: criterionLabels.undecided };
+  if (isMet == null) return { css: 'unmeasured', sign: '–', words: criterionLabels.notMeasured };
+  return isMet ? { css: 'met', sign: '✓', words: criterionLabels.met } : { css: 'unmet', sign: '✗', words: criterionLabels.notMet };
 }
 
 export function criteria(list: CriterionData[]): HTMLElement {
@@ -27,11 +28,11 @@ export function criteria(list: CriterionData[]): HTMLElement {
     { class: 'criteria' },
     ...list.map(c => {
       const { css, sign, words } = signOf(c);
-      const measured = c.is_met == null && !c.is_undecided ? c.measured : `Measured: ${c.measured}`;
+      const measured = c.is_met == null && !c.is_undecided ? c.measured : criterionLabels.measured(c.measured);
       return el(
         'li',
         { class: css },
-        el('span', { class: 'sign', role: 'img', 'aria-label': words }, sign),
+        el('span', { class: 'sign', role: 'img', 'aria-label': `${words}:` }, sign),
         el('span', {}, ...text(c.statement), ' ', el('span', { class: 'measured' }, ...text(`${measured}.`))),
       );
     }),

@@ -1,4 +1,5 @@
 import { AxesHelper, type Box3, Group, Matrix4, Quaternion, Vector3 } from 'three';
+import { robotReasons } from '../messages/robot';
 
 /** Length of a drawn axis, m. */
 const AXES = 0.05;
@@ -88,7 +89,7 @@ export class Frames {
       frame.isStationary = isStationary;
       return frame;
     }
-    if (this.frames.size >= MAX_FRAMES) throw new Error('too many frames');
+    if (this.frames.size >= MAX_FRAMES) throw new Error(robotReasons.tooManyFrames);
     frame = { samples: [], isStationary, axes: new AxesHelper(AXES) };
     this.frames.set(name, frame);
     this.group.add(frame.axes);

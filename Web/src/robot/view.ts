@@ -1,6 +1,6 @@
 import { AmbientLight, Box3, Color, DirectionalLight, GridHelper, type Group, Scene, Vector3, WebGLRenderer } from 'three';
 import { el } from '../dom';
-import { robotMessages } from '../messages/robot';
+import { robotLabels, robotMessages } from '../messages/robot';
 import { colour, onColoursChanged } from '../theme';
 import { Bodies } from './bodies';
 import { OrbitCamera } from './camera';
@@ -38,7 +38,7 @@ export class RobotView {
     this.canvas = el('canvas', { 'aria-hidden': 'true' });
     const stage = el(
       'div',
-      { class: 'stage', tabindex: 0, role: 'group', 'aria-roledescription': '3D view', 'aria-label': `${description} ${robotMessages.keys}` },
+      { class: 'stage', tabindex: 0, role: 'group', 'aria-roledescription': robotLabels.view, 'aria-label': `${description} ${robotMessages.keys}` },
       this.canvas,
     );
     this.element = el('div', { class: 'robot' }, stage, this.note);

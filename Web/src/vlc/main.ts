@@ -1,6 +1,6 @@
 import './vlc.css';
 import { controlCells, PERIOD_MS, SIDE } from './code';
-import { clockCodeMessages, clockCodeReasons } from '../messages/codes';
+import { clockCodeLabels, clockCodeMessages, clockCodeReasons } from '../messages/codes';
 import { Exchanges } from './exchanges';
 import { Monitor } from './monitor';
 
@@ -35,12 +35,12 @@ function show(why: string | null, ns: bigint, boundMs: number): void {
   warning.hidden = why == null;
   document.body.dataset.state = why == null ? 'synchronised' : 'not synchronised';
   if (why != null) {
-    warning.textContent = `not synchronised: ${why}`;
+    warning.textContent = clockCodeLabels.notSynchronised(why);
     time.textContent = facts.textContent = '';
     return;
   }
   draw(Number((ns / NS_PER_MS) % BigInt(PERIOD_MS)));
-  time.textContent = `C1 ${seconds(ns)} s`;
+  time.textContent = clockCodeLabels.controlTime(seconds(ns));
   facts.textContent = `${clockCodeMessages.errorBound(boundMs)} ${delayInWords()}`;
 }
 

@@ -4,7 +4,7 @@ import { describe, it } from 'node:test';
 import { messages } from '../messages.mjs';
 import { becomes, cells, gateway, open } from './page.mjs';
 
-const { emptyMessages, longLabels, operationsLabels, operationsMessages } = messages;
+const { emptyMessages, captionLabels, operationsLabels, operationsMessages, stateLabels } = messages;
 
 describe('the operations page with faults', () => {
   const ago = seconds => new Date(Date.now() - 1000 * seconds).toISOString();
@@ -93,7 +93,7 @@ describe('the operations page with faults', () => {
     const badge = name => page.locator(`[aria-label="Joints"] tr:has(th:text-is("${name}")) .level`);
     const note = name => page.locator(`[aria-label="Joints"] tbody:has(th:text-is("${name}")) .note`).innerText();
 
-    assert.deepEqual([await badge('arm_joint_1').innerText(), await badge('arm_joint_1').getAttribute('class')], [operationsLabels.uncertainRest, 'level warning']);
+    assert.deepEqual([await badge('arm_joint_1').innerText(), await badge('arm_joint_1').getAttribute('class')], [stateLabels.uncertainRest, 'level warning']);
     assert.equal(await note('arm_joint_1'), `no change is reported; ${why}`);
     assert.deepEqual([await badge('arm_joint_2').innerText(), await badge('arm_joint_2').getAttribute('class')], ['assumed at rest', 'level rest']);
 
@@ -161,7 +161,7 @@ describe('the operations page with faults', () => {
 
     assert.deepEqual((await cells(page, 'left door')).slice(0, 2), Array(2).fill('coarse, ±\u00a03\u00a0ms'));
     assert.equal(await page.textContent('#clock'), 'coarse, ±\u00a04\u00a0ms, of press');
-    assert.equal((await page.locator(`[aria-label="${longLabels.plantClocks}"] tr:has(th:text-is("press")) td`).allInnerTexts())[1], 'coarse, ±\u00a04\u00a0ms');
+    assert.equal((await page.locator(`[aria-label="${captionLabels.clocks}"] tr:has(th:text-is("press")) td`).allInnerTexts())[1], 'coarse, ±\u00a04\u00a0ms');
     assert.equal(await page.locator('#headsets tr:has-text("left door") .level').getAttribute('class'), 'level ok');
   });
 

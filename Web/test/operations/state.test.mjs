@@ -6,7 +6,7 @@ import { hasInk } from '../inks.mjs';
 import { messages } from '../messages.mjs';
 import { becomes, cells, gateway, open } from './page.mjs';
 
-const { emptyMessages, operationsLabels, operationsMessages } = messages;
+const { emptyMessages, operationsLabels, operationsMessages, stateLabels } = messages;
 
 /** Returns the text of the note below a row; null if there is none. */
 const noteOf = async (page, row) => {
@@ -50,7 +50,7 @@ describe('the shown state', () => {
     assert.match(await page.textContent('#clock'), /synchronised, of press, ±\u00a035.*, within 120/);
     assert.deepEqual((await cells(page, 'belt')).slice(0, 2), ['ads', 'refused']);
     assert.equal(await noteOf(page, 'belt'), 'the router does not know this machine');
-    assert.deepEqual((await cells(page, 'press_ads')).slice(0, 4), [operationsLabels.measuredClock, 'synchronised', '12.5', '4.20']);
+    assert.deepEqual((await cells(page, 'press_ads')).slice(0, 4), [stateLabels.measuredClock, 'synchronised', '12.5', '4.20']);
     assert.deepEqual((await cells(page, 'press_ads')).slice(5, 7), ['25', '90'], 'its ± beside its bound');
     assert.equal((await cells(page, 'press_ads'))[8], '2');
     assert.equal(await noteOf(page, 'press_ads'), 'last failure: no response within 2 s');

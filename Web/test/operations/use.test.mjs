@@ -7,7 +7,7 @@ import { messages } from '../messages.mjs';
 import { readElement } from '../qr.mjs';
 import { becomes, cells, gateway, open, showsToolError, withGraphics } from './page.mjs';
 
-const { gatewayReasons, operationsLabels, operationsMessages } = messages;
+const { gatewayReasons, operationsMessages, recorderLabels } = messages;
 
 /** Returns the minimum contrast between the text of the content and the background of the page, after opacity and greyscale. */
 const weakestText = page => page.evaluate(() => {
@@ -67,7 +67,7 @@ describe('actions', () => {
     gateway.recordings = [];
     await becomes(page, '#recordings-note', 'Deleted: press-1.jsonl');
     gateway.state.recording = { can: true, on: false, file: 'press-1.jsonl', lines: 5, bytes: 10, lost: 0, deleted: true };
-    await becomes(page, '#recording', `last press-1.jsonl: ${operationsLabels.recordingDeleted}`);
+    await becomes(page, '#recording', `last press-1.jsonl: ${recorderLabels.fileDeleted}`);
   });
 
   it('list recordings only for operators', async () => {

@@ -1,0 +1,20 @@
+/** Captions and labels of the tables in the report and in the paper's figures. */
+export const tableLabels = {
+  name: 'Name',
+  value: 'Value',
+  comparison: 'Uncompensated against compensated',
+  quantity: 'Quantity',
+  uncompensated: 'Uncom\u00adpensated',
+  compensated: 'Compen\u00adsated',
+  change: 'Change',
+  signal: 'Signal',
+  points: 'Points',
+  minimum: 'Minimum',
+  maximum: 'Maximum',
+  rms: 'RMS',
+  p95: '95 % within',
+  samplesByLatency: 'Samples by latency',
+  latency: 'Latency (ms)',
+  samples: 'Samples',
+  latencyFrom: (from: string) => `from ${from}`,
+};
