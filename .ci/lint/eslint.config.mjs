@@ -24,4 +24,9 @@ export default ts.config(
     plugins: { nowpose: { rules: { messages } } },
     rules: { 'nowpose/messages': 'error' },
   },
+  {
+    ignores: ['**/*.d.ts', '**/src/messages/**'],
+    files: ['Web/**/*.ts'],
+    rules: { 'nowpose/messages': ['error', { isPage: true }] },
+  },
 );
