@@ -1,4 +1,4 @@
-// Defines the manual's pictures of web pages: their stored data, and the text of a page that a test compares to detect changes.
+// Defines the manual's pictures of web pages: their stored data, and the texts of a page that a test compares to detect changes.
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { gunzipSync } from 'node:zlib';
@@ -51,9 +51,20 @@ export async function openOperations(browser, gateway, viewport) {
   return page;
 }
 
-/** Returns the headings, table headers, legends and controls of a page without its values. */
-export const textsOf = page => page.evaluate(() => {
-  const texts = [...document.querySelectorAll('h1, h2, h3, caption, th, dt, summary, label, button')]
-    .filter(element => element.checkVisibility()).map(element => element.textContent.replaceAll('\u00ad', '').replace(/\s+/g, ' ').trim());
-  return [...new Set(texts)].filter(text => text !== '');
-});
+/** Returns the texts of the page's visible elements without their numbers; null while the view of the robot shows no distances yet. */
+function readTexts() {
+  const distances = document.querySelector('#robot .apart');
+  if (distances && !/\d.*\d/.test(distances.textContent)) return null;
+  // Keeps the numbers of names such as arm_joint_1. A live distance is given as "about" or "less than" a number, depending on its size.
+  const number = /(?<![\p{L}\d_])[-−]?\d(?:[\d.,:\u202f]*\d)?/gu;
+  const textOf = element => (element === distances ? element.textContent.replace(/\b(?:about|less than)\s/g, '') : element.textContent)
+    .replaceAll('\u00ad', '').replace(number, '…').replace(/\s+/g, ' ').trim();
+  const texts = [...document.querySelectorAll('h1, h2, h3, caption, th, td, dt, dd, summary, label, button, p, li')]
+    .filter(element => element.checkVisibility() && !element.matches('.legend li')).map(element => [element, textOf(element)])
+    // A value and its unit without other words cannot become outdated.
+    .filter(([element, text]) => (element.matches('td, dd') ? /\p{L}{3}/u : /\p{L}/u).test(text)).map(([, text]) => text);
+  return [...new Set(texts)];
+}
+
+/** Returns the texts of a page: headings, labels, sentences and cells that contain words. Numbers are replaced by "…". */
+export const textsOf = async page => (await page.waitForFunction(readTexts)).jsonValue();

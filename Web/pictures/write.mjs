@@ -1,4 +1,4 @@
-// Takes the manual's pictures of web pages, and writes the text of the pages that the test compares. Run by `npm run pictures`.
+// Takes the manual's pictures of web pages, and writes the texts of the pages that the test compares. Run by `npm run pictures`.
 // `npm run pictures -- --record` first replaces the stored data with the data of new runs of `demo` and `calibrate`.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

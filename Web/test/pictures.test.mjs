@@ -44,9 +44,33 @@ describe('a picture of the manual', () => {
   }
 });
 
+const MIN_LETTERS = 12;
+const STORED_OUTDATED = 'the command line has changed: run `npm run pictures -- --record` in Web, look at the pictures and commit them';
+
+const PART = String.raw`(?:\$?"(?:[^"\\\n]|\\.)*"|FormattableString\.Invariant\(\$"(?:[^"\\\n]|\\.)*"\)|[A-Z]\w*)`;
+const ENTRY = new RegExp(String.raw`(?:const string (\w+)\s*=|static string (\w+)\([^)]*\)\s*=>)\s*(${PART}(?:\s*\+\s*${PART})*);`, 'g');
+
+/** Returns patterns of the texts in a file of the command line's message catalogue: of its constants, and of its methods with any values. */
+function patternsOf(source) {
+  const patterns = {};
+  const escaped = text => text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
+  const patternOf = part => {
+    const text = /"(.*)"/s.exec(part)?.[1];
+    if (text === undefined) return patterns[part] ?? '.+';
+    return part.includes('$"') ? text.split(/\{[^}]*\}/).map(escaped).join('.+') : escaped(JSON.parse(`"${text}"`));
+  };
+  for (const [, constant, method, parts] of source.matchAll(ENTRY))
+    patterns[constant ?? method] = parts.match(new RegExp(PART, 'g')).map(patternOf).join('');
+  return Object.values(patterns);
+}
+
 describe('the stored data of a picture', () => {
-  const sources = folder => readdirSync(path(folder), { recursive: true }).filter(file => file.endsWith('.cs'))
-    .map(file => readFileSync(join(path(folder), file), 'utf8')).join('\n').toLowerCase();
+  const filesIn = folder => readdirSync(path(folder), { recursive: true }).filter(file => file.endsWith('.cs'))
+    .map(file => readFileSync(join(path(folder), file), 'utf8'));
+  const sources = folder => filesIn(folder).join('\n').toLowerCase();
+  // A pattern with few words, such as that of "NAME is VALUE", matches too many texts.
+  const isLong = pattern => pattern.replace(/\P{L}/gu, '').length >= MIN_LETTERS;
+  const catalogue = new RegExp(`^(?:${filesIn('../../Cli/Messages').flatMap(patternsOf).filter(isLong).join('|')})$`);
 
   for (const [name, folder] of [['demo', '../../Cli/Demo'], ['calibration', '../../Cli/Calibrate']]) {
     it(`has labels that the command line still writes: ${name}`, () => {
@@ -55,7 +79,19 @@ describe('the stored data of a picture', () => {
 
       const unknown = labels.filter(label => !source.includes(label.toLowerCase()));
 
-      assert.deepEqual(unknown, [], 'the command line has changed: run `npm run pictures -- --record` in Web, look at the pictures and commit them');
+      assert.deepEqual(unknown, [], STORED_OUTDATED);
     });
   }
+
+  it('has sentences and reasons of rejected pictures that the command line still writes', () => {
+    const { facts, result, warnings, sections } = stored('calibration');
+    const reasons = facts.map(([label]) => label).filter(label => label.startsWith('– '));
+    // The reason follows the code to which it applies.
+    const texts = reasons.map(reason => reason.replace(/^– (?:(?:control|headset) code (?!partly outside))?/, ''));
+
+    const unknown = [result, ...warnings, ...sections.map(({ words }) => words), ...texts].filter(text => !catalogue.test(text));
+
+    assert.ok(reasons.length > 0);
+    assert.deepEqual(unknown, [], STORED_OUTDATED);
+  });
 });
