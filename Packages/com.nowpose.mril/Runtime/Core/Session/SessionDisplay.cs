@@ -110,7 +110,8 @@ namespace Nowpose.Session
 
         // The device's report takes precedence over the profile.
         void UpdateRefreshInterval() => RenderTimes.RefreshInterval =
-            (_conditions.Conditions.DisplayHz ?? Selector.Profile?.Conditions.DisplayHz) is double hertz ? TimeSpan.FromSeconds(1 / hertz) : (TimeSpan?)null;
+            (_conditions.Conditions.DisplayHz ?? Selector.Profile?.Conditions.DisplayHz) is double hertz
+                ? new TimeSpan((long)(TimeSpan.TicksPerSecond / hertz)) : (TimeSpan?)null;
 
         public void Rendered(TimeSpan renderTime, RenderTimeSourceKind source)
         {

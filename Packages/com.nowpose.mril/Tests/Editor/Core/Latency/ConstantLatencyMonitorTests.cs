@@ -232,9 +232,9 @@ namespace Nowpose.Tests.Core.Latency
 
         [TestCase(16, RangeUnknownReason.NoLimit)]
         [TestCase(18, RangeUnknownReason.LongerThanRefresh)]
-        public void UnknownReason_NoRange_SaysWhetherFramesMissRefreshes(double renderMs, object reason)
+        public void UnknownReason_NoRange_ReportsMissedRefreshes(double renderMs, object reason)
         {
-            var monitor = new ConstantLatencyMonitor(null) { RefreshInterval = TimeSpan.FromSeconds(1 / 60.0) };
+            var monitor = new ConstantLatencyMonitor(null) { RefreshInterval = Lengths.Ms(1000 / 60.0) };
 
             Add(monitor, renderMs, 100);
 
