@@ -9,7 +9,7 @@ namespace Nowpose.Latency
     /// <summary>Result of the check whether the render time of a sweep depends on the load. If it does not, the sweep yields no limit.</summary>
     /// <remarks>
     /// Compares the lowest third of the loads with the highest third, separately for each pass through the loads; the result is that of the pass
-    /// with the smallest rise relative to its minimum significant rise. If the sweep has only one direction, the drift at constant load is
+    /// with the smallest rise relative to its minimum significant rise. If the sweep has only one direction, the trend at constant load is
     /// subtracted. Up to a tenth of the render times may be outliers.
     /// </remarks>
     public sealed class LoadSensitivity

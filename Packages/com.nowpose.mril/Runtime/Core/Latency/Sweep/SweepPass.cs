@@ -15,24 +15,24 @@ namespace Nowpose.Latency.Sweep
         /// <summary>Minimum rise, relative to the render time at low loads. A smaller rise cannot be separated from the scatter of frames.</summary>
         const double MinRise = 0.1;
 
-        /// <summary>Rise, relative to the render time at low loads, that cannot be drift within a short sweep.</summary>
+        /// <summary>Rise, relative to the render time at low loads, that cannot be a trend within a short sweep.</summary>
         const double ClearRise = 0.5;
 
         /// <param name="visits">Visits in chronological order, with three different loads or more.</param>
-        SweepPass(IReadOnlyList<SweepVisit> visits, SweepDrift drift)
+        SweepPass(IReadOnlyList<SweepVisit> visits, SweepTrend trend)
         {
             var sorted = visits.OrderBy(visit => visit.Vertices).ToList();
             var third = sorted.Count / 3;
             List<SweepVisit> low = sorted.GetRange(0, third), high = sorted.GetRange(sorted.Count - third, third);
-            LowMs = low.Average(visit => visit.RenderMs - drift.At(visit));
-            HighMs = high.Average(visit => visit.RenderMs - drift.At(visit));
+            LowMs = low.Average(visit => visit.RenderMs - trend.At(visit));
+            HighMs = high.Average(visit => visit.RenderMs - trend.At(visit));
             LowVertices = low.Average(visit => visit.Vertices);
             HighVertices = high.Average(visit => visit.Vertices);
-            var variance = drift.Error * drift.Error + low.Concat(high).Sum(visit => visit.RenderError * visit.RenderError) / (third * third);
+            var variance = trend.Error * trend.Error + low.Concat(high).Sum(visit => visit.RenderError * visit.RenderError) / (third * third);
             NeededMs = Math.Max(MinRise * Math.Abs(LowMs), MinStandardErrors * Math.Sqrt(variance));
         }
 
-        /// <summary>Mean render time at the lowest third of the loads minus the drift, ms.</summary>
+        /// <summary>Mean render time at the lowest third of the loads minus the trend, ms.</summary>
         public double LowMs { get; }
 
         public double HighMs { get; }
@@ -49,7 +49,7 @@ namespace Nowpose.Latency.Sweep
 
         /// <summary>
         /// Splits visits into passes with increasing or with decreasing load. A change that is caused by elapsed time and not by the load appears as
-        /// a rise in only one of the two directions. If the sweep has only one direction, the drift at constant load is subtracted. If no pass has
+        /// a rise in only one of the two directions. If the sweep has only one direction, the trend at constant load is subtracted. If no pass has
         /// three different loads, all visits together form one pass. The result is empty for fewer than three different loads.
         /// </summary>
         public static List<SweepPass> Of(IReadOnlyList<SweepVisit> visits)
@@ -57,15 +57,15 @@ namespace Nowpose.Latency.Sweep
             var runs = RunsOf(visits).Where(IsEnough).ToList();
             if (runs.Count == 0 && IsEnough(visits)) runs.Add(visits.ToList());
             var isUpAndDown = runs.Any(IsUp) && !runs.All(IsUp);
-            return runs.ConvertAll(run => isUpAndDown ? new SweepPass(run, SweepDrift.None) : WithoutDrift(run, SweepDrift.Of(visits)));
+            return runs.ConvertAll(run => isUpAndDown ? new SweepPass(run, SweepTrend.None) : WithoutTrend(run, SweepTrend.Of(visits)));
         }
 
-        // Subtracts the drift, unless the rise is clear but the measured drift is too inaccurate, as in a short sweep.
-        static SweepPass WithoutDrift(IReadOnlyList<SweepVisit> run, SweepDrift drift)
+        // Subtracts the trend, unless the rise is clear but the measured trend is too inaccurate, as in a short sweep.
+        static SweepPass WithoutTrend(IReadOnlyList<SweepVisit> run, SweepTrend trend)
         {
-            var unchanged = new SweepPass(run, SweepDrift.None);
+            var unchanged = new SweepPass(run, SweepTrend.None);
             var isClear = unchanged.RiseMs >= Math.Max(unchanged.NeededMs, ClearRise * Math.Abs(unchanged.LowMs));
-            return isClear && MinStandardErrors * drift.Error > unchanged.RiseMs / 2 ? unchanged : new SweepPass(run, drift);
+            return isClear && MinStandardErrors * trend.Error > unchanged.RiseMs / 2 ? unchanged : new SweepPass(run, trend);
         }
 
         static bool IsEnough(IReadOnlyList<SweepVisit> visits) => visits.Select(visit => visit.Vertices).Distinct().Count() >= MinLoads;

@@ -4,24 +4,24 @@ using System.Collections.Generic;
 namespace Nowpose.Latency.Sweep
 {
     /// <summary>
-    /// Drift of a sweep: increase of the render time that is caused by elapsed time and not by the load, in ms. Accumulated from the rates at
+    /// Trend of the render time in a sweep: its increase that is caused by elapsed time and not by the load, in ms. Accumulated from the rates at
     /// constant load.
     /// </summary>
-    sealed class SweepDrift
+    sealed class SweepTrend
     {
         readonly Dictionary<SweepVisit, double> _sums = new Dictionary<SweepVisit, double>();
 
-        SweepDrift() { }
+        SweepTrend() { }
 
-        /// <summary>Zero drift.</summary>
-        public static SweepDrift None { get; } = new SweepDrift();
+        /// <summary>Zero trend.</summary>
+        public static SweepTrend None { get; } = new SweepTrend();
 
-        /// <summary>Standard deviation of the total drift, ms.</summary>
+        /// <summary>Standard deviation of the total trend, ms.</summary>
         public double Error { get; private set; }
 
-        public static SweepDrift Of(IReadOnlyList<SweepVisit> visits)
+        public static SweepTrend Of(IReadOnlyList<SweepVisit> visits)
         {
-            var drift = new SweepDrift();
+            var trend = new SweepTrend();
             double sum = 0, variance = 0;
             for (var i = 0; i < visits.Count; i++)
             {
@@ -29,13 +29,13 @@ namespace Nowpose.Latency.Sweep
                 {
                     SweepVisit a = visits[i - 1], b = visits[i];
                     var seconds = b.Middle - a.Middle;
-                    sum += (a.Drift + b.Drift) / 2 * seconds;
-                    variance += (a.DriftVariance + b.DriftVariance) / 2 * seconds * seconds;
+                    sum += (a.Trend + b.Trend) / 2 * seconds;
+                    variance += (a.TrendVariance + b.TrendVariance) / 2 * seconds * seconds;
                 }
-                drift._sums.Add(visits[i], sum);
+                trend._sums.Add(visits[i], sum);
             }
-            drift.Error = Math.Sqrt(variance);
-            return drift;
+            trend.Error = Math.Sqrt(variance);
+            return trend;
         }
 
         public double At(SweepVisit visit) => _sums.TryGetValue(visit, out var sum) ? sum : 0;

@@ -16,8 +16,8 @@ namespace Nowpose.Latency.Sweep
             TrimmedMean first = new TrimmedMean(renderMs, 0, third), last = new TrimmedMean(renderMs, count - third, third);
             Middle = (seconds[0] + seconds[count - 1]) / 2;
             var between = 2.0 / 3 * (seconds[count - 1] - seconds[0]);
-            Drift = (last.Mean - first.Mean) / between;
-            DriftVariance = (last.Error * last.Error + first.Error * first.Error) / (between * between);
+            Trend = (last.Mean - first.Mean) / between;
+            TrendVariance = (last.Error * last.Error + first.Error * first.Error) / (between * between);
         }
 
         public int Vertices { get; }
@@ -32,10 +32,10 @@ namespace Nowpose.Latency.Sweep
         public double Middle { get; }
 
         /// <summary>Rate at which the render time grew at constant load, ms/s.</summary>
-        public double Drift { get; }
+        public double Trend { get; }
 
-        /// <summary>Variance of <see cref="Drift"/>, (ms/s)².</summary>
-        public double DriftVariance { get; }
+        /// <summary>Variance of <see cref="Trend"/>, (ms/s)².</summary>
+        public double TrendVariance { get; }
 
         /// <summary>Returns the visits in chronological order, without visits that have too few render times.</summary>
         /// <param name="rows">Rows of the sweep, one or more.</param>

@@ -35,13 +35,13 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         public void GpuTime_ShortSweepOfSmallLoads_RespondsToLoad() =>
             AllAre(LoadSight.Seen, new SweepPlan(300_000, 5, 2, 0), sweep => (t, v) => sweep.GpuMs(t, v));
 
-        // Half a second per load is too short to estimate a drift of the render time. The source must be accepted nevertheless.
+        // Half a second per load is too short to estimate a trend of the render time. The source must be accepted nevertheless.
         [Test]
         public void GpuTime_SweepUpWithHalfASecondPerLoad_RespondsToLoad() => AllAre(
             LoadSight.Seen, new SweepPlan(steps: 21, secondsPerLoad: 0.5, settleSeconds: 0, goesDown: false), sweep => (t, v) => sweep.GpuMs(t, v));
 
         [Test]
-        public void GpuTime_DriftsDownWhileTheLoadRises_RespondsToLoad() =>
+        public void GpuTime_DecreasesWhileTheLoadRises_RespondsToLoad() =>
             AllAre(LoadSight.Seen, Upwards, sweep => (t, v) => Math.Max(0.1, sweep.GpuMs(t, v) - 0.03 * t));
 
         // Readbacks are polled once per frame, so their times are multiples of the frame time.
@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         [TestCase(0.01)]
         [TestCase(0.05)]
         [TestCase(-0.01)]
-        public void CameraTime_LinearDrift_DoesNotRespondToLoad(double msPerSecond)
+        public void CameraTime_LinearTrend_DoesNotRespondToLoad(double msPerSecond)
         {
             AllAre(LoadSight.Unseen, DefaultPlan, sweep => (t, v) => ConstantTime(sweep) + (msPerSecond < 0 ? 2 : 0) + msPerSecond * t);
             AllAre(LoadSight.Unseen, Upwards, sweep => (t, v) => ConstantTime(sweep) + (msPerSecond < 0 ? 2 : 0) + msPerSecond * t);
