@@ -18,7 +18,7 @@ static class LinkTable
         if (Console.IsOutputRedirected) console.Profile.Width = Width;
         var table = new Table().AddColumns(
             "link", "runs", "current\nafter s", "coarse\ns", "synchro-\nnised s", "current\n%", "not cur-\nrent s",
-            "reduc-\ntion %", "error mm\n(held)", "clock error\nP50, P99 µs", "stated\n± µs", "within\n± %",
+            "reduc-\ntion %", "error mm\n(uncom-\npensated)", "clock error\nP50, P99 µs", "stated\n± µs", "within\n± %",
             "stall: held\nafter s, back s", "late: packets\nµs, frames ms");
         foreach (var runs in results.GroupBy(result => result.Profile)) table.AddRow([.. Row([.. runs]).Select(Markup.Escape)]);
         console.Write(table);

@@ -46,7 +46,7 @@ public class LinkScoreTests
 
         Assert.That(result.ClockErrorUsP50, Is.EqualTo(20_000).Within(0.2));
         Assert.That(result.WithinStatedShare, Is.EqualTo(0.25));
-        // The frames are 20 ms late, and the held pose is 100 ms late. By the triangle inequality, the reduction must be in this range.
+        // The frames are 20 ms late, and the uncompensated pose is 100 ms late. By the triangle inequality, the reduction must be in this range.
         Assert.That(result.Reduction, Is.InRange(0.77, 0.8));
     }
 

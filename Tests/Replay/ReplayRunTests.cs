@@ -168,7 +168,7 @@ public class ReplayRunTests
         var gain = new[] { 2, 7 / 3.0, 8 / 3.0 }.Average(x => (1 + x) * (1 + x) + x * x);
         var expected = halfWidth * Math.Sqrt(gain / 3);
         Assert.That(result.Rms, Is.EqualTo(expected).Within(0.03 * expected));
-        Assert.That(result.RmsHold, Is.EqualTo(exact.RmsHold), "the held pose does not depend on the stamps");
+        Assert.That(result.RmsHold, Is.EqualTo(exact.RmsHold), "the uncompensated pose does not depend on the stamps");
     }
 
     [Test]

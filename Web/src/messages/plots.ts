@@ -45,7 +45,7 @@ export const traceLabels = {
   groundTruth: 'ground truth',
   received: 'received',
   predicted: 'predicted',
-  held: 'held',
+  uncompensated: 'uncompensated',
   offset: 'offset',
   bound: 'bound (±)',
   negativeBound: 'bound, negative',

@@ -39,7 +39,7 @@ export const columnLabels = {
   lastWritten: 'Last written',
   clockWithin: 'Clock within (µs)',
   error: 'Error (mm)',
-  held: 'Held (mm)',
+  uncompensated: 'Uncompensated (mm)',
   reduction: 'Error reduction (%)',
   roundTrip: 'RTT (ms)',
   renderTime: 'Render time',
@@ -71,7 +71,7 @@ export const columnLabels = {
 export const meanings: Record<string, string> = {
   [columnLabels.clockWithin]: 'Largest possible error of the headset’s estimate of the control clock, in microseconds (1 µs = 0.000001 s)',
   [columnLabels.error]: 'Distance between the displayed tool, with compensation, and its true position, in millimetres',
-  [columnLabels.held]: 'Distance between the tool at the newest sample, without compensation, and its true position, in millimetres',
+  [columnLabels.uncompensated]: 'Distance between the tool at the newest sample, without compensation, and its true position, in millimetres',
   [columnLabels.reduction]: 'Share of the uncompensated error that compensation removes',
   [columnLabels.roundTrip]: 'Round-trip time of one exchange of time stamps, in milliseconds',
   [columnLabels.renderTime]: 'Render time of the last frame, and whether it is within the constant-latency range',

@@ -33,7 +33,7 @@ export class Headsets {
         { label: columnLabels.pose, cell: poseOf, level: poseLevel },
         number(columnLabels.current, 'current_share', v => 100 * v),
         number(columnLabels.error, 'error_mm'),
-        number(columnLabels.held, 'error_mm_hold'),
+        number(columnLabels.uncompensated, 'error_mm_hold'),
         number(columnLabels.reduction, 'reduction', v => 100 * v),
         number(columnLabels.clockWithin, 'error_bound_us'),
         number(columnLabels.roundTrip, 'rtt_ms'),

@@ -20,7 +20,7 @@ export class Plots {
     { label: traceLabels.controlClock, look: LOOKS.hold },
   ]);
   private readonly error = new LivePlot(livePlotDescriptions.error, axisLabels.toolError, 'mm', [
-    { label: traceLabels.held, look: LOOKS.hold },
+    { label: traceLabels.uncompensated, look: LOOKS.hold },
     { label: traceLabels.compensated, look: LOOKS.compensated },
   ]);
   private readonly rate = new LivePlot(livePlotDescriptions.rate, axisLabels.rate, 'Hz', [

@@ -125,7 +125,7 @@ describe('the robot', () => {
 
   // Only one other body is drawn, because the mixture of all three colours would be grey again.
   for (const [other, said] of [
-    ['displayed', robotMessages.toolError('left door', 0, null)], ['held', robotMessages.toolError('left door', null, 0)],
+    ['displayed', robotMessages.toolError('left door', 0, null)], ['uncompensated', robotMessages.toolError('left door', null, 0)],
   ]) {
     it(`has the colour of the truth where the ${other} pose is the same`, async () => {
       gateway.turned = other === 'displayed' ? 0 : null;

@@ -90,7 +90,7 @@ namespace Nowpose.Recording
         public bool IsNewStart { get; set; }
 
         /// <summary>
-        /// In frame records, displayed joints and then held joints. In statistics and drops records, values in the order of
+        /// In frame records, displayed joints and then uncompensated joints. In statistics and drops records, values in the order of
         /// <see cref="StatisticsLine"/> and <see cref="DropsLine"/>.
         /// </summary>
         public double[] Numbers { get; }

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Session
 {
-    /// <summary>Errors of the displayed pose and of the held (uncompensated) pose, relative to the true pose from later samples.</summary>
+    /// <summary>Errors of the displayed pose and of the uncompensated pose, relative to the true pose from later samples.</summary>
     /// <remarks>The property that returns the value states the unit: mm for the tool, rad or m for a joint.</remarks>
     public readonly struct DisplayedError
     {
@@ -32,7 +32,7 @@ namespace Nowpose.Session
 
         public double HoldRms { get; }
 
-        /// <summary>95th percentile of the error of the held pose, as accurate as <see cref="P95"/>.</summary>
+        /// <summary>95th percentile of the error of the uncompensated pose, as accurate as <see cref="P95"/>.</summary>
         public double HoldP95 { get; }
 
         /// <summary>

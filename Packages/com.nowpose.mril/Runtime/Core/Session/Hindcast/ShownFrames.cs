@@ -25,7 +25,7 @@ namespace Nowpose.Session.Hindcast
         /// <param name="displayed">Displayed tool pose.</param>
         /// <param name="held">Tool pose from the newest samples without compensation.</param>
         /// <param name="clockError">Error bound of the clock, s.</param>
-        /// <returns>Buffer for the displayed and held positions of the joints.</returns>
+        /// <returns>Buffer for the displayed and uncompensated positions of the joints.</returns>
         public Span<JointValues> Add(ControlTime at, PoseState state, in RigidTransform displayed, in RigidTransform held, double clockError)
         {
             if (_count == Capacity) RemoveFirst();

@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Session
         static SessionStatistics Statistics(SimulatedSession simulated) =>
             simulated.Session.Statistics(HeadsetTime.FromSeconds(simulated.Now));
 
-        // Returns the RMS errors of the displayed and of the held tool against the simulated truth. Counts only frames that the hindcast can
+        // Returns the RMS errors of the displayed and of the uncompensated tool against the simulated truth. Counts only frames that the hindcast can
         // score: up to the newest sample, and from the start of the ninth whole second before the newest frame.
         static (double Mm, double HoldMm) TrueErrors(SimulatedSession simulated, double seconds)
         {

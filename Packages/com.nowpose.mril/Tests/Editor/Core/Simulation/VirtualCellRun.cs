@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Simulation
         /// <summary>Distance of the displayed tool from the true tool in m, for the current frames since the last <see cref="Run"/>.</summary>
         public List<double> Errors { get; } = new List<double>();
 
-        /// <summary>Distance of the held tool from the true tool in m, for the same frames as <see cref="Errors"/>.</summary>
+        /// <summary>Distance of the uncompensated tool from the true tool in m, for the same frames as <see cref="Errors"/>.</summary>
         public List<double> HoldErrors { get; } = new List<double>();
 
         public int Frames { get; private set; }
