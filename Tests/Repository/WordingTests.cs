@@ -9,11 +9,7 @@ public sealed partial class WordingTests
 {
     const string Contributing = "CONTRIBUTING.md";
 
-    static readonly string[] Exempt =
-    [
-        // These files quote former names.
-        "CHANGELOG.md", "Packages/com.nowpose.mril/CHANGELOG.md", "THIRD-PARTY-NOTICES.md", Contributing, "Tests/Repository/WordingTests.cs",
-    ];
+    static readonly string[] Exempt = ["THIRD-PARTY-NOTICES.md", Contributing, "Tests/Repository/WordingTests.cs"];
 
     static IEnumerable<string> Sources => RepositoryFiles.All
         .Where(file => Path.GetExtension(file) is ".cs" or ".ts" or ".mjs" or ".md" or ".yaml" or ".html" && !Exempt.Contains(file));
@@ -49,6 +45,15 @@ public sealed partial class WordingTests
         Line[] lines = [new("a.cs", 1, "int Doubt;"), new("a.cs", 2, "[Obsolete(\"use Conflict\")]"), new("a.cs", 3, "int Quarrel;")];
 
         Assert.That(WithoutFormerNames([.. lines]), Is.EqualTo(lines[..2]));
+    }
+
+    [TestCase("- Renamed `moment of light`.", false)]
+    [TestCase("- Renamed the moment of light.", true)]
+    public void TextRules_Changelog_OmitFormerNamesInBackticks(string text, bool isFound)
+    {
+        var line = new Line("Packages/a/CHANGELOG.md", 1, text);
+
+        Assert.That(TextRules.SelectMany(rule => rule.In(line with { Text = Prose(line) })), isFound ? Has.Exactly(1).Items : Is.Empty);
     }
 
     [TestCase("/// <summary>What the headset shows.</summary>", true)]
@@ -93,9 +98,11 @@ public sealed partial class WordingTests
     static IEnumerable<Line> WithoutFormerNames(List<Line> lines) =>
         lines.Where((_, i) => i == 0 || !lines[i - 1].Text.Contains("[Obsolete(", StringComparison.Ordinal));
 
-    // Returns the comment and the string literals of a line of code, or the whole line of a Markdown or HTML page.
+    // Returns the comment and the string literals of a line of code, or the whole line of a Markdown or HTML page. A changelog quotes former names and
+    // texts as code, which is omitted.
     static string Prose(Line line)
     {
+        if (Path.GetFileName(line.File) == "CHANGELOG.md") return Code().Replace(line.Text, "");
         if (Path.GetExtension(line.File) is ".md" or ".html") return line.Text;
         var comment = Comment().Match(line.Text).Value;
         return comment + ' ' + string.Join(' ', Literals().Matches(line.Text[..^comment.Length]).Select(match => match.Value));
@@ -129,6 +136,9 @@ public sealed partial class WordingTests
 
     [GeneratedRegex(@"(?<!:)//.*$|^\s*\*.*$|^\s*#.*$")]
     private static partial Regex Comment();
+
+    [GeneratedRegex("`[^`]*`")]
+    private static partial Regex Code();
 
     [GeneratedRegex("\"(?:[^\"\\\\]|\\\\.)*\"|'[^']{12,}'|`[^`]*`")]
     private static partial Regex Literals();
