@@ -45,7 +45,6 @@ export const traceLabels = {
   groundTruth: 'ground truth',
   received: 'received',
   predicted: 'predicted',
-  uncompensated: 'uncompensated',
   offset: 'offset',
   bound: 'bound (±)',
   negativeBound: 'bound, negative',
