@@ -86,7 +86,7 @@ public class RosbridgeConnectionTests
         await socket.CloseOutputAsync(WebSocketCloseStatus.NormalClosure, "", CancellationToken.None);
 
         await Soon.BecomesAsync(() => _played.Client.Status.State == LinkState.Waiting, "waiting");
-        Assert.That(_played.Client.Status.Detail, Is.EqualTo("joint positions: the gateway closed the connection"));
+        Assert.That(_played.Client.Status.Detail, Is.EqualTo("joint positions: the gateway closed the connection; see its log"));
     }
 
     [TestCase("HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n", "token")]

@@ -8,6 +8,7 @@ using Nowpose.Session.Hindcast;
 using Nowpose.Sync;
 using Nowpose.Unity;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Status;
 using Nowpose.UnityPlayer;
 using NUnit.Framework;
@@ -191,7 +192,7 @@ public sealed class StatusPanelViewTests(string scene)
     [Test]
     public void BaseRow_EveryState_FitsItsColumn()
     {
-        var values = Enum.GetValues<BaseAnchorState>().Select(BaseTexts.ValueOf);
+        var values = Enum.GetValues<BaseAnchorState>().Select(StatusMessages.Of);
 
         Assert.That(values.Max(SeenText.WidthOf), Is.LessThan(9.3f));
         Assert.That(SeenText.WidthOf("spread 88.8 mm 88.8°"), Is.LessThan(PanelCells.NoteWidth));

@@ -61,7 +61,7 @@ namespace Nowpose.Editor.Import
             if (mesh.Path == null)
             {
                 foreach (var candidate in mesh.Candidates) _context.DependsOnSourceAsset(candidate);
-                throw new InputException("mesh " + mesh.Fault);
+                throw new InputException(MeshMessages.Of(mesh.Fault));
             }
             if (IsStl(mesh.Path) || IsModel(mesh.Path)) return mesh.Path;
             throw new InputException(MeshMessages.Format(name));

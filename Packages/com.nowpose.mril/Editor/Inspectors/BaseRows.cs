@@ -10,59 +10,40 @@ namespace Nowpose.Editor.Inspectors
     {
         public static IEnumerable<(string Label, string Value)> Of(BaseTracker tracker)
         {
-            yield return ("Spread", tracker.Lock == null ? LiveText.Unknown : Offset(tracker.Lock.SpreadMetres, tracker.Lock.SpreadRadians));
+            yield return (InspectorTexts.LockSpread, tracker.Lock == null
+                ? LiveText.Unknown
+                : Offset(tracker.Lock.SpreadMetres, tracker.Lock.SpreadRadians));
             yield return (InspectorTexts.MovedByLock, tracker.Lock == null
                 ? LiveText.Unknown
                 : Offset(tracker.Lock.ChangeMetres, tracker.Lock.ChangeRadians));
             yield return (InspectorTexts.MovedByDevice, Offset(tracker.CorrectedMetres, tracker.CorrectedRadians));
-            yield return (InspectorTexts.HeldByDevice, tracker.Problem ?? Held(tracker));
+            yield return (
+                InspectorTexts.HeldByDevice, tracker.Problem ?? (tracker.IsHeld ? InspectorTexts.Held(tracker.KeptAs) : InspectorTexts.NotHeld));
             foreach (var marker in tracker.Markers)
                 foreach (var row in Of(marker)) yield return row;
-        }
-
-        static string Held(BaseTracker tracker)
-        {
-            if (!tracker.IsHeld) return "no";
-            return tracker.KeptAs == null ? "yes" : "yes, kept as " + tracker.KeptAs;
         }
 
         static IEnumerable<(string Label, string Value)> Of(TrackedMarker marker)
         {
             yield return (marker.Marker.Payload, Role(marker));
-            yield return ("  Sightings", marker.Sightings + Ignored(marker.Ignored));
-            yield return ("  Off by", Offset(marker.DeviationMetres, marker.DeviationRadians));
+            yield return (InspectorTexts.Sightings, marker.Sightings + Ignored(marker.Ignored));
+            yield return (InspectorTexts.OffBy, Offset(marker.DeviationMetres, marker.DeviationRadians));
         }
 
         static string Role(TrackedMarker marker)
         {
             if (marker.IsContradicted) return InspectorTexts.MarkerContradicted;
             if (marker.HasMoved) return InspectorTexts.MarkerMoved;
-            if (marker.Fault != SightingFault.None) return "ignored: " + Reason(marker.Fault);
-            return marker.IsPart ? InspectorTexts.MarkerInLock : marker.Sightings > 0 ? "seen" : "not seen yet";
+            if (marker.Fault != SightingFault.None) return InspectorTexts.Ignored(InspectorTexts.Of(marker.Fault));
+            return marker.IsPart ? InspectorTexts.MarkerInLock : marker.Sightings > 0 ? InspectorTexts.MarkerSeen : InspectorTexts.MarkerNotSeen;
         }
 
         static string Ignored(SightingFaults ignored)
         {
             var text = "";
             for (var fault = SightingFault.NotTracked; fault <= SightingFault.TwoPlaces; fault++)
-                if (ignored[fault] > 0) text += (text.Length > 0 ? ", " : "; ignored: ") + ignored[fault] + " " + Reason(fault);
-            return text;
-        }
-
-        static string Reason(SightingFault fault)
-        {
-            switch (fault)
-            {
-                case SightingFault.NotTracked: return "not tracked";
-                case SightingFault.NoPose: return "without a pose";
-                case SightingFault.AtOrigin: return "at the origin";
-                case SightingFault.Old: return "too old";
-                case SightingFault.TooFar: return "too far";
-                case SightingFault.TooOblique: return "too oblique";
-                case SightingFault.Behind: return "behind the head";
-                case SightingFault.OtherSize: return "of another size";
-                default: return "in two places";
-            }
+                if (ignored[fault] > 0) text += (text.Length > 0 ? ", " : "") + ignored[fault] + " " + InspectorTexts.Of(fault);
+            return text.Length == 0 ? "" : "; " + InspectorTexts.Ignored(text);
         }
 
         static string Offset(double? metres, double? radians) => metres.HasValue

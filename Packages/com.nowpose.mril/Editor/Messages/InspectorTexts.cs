@@ -1,3 +1,5 @@
+using Nowpose.Anchoring;
+
 namespace Nowpose.Editor.Messages
 {
     /// <summary>Texts that inspectors show as labels and values.</summary>
@@ -9,6 +11,12 @@ namespace Nowpose.Editor.Messages
         public const string MovedByLock = "Moved by the newest lock";
         public const string MovedByDevice = "Moved by the device since then";
         public const string HeldByDevice = "Held by the device";
+        public const string LockSpread = "Spread";
+        public const string Sightings = "  Sightings";
+        public const string OffBy = "  Off by";
+        public const string NotHeld = "no";
+        public const string MarkerSeen = "seen";
+        public const string MarkerNotSeen = "not seen yet";
         public const string MarkerContradicted = "not used: the other markers contradict it";
         public const string MarkerMoved = "not at its expected position";
         public const string MarkerInLock = "part of the lock";
@@ -24,7 +32,29 @@ namespace Nowpose.Editor.Messages
         public const string LoadUrdf = "Load a URDF file …";
         public const string LoadUrdfTitle = "Load a URDF file (expand xacro files first)";
 
-        public static string UrdfUnreadable(string asset, string path, string reason) => $"[Nowpose] '{asset}': {path} cannot be read: {reason}";
+        public static string UrdfUnreadable(string asset, string path, string reason) =>
+            $"[Nowpose] '{asset}': {path} cannot be read: {reason}; check the path and the file's permissions";
+
+        /// <param name="name">Name under which the device has stored the anchor; null if it has not stored it.</param>
+        public static string Held(string name) => name == null ? "yes" : $"yes, kept as {name}";
+
+        public static string Ignored(string faults) => $"ignored: {faults}";
+
+        public static string Of(SightingFault fault)
+        {
+            switch (fault)
+            {
+                case SightingFault.NotTracked: return "not tracked";
+                case SightingFault.NoPose: return "without a pose";
+                case SightingFault.AtOrigin: return "at the origin";
+                case SightingFault.Old: return "too old";
+                case SightingFault.TooFar: return "too far";
+                case SightingFault.TooOblique: return "too oblique";
+                case SightingFault.Behind: return "behind the head";
+                case SightingFault.OtherSize: return "of another size";
+                default: return "in two places";
+            }
+        }
 
         public const string HasLinks = "The rig already has links. Delete them to build the robot again.";
         public const string Capacity = "capacity must be 2 or more";

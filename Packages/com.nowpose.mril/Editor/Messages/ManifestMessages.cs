@@ -4,6 +4,13 @@ namespace Nowpose.Editor.Messages
     static class ManifestMessages
     {
         public const string AfterObject = "text follows the object; remove it";
+        public static string Expected(char character) => $"{character} is expected";
+        public static string Twice(string name) => $"\"{name}\" occurs twice";
+        public static string Conflicts(string conflicts) => $"{conflicts}. Correct the manifest.";
+
+        public static string NotAContainer(string place, string name, bool isObject) =>
+            $"{place}: {name} must be {(isObject ? "an object" : "an array")}; correct it";
+
         public const string NoValue = "a value is expected";
 
         public static string TooDeep(string max) => $"nested more than {max} levels deep";

@@ -12,6 +12,9 @@ namespace Nowpose.Editor.Messages
 
         public const string Outside = "is outside the project's Assets and Packages; copy it beside the URDF and use a path relative to the URDF";
 
+        /// <param name="fault">Name of the mesh and the problem, with a remedy.</param>
+        public static string Of(string fault) => $"mesh {fault}";
+
         public static string Format(string mesh) => $"mesh '{mesh}' has an unsupported format; allowed: STL, OBJ, DAE and FBX";
         public static string NotImported(string path) => $"mesh {path}: Unity has not imported it; see its import log for the reason";
 

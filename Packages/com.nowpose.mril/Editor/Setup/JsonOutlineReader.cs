@@ -37,7 +37,7 @@ namespace Nowpose.Editor.Setup
         {
             var reader = new JsonOutlineReader(text, file);
             reader.SkipBlanks();
-            if (reader.Next != '{') throw reader.Wrong("{ is expected");
+            if (reader.Next != '{') throw reader.Wrong(ManifestMessages.Expected('{'));
             var root = reader.Value();
             reader.SkipBlanks();
             return reader._at == text.Length ? root : throw reader.Wrong(ManifestMessages.AfterObject);
@@ -70,7 +70,7 @@ namespace Nowpose.Editor.Setup
             {
                 if (value.Items.Count > 0) Take(',');
                 var item = value.IsObject ? Member() : Value();
-                if (item.Name != null && value[item.Name] != null) throw Wrong("\"" + item.Name + "\" occurs twice");
+                if (item.Name != null && value[item.Name] != null) throw Wrong(ManifestMessages.Twice(item.Name));
                 value.Items.Add(item);
                 SkipBlanks();
             }
@@ -93,7 +93,7 @@ namespace Nowpose.Editor.Setup
 
         void Take(char expected)
         {
-            if (Next != expected) throw Wrong(expected + " is expected");
+            if (Next != expected) throw Wrong(ManifestMessages.Expected(expected));
             _at++;
             SkipBlanks();
         }

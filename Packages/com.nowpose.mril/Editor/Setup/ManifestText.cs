@@ -1,6 +1,7 @@
 using System.Globalization;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
@@ -58,7 +59,7 @@ namespace Nowpose.Editor.Setup
             var found = Root[name];
             if (found == null) return null;
             if (isObject ? found.IsObject : found.IsArray) return found;
-            throw new InputException(PlaceOf(found) + ": " + name + " must be " + (isObject ? "an object" : "an array"));
+            throw new InputException(ManifestMessages.NotAContainer(PlaceOf(found), name, isObject));
         }
 
         void Set(string text)

@@ -144,7 +144,7 @@ namespace Nowpose.Editor.Setup
                 var file = ManifestFile.Read(Manifest);
                 var merge = new ManifestMerge(file.Text, Manifest, ConflictRule.Replace);
                 merge.Need(package);
-                if (merge.Conflicts.Count > 0) throw new InputException(string.Join("; ", merge.Conflicts) + ". Correct the manifest.");
+                if (merge.Conflicts.Count > 0) throw new InputException(ManifestMessages.Conflicts(string.Join("; ", merge.Conflicts)));
                 if (merge.Changes.Count > 0) file.Write(merge.Text);
                 Client.Resolve();
             }

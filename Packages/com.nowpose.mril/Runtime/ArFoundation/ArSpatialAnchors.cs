@@ -86,7 +86,7 @@ namespace Nowpose.ArFoundation
         void Update()
         {
             if (_manager.Follow(_origin) && _manager.Problem != null)
-                ConsoleLog.Warn(this, "spatial anchors '" + name + "': " + _manager.Problem);
+                ConsoleLog.Warn(this, ComponentMessages.Of("spatial anchors", name, _manager.Problem));
             if (_unwanted.Count > 0 && IsReady) ForgetUnwanted();
             foreach (var anchor in _anchors) anchor.Follow();
         }

@@ -58,7 +58,7 @@ namespace Nowpose.ArFoundation
 
         void Update()
         {
-            if (_images.Follow(_origin) && Problem != null) ConsoleLog.Warn(this, "tracked images '" + name + "': " + Problem);
+            if (_images.Follow(_origin) && Problem != null) ConsoleLog.Warn(this, ComponentMessages.Of("tracked images", name, Problem));
         }
 
         MarkerSighting SightingOf(ARTrackedImage image, MarkerRecord record, HeadsetTime now)

@@ -24,7 +24,7 @@ namespace Nowpose
             }
             catch (Exception fault) when (IsOfFiles(fault))
             {
-                throw new InputException(path + ": cannot be read: " + FirstLine(fault.Message), fault);
+                throw new InputException(FileMessages.NotRead(path, FirstLine(fault.Message)), fault);
             }
         }
 

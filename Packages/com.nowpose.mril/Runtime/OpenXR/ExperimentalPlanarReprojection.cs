@@ -98,7 +98,7 @@ namespace Nowpose.OpenXR
             {
                 // The build may lack the plugin's native library. Handles the exception, so that the rest of the frame is still computed.
                 _isMissing = true;
-                Refuse("is refused: " + fault.Message);
+                Refuse(DeviceMessages.PlanarRefused(fault.Message));
             }
         }
 
@@ -132,8 +132,8 @@ namespace Nowpose.OpenXR
         void Refuse(string why)
         {
             if (_check != null) _check.Imposed = null;
-            if (Problem == null) ConsoleLog.Warn(this, "planar reprojection '" + name + "' (experiment) " + why);
-            Problem = "planar reprojection " + why;
+            if (Problem == null) ConsoleLog.Warn(this, DeviceMessages.PlanarLog(name, why));
+            Problem = DeviceMessages.PlanarProblem(why);
         }
     }
 }

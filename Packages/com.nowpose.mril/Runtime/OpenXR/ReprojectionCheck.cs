@@ -154,7 +154,7 @@ namespace Nowpose.OpenXR
         {
             var problem = DepthSubmissionMessages.ProblemOf(Depth);
             if (problem != null) ConsoleLog.Warn(this, problem);
-            else if (Depth == DepthSubmission.Active) ConsoleLog.Info(this, _isLacking ? DeviceMessages.DepthAgain : "depth is submitted");
+            else if (Depth == DepthSubmission.Active) ConsoleLog.Info(this, _isLacking ? DeviceMessages.DepthAgain : DeviceMessages.DepthSubmitted);
             _isLacking = problem != null;
         }
     }

@@ -140,13 +140,13 @@ namespace Nowpose.OpenXR
             return false;
         }
 
-        void Fail(string what, Exception fault) => Report("cannot " + what + ": " + fault.Message);
+        void Fail(string what, Exception fault) => Report(DeviceMessages.StoreFailed(what, fault.Message));
 
         void Report(string problem)
         {
             if (problem == Problem) return;
             Problem = problem;
-            ConsoleLog.Warn(this, "anchor store '" + name + "': " + problem);
+            ConsoleLog.Warn(this, ComponentMessages.Of("anchor store", name, problem));
         }
     }
 }

@@ -74,7 +74,7 @@ namespace Nowpose.OpenXR
 
         void Update()
         {
-            if (_codes.Follow(_origin) && Problem != null) ConsoleLog.Warn(this, "QR markers '" + name + "': " + Problem);
+            if (_codes.Follow(_origin) && Problem != null) ConsoleLog.Warn(this, ComponentMessages.Of("QR markers", name, Problem));
             if (_codes.Manager != null && _codes.Manager != _setUp) SetUp(_codes.Manager);
         }
 

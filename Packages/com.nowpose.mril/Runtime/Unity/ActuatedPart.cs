@@ -1,6 +1,7 @@
 using Nowpose.Session;
 using Nowpose.Signals;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -44,7 +45,7 @@ namespace Nowpose.Unity
         public float Share { get; private set; }
 
         /// <summary>Reason why the signal's value is not current, in one line; null if the value is current.</summary>
-        public string Fault => _follower == null ? "no session" : _follower.Fault;
+        public string Fault => _follower == null ? StatusMessages.NoSession : _follower.Fault;
 
         void OnEnable()
         {

@@ -152,7 +152,7 @@ namespace Nowpose.Unity
         /// <exception cref="ArgumentException">A value is not finite.</exception>
         public void Nudge(Vector3 metres, float degreesAboutUp)
         {
-            if (!float.IsFinite(degreesAboutUp)) throw new ArgumentException(degreesAboutUp + "° is not finite", nameof(degreesAboutUp));
+            if (!float.IsFinite(degreesAboutUp)) throw new ArgumentException(BaseMessages.AngleNotFinite(degreesAboutUp), nameof(degreesAboutUp));
             Place(
                 transform.position + transform.rotation * metres,
                 transform.rotation * Quaternion.AngleAxis(degreesAboutUp, Vector3.up));
@@ -237,7 +237,7 @@ namespace Nowpose.Unity
         {
             if (_fault == fault.Message) return;
             _fault = fault.Message;
-            ConsoleLog.Fail(this, "base anchor '" + name + "': " + _fault);
+            ConsoleLog.Fail(this, ComponentMessages.Of("base anchor", name, _fault));
         }
 
         void OnDrawGizmosSelected()

@@ -2,6 +2,7 @@ using System;
 using System.Globalization;
 using Nowpose.Signals;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 using UnityEngine.Events;
 
@@ -69,7 +70,7 @@ namespace Nowpose.Unity
         public ControlTime? Since => _follower?.Track?.Since;
 
         /// <summary>Reason why the value is not current, in one line; null if it is current.</summary>
-        public string Fault => _follower == null ? "no session" : _follower.Fault;
+        public string Fault => _follower == null ? StatusMessages.NoSession : _follower.Fault;
 
         /// <summary>Raised with each new value.</summary>
         public event Action<double> Changed;

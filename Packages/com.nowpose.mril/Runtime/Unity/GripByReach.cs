@@ -49,8 +49,8 @@ namespace Nowpose.Unity
         {
             get
             {
-                if (_source == null) return "no rig";
-                if (_followed == null) return "no session";
+                if (_source == null) return StatusMessages.NoRig;
+                if (_followed == null) return StatusMessages.NoSession;
                 if (_grip == null) return _problem ?? ObjectMessages.RobotUnknown;
                 return _grip.Fault ?? SignalFollower.FaultOf(_followed, Signal);
             }
@@ -104,7 +104,7 @@ namespace Nowpose.Unity
             if (index < 0)
             {
                 _problem = ObjectMessages.NoLink(_robot.Robot.Name, link);
-                ConsoleLog.Fail(this, "grip by reach '" + name + "': " + _problem);
+                ConsoleLog.Fail(this, ComponentMessages.Of("grip by reach", name, _problem));
                 return;
             }
             _grip = new ReachGrip(_followed.Frames.Tree, _robot, index, _reachMetres, _session.Parts.Objects);

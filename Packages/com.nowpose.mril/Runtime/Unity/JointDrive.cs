@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Kinematics;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity
@@ -25,7 +26,7 @@ namespace Nowpose.Unity
         /// <param name="restRotation">Rotation of the transform at joint position 0.</param>
         public JointDrive(Transform moved, RobotJoint joint, Vector3 restPosition, Quaternion restRotation)
         {
-            if (joint.Kind == JointKind.Fixed) throw new ArgumentException("joint '" + joint.Name + "' is fixed", nameof(joint));
+            if (joint.Kind == JointKind.Fixed) throw new ArgumentException(RigMessages.FixedJoint(joint.Name), nameof(joint));
             _moved = moved;
             _slides = joint.Kind == JointKind.Prismatic;
             _restPosition = restPosition;

@@ -121,7 +121,7 @@ namespace Nowpose.Unity
             Profile = profile;
             From = from;
             _calibrated = null;
-            ConsoleLog.Info(this, "latency profile: " + CalibrationMessages.Of(profile) + "; from " + from);
+            ConsoleLog.Info(this, CalibrationMessages.Loaded(profile, from));
         }
 
         void Fail(string problem)

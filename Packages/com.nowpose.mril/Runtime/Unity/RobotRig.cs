@@ -68,7 +68,7 @@ namespace Nowpose.Unity
         internal SessionRobot Robot => _source != null ? _robot.Robot : null;
 
         /// <summary>Reason why the robot's pose is not current, in one line; null if it is current.</summary>
-        internal string Fault => _source == null ? "no session" : _robot.Fault;
+        internal string Fault => _source == null ? StatusMessages.NoSession : _robot.Fault;
 
         /// <summary>Returns the state of the shown robot's pose in a frame of the session.</summary>
         internal PoseState StateIn(DisplayFrame frame) => _robot == null ? frame.State : _robot.StateIn(frame);

@@ -103,7 +103,7 @@ namespace Nowpose.Unity
             }
             catch (Exception fault) when (fault is InputException || fault is ArgumentException)
             {
-                Fail("session recording '" + name + "': " + fault.Message);
+                Fail(ComponentMessages.Of("session recording", name, fault.Message));
                 return;
             }
             ConsoleLog.Info(this, SessionMessages.Recording(Path));

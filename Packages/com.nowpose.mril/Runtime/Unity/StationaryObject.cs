@@ -50,7 +50,7 @@ namespace Nowpose.Unity
         public string SavedPath => Path.Combine(Application.persistentDataPath, _fileName);
 
         /// <summary>Reason why the object's pose is not current, in one line; null if it is current.</summary>
-        public string Fault => _followed == null ? "no session" : _followed.Fault;
+        public string Fault => _followed == null ? StatusMessages.NoSession : _followed.Fault;
 
         bool ICellObject.IsUnplaced => _followed != null && !_followed.IsKnown;
 

@@ -20,8 +20,6 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class TimestampDisplay : MonoBehaviour
     {
-        const string NoSession = "no session", NotSynchronised = "clock not synchronised";
-
         [SerializeField, Tooltip("The session whose frames are shown. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
@@ -73,13 +71,13 @@ namespace Nowpose.Unity
         {
             FrameStart = FrameControlTime.Of(_source, frame);
             if (FrameStart is ControlTime start) Sheet.Show(start);
-            else Sheet.Blank(NotSynchronised);
+            else Sheet.Blank(StatusMessages.ClockNotSynchronised);
         }
 
         void Hide()
         {
             FrameStart = null;
-            Sheet.Blank(NoSession);
+            Sheet.Blank(StatusMessages.NoSession);
         }
 
         TimestampSheet Sheet => _sheet ??= new TimestampSheet(transform, _cell, _light, _sideMetres);

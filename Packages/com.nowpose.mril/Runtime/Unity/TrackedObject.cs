@@ -1,5 +1,6 @@
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -40,7 +41,7 @@ namespace Nowpose.Unity
         public PoseState State => _followed == null ? PoseState.Incomplete : _followed.State;
 
         /// <summary>Reason why the object's pose is not current, in one line; null if it is current.</summary>
-        public string Fault => _followed == null ? "no session" : _followed.Fault;
+        public string Fault => _followed == null ? StatusMessages.NoSession : _followed.Fault;
 
         bool ICellObject.IsUnplaced => false;
 

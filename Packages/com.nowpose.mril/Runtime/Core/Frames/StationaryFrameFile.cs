@@ -21,7 +21,7 @@ namespace Nowpose.Frames
             var json = new JsonUtf8Reader(utf8, Nesting);
             var message = new TransformsReader().Read(ref json, isStatic: true);
             if (message != null && json.End()) return message;
-            throw new InputException(path + ", line " + LineAt(utf8, json.Position) + ": " + WordsOf(json.Fault));
+            throw new InputException(FrameMessages.FileLine(path, LineAt(utf8, json.Position), WordsOf(json.Fault)));
         }
 
         /// <exception cref="InputException">The file cannot be written; the old file is unchanged.</exception>
@@ -49,8 +49,8 @@ namespace Nowpose.Frames
                 case DropReason.NotUnitQuaternion: return FrameMessages.NotUnitQuaternion(FrameTransform.NormTolerance.ToString(CultureInfo.InvariantCulture));
                 case DropReason.NotFinite: return FrameMessages.FileNumber;
                 case DropReason.OwnParent: return FrameMessages.OwnParent;
-                case DropReason.DuplicateName: return "a child_frame_id occurs twice";
-                case DropReason.TooManyFrames: return "more than " + ProtocolLimits.Frames + " frames";
+                case DropReason.DuplicateName: return FrameMessages.ChildTwice;
+                case DropReason.TooManyFrames: return FrameMessages.TooManyFrames(ProtocolLimits.Frames);
                 case DropReason.MissingField: return FrameMessages.FieldMissing;
                 default: return FrameMessages.NotTransforms(fault);
             }

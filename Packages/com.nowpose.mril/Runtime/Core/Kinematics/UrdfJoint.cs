@@ -62,7 +62,7 @@ namespace Nowpose.Kinematics
         static string LinkNamed(UrdfSource source, XElement element, string role)
         {
             var end = UrdfSource.Child(element, role);
-            if (end == null) throw source.Error(element, "its <" + role + " link=…/> is missing");
+            if (end == null) throw source.Error(element, UrdfMessages.LinkMissing(role));
             return source.RequiredName(end, "link");
         }
 

@@ -31,7 +31,7 @@ namespace Nowpose.Kinematics
         {
             var name = follower.Joint.Mimic.Master;
             if (!byName.TryGetValue(name, out var master))
-                throw MimicError(source, follower, "unknown joint " + UrdfSource.Quote(name));
+                throw MimicError(source, follower, UrdfMessages.UnknownJoint(UrdfSource.Quote(name)));
             if (master.Joint.Kind == JointKind.Fixed)
                 throw MimicError(source, follower, UrdfMessages.MimicOfFixed(UrdfSource.Quote(name)));
             return master;

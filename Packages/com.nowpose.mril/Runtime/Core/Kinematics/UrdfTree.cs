@@ -55,7 +55,7 @@ namespace Nowpose.Kinematics
         void Require(UrdfJoint joint, string role, string link)
         {
             if (!_links.ContainsKey(link))
-                throw _source.Error(UrdfSource.Child(joint.Element, role), "unknown link " + UrdfSource.Quote(link));
+                throw _source.Error(UrdfSource.Child(joint.Element, role), UrdfMessages.UnknownLink(UrdfSource.Quote(link)));
         }
 
         UrdfLink Root(UrdfLink[] links)

@@ -33,6 +33,14 @@ namespace Nowpose.Messages
 
         public const string ClosedBeforeAnswer = "the gateway closed the connection before it responded; see its log";
 
+        public static string NoResponse(double seconds) =>
+            FormattableString.Invariant($"no response within {seconds} s; check host and port, the network, and that the gateway is running");
+
+        public static string NothingReceived(double seconds) =>
+            FormattableString.Invariant($"received nothing for {seconds} s; check the network, and that the gateway is running");
+
+        public static string TlsFailed(string reason) => $"TLS: {reason}; check that the gateway uses TLS on this port";
+
         public static string NothingSent(double seconds) =>
             FormattableString.Invariant($"nothing could be sent for {seconds} s; check the network");
 
@@ -51,13 +59,13 @@ namespace Nowpose.Messages
         public static string UnusableAnswers(string service, int count, SyncExchangeFault fault) =>
             $"{service}: {count} consecutive unusable responses, the last: {fault}; check that host and port are those of a rosbridge server";
 
-        public const string JointsClosed = "joint positions: the gateway closed the connection";
+        public const string JointsClosed = "joint positions: the gateway closed the connection; see its log";
 
         public static string UnusableReplies(int count, SyncExchangeFault fault) =>
             $"{count} unusable replies in a row, the last: {fault}; check that host and sync port are those of a gateway";
 
         public const string TokenNotAccepted = "the gateway does not accept this headset's token; pair again or correct the token";
-        public const string Closed = "the gateway closed the connection";
+        public const string Closed = "the gateway closed the connection; see its log";
 
         public static string NotASyncFrame(SyncFrameFault fault) =>
             $"the reply is not a sync frame: {fault}; check that host and sync port are those of a gateway";
@@ -65,9 +73,10 @@ namespace Nowpose.Messages
         public static string OtherSyncFrame(SyncFrameKind kind, SyncFrameKind expected) =>
             $"the reply is a frame of kind {kind} instead of {expected}; check that host and sync port are those of a gateway";
 
-        public static string MessageTooLong(int max) => $"a message was longer than {max} bytes";
+        public static string MessageTooLong(int max) =>
+            $"a message was longer than the maximum of {max} bytes; reduce the joints or objects in each message";
         public static string MessageTooSlow(double seconds) =>
-            FormattableString.Invariant($"a message was not complete within {seconds} s");
+            FormattableString.Invariant($"a message was not complete within {seconds} s; check the network");
 
         public const string TokenNotAcceptedByHttp = "the gateway does not accept this headset's token (401); pair again or correct the token";
 
@@ -82,7 +91,7 @@ namespace Nowpose.Messages
         public static string OtherVersion(string name, string version, string self, string ownVersion) =>
             $"{name} has version {version}, but {self} has {ownVersion}; install the same version of both";
 
-        public const string Lost = "the connection was lost";
+        public const string Lost = "the connection was lost; check the network, and that the gateway is running";
 
         public static string NoPinCheck(string replacement) => $"NativeWebSocket cannot check a pin; use {replacement}";
     }

@@ -23,6 +23,12 @@ namespace Nowpose.Messages
         public const string OwnParent = "a frame is its own parent; correct its header.frame_id";
         public const string FieldMissing = "a field is missing; add it";
 
+        public const string ChildTwice = "a child_frame_id occurs twice; remove one";
+
+        public static string TooManyFrames(int max) => $"more than {max} frames; remove some";
+
+        public static string FileLine(string path, int line, string fault) => $"{path}, line {line}: {fault}";
+
         public static string NotTransforms(DropReason fault) => $"is not a tf2_msgs/TFMessage in JSON ({fault}); correct the file";
     }
 }

@@ -36,6 +36,9 @@ namespace Nowpose.Messages
         public static string OtherVersion(int version, int supported) =>
             $"has version {version}; this release of Nowpose reads version {supported}; update Nowpose";
 
+        public static string FieldMissing(char key) => $"{key} is missing; show the code again";
+        public static string FieldEmpty(char key) => $"{key} is empty; show the code again";
+        public static string FieldTwice(char key) => $"{key} occurs twice; show the code again";
         public static string NotAField(string allowed) => $"a field is not KEY=VALUE; allowed: {allowed}";
         public static string UnknownField(char key, string allowed) => $"field {key} is not known; allowed: {allowed}";
 

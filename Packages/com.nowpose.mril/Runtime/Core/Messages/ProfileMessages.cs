@@ -14,6 +14,9 @@ namespace Nowpose.Messages
             $"the latency profile has version {version}; this release of Nowpose reads versions up to {max}; update Nowpose or calibrate again";
 
         public static string Version(int version, int allowed) => $"version: {version} is not supported; allowed: {allowed}; calibrate again";
+        public static string Missing(string field) => $"{field} is missing; calibrate again";
+        public static string Twice(string field) => $"{field} occurs twice; remove one";
+        public static string UnknownSource(string name, string allowed) => $"render_source: '{name}' is unknown; allowed: {allowed}";
         public static string UnknownMethod(string name, string allowed) => $"method: '{name}' is unknown; allowed: {allowed}";
 
         public const string NotComplete = "it is not a complete JSON object; calibrate again";

@@ -5,6 +5,7 @@ namespace Nowpose.Messages
     /// <summary>Error messages about settings.</summary>
     static class SettingMessages
     {
+        public const string NotFinite = "must be finite";
         public const string NotPositive = "must be positive and finite";
         public const string Vertices = "must be from 0 to 1000000000 vertices";
 

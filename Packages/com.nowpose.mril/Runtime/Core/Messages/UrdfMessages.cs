@@ -26,6 +26,10 @@ namespace Nowpose.Messages
 
         public static string MimicOfFixed(string joint) => $"joint {joint} is fixed; only a moving joint can be mimicked; remove the <mimic> element";
 
+        public static string LinkMissing(string role) => $"its <{role} link=…/> is missing; add it";
+        public static string UnknownJoint(string joint) => $"unknown joint {joint}; correct the name";
+        public static string UnknownLink(string link) => $"unknown link {link}; correct the name";
+
         public const string Root = "the root element must be <robot>";
 
         public static string AttributeMissing(string attribute) => $"its attribute {attribute} is missing or empty; add it";

@@ -28,7 +28,7 @@ namespace Nowpose.Motion
         public SevenPhaseProfile(double distance, double maxVelocity, double maxAcceleration, double maxJerk)
         {
             if (double.IsNaN(distance) || double.IsInfinity(distance))
-                throw new ArgumentOutOfRangeException(nameof(distance), distance, "must be finite");
+                throw new ArgumentOutOfRangeException(nameof(distance), distance, SettingMessages.NotFinite);
             RequirePositive(maxVelocity, nameof(maxVelocity));
             RequirePositive(maxAcceleration, nameof(maxAcceleration));
             RequirePositive(maxJerk, nameof(maxJerk));

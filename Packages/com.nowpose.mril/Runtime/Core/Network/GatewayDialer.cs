@@ -52,7 +52,7 @@ namespace Nowpose.Network
                     cancel.ThrowIfCancellationRequested();
                     if (inTime.IsCancellationRequested)
                         throw new GatewayRefusalException(
-                            _settings.Host + ":" + port + ": no response within " + ProtocolLimits.DialTimeout.TotalSeconds + " s", failure);
+                            _settings.Host + ":" + port + ": " + ConnectionMessages.NoResponse(ProtocolLimits.DialTimeout.TotalSeconds), failure);
                     throw;
                 }
             }
@@ -170,7 +170,7 @@ namespace Nowpose.Network
             }
             catch (AuthenticationException failure)
             {
-                throw new GatewayRefusalException(refusal ?? "TLS: " + failure.Message, failure);
+                throw new GatewayRefusalException(refusal ?? ConnectionMessages.TlsFailed(failure.Message), failure);
             }
         }
     }

@@ -150,7 +150,7 @@ namespace Nowpose.Network
                 }
                 catch (OperationCanceledException late) when (!_stop.IsCancellationRequested)
                 {
-                    throw new GatewayRefusalException("no response within " + ProtocolLimits.PongTimeout.TotalSeconds + " s", late);
+                    throw new GatewayRefusalException(ConnectionMessages.NoResponse(ProtocolLimits.PongTimeout.TotalSeconds), late);
                 }
             }
             MarkReceived(_clock.Now);
@@ -271,7 +271,7 @@ namespace Nowpose.Network
             while (true)
             {
                 var left = ProtocolLimits.PongTimeout - Silence;
-                if (left < TimeSpan.Zero) throw new IOException("received nothing for " + ProtocolLimits.PongTimeout.TotalSeconds + " s");
+                if (left < TimeSpan.Zero) throw new IOException(ConnectionMessages.NothingReceived(ProtocolLimits.PongTimeout.TotalSeconds));
                 // Waits one timer step longer: the timer counts whole steps and would otherwise fire repeatedly within the last step.
                 await Task.Delay(left + TimerStep, cancel).ConfigureAwait(false);
             }

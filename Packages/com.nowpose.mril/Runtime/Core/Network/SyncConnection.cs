@@ -67,7 +67,7 @@ namespace Nowpose.Network
             {
                 // Uses one deadline for the whole frame, so that single bytes at long intervals do not extend the timeout.
                 var left = (end - _clock.Now).TotalMilliseconds;
-                if (left <= 0) throw new IOException("no reply within " + ProtocolLimits.SyncReplyTimeout.TotalSeconds + " s");
+                if (left <= 0) throw new IOException(ConnectionMessages.NoResponse(ProtocolLimits.SyncReplyTimeout.TotalSeconds));
                 _stream.ReadTimeout = (int)Math.Ceiling(left);
                 var read = _stream.Read(_reply, got, _reply.Length - got);
                 if (read == 0) throw new EndOfStreamException(ConnectionMessages.Closed);

@@ -34,7 +34,7 @@ namespace Nowpose.Pairing
         }
 
         /// <exception cref="InputException">The field is missing.</exception>
-        public string Text(char key) => OptionalText(key) ?? throw Fault(key + " is missing");
+        public string Text(char key) => OptionalText(key) ?? throw Fault(PairingCodeMessages.FieldMissing(key));
 
         /// <returns>Null if the field is missing.</returns>
         public string OptionalText(char key) => _values.TryGetValue(key, out var value) ? value : null;
@@ -73,8 +73,8 @@ namespace Nowpose.Pairing
             if (field.Length < 2 || field[1] != '=') throw Fault(PairingCodeMessages.NotAField(List(keys)));
             var key = field[0];
             if (keys.IndexOf(key) < 0) throw Fault(PairingCodeMessages.UnknownField(key, List(keys)));
-            if (field.Length == 2) throw Fault(key + " is empty");
-            if (!_values.TryAdd(key, field.Substring(2))) throw Fault(key + " occurs twice");
+            if (field.Length == 2) throw Fault(PairingCodeMessages.FieldEmpty(key));
+            if (!_values.TryAdd(key, field.Substring(2))) throw Fault(PairingCodeMessages.FieldTwice(key));
         }
 
         static string List(string keys) => string.Join(", ", keys.ToCharArray());

@@ -39,9 +39,9 @@ namespace Nowpose.Pairing
                 {
                     cancel.ThrowIfCancellationRequested();
                     var why = inTime.IsCancellationRequested
-                        ? "no response within " + PairingLimits.ExchangeTimeout.TotalSeconds + " s"
+                        ? ConnectionMessages.NoResponse(PairingLimits.ExchangeTimeout.TotalSeconds)
                         : (failure is AggregateException ? failure.GetBaseException() : failure).Message;
-                    return PairingAnswer.Failed("pairing with " + gateway.Host + ": " + why);
+                    return PairingAnswer.Failed(PairingAnswerMessages.Failed(gateway.Host, why));
                 }
             }
         }

@@ -1,6 +1,7 @@
 using System;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Network;
 
 namespace Nowpose.Pairing
@@ -42,7 +43,7 @@ namespace Nowpose.Pairing
             if (_running == null && now >= _nextStart) _running = _send(_gateway, Token, _cancel.Token);
             if (_running == null || !_running.IsCompleted) return null;
             var answer = _running.IsFaulted || _running.IsCanceled
-                ? PairingAnswer.Refused(_running.Exception?.GetBaseException().Message ?? "pairing was cancelled") : _running.Result;
+                ? PairingAnswer.Refused(_running.Exception?.GetBaseException().Message ?? PairingAnswerMessages.Cancelled) : _running.Result;
             _running = null;
             _nextStart = now + PairingLimits.RetryInterval;
             if (!answer.IsWorthRetrying || _nextStart > _lastStart) return answer;

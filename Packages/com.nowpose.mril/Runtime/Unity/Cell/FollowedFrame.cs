@@ -101,7 +101,7 @@ namespace Nowpose.Unity.Cell
             if (_session == null) return;
             var reason = _session.Frames.Place(_name, CellPlace.PoseIn(World, placed));
             if (reason == DropReason.None) _frame = _session.Frames.Find(_name);
-            else ConsoleLog.Fail(placed, Title + " cannot be placed: " + reason);
+            else ConsoleLog.Fail(placed, ObjectMessages.NotAccepted(Title, reason));
         }
 
         /// <summary>Moves a transform to the frame's pose. Does nothing while the pose is unknown.</summary>

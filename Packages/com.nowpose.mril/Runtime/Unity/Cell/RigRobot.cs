@@ -40,7 +40,7 @@ namespace Nowpose.Unity.Cell
         {
             get
             {
-                if (_robot == null) return _session == null ? "no session" : StatusMessages.RobotNotAdded;
+                if (_robot == null) return _session == null ? StatusMessages.NoSession : StatusMessages.RobotNotAdded;
                 var frame = _robot.Frame;
                 return frame.State == PoseState.Current ? null : StatusMessages.ReasonOf(frame.State, frame.IsLimitedByBase);
             }

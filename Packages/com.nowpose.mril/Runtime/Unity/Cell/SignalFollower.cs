@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Session;
 using Nowpose.Signals;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -52,7 +53,7 @@ namespace Nowpose.Unity.Cell
         /// <summary>Returns the reason why a signal's value is not current, in one line; null if the value is current.</summary>
         /// <param name="session">The session that receives the signal; may be null.</param>
         public static string FaultOf(CompensationSession session, string name) =>
-            session == null ? "no session" : session.Signals.FaultOf(name, session.CanReceiveSignals);
+            session == null ? StatusMessages.NoSession : session.Signals.FaultOf(name, session.CanReceiveSignals);
 
         /// <summary>Stops following the signal.</summary>
         public void Leave()

@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace Nowpose.Unity.Messages
@@ -7,6 +8,9 @@ namespace Nowpose.Unity.Messages
     {
         public static string PositionNotFinite(Vector3 position) => $"position {position} is not finite; pass three finite lengths in m";
         public static string RotationInvalid(Quaternion rotation) => $"rotation {rotation} is not a rotation; pass a quaternion of length 1";
+
+        public static string AngleNotFinite(double degrees) =>
+            FormattableString.Invariant($"the angle {degrees}° is not finite; pass a finite angle in degrees");
 
         public const string FollowsMarker = "the base follows a marker that is being moved";
         public const string NotLocated = "no marker has located the base";

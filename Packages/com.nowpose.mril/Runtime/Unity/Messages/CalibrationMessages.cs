@@ -28,6 +28,9 @@ namespace Nowpose.Unity.Messages
             CultureInfo.InvariantCulture, "L_visu {0:0.0} ms ± {1:0.0} ms {2}; {3}", profile.Visualisation.Length.TotalMilliseconds,
             profile.Spread.TotalMilliseconds, OriginOf(profile), RangeOf(profile));
 
+        /// <param name="origin">Place of the profile.</param>
+        public static string Loaded(LatencyProfile profile, string origin) => $"latency profile: {Of(profile)}; from {origin}";
+
         static string RangeOf(LatencyProfile profile)
         {
             if (profile.Range is { } range)

@@ -3,6 +3,8 @@ namespace Nowpose.Unity.Messages
     /// <summary>Error messages for Unity's console about the settings of components. Most messages state a remedy.</summary>
     static class ComponentMessages
     {
+        public static string Of(string kind, string component, string problem) => $"{kind} '{component}': {problem}";
+
         public static string NoAction(string component, string kind) => $"cell actions '{component}' have no {kind}; assign one";
 
         public static string NoFontMaterial(string component) =>

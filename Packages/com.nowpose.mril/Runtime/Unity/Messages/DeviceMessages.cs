@@ -50,6 +50,9 @@ namespace Nowpose.Unity.Messages
 
         public const string PlanarPaused = "planar reprojection is paused because the rig receives no poses; enable the rig and its session";
         public const string PlanarWithoutRig = "has no rig on its object or a child; assign one";
+        public static string PlanarRefused(string reason) => $"is refused: {reason}; build again with all files of the OpenXR plugin";
+        public static string PlanarLog(string component, string why) => $"planar reprojection '{component}' (experiment) {why}";
+        public static string PlanarProblem(string why) => $"planar reprojection {why}";
         public const string PlanarNotSupported = "is refused: the runtime does not support PlanarManual; its own mode stays in use; remove this component";
 
         public static string CountersPaired(string component, long hertz, long stopwatchHertz, double microseconds) => FormattableString.Invariant(
@@ -65,6 +68,9 @@ namespace Nowpose.Unity.Messages
             $"reprojection check '{component}': {reason}; it is unknown whether depth is submitted; "
             + "build again with all files of the OpenXR plugins";
 
+        public static string StoreFailed(string action, string reason) => $"cannot {action}: {reason}";
+
+        public const string DepthSubmitted = "depth is submitted";
         public const string DepthAgain = "depth is submitted again";
     }
 }

@@ -14,6 +14,9 @@ namespace Nowpose.Unity.Messages
             $"stationary object '{component}': its source or a gripper moves it, so it cannot be placed by hand; "
             + "stop its source, or release it from the gripper";
 
+        public static string NotAccepted(string title, DropReason reason) =>
+            $"{title} cannot be placed: {reason}; correct its frame, or reduce the frames of the cell";
+
         public const string NotPlaced = "not placed; place it by hand, or publish its frame on /tf_static";
 
         /// <param name="copy">Path of the saved copy of the invalid file; null if it could not be saved.</param>

@@ -23,6 +23,8 @@ namespace Nowpose.Unity.Messages
         public static string NoUrdf(string asset) => $"'{asset}': contains no URDF; load the URDF of the robot";
         public static string NotBound(string rig) => $"rig '{rig}': bind it to a robot before joints are applied";
 
+        public static string FixedJoint(string joint) => $"joint '{joint}' is fixed; pass a moving joint";
+
         public static string ValueCount(string rig, int values, int joints) =>
             $"rig '{rig}': {values} values for {joints} moving joints; pass one value for each moving joint";
 

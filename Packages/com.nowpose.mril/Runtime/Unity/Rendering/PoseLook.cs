@@ -10,10 +10,10 @@ namespace Nowpose.Unity.Rendering
     readonly struct PoseLook
     {
         /// <summary>Look of the last pose while no more frames are computed.</summary>
-        public static readonly PoseLook NoSession = new PoseLook("no session", PoseMessages.SessionPaused, 0.8f);
+        public static readonly PoseLook NoSession = new PoseLook(StatusMessages.NoSession, PoseMessages.SessionPaused, 0.8f);
 
         /// <summary>Look of an object that has not been placed yet. It is visible, so that the user can grasp it.</summary>
-        public static readonly PoseLook Unplaced = new PoseLook("not placed", PoseMessages.NotPlaced, 0.5f);
+        public static readonly PoseLook Unplaced = new PoseLook(StatusMessages.NotPlaced, PoseMessages.NotPlaced, 0.5f);
 
         /// <summary>
         /// Minimum fade of a striped look. A part that is smaller than a stripe (1 cm) may lie between two stripes; then only the fade marks it.

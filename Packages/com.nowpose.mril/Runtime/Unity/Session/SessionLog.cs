@@ -51,7 +51,7 @@ namespace Nowpose.Unity.Session
         /// <param name="statistics">Statistics of the frame with the change; null if the session has ended.</param>
         public void Log(SessionChange change, CompensationSession session, SessionStatistics statistics)
         {
-            if ((change & SessionChange.Synchronised) != 0) Debug.Log(ConsoleLog.Prefix + "clock synchronised", _context);
+            if ((change & SessionChange.Synchronised) != 0) Debug.Log(ConsoleLog.Prefix + SessionMessages.Synchronised, _context);
             if ((change & SessionChange.Lost) != 0)
                 Debug.LogWarning(ConsoleLog.Prefix + SessionMessages.SynchronisationLost, _context);
             if ((change & SessionChange.EnteredRange) != 0)

@@ -1,5 +1,5 @@
-using System.Globalization;
 using Nowpose.Anchoring;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity.Status
@@ -8,23 +8,10 @@ namespace Nowpose.Unity.Status
     /// <remarks>Allocates only when the base is locked again or its message changes. The strings for displacements are preallocated.</remarks>
     sealed class BaseTexts
     {
-        static readonly NumberTexts Millimetres = new NumberTexts("", " mm off", (1, 0, 0));
+        static readonly NumberTexts Millimetres = new NumberTexts("", StatusMessages.OffsetSuffix, (1, 0, 0));
 
         LockReport _noted;
         string _note = "", _words, _fault;
-
-        public static string ValueOf(BaseAnchorState state)
-        {
-            switch (state)
-            {
-                case BaseAnchorState.Placed: return "placed by hand";
-                case BaseAnchorState.Searching: return "! not locked";
-                case BaseAnchorState.Restored: return "! not confirmed";
-                case BaseAnchorState.Moved: return "! moved";
-                case BaseAnchorState.Lost: return "! lost";
-                default: return "locked";
-            }
-        }
 
         public string NoteOf(BaseAnchor anchor)
         {
@@ -60,8 +47,7 @@ namespace Nowpose.Unity.Status
         }
 
         static string Note(LockReport report) => report.Markers == 0
-            ? "by hand"
-            : string.Format(
-                CultureInfo.InvariantCulture, "spread {0:0.0} mm {1:0.0}°", 1000 * report.SpreadMetres, report.SpreadRadians * Mathf.Rad2Deg);
+            ? StatusMessages.LockedByHand
+            : StatusMessages.Spread(1000 * report.SpreadMetres, report.SpreadRadians * Mathf.Rad2Deg);
     }
 }

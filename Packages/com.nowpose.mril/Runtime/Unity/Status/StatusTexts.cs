@@ -27,24 +27,18 @@ namespace Nowpose.Unity.Status
 
         const string Unknown = NumberTexts.Unknown;
 
-        static readonly string[] Labels =
-        {
-            "Pose", "Clock", "L_app", "L_visu", "Horizon", "Render time", "Range", "Error reduction", "Residual error", "Gateway", "Robot", "Base",
-            "Objects", "", "", "", "", "", "", "",
-        };
-
         static readonly string[] Poses = WordsOfPoses();
         static readonly string HeldOutside = "! " + PoseMessages.Of(PoseState.OutsideRange, OutsideRangeResponse.Hold);
 
         static readonly NumberTexts Milliseconds = new NumberTexts("", " ms", (2, 1, 0));
         static readonly NumberTexts MarkedMilliseconds = new NumberTexts("! ", " ms", (2, 1, 0));
         static readonly NumberTexts Bounds = new NumberTexts("± ", " ms", (2, 1, 0));
-        static readonly NumberTexts CoarseClock = new NumberTexts("clock ± ", " ms", (2, 1, 0));
-        static readonly NumberTexts Percentiles = new NumberTexts("95 % below ", " ms", (0, 0, 0));
+        static readonly NumberTexts CoarseClock = new NumberTexts(StatusMessages.ClockPrefix, " ms", (2, 1, 0));
+        static readonly NumberTexts Percentiles = new NumberTexts(StatusMessages.PercentilePrefix, " ms", (0, 0, 0));
         static readonly NumberTexts Percents = new NumberTexts("", " %", (0, 0, 0));
         static readonly NumberTexts PercentBounds = new NumberTexts("± ", " %", (0, 0, 0));
         static readonly NumberTexts Millimetres = new NumberTexts("", " mm", (1, 1, 0));
-        static readonly NumberTexts MillimetrePercentiles = new NumberTexts("95 % below ", " mm", (1, 1, 0));
+        static readonly NumberTexts MillimetrePercentiles = new NumberTexts(StatusMessages.PercentilePrefix, " mm", (1, 1, 0));
 
         readonly string[] _values = new string[Rows];
         readonly string[] _notes = new string[Rows];
@@ -76,7 +70,7 @@ namespace Nowpose.Unity.Status
         /// <summary>Whether the message shows the error reduction of each joint while no other message is shown.</summary>
         public bool ShowsJointErrors { get; set; }
 
-        public static string LabelOf(StatusRow row) => Labels[(int)row];
+        public static string LabelOf(StatusRow row) => StatusMessages.Labels[(int)row];
 
         public string ValueOf(StatusRow row) => _values[(int)row];
 
@@ -104,10 +98,11 @@ namespace Nowpose.Unity.Status
                 UpdateTimes(statistics);
                 UpdateLatencies(statistics);
                 Follow(settings);
-                Set(StatusRow.Connection, ConnectionOf(statistics), SecurityOf(statistics.Security));
+                Set(StatusRow.Connection, StatusMessages.Of(statistics.SyncLink.State, statistics.SampleLink.State),
+                    StatusMessages.Of(statistics.Security, _isLocal));
                 Set(StatusRow.Robot, RobotOf(statistics), Shortened(robot ?? "", "", ref _robot, PanelCells.NoteWidth));
             }
-            if (anchor != null) Set(StatusRow.Base, BaseTexts.ValueOf(anchor.State), _base.NoteOf(anchor));
+            if (anchor != null) Set(StatusRow.Base, StatusMessages.Of(anchor.State), _base.NoteOf(anchor));
             parts?.Update();
             Set(StatusRow.Objects, parts?.Summary ?? "", "");
             var isPairing = pairing != null;
@@ -127,7 +122,7 @@ namespace Nowpose.Unity.Status
             var clock = statistics.Clock;
             var isCoarse = statistics.Pose == PoseState.Current && statistics.IsClockCoarse;
             Set(StatusRow.Pose, PoseOf(statistics), isCoarse ? CoarseClock.Of(clock.EstimatedError) : StatusMessages.ReasonOf(statistics.Pose, statistics.IsLimitedByBase));
-            Set(StatusRow.Clock, ClockOf(clock.State), clock.IsKnown ? Bounds.Of(clock.EstimatedError) : "");
+            Set(StatusRow.Clock, StatusMessages.Of(clock.State), clock.IsKnown ? Bounds.Of(clock.EstimatedError) : "");
             Set(StatusRow.Horizon, Milliseconds.Of(statistics.Horizon), "");
         }
 
@@ -139,7 +134,7 @@ namespace Nowpose.Unity.Status
             var visualisation = isUncertain ? MarkedMilliseconds : Milliseconds;
             Set(StatusRow.VisualisationLatency, visualisation.Of(statistics.VisualisationLatency), _origin.Of(statistics));
             Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeNames.NameOf(statistics.RenderTimeSource));
-            Set(StatusRow.Range, RangeOf(statistics.Range), ReasonOf(statistics.RangeUnknownReason));
+            Set(StatusRow.Range, RangeOf(statistics.Range), StatusMessages.Of(statistics.RangeUnknownReason) ?? "");
             UpdateError(statistics.ToolError, WithheldErrors.WordsOf(statistics.ErrorWithheld) ?? "");
         }
 
@@ -218,68 +213,23 @@ namespace Nowpose.Unity.Status
             return words;
         }
 
-        static string ClockOf(ClockState state)
-        {
-            switch (state)
-            {
-                case ClockState.Synchronised: return "synchronised";
-                case ClockState.Coarse: return "coarse";
-                case ClockState.Converging: return "! converging";
-                case ClockState.Holdover: return "! holdover";
-                default: return "! no response yet";
-            }
-        }
-
         static string RangeOf(RangeState range)
         {
             switch (range)
             {
-                case RangeState.Inside: return "inside";
-                case RangeState.Outside: return "! outside";
+                case RangeState.Inside: return StatusMessages.InsideRange;
+                case RangeState.Outside: return StatusMessages.OutsideRange;
                 default: return Unknown;
-            }
-        }
-
-        static string ReasonOf(RangeUnknownReason reason)
-        {
-            switch (reason)
-            {
-                case RangeUnknownReason.NoLimit: return StatusMessages.NoLimit;
-                case RangeUnknownReason.NoRenderTime: return "not measured";
-                case RangeUnknownReason.TooFewFrames: return "measuring";
-                case RangeUnknownReason.OtherSource: return StatusMessages.OtherSourceLimit;
-                case RangeUnknownReason.LongerThanRefresh: return StateNames.FramesMissRefreshes;
-                case RangeUnknownReason.BeyondMeasured: return "beyond measured range";
-                default: return "";
-            }
-        }
-
-        // Describes the connection that is in the worse state: the sync connection or the sample connection.
-        static string ConnectionOf(SessionStatistics statistics)
-        {
-            var (sync, samples) = (statistics.SyncLink.State, statistics.SampleLink.State);
-            if (sync == LinkState.Idle && samples == LinkState.Idle) return "not connected";
-            if (sync == LinkState.Waiting || samples == LinkState.Waiting) return "! trying again";
-            return sync == LinkState.Connected && samples == LinkState.Connected ? "connected" : "connecting";
-        }
-
-        string SecurityOf(TransportSecurity security)
-        {
-            switch (security)
-            {
-                case TransportSecurity.Pinned: return "encrypted, pinned key";
-                case TransportSecurity.DeviceTrust: return "encrypted, device trust";
-                default: return _isLocal ? "within this machine" : "! not encrypted";
             }
         }
 
         static string RobotOf(SessionStatistics statistics)
         {
-            if (statistics.BeyondLimits != null) return "! beyond its limits";
+            if (statistics.BeyondLimits != null) return StatusMessages.BeyondLimits;
             switch (statistics.RobotDescriptionMatch)
             {
-                case RobotDescriptionMatch.Same: return "same as gateway's";
-                case RobotDescriptionMatch.Different: return "! differs";
+                case RobotDescriptionMatch.Same: return StatusMessages.SameRobot;
+                case RobotDescriptionMatch.Different: return StatusMessages.OtherRobot;
                 default: return Unknown;
             }
         }

@@ -114,7 +114,7 @@ namespace Nowpose.Latency.Profile
         {
             var name = fields.OptionalText("render_source") ?? "";
             return RenderTimeSourceNames.TryParse(name, out var source)
-                ? source : throw fields.Fault("render_source: '" + name + "' is unknown; allowed: " + RenderTimeSourceNames.All);
+                ? source : throw fields.Fault(ProfileMessages.UnknownSource(name, RenderTimeSourceNames.All));
         }
     }
 }

@@ -31,7 +31,7 @@ namespace Nowpose.Latency.Profile
             var json = new JsonUtf8Reader(utf8, Nesting);
             json.BeginObject();
             while (json.NextField(out var field))
-                if (!_values.TryAdd(field, Read(ref json))) throw Fault(field + " occurs twice");
+                if (!_values.TryAdd(field, Read(ref json))) throw Fault(ProfileMessages.Twice(field));
         }
 
         static object Read(ref JsonUtf8Reader json)
@@ -82,7 +82,7 @@ namespace Nowpose.Latency.Profile
 
         public InputException Fault(string what) => new InputException(_name + ": " + what);
 
-        InputException Missing(string field) => Fault(field + " is missing");
+        InputException Missing(string field) => Fault(ProfileMessages.Missing(field));
 
         static string Shown(object value) => value switch
         {

@@ -84,7 +84,7 @@ namespace Nowpose.Prediction.Forecasting
         static int Checked(int degree, int history)
         {
             if (degree < 0 || degree > MaxDegree)
-                throw new ArgumentOutOfRangeException(nameof(degree), degree, "0 to " + MaxDegree);
+                throw new ArgumentOutOfRangeException(nameof(degree), degree, PredictionMessages.Degree(MaxDegree));
             if (history < degree || history > MaxHistory)
                 throw new ArgumentOutOfRangeException(nameof(history), history, PredictionMessages.History(MaxHistory));
             return history;
