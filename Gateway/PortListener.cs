@@ -31,7 +31,7 @@ static class PortListener
 
     /// <summary>Creates the exception for a port that the system refuses to open.</summary>
     public static IOException Refusal(string option, IPAddress bind, int port, Exception cause) => IsOfThePort(cause)
-        ? new IOException($"{option} {port} on {bind}: {cause.Message}", cause)
+        ? new IOException(AddressOptionMessages.PortRefused(option, port, bind, cause.Message), cause)
         : new IOException(AddressOptionMessages.NotThisMachine(bind, cause.Message), cause);
 
     /// <summary>Whether the port was refused because another process uses it.</summary>

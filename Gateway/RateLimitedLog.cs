@@ -1,3 +1,5 @@
+using Nowpose.Gateway.Messages;
+
 namespace Nowpose.Gateway;
 
 /// <summary>
@@ -55,6 +57,6 @@ sealed class RateLimitedLog : IDisposable
         }
 
         foreach (var (line, seen) in over)
-            if (seen.Count > LinesAMinute) _log($"{line} ({seen.Count - LinesAMinute} more)");
+            if (seen.Count > LinesAMinute) _log(LimitMessages.MoreLines(line, seen.Count - LinesAMinute));
     }
 }

@@ -79,7 +79,7 @@ sealed class PlantClockCaller : IDisposable
         }
         catch (TimeoutException)
         {
-            _clock.Failed($"no response within {ProtocolLimits.SyncReplyTimeout.TotalSeconds} s");
+            _clock.Failed(PlantClockMessages.NoResponse(ProtocolLimits.SyncReplyTimeout.TotalSeconds));
         }
 
         _open = null;

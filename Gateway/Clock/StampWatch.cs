@@ -105,7 +105,7 @@ sealed class StampWatch(
         Found = contradicting.Length > 0 ? Contradiction(contradicting) : Correction();
         var kind = IsContradicted ? "contradiction" : Warning;
         if (kind == _logged) return;
-        log(Warning == null ? StampMessages.AgreeAgain : "clock: " + Warning);
+        log(Warning == null ? StampMessages.AgreeAgain : StampMessages.Log(Warning));
         _logged = kind;
     }
 

@@ -51,7 +51,7 @@ static class ConfigurationFile
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            throw new InputException($"--config {path}: cannot be read ({e.Message})", e);
+            throw new InputException(PathMessages.NotRead($"--config {path}", e), e);
         }
     }
 

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -42,7 +43,7 @@ sealed class CellFrames(RobotLinks links)
                 continue;
             }
 
-            leftOut.Add(new LeftOut(reason, $"frame {message[i].Child} with parent {message[i].Parent}"));
+            leftOut.Add(new LeftOut(reason, CellMessageFaults.Frame(message[i].Child, message[i].Parent)));
             accepted ??= MessageParts.Part(message, index => index < i);
         }
 

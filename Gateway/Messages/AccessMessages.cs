@@ -11,7 +11,7 @@ static class AccessMessages
 
     public static string Method(PathString path, string allowed) => $"{path}: the method must be {allowed}";
 
-    public const string Token = "the bearer token is missing or unknown";
+    public const string Token = "the bearer token is missing or unknown; send a token of the gateway's token file, or pair again";
     public const string TooManyWrongLog = "websocket: refused a connection, too many wrong tokens from its address";
 
     public static string TooManyWrong(string answer) => $"{answer}; too many wrong tokens from this address; wait a minute";

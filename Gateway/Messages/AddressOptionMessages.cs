@@ -21,6 +21,12 @@ static class AddressOptionMessages
     public static string Rate(string option, int value, int max) => $"{option} {value} is out of range; allowed: 1 to {max}";
     public static string Port(string option, int value, int max) => $"{option} {value} is out of range; allowed: 0 (any free port) to {max}";
 
+    public static string PortRefused(string option, int port, IPAddress address, string reason) =>
+        $"{option} {port} on {address}: {reason}; choose another port, or stop the program that uses this one";
+
+    public const string KeyWithoutCertificate =
+        "--certificate-key: needs --certificate, the file of the certificate; add it, or remove --certificate-key";
+
     public static string NotThisMachine(IPAddress address, string reason) =>
         $"--bind {address}: not an address of this machine ({reason}); use an IP address of this machine, localhost or any";
 

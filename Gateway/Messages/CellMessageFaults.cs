@@ -3,6 +3,8 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Descriptions of faults in messages about frames and signals. The name of the frame or signal precedes them.</summary>
 static class CellMessageFaults
 {
+    public static string Frame(string child, string parent) => $"frame {child} with parent {parent}";
+
     public const string OwnParent = "is its own parent";
     public const string StampZero = "has a zero stamp";
 

@@ -3,8 +3,31 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Headlines of events on the operations page, and the reasons for the events.</summary>
 static class EventTexts
 {
+    public const string DoesNotReport = "does not report";
+    public const string ReportsStopped = "its reports stopped";
+    public const string InFault = "is in fault";
+    public const string NotServed = "is not served";
+    public const string OfJointPositions = "of joint positions";
+    public const string IsMissing = "is missing";
+    public const string IsNotConnected = "is not connected";
+    public const string IsLost = "is lost";
+    public const string IsRefused = "is refused";
+    public const string IsExceeded = "is exceeded";
+    public const string Stopped = "stopped";
+    public const string OfTheGateway = "of the gateway";
+    public const string HasExpired = "has expired";
+
+    /// <param name="state">Name of the state of a joint, frame or signal.</param>
+    public static string Is(string state) => $"is {state}";
+
+    public static string ClockState(string state) => $"its state is {state}";
+    public static string ControlClock(string clock) => $"the control clock {clock}";
+    public static string SourceOfJoint(string source, string joint) => $"{source} of joint {joint}";
+    public static string Pose(string pose) => $"the pose is {pose}";
+    public static string ExpiresOn(string day, string remedy) => $"it expires on {day}; {remedy}";
     public static string SourceEnded(string source) => $"its source {source} has ended";
 
+    public const string ThisGateway = "this gateway";
     public const string NotComparable = "time stamps from before the step cannot be compared with later ones";
 
     public static string ClockStepped(string clock) => $"the control clock {clock} was stepped";

@@ -3,6 +3,9 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Responses to connections and requests beyond a limit, and error messages about the limits.</summary>
 static class LimitMessages
 {
+    /// <param name="count">Number of equal lines that were not logged.</param>
+    public static string MoreLines(string line, int count) => $"{line} ({count} more)";
+
     public static string Connections(int max) => $"no more than {max} connections are allowed";
     public static string Requests(int max) => $"no more than {max} requests a second are allowed";
 

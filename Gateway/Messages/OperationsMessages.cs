@@ -8,6 +8,8 @@ static class OperationsMessages
     public const string PageMissing =
         "the page is missing because this gateway was built without Node.js; install Node.js 20 or newer with npm and build again";
 
+    public static string NoPage(string page) => $"{page}: {PageMissing}";
+
     public const string NoTokenNeeded = "this gateway requires no token";
     public const string UnknownTokenLog = "operations: refused an unknown token";
     public const string UnknownToken = "not a token of this gateway; enter another one";

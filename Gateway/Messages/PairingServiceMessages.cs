@@ -15,6 +15,7 @@ static class PairingServiceMessages
 
     public const string NotStored = "the headset's token cannot be stored; see the gateway's log";
 
+    public static string NotStoredLog(string reason) => $"pairing: {reason}";
     public static string TokenGiven(string headset) => $"pairing: headset '{headset}' received a token";
 
     /// <param name="peer">Address from which the code came.</param>

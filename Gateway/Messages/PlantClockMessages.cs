@@ -13,6 +13,7 @@ static class PlantClockMessages
 
     public static string ExchangeUnusable(SyncExchangeFault fault) => $"the exchange cannot be used: {fault}";
 
+    public static string NoResponse(double seconds) => FormattableString.Invariant($"no response within {seconds} s");
     public const string NoTime = "the adapter's response contains no time";
     public const string SkewOutOfRange = "a clock's skew must be within ±0.1 (100 000 ppm)";
 

@@ -13,5 +13,6 @@ static class PlantMessages
         + "columns, or choose a robot with at least one such joint for each column";
 
     public static string NoRobot(string allowed) => $"no robot is named; {allowed}";
+    public static string IsAFolder(string path, string allowed) => $"{path}: is a folder; {allowed}";
     public static string Robots(string names) => $"{names} or the path of a .urdf file is needed";
 }

@@ -3,6 +3,9 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Error messages and responses of the recorder.</summary>
 static class RecorderMessages
 {
+    public static string Begun(string path) => $"recording {path}";
+    public static string Ended(string path, string problem) => $"recording {path}: {problem}";
+
     public const string Deleted = "the file was deleted during the recording, and its lines are lost";
     public const string NoFolder = "recording: no folder is configured; start the gateway with --recordings FOLDER";
 

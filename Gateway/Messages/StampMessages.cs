@@ -5,6 +5,7 @@ static class StampMessages
 {
     public const string AgreeAgain = "clock: time stamps and control clock agree again";
 
+    public static string Log(string warning) => $"clock: {warning}";
     public static string NotFollowing(string clock) => $"they do not follow the control clock {clock}";
 
     public const string NotCorrected = "they did not follow a correction of the system clock";

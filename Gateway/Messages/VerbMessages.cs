@@ -12,11 +12,11 @@ static class VerbMessages
         $"{address}: {reason}; check that the gateway is running; if it uses TLS, add --certificate or --pin";
 
     public static string NoList(string path) =>
-        $"--pairing {path}: file not found; a gateway that is started with --pairing creates it; start one, or correct the path";
+        PathMessages.NotFound($"--pairing {path}", "a gateway that is started with --pairing creates it; start one, or correct the path");
     public static string UnknownHeadset(string name, string known) => $"--revoke '{name}': no headset has this name; the names are {known}";
 
     public const string PinAndCertificate = "--pin: the certificate already determines the pin; use one of the two";
 
     public static string NoCertificate(string path) =>
-        $"--certificate {path}: file not found; the gateway creates it at its first start; start the gateway, or correct the path";
+        PathMessages.NotFound($"--certificate {path}", "the gateway creates it at its first start; start the gateway, or correct the path");
 }

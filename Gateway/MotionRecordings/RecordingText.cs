@@ -23,7 +23,7 @@ public static class RecordingText
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
-            throw new InputException($"{path}: file not found", e);
+            throw new InputException(PathMessages.NotFound(path), e);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
@@ -34,5 +34,5 @@ public static class RecordingText
     /// <summary>Creates the exception for a failure while a file is being read.</summary>
     public static InputException Unreadable(string path, Exception e) => e is InvalidDataException
         ? new InputException(MotionFileMessages.NotGzip(path), e)
-        : new InputException($"{path}: cannot be read: {e.Message.ReplaceLineEndings(" ")}", e);
+        : new InputException(PathMessages.NotRead(path, e), e);
 }

@@ -35,7 +35,7 @@ public static class Invocation
         {
             var parsed = root.Parse(complete == null ? args : complete(root, args));
             if (parsed.Errors.Count > 0 && parsed.Action is not HelpAction)
-                return Fail(program, ExitStatus.BadInput, Complaint(parsed) + " See --help.");
+                return Fail(program, ExitStatus.BadInput, OptionMessages.SeeHelp(Complaint(parsed)));
             // A null timeout disables the library's signal handling, which returns the same status for every signal.
             var configuration = new InvocationConfiguration { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null };
             return await parsed.InvokeAsync(configuration, end.Token);
@@ -65,7 +65,7 @@ public static class Invocation
         if (parsed.UnmatchedTokens.Count == 0) return parsed.Errors[0].Message;
         var unknown = parsed.UnmatchedTokens[0];
         var isVerb = parsed.RootCommandResult.Command.Subcommands.Any(verb => verb.Name == unknown);
-        return isVerb ? OptionMessages.CommandFirst(unknown) : $"'{unknown}' is unknown; see --help.";
+        return isVerb ? OptionMessages.CommandFirst(unknown) : OptionMessages.UnknownArgument(unknown);
     }
 
     static int Fail(string program, int status, string message)

@@ -37,7 +37,7 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, AccessContr
         catch (InputException fault)
         {
             // The code stays valid, so that the headset can try again.
-            log("pairing: " + fault.Message);
+            log(PairingServiceMessages.NotStoredLog(fault.Message));
             return AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, PairingServiceMessages.NotStored);
         }
 

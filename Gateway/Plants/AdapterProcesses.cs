@@ -33,7 +33,7 @@ sealed class AdapterProcesses : IAsyncDisposable
         {
             if (!File.Exists(file))
             {
-                bad.Add($"{file}: file not found");
+                bad.Add(PathMessages.NotFound(file));
                 continue;
             }
 

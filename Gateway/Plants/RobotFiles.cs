@@ -34,18 +34,18 @@ public static class RobotFiles
         if (IsIncluded(nameOrPath))
             return File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "Robots", nameOrPath + ".urdf"));
         if (string.IsNullOrWhiteSpace(nameOrPath)) throw new InputException(PlantMessages.NoRobot(Allowed));
-        if (Directory.Exists(nameOrPath)) throw new InputException($"{nameOrPath}: is a folder; {Allowed}");
+        if (Directory.Exists(nameOrPath)) throw new InputException(PlantMessages.IsAFolder(nameOrPath, Allowed));
         try
         {
             return File.ReadAllText(nameOrPath);
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
-            throw new InputException($"{nameOrPath}: file not found; {Allowed}", e);
+            throw new InputException(PathMessages.NotFound(nameOrPath, Allowed), e);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
-            throw new InputException($"{nameOrPath}: cannot be read: {e.Message.ReplaceLineEndings(" ")}", e);
+            throw new InputException(PathMessages.NotRead(nameOrPath, e), e);
         }
     }
 

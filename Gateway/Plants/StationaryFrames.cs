@@ -32,6 +32,6 @@ static class StationaryFrames
     static void Require(string path, in FrameTransform frame, DropReason reason)
     {
         if (reason != DropReason.None)
-            throw new InputException($"{path}: frame {frame.Child} with parent {frame.Parent} {DropMessages.Of(reason)}");
+            throw new InputException($"{path}: {CellMessageFaults.Frame(frame.Child, frame.Parent)} {DropMessages.Of(reason)}");
     }
 }

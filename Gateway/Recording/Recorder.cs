@@ -151,7 +151,7 @@ public sealed class Recorder : IAsyncDisposable
             file.SetDeleted(isRecording);
             if (!isRecording) return;
             End(file);
-            _log($"recording {file.Path}: {file.Problem}");
+            _log(RecorderMessages.Ended(file.Path, file.Problem));
         }
     }
 
@@ -243,7 +243,7 @@ public sealed class Recorder : IAsyncDisposable
         _traffic.Begin();
         var file = new RecordedFile(next.Path, _open, _options.Cell, next.Robot, next.Now);
         _file = file;
-        _log($"recording {file.Path}");
+        _log(RecorderMessages.Begun(file.Path));
         _traffic.Tick(file);
         // Adds the latched messages, because they were published before this file and are not published again.
         foreach (var topic in LatchedTopics)

@@ -78,8 +78,8 @@ sealed class RosbridgeServer(
         var isSource = role == Role.Source;
         // Only a source may send long messages.
         var longest = isSource ? ProtocolLimits.DescriptionBytes : ProtocolLimits.MessageBytes;
-        var allowed = new RequestRate(isSource ? options.SourceMessagesPerSecond : options.ObserverMessagesPerSecond);
-        var receiver = new MessageReceiver(socket, upgrade.Fragments, options, longest, allowed, TimeProvider.System);
+        var perSecond = isSource ? options.SourceMessagesPerSecond : options.ObserverMessagesPerSecond;
+        var receiver = new MessageReceiver(socket, upgrade.Fragments, options, longest, new RequestRate(perSecond), TimeProvider.System);
         using var reader = new ReaderProgress(
             upgrade.PingAsync, options.PingInterval, options.PongTimeout, TimeProvider.System,
             () => log(RequestMessages.NoPong(AddressOf(context.Connection), SendWindow.AssumedBytesPerSecond / 1000)));
@@ -91,6 +91,7 @@ sealed class RosbridgeServer(
             hub, clock, plant, _names, role, Drops, options.QueueLength, connection.Reply, connection.Start)
         {
             Address = AddressOf(context.Connection),
+            MaxMessagesPerSecond = perSecond,
         };
         using var watched = access.Watch(
             accessControl.TokenHashOf(context), role, () => connection.End(Closure.Token), accessControl.LoginOf(context));

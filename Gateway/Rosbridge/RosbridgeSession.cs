@@ -60,6 +60,9 @@ sealed class RosbridgeSession : IDisposable
         _source.Leave();
     }
 
+    /// <summary>Maximum number of messages that the client may send per second, for messages about drops.</summary>
+    public int MaxMessagesPerSecond { get; init; }
+
     public void Handle(in Received received)
     {
         _receivedAt = received.Count;
@@ -70,7 +73,7 @@ sealed class RosbridgeSession : IDisposable
         if (reason == DropReason.None && _reader.TryRead(_text.Span, out message, out reason))
             Do(message, received.Count);
         else
-            Drop(message, reason);
+            Drop(message, reason, rule: reason == DropReason.TooManyMessages ? DropMessages.TooManyMessages(MaxMessagesPerSecond) : null);
     }
 
     public void Dispose()

@@ -111,7 +111,7 @@ public sealed class TokenList
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new InputException($"{path}: cannot be read ({e.Message})", e);
+            throw new InputException(PathMessages.NotRead(path, e), e);
         }
     }
 

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
 
 namespace Nowpose.Gateway.Verbs;
@@ -23,11 +24,11 @@ static class Announcement
         Line("sync", gateway.SyncEndPoint.ToString());
         Line("websocket", $"{(gateway.Pin == null ? "ws" : "wss")}://{gateway.WebSocketEndPoint}/");
         foreach (var page in gateway.CodePageUris) Line("vlc", page.ToString());
-        if (gateway.CodePageUris.Count == 0) Log("vlc: " + HtmlPage.Missing);
+        if (gateway.CodePageUris.Count == 0) Log(OperationsMessages.NoPage("vlc"));
         foreach (var page in gateway.OperationsPageUris) Line("operations", page.ToString());
-        if (gateway.OperationsPageUris.Count == 0) Log("operations: " + HtmlPage.Missing);
+        if (gateway.OperationsPageUris.Count == 0) Log(OperationsMessages.NoPage("operations"));
         Line("pair", gateway.PairingPageUri?.ToString());
-        if (gateway.PairsHeadsets && gateway.PairingPageUri == null) Log("pair: " + HtmlPage.Missing);
+        if (gateway.PairsHeadsets && gateway.PairingPageUri == null) Log(OperationsMessages.NoPage("pair"));
         Line("pin", gateway.Pin?.ToString());
         Line("control_time_s", clock.Now.SinceEpoch.TotalSeconds.ToString("0.0000000", CultureInfo.InvariantCulture));
         Line("skew_ppm", skewPpm.ToString(CultureInfo.InvariantCulture));

@@ -73,7 +73,7 @@ static class CellVerb
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new InputException($"--out {path}: cannot be written ({e.Message})", e);
+            throw new InputException(PathMessages.NotWritten($"--out {path}", e), e);
         }
     }
 }

@@ -70,7 +70,7 @@ static class ServeVerb
             var read = await AdapterProcesses.CheckAsync(files, options, stop);
             options = options with { ExpectsSources = PlantFile.ExpectsJoints(read, description) };
             foreach (var one in read) Announcement.Log(one.Summary);
-            if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log($"missing joints: {DryRunMessages.MissingJoints(missing)}");
+            if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log(DryRunMessages.MissingJointsLog(missing));
             await using var gateway = await GatewayServer.StartAsync(options, clock, Announcement.Log, stop);
             using var source = gateway.Hub.OpenSource();
             if (description != null)

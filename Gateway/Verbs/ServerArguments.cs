@@ -213,7 +213,7 @@ sealed class ServerArguments
     {
         if (parsed.GetValue(_certificate) != null) return null;
         if (parsed.GetValue(_key) != null)
-            throw new InputException("--certificate-key: needs --certificate");
+            throw new InputException(AddressOptionMessages.KeyWithoutCertificate);
         return parsed.GetValue(_tls) ? CertificateFiles.Generate() : null;
     }
 

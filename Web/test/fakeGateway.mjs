@@ -158,7 +158,8 @@ export class FakeGateway {
       response.setHeader('Set-Cookie', 'nowpose=abc; Path=/; HttpOnly; SameSite=Strict');
       return reply(200, { role: 'operator' });
     }
-    if (this.token && !request.headers.cookie?.includes('nowpose=abc')) return reply(401, 'the bearer token is missing or unknown');
+    if (this.token && !request.headers.cookie?.includes('nowpose=abc'))
+      return reply(401, "the bearer token is missing or unknown; send a token of the gateway's token file, or pair again");
     if (this.isSilent) return request.destroy();
     if (path === '/operations/state') return reply(200, this.state);
     if (path === '/operations/recordings') return reply(200, this.recordings);

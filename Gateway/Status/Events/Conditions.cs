@@ -21,8 +21,6 @@ sealed class Conditions(
     /// <summary>Remaining validity below which a certificate is reported.</summary>
     static readonly TimeSpan CertificateNotice = TimeSpan.FromDays(30);
 
-    const string DoesNotReport = "does not report";
-
     /// <summary>Start of the remedy in the text with which an adapter explains why a joint may not be at rest.</summary>
     const string OwnRemedy = "; set ";
 
@@ -46,7 +44,9 @@ sealed class Conditions(
     }
 
     internal static Condition Of(JointStatus row) =>
-        new("joint", $"{row.Name} ({row.Source})", $"is {(row.State == JointDataState.Fault ? "in fault" : row.Word)}", row.Reason, Level.Error, true, row.Since)
+        new(
+            "joint", $"{row.Name} ({row.Source})", row.State == JointDataState.Fault ? EventTexts.InFault : EventTexts.Is(row.Word), row.Reason,
+            Level.Error, true, row.Since)
         {
             Remedy = row.State switch
             {
@@ -72,19 +72,20 @@ sealed class Conditions(
     // These conditions do not affect the gateway's readiness, because headsets can show the robot without objects or signals.
     IEnumerable<Condition> OfCell(string kind, string prefix) => cell.Troubled(prefix).Select(
         one => new Condition(
-            kind, $"{one.Name} ({one.Adapter})", $"is {(one.Report.State == JointDataState.Fault ? "in fault" : JointDataStates.Of(one.Report.State))}", one.Report.Reason,
+            kind, $"{one.Name} ({one.Adapter})",
+            one.Report.State == JointDataState.Fault ? EventTexts.InFault : EventTexts.Is(JointDataStates.Of(one.Report.State)), one.Report.Reason,
             Level.Error, Since: one.Report.Since)
         {
             Remedy = EventRemedies.CellVariables,
             IsNormalAtStart = one.Report.State == JointDataState.Missing,
         });
 
-    string ClockName => clock.Source == PlantClocks.Own ? EventTexts.OwnClock : $"the control clock {clock.Source}";
+    string ClockName => clock.Source == PlantClocks.Own ? EventTexts.OwnClock : EventTexts.ControlClock(clock.Source);
 
     IEnumerable<Condition> OfClock()
     {
         if (!clock.IsSynchronised)
-            yield return new("clock", clock.Source, "is not served", $"its state is {clock.State.Word()}", Level.Error, true)
+            yield return new("clock", clock.Source, EventTexts.NotServed, EventTexts.ClockState(clock.State.Word()), Level.Error, true)
             {
                 Headline = EventTexts.ClockNotServed(ClockName),
                 Remedy = clock.Source == PlantClocks.Own ? "" : EventRemedies.ClockAdapter,
@@ -118,7 +119,7 @@ sealed class Conditions(
         if (!options.ExpectsSources || rows.Count > 0) return [];
         return
         [
-            new("source", "of joint positions", "is missing", EventTexts.NoSource, Level.Error, true)
+            new("source", EventTexts.OfJointPositions, EventTexts.IsMissing, EventTexts.NoSource, Level.Error, true)
             {
                 Headline = EventTexts.SourceMissing,
                 Remedy = EventRemedies.Adapters,
@@ -134,7 +135,8 @@ sealed class Conditions(
         where !isReporting
         let end = state.End is { } end ? EventTexts.ProgramEnded(end) : null
         select new Condition(
-            "adapter", state.Name, DoesNotReport, end == null ? EventTexts.ProgramStarted : EventTexts.StartedAgain(end), Level.Error, true)
+            "adapter", state.Name, EventTexts.DoesNotReport, end == null ? EventTexts.ProgramStarted : EventTexts.StartedAgain(end), Level.Error,
+            true)
         {
             Remedy = end == null ? "" : EventRemedies.GatewayLog,
             IsNormalAtStart = end == null,
@@ -152,13 +154,13 @@ sealed class Conditions(
 
         string Value(string key) => report.Values.FirstOrDefault(pair => pair.Key == key).Value;
         if (isAdapter && Value("state") is { } state && state != "connected")
-            yield return new(kind, name, "is not connected", Value("reason") is { } why ? $"{state}: {why}" : state, Level.Error)
+            yield return new(kind, name, EventTexts.IsNotConnected, Value("reason") is { } why ? $"{state}: {why}" : state, Level.Error)
             {
                 Headline = EventTexts.NotConnected(name),
                 // Normal only before the first samples; later, it means that the connection was lost.
                 IsNormalAtStart = Value("samples") is null or "0",
             };
-        if (NowposeVersion.MismatchOf(Value("version"), "it", "this gateway") is { } mismatch)
+        if (NowposeVersion.MismatchOf(Value("version"), "it", EventTexts.ThisGateway) is { } mismatch)
             yield return new(kind, name, EventTexts.OtherVersion, mismatch, Level.Warning);
         if (!isAdapter && Value("pose") is { } pose && !CurrentPoses.Contains(pose))
             yield return new(kind, name, EventTexts.NoCurrentPose, ReasonOf(pose, Value("missing_joints")), Level.Warning)
@@ -168,13 +170,13 @@ sealed class Conditions(
     }
 
     Condition SilentAdapter(string name, TimeSpan ago) =>
-        new("adapter", name, DoesNotReport, "its reports stopped", Level.Error, Since: options.Time.GetUtcNow() - ago)
+        new("adapter", name, EventTexts.DoesNotReport, EventTexts.ReportsStopped, Level.Error, Since: options.Time.GetUtcNow() - ago)
         {
             Remedy = EventRemedies.Adapter,
         };
 
     Condition LostHeadset(string name, TimeSpan ago) =>
-        new("headset", name, "is lost", EventTexts.HeadsetLost, Level.Warning, Since: options.Time.GetUtcNow() - ago)
+        new("headset", name, EventTexts.IsLost, EventTexts.HeadsetLost, Level.Warning, Since: options.Time.GetUtcNow() - ago)
         {
             Remedy = EventRemedies.HeadsetPower,
         };
@@ -187,10 +189,11 @@ sealed class Conditions(
     };
 
     static string ReasonOf(string pose, string missing) =>
-        string.IsNullOrEmpty(missing) ? $"the pose is {pose}" : EventTexts.MissingJoints(pose, missing);
+        string.IsNullOrEmpty(missing) ? EventTexts.Pose(pose) : EventTexts.MissingJoints(pose, missing);
 
     IEnumerable<Condition> OfRefusals() => refusals.Read().Select(
-        one => new Condition("source", $"{one.Source} of joint {one.Joint}", "is refused", EventTexts.JointTaken(one.Owner), Level.Warning)
+        one => new Condition(
+            "source", EventTexts.SourceOfJoint(one.Source, one.Joint), EventTexts.IsRefused, EventTexts.JointTaken(one.Owner), Level.Warning)
         {
             Headline = EventTexts.SourceRefused(one.Source, one.Joint),
             Remedy = EventRemedies.TwoSources,
@@ -202,7 +205,8 @@ sealed class Conditions(
     {
         var (joint, allowed) = (found.Joint, found.Joint.Limits);
         var (unit, other) = joint.Kind == JointKind.Prismatic ? ("m", "mm") : ("rad", "degrees");
-        return new Condition("limit", joint.Name, "is exceeded", EventTexts.BeyondLimits(found.Position, unit, allowed.Lower, allowed.Upper), Level.Warning)
+        return new Condition(
+            "limit", joint.Name, EventTexts.IsExceeded, EventTexts.BeyondLimits(found.Position, unit, allowed.Lower, allowed.Upper), Level.Warning)
         {
             Headline = EventTexts.JointBeyondLimits(joint.Name),
             Remedy = EventRemedies.Limits(unit, other),
@@ -213,7 +217,7 @@ sealed class Conditions(
     {
         var status = recorder.Status;
         if (status.Problem != null)
-            yield return new("recording", status.File, "stopped", status.Problem, Level.Warning)
+            yield return new("recording", status.File, EventTexts.Stopped, status.Problem, Level.Warning)
             {
                 Remedy = status.IsDeletedWhileWritten ? EventRemedies.RecordAgain : EventRemedies.Recording,
             };
@@ -226,11 +230,11 @@ sealed class Conditions(
         var day = options.CertificateExpires.Value.ToString("yyyy-MM-dd HH:mm 'UTC'", CultureInfo.InvariantCulture);
         const string Remedy = EventRemedies.Certificate;
         yield return left > TimeSpan.Zero
-            ? new("certificate", "of the gateway", EventTexts.Expires, $"it expires on {day}; {Remedy}", Level.Warning)
+            ? new("certificate", EventTexts.OfTheGateway, EventTexts.Expires, EventTexts.ExpiresOn(day, Remedy), Level.Warning)
             {
                 Headline = EventTexts.CertificateExpires,
             }
-            : new("certificate", "of the gateway", "has expired", EventTexts.HeadsetsRefuse(day, Remedy), Level.Error, true)
+            : new("certificate", EventTexts.OfTheGateway, EventTexts.HasExpired, EventTexts.HeadsetsRefuse(day, Remedy), Level.Error, true)
             {
                 Headline = EventTexts.CertificateExpired,
             };

@@ -65,7 +65,11 @@ public class StationaryFramesTests
         Assert.That(status, Is.EqualTo(2));
         Assert.That(
             CapturedConsole.Lines(errors),
-            Is.EqualTo(new[] { $"nowpose-gateway: {_path}: frame fixture with parent belt is a cycle: its parent depends on the frame itself" }));
+            Is.EqualTo(new[]
+            {
+                $"nowpose-gateway: {_path}: frame fixture with parent belt is a cycle: its parent depends on the frame itself; "
+                    + "correct its header.frame_id",
+            }));
     }
 
     [Test]

@@ -19,7 +19,8 @@ public class SourceFaultTests
     [TestCase("null", 5000, "position of joint b is null (NotFinite)")]
     [TestCase("NaN", 5000, "position of joint b is NaN (NotFinite)")]
     [TestCase("\"1\"", 5000, "position of joint b is \"1\" (WrongType)")]
-    [TestCase("1.5", 50000, "the time stamp is later than the control time by more than the clock's error bound plus 1 s (StampInFuture)")]
+    [TestCase("1.5", 50000,
+        "the time stamp is later than the control time by more than the clock's error bound plus 1 s; set the clock of the source (StampInFuture)")]
     public async Task Joints_SourceSendsInvalidSamples_AreRefusedWithTheNameOfTheJoint(string position, int seconds, string reason)
     {
         await _gateway.StartAsync();
@@ -44,7 +45,8 @@ public class SourceFaultTests
 
     // In the second case the time stamp is 30 s ahead of the control clock.
     [TestCase("NaN", 5000, "position of joint c is NaN (NotFinite)")]
-    [TestCase("1.5", 5030, "the time stamp is later than the control time by more than the clock's error bound plus 1 s (StampInFuture)")]
+    [TestCase("1.5", 5030,
+        "the time stamp is later than the control time by more than the clock's error bound plus 1 s; set the clock of the source (StampInFuture)")]
     public async Task Joints_SourceSendsNoValidSample_AreRefusedWhileTheJointOfAnotherSourceIsLive(string position, int seconds, string reason)
     {
         await _gateway.StartAsync();

@@ -1,0 +1,15 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Error messages about files that cannot be found, read or written, with remedies.</summary>
+/// <remarks>The path can begin with the option that names it, for example <c>--out cell.svg</c>.</remarks>
+static class PathMessages
+{
+    public static string NotFound(string path, string remedy = "correct the path") => $"{path}: file not found; {remedy}";
+
+    public static string NotRead(string path, Exception cause) => $"{path}: cannot be read ({OneLine(cause)}); check the path and its permissions";
+
+    public static string NotWritten(string path, Exception cause) =>
+        $"{path}: cannot be written ({OneLine(cause)}); check the path, its permissions and the free space";
+
+    static string OneLine(Exception cause) => cause.Message.ReplaceLineEndings(" ");
+}
