@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Nowpose.Cli.Messages;
 using Spectre.Console;
 
 namespace Nowpose.Cli;
@@ -25,7 +26,7 @@ static class CountProgress
         {
             if (since.Elapsed < LineEvery) return;
             since.Restart();
-            Console.Error.WriteLine(total is int all ? $"{done} of {all} {units}" : $"{done} {units}");
+            Console.Error.WriteLine(ConsoleMessages.Progress(done, total, units));
         });
     }
 

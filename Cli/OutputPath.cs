@@ -1,4 +1,4 @@
-using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Cli;
 
@@ -17,7 +17,7 @@ static class OutputPath
         }
         catch (Exception e) when (IsRefusal(e))
         {
-            throw new InputException(OptionValueMessages.NotWritable(option, folder, e.Message.ReplaceLineEndings(" ")), e);
+            throw new InputException(PathMessages.NotWritten($"{option}: {folder}", e), e);
         }
     }
 
@@ -32,7 +32,7 @@ static class OutputPath
         }
         catch (Exception e) when (IsRefusal(e))
         {
-            throw new InputException($"{option}: {path}: cannot be written: {e.Message.ReplaceLineEndings(" ")}", e);
+            throw new InputException(PathMessages.NotWritten($"{option}: {path}", e), e);
         }
     }
 

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
@@ -63,7 +64,8 @@ sealed class DeviceOptions
 
     /// <param name="source">One of the values that <see cref="Source"/> allows.</param>
     public static RenderTimeSourceKind KindOf(string source) =>
-        RenderTimeSourceNames.TryParse(source, out var kind) ? kind : throw new InputException($"--source: '{source}' is unknown; allowed: {RenderTimeSourceNames.All}");
+        RenderTimeSourceNames.TryParse(source, out var kind)
+            ? kind : throw new InputException(OptionMessages.UnknownChoice("--source", source, RenderTimeSourceNames.All));
 
     static Option<string> Text(string name, string description) => new(name) { Description = description + "; same default as --device" };
 

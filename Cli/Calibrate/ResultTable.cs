@@ -10,7 +10,7 @@ static class ResultTable
     public static void Print(CalibrationPageData page, string profilePath, string pagePath, string json)
     {
         if (json == null) PrintTable(page);
-        foreach (var warning in page.Warnings) Console.Error.WriteLine("nowpose: " + warning);
+        foreach (var warning in page.Warnings) Console.Error.WriteLine(ConsoleMessages.Line(warning));
         if (json != null)
         {
             Console.Out.WriteLine(json);

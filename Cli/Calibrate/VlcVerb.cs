@@ -68,7 +68,7 @@ static class VlcVerb
     {
         if (result.Read.Count == 0) return;
         var rejected = result.Pictures.Where(picture => !picture.IsRead).ToList();
-        foreach (var picture in rejected.Take(MaxListed)) Console.Error.WriteLine($"nowpose: {picture.File}: {picture.Fault}");
+        foreach (var picture in rejected.Take(MaxListed)) Console.Error.WriteLine(ConsoleMessages.Picture(picture.File, picture.Fault));
         if (rejected.Count > MaxListed) Console.Error.WriteLine(ConsoleMessages.MoreRejected(rejected.Count - MaxListed));
     }
 }

@@ -13,7 +13,7 @@ sealed class DemoBodyRows(DemoResult.BodyErrors bodies)
     ];
 
     static string Row(DemoResult.PoseErrors error, string format, string unit) =>
-        $"{Text(error.HoldRms, format, unit)} to {Text(error.Rms, format, unit)} RMS, reduction {Text(100 * error.Reduction, "0.0", " %")}";
+        DemoTexts.RmsWithReduction(Text(error.HoldRms, format, unit), Text(error.Rms, format, unit), Text(100 * error.Reduction, "0.0", " %"));
 
     static string Text(double? value, string format, string unit) =>
         value is double number ? number.ToString(format, CultureInfo.InvariantCulture) + unit : "–";

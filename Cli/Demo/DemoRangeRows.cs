@@ -12,18 +12,18 @@ sealed class DemoRangeRows(DemoSettings settings, DemoResult result, DemoRange r
         {
             if (result.Range is not { } seen) yield break;
             var load = new DemoLoad(settings.Load.Value, settings.Seconds);
-            yield return ("render load", FormattableString.Invariant($"{load.Vertices} vertices, from {load.FromSeconds:0.0} to {load.ToSeconds:0.0} s"));
-            yield return ("constant-latency range", seen.LimitRenderMs == null ? DemoTexts.NoLimit
-                : $"up to {Number(seen.LimitRenderMs, "0.0#")} ms; {AlarmText(seen)}");
-            if (seen.FramesOutside > 0) yield return ($"{seen.FramesOutside} frames outside", OutsideText());
+            yield return (DemoTexts.RenderLoadRow, DemoTexts.RenderLoad(load.Vertices, load.FromSeconds, load.ToSeconds));
+            yield return (DemoTexts.RangeRow, seen.LimitRenderMs == null ? DemoTexts.NoLimit
+                : DemoTexts.Range(Number(seen.LimitRenderMs, "0.0#"), AlarmText(seen)));
+            if (seen.FramesOutside > 0) yield return (DemoTexts.FramesOutside(seen.FramesOutside), OutsideText());
         }
     }
 
     static string AlarmText(DemoResult.Ranges seen)
     {
         if (seen.LeftS == null) return DemoTexts.NeverLeft;
-        var found = seen.FoundS == null ? "not found again" : $"found again at {Number(seen.FoundS, "0.0")} s";
-        return $"alarm: left at {Number(seen.LeftS, "0.0")} s, {found}" + (seen.Alarms > 1 ? $", {seen.Alarms} alarms" : "");
+        var found = seen.FoundS == null ? DemoTexts.NotFoundAgain : DemoTexts.FoundAgain(Number(seen.FoundS, "0.0"));
+        return DemoTexts.Alarm(Number(seen.LeftS, "0.0"), found, seen.Alarms);
     }
 
     string OutsideText() =>

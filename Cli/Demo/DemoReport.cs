@@ -22,7 +22,7 @@ static class DemoReport
         var start = run.Frames.Rows.Count > 0 ? run.Frames.Rows[0].TrueLight : default;
         return JsonSerializer.Serialize(new
         {
-            Title = $"Nowpose demo: {run.Settings.Robot.Name}",
+            Title = DemoTexts.ReportTitle(run.Settings.Robot.Name),
             Subtitle = DemoTexts.Subtitle,
             Settings = Settings(run.Settings),
             Summary = Summary(score, result.ToolErrorMm),
@@ -44,41 +44,41 @@ static class DemoReport
 
     static string[][] Settings(DemoSettings s) =>
     [
-        ["Robot", s.Robot.Name],
-        ["Motion", s.MotionName],
-        ["Network", s.Network.Name],
-        ["Predictor", s.Predictor],
-        ["Clock estimator", s.Estimator],
-        ["Sampling interval", Ms(s.SamplingMs)],
-        ["Acquisition", s.Acquisition + " ms"],
-        ["Display latency", $"{Ms(s.VisualisationMs)}, the runtime uses {Ms(s.GivenVisualisationMs)}"],
-        ["Frame rate", !s.IsRendered ? $"{DemoDisplay.FramesPerSecond} fps" : DemoTexts.FrameRate(DemoDisplay.FramesPerSecond)],
-        ["Load", (s.Load ?? s.SteadyVertices) is int vertices ? vertices.ToString("0 vertices", CultureInfo.InvariantCulture) : "none"],
-        ["Set-points ahead", s.PublishesPlan ? "published" : "none"],
-        ["Seed", s.Seed.ToString(CultureInfo.InvariantCulture)],
+        [DemoTexts.Robot, s.Robot.Name],
+        [DemoTexts.Motion, s.MotionName],
+        [DemoTexts.Network, s.Network.Name],
+        [DemoTexts.Predictor, s.Predictor],
+        [DemoTexts.Estimator, s.Estimator],
+        [DemoTexts.SamplingInterval, Ms(s.SamplingMs)],
+        [DemoTexts.Acquisition, s.Acquisition + " ms"],
+        [DemoTexts.DisplayLatency, DemoTexts.GivenLatency(Ms(s.VisualisationMs), Ms(s.GivenVisualisationMs))],
+        [DemoTexts.FrameRateLabel, !s.IsRendered ? DemoTexts.Fps(DemoDisplay.FramesPerSecond) : DemoTexts.FrameRate(DemoDisplay.FramesPerSecond)],
+        [DemoTexts.Load, (s.Load ?? s.SteadyVertices) is int vertices ? DemoTexts.Vertices(vertices) : DemoTexts.None],
+        [DemoTexts.SetPoints, s.PublishesPlan ? DemoTexts.Published : DemoTexts.None],
+        [DemoTexts.Seed, s.Seed.ToString(CultureInfo.InvariantCulture)],
     ];
 
     static object[] Summary(DemoScore score, DemoResult.ToolErrors tool) =>
     [
-        new { Label = "RMS", Unit = "mm", Uncompensated = tool.HoldRms, Compensated = tool.Rms },
-        new { Label = "P95", Unit = "mm", Uncompensated = score.HoldP95Mm, Compensated = tool.P95 },
-        new { Label = "Maximum", Unit = "mm", Uncompensated = tool.HoldMax, Compensated = tool.Max },
+        new { Label = DemoTexts.Rms, Unit = "mm", Uncompensated = tool.HoldRms, Compensated = tool.Rms },
+        new { Label = DemoTexts.P95, Unit = "mm", Uncompensated = score.HoldP95Mm, Compensated = tool.P95 },
+        new { Label = DemoTexts.Maximum, Unit = "mm", Uncompensated = tool.HoldMax, Compensated = tool.Max },
     ];
 
     static string[][] Facts(DemoResult r, DemoRangeRows range, DemoDelayRows delays) =>
     [
         [DemoTexts.MeasuredReduction, r.Hindcast.ReductionText],
         [DemoTexts.ApplicationLatency, $"{Number(r.LatencyMs.AppP50)} ms, {Number(r.LatencyMs.AppP95)} ms"],
-        ["Display time error, P95", $"{Number(r.LatencyMs.TotalErrorP95)} ms"],
+        [DemoTexts.DisplayTimeError, $"{Number(r.LatencyMs.TotalErrorP95)} ms"],
         .. Facts(new DemoBodyRows(r.Bodies).Rows),
         .. Facts(range.Rows),
         [DemoTexts.ClockError, $"{Number(r.Clock.OffsetErrorUsP50)} µs, {Number(r.Clock.OffsetErrorUsP95)} µs"],
         [DemoTexts.MaxClockError, $"{Number(r.Clock.OffsetErrorUsMax)} µs"],
         [DemoTexts.EstimatedClockError, DemoTexts.EstimatedClockErrorValue(Number(r.Clock.StatedErrorUsP50), Number(100 * r.Clock.WithinStatedShare))],
-        ["Clock synchronised after", $"{Number(r.Clock.ConvergedS)} s"],
+        [DemoTexts.SynchronisedAfter, $"{Number(r.Clock.ConvergedS)} s"],
         [DemoTexts.FrameDuration, $"{Number(r.Frame.CpuUsP50)} µs, {Number(r.Frame.CpuUsP99)} µs"],
-        ["Allocated per frame", $"{Number(r.Frame.AllocatedBytesPerFrame)} B"],
-        ["Frames, samples, dropped", $"{r.Frames}, {r.Samples}, {r.Dropped}"],
+        [DemoTexts.AllocatedPerFrame, $"{Number(r.Frame.AllocatedBytesPerFrame)} B"],
+        [DemoTexts.Counts, $"{r.Frames}, {r.Samples}, {r.Dropped}"],
         .. Facts(delays.Rows),
     ];
 

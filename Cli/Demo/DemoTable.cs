@@ -24,11 +24,11 @@ static class DemoTable
         var tool = result.ToolErrorMm;
         var table = new Table();
         table.AddColumn("");
-        foreach (var heading in new[] { "uncompensated", "compensated", "reduction" })
+        foreach (var heading in DemoTexts.ErrorColumns)
             table.AddColumn(new TableColumn(heading).RightAligned());
-        table.AddRow("RMS", Mm(tool.HoldRms), Mm(tool.Rms), Percent(tool.Reduction));
-        table.AddRow("P95", Mm(score.HoldP95Mm), Mm(tool.P95), "");
-        table.AddRow("maximum", Mm(tool.HoldMax), Mm(tool.Max), "");
+        table.AddRow(DemoTexts.Rms, Mm(tool.HoldRms), Mm(tool.Rms), Percent(tool.Reduction));
+        table.AddRow(DemoTexts.P95, Mm(score.HoldP95Mm), Mm(tool.P95), "");
+        table.AddRow(DemoTexts.MaximumRow, Mm(tool.HoldMax), Mm(tool.Max), "");
         return table;
     }
 
@@ -37,20 +37,20 @@ static class DemoTable
         var grid = new Grid().AddColumn().AddColumn();
         void Row(string label, string value) => grid.AddRow(Markup.Escape(label), Markup.Escape(value));
         var hindcast = result.Hindcast;
-        var errors = hindcast.Withheld != null ? "" : $", {Mm(hindcast.HoldRmsMm)} to {Mm(hindcast.RmsMm)} RMS";
+        var errors = hindcast.Withheld != null ? "" : ", " + DemoTexts.RmsFromTo(Mm(hindcast.HoldRmsMm), Mm(hindcast.RmsMm));
         Row(DemoTexts.AsMeasured, hindcast.ReductionText + errors);
-        Row("application latency", $"{Ms(result.LatencyMs.AppP50)} median, {Ms(result.LatencyMs.AppP95)} P95");
-        Row("visualisation latency", Ms(result.LatencyMs.Visu));
-        Row("display time error", $"{Ms(result.LatencyMs.TotalErrorP95)} P95");
+        Row(DemoTexts.ApplicationLatencyRow, DemoTexts.MedianP95(Ms(result.LatencyMs.AppP50), Ms(result.LatencyMs.AppP95)));
+        Row(DemoTexts.VisualisationLatencyRow, Ms(result.LatencyMs.Visu));
+        Row(DemoTexts.DisplayTimeErrorRow, DemoTexts.OnlyP95(Ms(result.LatencyMs.TotalErrorP95)));
         foreach (var (label, value) in new DemoBodyRows(result.Bodies).Rows) Row(label, value);
         foreach (var (label, value) in range.Rows) Row(label, value);
         var clock = result.Clock;
-        Row("clock offset error", $"{Us(clock.OffsetErrorUsP50)} median, {Us(clock.OffsetErrorUsP95)} P95, {Us(clock.OffsetErrorUsMax)} maximum");
+        Row(DemoTexts.ClockErrorRow, DemoTexts.MedianP95Maximum(Us(clock.OffsetErrorUsP50), Us(clock.OffsetErrorUsP95), Us(clock.OffsetErrorUsMax)));
         Row(DemoTexts.EstimatedClockErrorRow, DemoTexts.EstimatedClockErrorMedian(Us(clock.StatedErrorUsP50), Percent(clock.WithinStatedShare)));
-        Row("clock synchronised after", Text(result.Clock.ConvergedS, "0.0", " s"));
+        Row(DemoTexts.SynchronisedAfterRow, Text(result.Clock.ConvergedS, "0.0", " s"));
         var allocated = Text(result.Frame.AllocatedBytesPerFrame, "0.##", " B");
-        Row(DemoTexts.FrameRow, $"{Us(result.Frame.CpuUsP50)} median, {Us(result.Frame.CpuUsP99)} P99, {allocated} allocated");
-        Row("frames, samples, dropped", $"{result.Frames}, {result.Samples}, {result.Dropped}");
+        Row(DemoTexts.FrameRow, DemoTexts.FrameTimes(Us(result.Frame.CpuUsP50), Us(result.Frame.CpuUsP99), allocated));
+        Row(DemoTexts.CountsRow, $"{result.Frames}, {result.Samples}, {result.Dropped}");
         foreach (var (label, value) in delays.Rows) Row(label, value);
         return grid;
     }

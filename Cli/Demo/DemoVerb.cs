@@ -115,7 +115,7 @@ static class DemoVerb
         var renders = parsed.GetValue(Paper) ? Paper.Name : parsed.GetValue(Load) != null ? Load.Name : null;
         if (renders != null && parsed.GetValue(Visualisation) < MinWithLoadMs)
             throw new InputException(DemoMessages.VisuWithLoad(parsed.GetValue(Visualisation), renders, MinWithLoadMs));
-        if (IsGiven(parsed, Repeats) && !parsed.GetValue(Paper)) throw new InputException("--repeats: needs --paper");
+        if (IsGiven(parsed, Repeats) && !parsed.GetValue(Paper)) throw new InputException(DemoMessages.RepeatsWithoutPaper);
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording);
         var picking = recording == null ? new PickAndPlaceMotion(robot) : null;

@@ -36,7 +36,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         Frames(session, start, report, cancel);
         recorder?.Dispose();
         recorder?.Ended.Wait(CancellationToken.None);
-        if (recorder?.Problem is string problem) Console.Error.WriteLine("nowpose: " + problem);
+        if (recorder?.Problem is string problem) Console.Error.WriteLine(ConsoleMessages.Line(problem));
         return Result(session, robot, _clock.Now - start);
     }
 

@@ -1,6 +1,8 @@
 using System.CommandLine;
 using System.Net;
 using Nowpose.Cli.Demo;
+using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
@@ -63,7 +65,7 @@ static class HeadsetVerb
         else HeadsetTable.Print(result, ResultConsole.Create());
         if (cancel.IsCancellationRequested) return ExitStatus.Interrupted;
         if (run.WhyFailed == null) return ExitStatus.Done;
-        Console.Error.WriteLine("nowpose: " + run.WhyFailed);
+        Console.Error.WriteLine(ConsoleMessages.Line(run.WhyFailed));
         return ExitStatus.Failed;
     }
 
@@ -95,7 +97,7 @@ static class HeadsetVerb
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new InputException($"--token-file {path}: cannot be read ({e.Message})", e);
+            throw new InputException(PathMessages.NotRead($"--token-file {path}", e), e);
         }
     }
 }

@@ -50,7 +50,7 @@ sealed class JointValues
         var split = entry.LastIndexOf('=');
         if (split < 1) throw new InputException(KinematicsMessages.NotAPair(entry));
         var index = MovingJoint(entry[..split].TrimEnd());
-        if (_given[index]) throw new InputException($"--joints: {_model.MovingJoints[index].Name} is given twice");
+        if (_given[index]) throw new InputException(KinematicsMessages.JointTwice(_model.MovingJoints[index].Name));
         _given[index] = true;
         _positions[index] = Value(_model.MovingJoints[index], entry[(split + 1)..]);
     }
@@ -61,7 +61,8 @@ sealed class JointValues
         if (index >= 0) return index;
         var reason = _model.Joints.Any(joint => joint.Name == name) ? KinematicsMessages.FixedJoint(name) : KinematicsMessages.UnknownJoint(name);
         var names = string.Join(", ", _model.MovingJoints.Select(joint => joint.Name));
-        throw new InputException($"--joints: {reason}; {(names.Length == 0 ? KinematicsMessages.NoMovingJoint : "allowed: " + names)}");
+        throw new InputException(
+            names.Length == 0 ? KinematicsMessages.WithoutMovingJoint(reason) : KinematicsMessages.NotAMovingJoint(reason, names));
     }
 
     static double Value(RobotJoint joint, string text)

@@ -27,7 +27,7 @@ static class KinematicsVerb
         var model = RobotFiles.Load(file);
         var values = new JointValues(model, joints ?? "");
         foreach (var note in values.OutOfLimits())
-            Console.Error.WriteLine("nowpose: " + note);
+            Console.Error.WriteLine(ConsoleMessages.Line(note));
         var poses = Poses(model, values.Complete());
         Console.Out.Write(json ? PoseOutput.Json(model, poses) : PoseOutput.Matrices(model, poses));
         return ExitStatus.Done;

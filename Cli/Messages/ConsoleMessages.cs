@@ -5,6 +5,13 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Lines that commands print to stderr in addition to their result.</summary>
 static class ConsoleMessages
 {
+    public static string Line(string text) => $"nowpose: {text}";
+    public static string Picture(string file, string fault) => $"nowpose: {file}: {fault}";
+
+    /// <param name="total">Null if it is unknown.</param>
+    public static string Progress(int done, int? total, string units) => total is int all ? $"{done} of {all} {units}" : $"{done} {units}";
+
+    public static string Repeat(int repeat, int repeats) => $"repeat {repeat} of {repeats}";
     public static string NotOpened(string reason, string path) => $"nowpose: --open: {reason}; open {path} in a browser";
 
     public const string NoDesktop = "this machine has no desktop (DISPLAY and WAYLAND_DISPLAY are not set)";

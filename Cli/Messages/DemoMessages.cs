@@ -21,6 +21,8 @@ static class DemoMessages
         $"{options}: cannot be combined with --paper, which sets the paper's robot, motion, predictor, clock estimator, sampling interval "
         + "and load, and measures the profile itself";
 
+    public const string RepeatsWithoutPaper = "--repeats: needs --paper; add it, or remove --repeats";
+
     public static string PaperSeconds(double seconds, double min) =>
         FormattableString.Invariant($"--seconds: {seconds} s is out of range; allowed with --paper: {min} to 3600 s");
 

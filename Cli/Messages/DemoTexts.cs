@@ -5,6 +5,47 @@ static class DemoTexts
 {
     public const string MovingWorkpieces = "workpieces while they move";
     public const string RotatingWorkpieces = "rotation of these workpieces";
+    public const string ApplicationLatencyRow = "application latency";
+    public const string VisualisationLatencyRow = "visualisation latency";
+    public const string DisplayTimeErrorRow = "display time error";
+    public const string ClockErrorRow = "clock offset error";
+    public const string SynchronisedAfterRow = "clock synchronised after";
+    public const string CountsRow = "frames, samples, dropped";
+    public const string RenderLoadRow = "render load";
+    public const string RangeRow = "constant-latency range";
+    public const string NotFoundAgain = "not found again";
+    public const string None = "none";
+    public const string Published = "published";
+
+    /// <summary>Headings of the columns in the table of errors.</summary>
+    public static readonly string[] ErrorColumns = ["uncompensated", "compensated", "reduction"];
+
+    public const string Rms = "RMS";
+    public const string P95 = "P95";
+    public const string MaximumRow = "maximum";
+    public const string Maximum = "Maximum";
+
+    public static string ReportTitle(string robot) => $"Nowpose demo: {robot}";
+    public static string RmsFromTo(string uncompensated, string compensated) => $"{uncompensated} to {compensated} RMS";
+    public static string RmsWithReduction(string from, string to, string reduction) => $"{from} to {to} RMS, reduction {reduction}";
+    public static string MedianP95(string median, string p95) => $"{median} median, {p95} P95";
+    public static string OnlyP95(string p95) => $"{p95} P95";
+    public static string MedianP95Maximum(string median, string p95, string maximum) => $"{median} median, {p95} P95, {maximum} maximum";
+    public static string FrameTimes(string median, string p99, string allocated) => $"{median} median, {p99} P99, {allocated} allocated";
+    public static string GivenLatency(string actual, string given) => $"{actual}, the runtime uses {given}";
+    public static string Fps(int framesPerSecond) => $"{framesPerSecond} fps";
+    public static string Vertices(int vertices) => FormattableString.Invariant($"{vertices} vertices");
+
+    public static string RenderLoad(double vertices, double fromSeconds, double toSeconds) =>
+        FormattableString.Invariant($"{vertices} vertices, from {fromSeconds:0.0} to {toSeconds:0.0} s");
+
+    public static string Range(string limitMs, string alarm) => $"up to {limitMs} ms; {alarm}";
+    public static string FoundAgain(string seconds) => $"found again at {seconds} s";
+    public static string FramesOutside(int frames) => $"{frames} frames outside";
+
+    public static string Alarm(string leftSeconds, string found, int alarms) =>
+        $"alarm: left at {leftSeconds} s, {found}" + (alarms > 1 ? $", {alarms} alarms" : "");
+
     public const string LateFrames = "frames that began late";
 
     public static string LateFramesValue(int late, int frames, double maxMs) =>
@@ -15,6 +56,23 @@ static class DemoTexts
 
     public static string Outside(string visuMs, string insideMs, string rmsMm, string inTimeMm) =>
         $"L_visu {visuMs} ms ({insideMs} ms inside the range); error {rmsMm} mm RMS ({inTimeMm} mm in frames shown in time)";
+
+    public const string Robot = "Robot";
+    public const string Motion = "Motion";
+    public const string Network = "Network";
+    public const string Predictor = "Predictor";
+    public const string Estimator = "Clock estimator";
+    public const string SamplingInterval = "Sampling interval";
+    public const string Acquisition = "Acquisition";
+    public const string DisplayLatency = "Display latency";
+    public const string FrameRateLabel = "Frame rate";
+    public const string Load = "Load";
+    public const string SetPoints = "Set-points ahead";
+    public const string Seed = "Seed";
+    public const string DisplayTimeError = "Display time error, P95";
+    public const string SynchronisedAfter = "Clock synchronised after";
+    public const string AllocatedPerFrame = "Allocated per frame";
+    public const string Counts = "Frames, samples, dropped";
 
     public const string Subtitle =
         "What the headset would have shown, compared with the true position of the simulated robot at the display time.";

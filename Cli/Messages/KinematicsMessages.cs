@@ -10,6 +10,10 @@ static class KinematicsMessages
     public static string FixedJoint(string joint) => $"{joint} is a fixed joint";
     public static string UnknownJoint(string joint) => $"the robot has no joint {joint}";
 
+    public static string JointTwice(string joint) => $"--joints: {joint} is given twice; remove one";
+    public static string NotAMovingJoint(string reason, string allowed) => $"--joints: {reason}; allowed: {allowed}";
+    public static string WithoutMovingJoint(string reason) => $"--joints: {reason}; {NoMovingJoint}";
+
     public const string NoMovingJoint = "this robot has no moving joint; remove --joints";
 
     public static string NotANumber(string joint, string text, string unit) =>

@@ -6,9 +6,6 @@ static class OptionValueMessages
     public static string NotABox(string option, string text, int minSide, int maxSide) =>
         $"{option}: '{text}' is not a box; allowed: X,Y,WIDTH,HEIGHT in whole px, sides {minSide} to {maxSide} px.";
 
-    public static string NotWritable(string option, string folder, string reason) =>
-        $"{option}: {folder}: cannot be written to: {reason}; check its permissions";
-
     public static string UnknownPredictor(string option, string value, string allowed) =>
         $"{option}: '{value}' is unknown; allowed: {allowed}, or a polynomial with another history, for example linear-h4.";
 

@@ -6,6 +6,9 @@ static class PictureMessages
     public static string VideoNotAlone(string video) => $"{video}: a video must be the only file; evaluate it separately";
     public static string NotFound(string path) => $"{path}: file or folder not found; correct the path";
 
+    public static string NoPictures(string folder, string formats) =>
+        $"{folder}: contains no pictures; pass a folder with pictures in one of the formats {formats}";
+
     public static string NotAPicture(string path, string pictures, string videos) =>
         $"{path}: is neither a picture ({pictures}) nor a video ({videos}); pass a file in one of these formats, or convert it";
 

@@ -32,6 +32,8 @@ static class SessionFileMessages
     public static string LimitOrder(double lower, double upper) =>
         FormattableString.Invariant($"is {lower}; it must not exceed the upper limit {upper}");
     public static string Nanoseconds(long value, long max) => FormattableString.Invariant($"is {value} ns; it must be from 0 to {max} ns");
+    public const string Missing = "is missing; add it, or record the session again";
+    public static string JointTwice(string joint) => $"has joint '{joint}' twice; remove one";
     public static string Limit(double value) => FormattableString.Invariant($"is {value}; a limit must be more than 0");
     public static string PointOrder(int point) =>
         $"of point {point} is negative, or not later than that of the previous point; times must increase";

@@ -8,6 +8,9 @@ static class UnityProjectMessages
     public static string TooOldForMrtk3(string file, UnityVersion version, Version oldest) =>
         $"{file}: Unity {version} is older than {oldest}, the oldest version that MRTK3 supports; update Unity";
 
+    /// <param name="finding">The version, with the problem and its remedy.</param>
+    public static string Version(string finding) => $"Unity {finding}";
+
     public static string TooNew(string package, string version, string allowed) =>
         $"{package} {version} is not supported, so the components for MRTK3 are not compiled; allowed: {allowed}";
 

@@ -97,7 +97,7 @@ readonly struct LineFields(string place, JsonElement fields)
 
     JsonElement Array(string name) => Required(name) is { ValueKind: JsonValueKind.Array } value ? value : throw Wrong(name, SessionFileMessages.NotAnArray);
 
-    JsonElement Required(string name) => _fields.TryGetProperty(name, out var value) ? value : throw Wrong(name, "is missing");
+    JsonElement Required(string name) => _fields.TryGetProperty(name, out var value) ? value : throw Wrong(name, SessionFileMessages.Missing);
 
     static string Shown(JsonElement value)
     {

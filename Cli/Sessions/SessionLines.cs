@@ -19,7 +19,7 @@ static class SessionLines
         var joints = new List<SessionHeader.Joint>();
         foreach (var joint in robot.Objects("joints").Select(ReadJoint))
         {
-            if (joints.Any(other => other.Name == joint.Name)) throw robot.Wrong("joints", $"has joint '{joint.Name}' twice");
+            if (joints.Any(other => other.Name == joint.Name)) throw robot.Wrong("joints", SessionFileMessages.JointTwice(joint.Name));
             joints.Add(joint);
         }
         return new SessionHeader(robot.Text("name"), joints, ReadPrediction(line, line.Object("settings")));

@@ -80,10 +80,10 @@ sealed class Preparation
     {
         var usesMicrosoft = _settings.HasMrtk3 || _merge.VersionOf(ProjectNeeds.MixedRealityOpenXr.Name) != null;
         var judged = UnityBounds.Judge(Project.Version, usesMicrosoft);
-        if (judged.State == CheckState.Missing) throw new InputException($"{Project.VersionPath}: Unity {judged.Found}");
+        if (judged.State == CheckState.Missing) throw new InputException($"{Project.VersionPath}: {UnityProjectMessages.Version(judged.Found)}");
         if (_settings.HasMrtk3 && Project.Version.Number < UnityBounds.OldestForMrtk3)
             throw new InputException(UnityProjectMessages.TooOldForMrtk3(Project.VersionPath, Project.Version, UnityBounds.OldestForMrtk3));
-        if (judged.State != CheckState.Good) _notes.Add($"Unity {judged.Found}");
+        if (judged.State != CheckState.Good) _notes.Add(UnityProjectMessages.Version(judged.Found));
         if (!_settings.HasMrtk3) _notes.AddRange(TooNew());
     }
 

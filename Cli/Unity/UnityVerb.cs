@@ -54,7 +54,7 @@ static class UnityVerb
             var preparation = Preparation.Plan(UnityProject.Open(path), settings);
             var backup = isCheck ? null : preparation.Apply();
             if (isCheck && preparation.Obstacle is { } obstacle) Console.Error.WriteLine(ConsoleMessages.WouldFail(obstacle));
-            foreach (var note in preparation.Notes) Console.Error.WriteLine("nowpose: " + note);
+            foreach (var note in preparation.Notes) Console.Error.WriteLine(ConsoleMessages.Line(note));
             Console.Out.Write(isJson ? PreparationOutput.Json(preparation, isCheck, backup) : PreparationOutput.Text(preparation, isCheck, backup));
             return isCheck && preparation.Changes.Count > 0 ? ExitStatus.Failed : ExitStatus.Done;
         }

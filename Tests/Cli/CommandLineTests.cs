@@ -27,7 +27,7 @@ public class CommandLineTests
         var run = await CliRun.OfAsync("sync", "no-such-file.csv");
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors.TrimEnd(), Is.EqualTo("nowpose: no-such-file.csv: file not found"));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo("nowpose: no-such-file.csv: file not found; correct the path"));
     }
 
     [TestCase("--help")]

@@ -35,7 +35,7 @@ static class PictureFiles
     static List<string> Within(string folder)
     {
         var files = Directory.GetFiles(folder).Where(path => IsPicture(path) || Has(path, OtherPictures)).Order(new NumberedNames()).ToList();
-        return files.Count > 0 ? files : throw new InputException($"{folder}: contains no pictures ({string.Join(", ", Pictures)})");
+        return files.Count > 0 ? files : throw new InputException(PictureMessages.NoPictures(folder, string.Join(", ", Pictures)));
     }
 
     static bool IsPicture(string path) => Has(path, Pictures);

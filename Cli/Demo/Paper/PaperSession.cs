@@ -1,4 +1,5 @@
 using Nowpose.Cli.Figures.Swing;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli.Demo.Paper;
@@ -19,7 +20,7 @@ static class PaperSession
         var runs = new List<PaperRun>();
         for (var repeat = 1; repeat <= repeats && !cancel.IsCancellationRequested; repeat++)
         {
-            if (repeats > 1) await Console.Error.WriteLineAsync($"repeat {repeat} of {repeats}");
+            if (repeats > 1) await Console.Error.WriteLineAsync(ConsoleMessages.Repeat(repeat, repeats));
             var settings = scenario with { Seed = given.Seed + repeat - 1 };
             var calibration = await Task.Run(() => PaperCalibration.Of(settings, PicturesPerLoad, cancel), CancellationToken.None);
             if (calibration == null) break;

@@ -15,7 +15,7 @@ sealed class FigureTable(params FigureColumn[] columns)
     /// <param name="values">One value per column. A missing value is null, not NaN.</param>
     public void Add(params double?[] values)
     {
-        if (values.Length != Columns.Count) throw new ArgumentException($"{values.Length} values for {Columns.Count} columns", nameof(values));
+        if (values.Length != Columns.Count) throw new ArgumentException(FigureErrors.ValueCount(values.Length, Columns.Count), nameof(values));
         if (Array.FindIndex(values, v => v is double x && !double.IsFinite(x)) is >= 0 and var bad)
             throw new ArgumentException(FigureErrors.NotFinite(Columns[bad].Header, _rows.Count + 1, values[bad]), nameof(values));
         _rows.Add(values);

@@ -91,8 +91,8 @@ public partial class FiguresVerbTests
         Assert.That(Directory.GetFiles(_folder, "*.csv"), Is.Empty);
     }
 
-    [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written to")]
-    [TestCase("--pictures", "/dev/null/x", "--pictures: /dev/null/x: cannot be written to")]
+    [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written")]
+    [TestCase("--pictures", "/dev/null/x", "--pictures: /dev/null/x: cannot be written")]
     [TestCase("--phases", "3", "'--phases' is unknown")]
     public async Task Figures_InvalidOption_PrintsOneLineAndExitsWith2(string option, string value, string named)
     {

@@ -146,7 +146,7 @@ public class DemoVerbTests
     [TestCase("--robot", "r2d2", "r2d2")]
     [TestCase("--recording", "gone.csv", "gone.csv: file not found")]
     [TestCase("--visu-error-ms", "-50", "--visu-ms plus --visu-error-ms: -10 ms is out of range")]
-    [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written to")]
+    [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written")]
     public async Task Demo_InvalidOption_PrintsOneLineAndExitsWith2(string option, string value, string named)
     {
         var before = Directory.Exists("nowpose-demo");
