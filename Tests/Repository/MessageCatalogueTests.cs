@@ -1,6 +1,7 @@
 using System.Net;
 using System.Reflection;
 using System.Text.RegularExpressions;
+using Nowpose.Gateway.Messages;
 using Nowpose.Tests.Core;
 using NUnit.Framework;
 
@@ -52,40 +53,47 @@ public sealed partial class MessageCatalogueTests
     /// </summary>
     static readonly Dictionary<string, string[]> OtherStatuses = new()
     {
-        ["AccessMessages"] = ["ClosedForNewer", "FormerContentUsed", "OtherLinesUsed", "Refused", "Token", "TooManyWrongLog"],
+        ["AccessMessages"] = ["ClosedForNewer", "FormerContentUsed", "OtherLinesUsed", "Refused", "TooManyWrongLog"],
         ["AdapterMessages"] = ["Ended"],
         ["AppearanceMessages"] = ["NoMaterial", "NotFadeable"],
         ["BaseMessages"] = ["FollowsMarker", "Lost", "MovedLabel", "NotLocated"],
         ["CalibrationMessages"] = ["Of"],
-        ["CellMessageFaults"] = ["OwnParent", "SignalTwice", "SignalValue", "StampZero"],
-        ["ComponentMessages"] = ["GripperWithoutJoint"],
+        ["CellMessageFaults"] = ["Frame", "OwnParent", "SignalTwice", "SignalValue", "StampZero"],
+        ["ComponentMessages"] = ["GripperWithoutJoint", "Of"],
         ["ConditionMessages"] = ["PlaceOfOpenXr", "PlaceOfQuality", "PlaceOfReprojection"],
-        ["ConnectionMessages"] = ["Closed", "JointsClosed", "Lost", "MessageTooLong", "MessageTooSlow"],
-        ["DeviceMessages"] = ["CountersPaired", "DepthAgain", "MarkerMode", "NoDisplayTime", "NotStoredYet"],
+        ["DeviceMessages"] =
+        [
+            "CountersPaired", "DepthAgain", "DepthSubmitted", "MarkerMode", "NoDisplayTime", "NotStoredYet", "PlanarLog", "PlanarProblem", "StoreFailed",
+        ],
+        // The name of the reason if nothing was dropped. A separate test checks all reasons.
         ["DropMessages"] = ["Of"],
-        ["DryRunMessages"] = ["MissingJoints", "PortInUse"],
+        ["DryRunMessages"] = ["MissingJoints", "MissingJointsLog", "PortInUse"],
         ["FigureErrors"] = ["NotAValue", "NotFinite"],
-        ["FrameMessages"] = ["List"],
+        ["FrameMessages"] = ["FileLine", "List"],
         ["HeadsetMessages"] = ["AtEnd", "CurrentAgain", "NeverCurrent", "Pose"],
         ["KeyFileMessages"] = ["Renewed"],
         ["KinematicsMessages"] = ["BeyondLimits", "FixedJoint", "Title", "UnknownJoint"],
+        ["LimitMessages"] = ["MoreLines"],
         ["LoadSweepMessages"] = ["Building", "WaitingForClock"],
         ["LoaderMessages"] = ["Unkept"],
-        ["ManifestMessages"] = ["TooDeep"],
+        ["ManifestMessages"] = ["TooDeep", "Twice"],
+        ["MeshMessages"] = ["Of"],
         ["ObjectMessages"] = ["ParentNotCurrent", "ParentUnknown", "PosesStopped", "RobotUnknown"],
         ["OperationsMessages"] = ["LoggedIn", "NoTokenNeeded", "UnknownTokenLog"],
+        ["OptionMessages"] = ["SeeHelp"],
         ["PairedCellMessages"] = ["Field", "List", "Unusable"],
+        ["PairingAnswerMessages"] = ["Failed"],
         ["PairingCodeMessages"] = ["OtherBegin"],
         ["PairingMessages"] = ["Exchanging", "Known", "MarkerFirst", "Paired"],
-        ["PairingServiceMessages"] = ["TokenGiven", "WrongCodeLog"],
+        ["PairingServiceMessages"] = ["NotStoredLog", "TokenGiven", "WrongCodeLog"],
         ["ProfileMessages"] = ["OtherKind"],
-        ["RecorderMessages"] = ["Deleted", "FolderNotChecked", "UnknownName"],
+        ["RecorderMessages"] = ["Begun", "Deleted", "Ended", "FolderNotChecked", "UnknownName"],
         ["RequestMessages"] = ["Closed", "ClosedForRate", "Dropped", "NotAccepted"],
-        ["SessionMessages"] = ["Description", "DescriptionUnusable", "PlausibleAgain", "Recording", "Stale", "WithinRange"],
+        ["SessionMessages"] = ["Description", "DescriptionUnusable", "PlausibleAgain", "Recording", "Stale", "Synchronised", "WithinRange"],
         ["SimulationMessages"] = ["Error", "Read", "Written"],
         ["SweepMessages"] = ["Responds"],
         ["SyncServerMessages"] = ["Closed", "NotAccepted"],
-        ["UnityProjectMessages"] = ["Backup", "EntryKept"],
+        ["UnityProjectMessages"] = ["Backup", "EntryKept", "Version"],
         ["UnityVersionMessages"] = ["Compiled2022", "NotTestedOnDevice"],
         ["VlcMessages"] = ["NothingRead", "OtherSource", "Result"],
     };
@@ -136,6 +144,15 @@ public sealed partial class MessageCatalogueTests
         var missing = string.Join("\n", incomplete.Except(statuses));
         Assert.That(missing, Is.Empty, "complete these messages, or list those that are statuses or a part of a message");
         Assert.That(statuses.Except(incomplete), Is.Empty, "remove these from the list: they are complete or do not exist");
+    }
+
+    // The reasons for a name that belongs to another source are followed by the name of the source.
+    [Test]
+    public void DropMessages_EachReasonOfTheGateway_StateRemedyOrAllowedValues()
+    {
+        var texts = Enum.GetValues<DropReason>().Select(DropMessages.Of).Where(text => text.Contains(' ', StringComparison.Ordinal));
+
+        Assert.That(texts.Where(text => !IsComplete(text)).Distinct(), Is.EqualTo(new[] { "belongs to another source" }));
     }
 
     [TestCase("visu_ms is -3 ms", false)]

@@ -1,9 +1,10 @@
+using System.Text.RegularExpressions;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
 /// <summary>Checks that all texts that a product shows to users are in its message catalogue, the folder Messages of its sources.</summary>
-public sealed class MessageFolderTests
+public sealed partial class MessageFolderTests
 {
     const int MaxWords = 3;
     const string Core = RepositoryFiles.Package + "/Runtime/Core/";
@@ -56,6 +57,14 @@ public sealed class MessageFolderTests
     }
 
     [Test]
+    public void TextsOfExceptionsAndLogs_OfProducts_AreInTheirCatalogue()
+    {
+        var found = Sources.SelectMany(file => ReportedTexts(RepositoryFiles.Read(file)).Select(text => $"{file}: {text}"));
+
+        Assert.That(string.Join("\n", found), Is.Empty, "move these texts of exceptions and log lines to the folder Messages of the product");
+    }
+
+    [Test]
     public void ListOfExceptions_Files_Exist() => Assert.That(Exceptions.Keys.Except(Sources), Is.Empty);
 
     [TestCase("throw new E(\"a file has no end\");", "a file has no end")]
@@ -77,7 +86,28 @@ public sealed class MessageFolderTests
     public void LongTexts_SampleSource_ReturnsOnlyItsLongTexts(string source, string expected) =>
         Assert.That(LongTexts(source), expected == null ? Is.Empty : Is.EqualTo(new[] { expected }));
 
+    [TestCase("throw new InputException(path + \": no end\");", "0: no end")]
+    [TestCase("throw new InputException($\"{path}: {(isOn ? \"on\" : \"off\")}\");", "on", "off")]
+    [TestCase("throw new InputException(isOn ? \"on\" : (\"off\"));", "on", "off")]
+    [TestCase("throw new InputException(Messages.Of(\"arm\"), fault);")]
+    [TestCase("throw new InputException($\"{path}: {Messages.End}; {string.Join(\", \", names)}\");")]
+    [TestCase("throw fields.Fault(\"no end\");", "no end")]
+    [TestCase("ConsoleLog.Warn(this, \"lost\");", "lost")]
+    [TestCase("Announcement.Log(\"lost\");", "lost")]
+    [TestCase("_log(\"lost\");", "lost")]
+    [TestCase("Console.Error.WriteLine(\"nowpose: \" + note);", "nowpose: 0")]
+    [TestCase("Console.Out.WriteLine(\"code \" + code);")]
+    public void ReportedTexts_SampleSource_ReturnsTextsOfExceptionsAndLogs(string source, params string[] expected) =>
+        Assert.That(ReportedTexts(source), Is.EqualTo(expected));
+
     static IEnumerable<string> LongTexts(string source) => SourceTexts.In(source)
         .Where(text => !Help.Contains(text.Call) && text.Assigned != "Description")
         .Select(text => text.Text).Where(text => SourceTexts.WordsIn(text) > MaxWords);
+
+    /// <summary>Returns the texts that contain a word and are passed to an exception, to a method that creates one, or to a log.</summary>
+    static IEnumerable<string> ReportedTexts(string source) => SourceTexts.In(source)
+        .Where(text => Reporter().IsMatch(text.Receiver) && SourceTexts.WordsIn(text.Text) > 0).Select(text => text.Text);
+
+    [GeneratedRegex(@"(?:Exception|Error|Fault|Fail|Failed|Refuse|Refused|Warn|Info)$|\b_?[Ll]og\w*$|(?:\.Error|errors)\.Write\w*$")]
+    private static partial Regex Reporter();
 }

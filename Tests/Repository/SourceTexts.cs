@@ -16,7 +16,7 @@ sealed partial class SourceTexts
     public static IReadOnlyList<SourceText> In(string source)
     {
         var texts = new SourceTexts(source);
-        texts.Read("", '\0', null);
+        texts.Read("", '\0', null, "");
         return texts._found;
     }
 
@@ -28,7 +28,8 @@ sealed partial class SourceTexts
     /// <param name="call">The name before the opening bracket.</param>
     /// <param name="end">The closing bracket; '\0' for the end of the file.</param>
     /// <param name="assigned">Name of the member to which the content of the brackets is assigned; null if it is not assigned.</param>
-    void Read(string call, char end, string assigned)
+    /// <param name="receiver">The call whose argument is or includes the content of the brackets.</param>
+    void Read(string call, char end, string assigned, string receiver)
     {
         // The names before the current position, such as "new Command" or "Description".
         var before = "";
@@ -41,7 +42,7 @@ sealed partial class SourceTexts
             {
                 text ??= new StringBuilder(last == '+' ? "0" : "");
                 _at += start.Length;
-                ReadString(text, start.Value);
+                ReadString(text, start.Value, receiver);
                 last = '"';
                 continue;
             }
@@ -65,7 +66,9 @@ sealed partial class SourceTexts
                 var closing = c == '(' ? ')' : c == '[' ? ']' : '}';
                 if (c == '{') End();
                 var count = _found.Count;
-                Read(c == '(' ? before : "", closing, assigned);
+                // Round brackets after an operator or keyword group values; their content belongs to the argument around them.
+                var isCall = c == '(' && last == 'a' && !Keyword().IsMatch(before);
+                Read(c == '(' ? before : "", closing, assigned, isCall ? before : c == '{' ? "" : receiver);
                 if (isAttribute) _found.RemoveRange(count, _found.Count - count);
                 if (c == '{') End();
                 c = closing;
@@ -79,7 +82,7 @@ sealed partial class SourceTexts
 
         void End()
         {
-            if (text != null) _found.Add(new SourceText(text.ToString(), call, assigned));
+            if (text != null) _found.Add(new SourceText(text.ToString(), call, assigned, receiver));
             text = null;
         }
     }
@@ -92,7 +95,7 @@ sealed partial class SourceTexts
         return skipped.Success;
     }
 
-    void ReadString(StringBuilder text, string start)
+    void ReadString(StringBuilder text, string start, string receiver)
     {
         var quotes = start.Count(c => c == '"');
         var dollars = start.Count(c => c == '$');
@@ -113,7 +116,7 @@ sealed partial class SourceTexts
             {
                 _at += isRaw ? dollars : 1;
                 text.Append('0');
-                Read("", '}', null);
+                Read("", '}', null, receiver);
                 if (isRaw) _at += dollars - 1;
             }
             else Take(text, 1);
@@ -138,6 +141,9 @@ sealed partial class SourceTexts
     [GeneratedRegex(@"\G(?:\s+|//[^\n]*|/\*.*?\*/|(?<=\n[ \t]*)#[^\n]*|'(?:\\.[^']*|[^'\\])')", RegexOptions.Singleline)]
     private static partial Regex Blank();
 
+    [GeneratedRegex("^(?:return|throw|when|if|await|in|is|and|or|not|else|yield|switch|case)$")]
+    private static partial Regex Keyword();
+
     [GeneratedRegex(@"\A\s*(?:\w+:\s*)?[A-Z]\w*(?:\.\w+)*\s*[\](,]")]
     private static partial Regex Attribute();
 
@@ -147,4 +153,7 @@ sealed partial class SourceTexts
 
 /// <param name="Call">Name of the method or type whose arguments contain the text, such as Command; empty if there is none.</param>
 /// <param name="Assigned">Name of the member to which the text is assigned; null if it is not assigned.</param>
-sealed record SourceText(string Text, string Call, string Assigned);
+/// <param name="Receiver">
+/// The innermost call that receives the text, also as a part of an interpolated string or of a conditional value; empty if there is none.
+/// </param>
+sealed record SourceText(string Text, string Call, string Assigned, string Receiver);
