@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Spectre.Console;
 
 namespace Nowpose.Cli.Calibrate;

@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Anchoring;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Session;
 
@@ -76,6 +77,7 @@ namespace Nowpose.Unity.Messages
                 case RangeUnknownReason.NoRenderTime: return "not measured";
                 case RangeUnknownReason.TooFewFrames: return "measuring";
                 case RangeUnknownReason.OtherSource: return OtherSourceLimit;
+                case RangeUnknownReason.LongerThanRefresh: return StateNames.FramesMissRefreshes;
                 case RangeUnknownReason.BeyondMeasured: return "beyond measured range";
                 default: return null;
             }
