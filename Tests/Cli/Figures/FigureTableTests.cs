@@ -40,6 +40,6 @@ public class FigureTableTests
     [Test]
     public void Add_WrongNumberOfValues_Throws()
     {
-        Assert.That(() => new FigureTable(new FigureColumn("time", "ms")).Add(1, 2), Throws.ArgumentException.With.Message.Contains("2 values for 1 columns"));
+        Assert.That(() => new FigureTable(new FigureColumn("time", "ms")).Add(1, 2), Throws.ArgumentException.With.Message.Contains("2 values were passed for 1 columns"));
     }
 }
