@@ -63,7 +63,8 @@ public sealed partial class MessageCatalogueTests
         ["ConditionMessages"] = ["PlaceOfOpenXr", "PlaceOfQuality", "PlaceOfReprojection"],
         ["DeviceMessages"] =
         [
-            "CountersPaired", "DepthAgain", "DepthSubmitted", "MarkerMode", "NoDisplayTime", "NotStoredYet", "PlanarLog", "PlanarProblem", "StoreFailed",
+            "CountersPaired", "DepthAgain", "DepthSubmitted", "MarkerMode", "NoDisplayTime", "NotStoredYet", "PlanarLog", "PlanarProblem",
+            "StoreFailed",
         ],
         // The name of the reason if nothing was dropped. A separate test checks all reasons.
         ["DropMessages"] = ["Of"],

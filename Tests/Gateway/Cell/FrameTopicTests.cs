@@ -102,7 +102,8 @@ public class FrameTopicTests
         await _source.SendAsync(Tf(Frame("b", "a", 1), Frame("c", "b", 2), Frame("d", "b", 3)));
 
         await _source.ExpectErrorAsync(
-            "publish /tf dropped: frame c with parent b is a cycle: its parent depends on the frame itself; correct its header.frame_id (FrameCycle)");
+            "publish /tf dropped: frame c with parent b is a cycle: its parent depends on the frame itself; "
+            + "correct its header.frame_id (FrameCycle)");
         Assert.That(await NextFramesAsync(), Is.EqualTo("b=1 d=3"));
         Assert.That(_gateway.Drops[DropReason.FrameCycle], Is.EqualTo(1));
         await _source.RoundTripAsync();
