@@ -14,7 +14,7 @@ static class SineVerb
     static readonly Argument<string> Recording = new("RECORDING")
     {
         Description = "Table of positions in the camera's pictures (.csv, .csv.gz): the time in s (t or t_s), then robot and hologram in pixels; "
-            + "or a video, with both boxes (needs ffmpeg).",
+            + "or a video (needs ffmpeg), with --robot-box and --hologram-box.",
     };
     static readonly Option<string> Columns = new("--columns") { Description = "Names of the columns of robot and hologram, if there are more than two: ROBOT,HOLOGRAM" };
     static readonly Option<string> Control = new("--control")
@@ -30,7 +30,7 @@ static class SineVerb
     static readonly Option<double> Sampling = NumberOption.Create(
         "--sampling-ms", "With --app-ms: sampling interval T_s; half of it is subtracted, too", 50.0, 1, 1000, "ms");
     static readonly Option<double?> Configured = NumberOption.CreateOptional(
-        "--visu-ms", "Compensation on (the gripper): L_visu that the headset used; the measured lag is the error of this value", 0.0, 500, "ms");
+        "--visu-ms", "If the recording shows the gripper (compensation on): L_visu that the headset used; the measured lag is the error of this value", 0.0, 500, "ms");
     static readonly Option<double?> Former = FormerVisuOption.Create(Configured);
     static readonly Option<string> Earlier = EarlierProfile.Option();
     static readonly Option<string> Output = OutOption.Create();

@@ -16,7 +16,7 @@ static class Figure10Texts
     public const string Title = "Render time and L_visu at two loads";
 
     public const string Claim =
-        "At a normal load, 300 000 vertices, render time and L_visu have a constant relationship; at a high load, 1 500 000, this "
+        "At a normal load (300 000 vertices), render time and L_visu have a constant relationship; at a high load (1 500 000), this "
         + "relationship is no longer valid.";
 
     public static string Criterion(double ms) => $"At 300 000 vertices, the standard deviation of the middle 95 % of L_visu is below {ms} ms.";

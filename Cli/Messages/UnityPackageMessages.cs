@@ -26,7 +26,7 @@ static class UnityPackageMessages
         $"{folder}: is a file where the sample needs a folder; rename or delete it, and try again";
 
     public static string SampleChanged(string file, int more) =>
-        $"{file}: differs from the sample's file{(more == 0 ? "" : FormattableString.Invariant($", and so do {more} more"))}; "
+        $"{file}: differs from the sample's file{(more == 0 ? "" : FormattableString.Invariant($" ({more} more)"))}; "
         + "move or delete the folder of the sample, and try again";
 
     public static string NotCopied(string folder, string sample, string reason) =>

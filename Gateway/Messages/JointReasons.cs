@@ -8,7 +8,7 @@ static class JointReasons
     public const string NoSample = "the adapter reports the joint as live, but no sample has arrived at the gateway";
     public const string NoReport = "the adapter stopped reporting before the first sample";
 
-    public static string Silent(string adapter) => $"samples stopped arriving, and the adapter {adapter} does not report";
+    public static string Silent(string adapter) => $"samples stopped arriving, and the adapter {adapter} has stopped reporting";
 
     public const string SamplesStopped = "samples stopped arriving, although the adapter reports the joint as live";
     public const string NotPublished = "the robot description has this joint, but no source publishes it";

@@ -21,7 +21,7 @@ public sealed class QrMarkerManagerTests
     public void TearDown() => _played.Dispose();
 
     [Test]
-    public void Manager_MissingOnTheOrigin_IsAddedForCodesInCornerMode()
+    public void Manager_MissingOnTheOrigin_IsAddedForQrCodesInMostStableMode()
     {
         var manager = _played.Origin.Origin.GetComponent<ARMarkerManager>();
 

@@ -27,7 +27,7 @@ export const reportMessages = {
     `The displayed tool is ${format(compensatedMm, 'mm')} from its true position; without compensation, the distance is ${format(heldMm, 'mm')}.`,
   workpieceError: (compensatedMm: number | null, heldMm: number | null) =>
     `The displayed workpieces are up to ${format(compensatedMm, 'mm')} from their true positions; without compensation, the distance is up to ${format(heldMm, 'mm')}.`,
-  pointsBeyond: (count: number) => `${count} of the points are outside the plot.`,
+  pointsBeyond: (count: number) => `Points outside the plot: ${count}.`,
   errorBeyond: (extentUs: number, widestUs: number) =>
     `The plot shows errors up to ${format(extentUs, 'µs')}; the error or its bound reaches ${format(widestUs, 'µs')}.`,
 };

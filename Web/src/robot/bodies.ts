@@ -45,7 +45,7 @@ export class Bodies {
           transparent: PARTS[part].opacity < 1,
           opacity: PARTS[part].opacity,
           depthWrite: PARTS[part].opacity === 1,
-          // At the same position, a coloured copy in front of the grey robot would look like a robot at a different position.
+          // Draws a coloured copy behind the grey robot: in front of it, a copy at the same position would look like a position error.
           ...(PARTS[part].opacity < 1 ? BACK : {}),
         }),
     );
