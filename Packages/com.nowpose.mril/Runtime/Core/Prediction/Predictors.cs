@@ -14,7 +14,10 @@ namespace Nowpose.Prediction
         /// <summary>Default predictor, which has the smallest error on unseen motions.</summary>
         public const string Default = "adaptive";
 
-        /// <summary>Number of samples kept for predictors other than polynomials; template matching compares them with the history.</summary>
+        /// <summary>
+        /// Number of samples kept for predictors other than polynomials. Template matching needs the most, for example 21 at 50 Hz, for its
+        /// window of 0.4 s.
+        /// </summary>
         const int Kept = 24;
 
         /// <summary>
@@ -30,15 +33,22 @@ namespace Nowpose.Prediction
         /// </summary>
         const double StartGate = 0.09;
 
-        /// <summary>Weight of the line in the prior: on first moves of real machines, a Gaussian process alone overshoots more.</summary>
+        /// <summary>
+        /// Weight of the line in the prior: on first moves of real machines, a Gaussian process alone overshoots more. On a welding robot, the error
+        /// was 1.22 times that of the best fixed predictor without the line, and 1.01 times with it.
+        /// </summary>
         const double LinePrior = 0.4;
 
-        /// <summary>Prior weight of <see cref="ParabolaForecaster"/> for samples with velocity and acceleration.</summary>
+        /// <summary>
+        /// Prior weight of <see cref="ParabolaForecaster"/> for samples with velocity and acceleration. With exact values, the error of their Taylor
+        /// series was 0.12 times that of hold, and that of the Gaussian process 0.14 times (T_s 50, L 100 ms).
+        /// </summary>
         const double ReportedPrior = 0.7;
 
         /// <summary>
         /// Minimum interval between two comparisons with the history, in s: MatchInterval for joints, RareMatchInterval for tracked objects, which
-        /// have six coordinates each.
+        /// have six coordinates each. At sampling intervals of 50 ms, joints compare each sample; with the interval of objects, their errors are
+        /// about 2 % larger.
         /// </summary>
         const double MatchInterval = 0.035, RareMatchInterval = 0.14;
 

@@ -16,9 +16,13 @@ namespace Nowpose.Session
         /// <summary>Maximum blend time, ms. A longer blend would itself add latency.</summary>
         const double MaxBlendMs = 200;
 
+        /// <summary>Minimum fraction of the velocity limits: one percent, because controllers set the override in whole percent.</summary>
         const double MinSpeedShare = 0.01;
-        const double MinLimit = 0.01;
-        const double MaxLimit = 1e6;
+
+        /// <summary>
+        /// Range of acceleration and jerk limits, in rad/s² and rad/s³: wider than those of any robot, so values outside are input errors.
+        /// </summary>
+        const double MinLimit = 0.01, MaxLimit = 1e6;
 
         /// <summary>Settings for motion that is not known in advance.</summary>
         public static readonly PredictionSettings Default = new PredictionSettings();

@@ -13,7 +13,10 @@ namespace Nowpose.Prediction.Candidates
     /// </remarks>
     sealed class CandidateGate
     {
-        /// <summary>Forgetting factor per scored forecast that was made in motion.</summary>
+        /// <summary>
+        /// Forgetting factor per scored forecast that was made in motion. The sums have the weight of about seven forecasts, so the gate closes
+        /// within a few samples after a repetition ends.
+        /// </summary>
         const double ForgettingFactor = 0.85;
 
         /// <summary>
@@ -23,8 +26,8 @@ namespace Nowpose.Prediction.Candidates
         const double StillTimeConstant = 1;
 
         /// <summary>
-        /// Minimum number of scored forecasts before the candidate may replace the mixture, because a few forecasts may be correct by chance. With 12,
-        /// the errors of simulated motions are 1.5 % larger, and those of recordings 0.1 % smaller.
+        /// Minimum number of scored forecasts before the candidate may replace the mixture, because a few forecasts may be correct by chance. With
+        /// 12, the errors of simulated motions are 1.5 % larger, and those of recordings 0.1 % smaller.
         /// </summary>
         const int MinScores = 6;
 
@@ -35,7 +38,10 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         const double MinSquareRatio = 1e-4;
 
-        /// <summary>Forgetting factor of the maximum square, per scored forecast.</summary>
+        /// <summary>
+        /// Forgetting factor of the maximum square, per scored forecast: 1/e after 500. At 20 scores per second, this is 25 s of motion, similar to
+        /// the time constant of the weights.
+        /// </summary>
         const double MaxSquareForgettingFactor = 0.998;
 
         readonly double _maxErrorRatio, _maxStillErrorRatio;

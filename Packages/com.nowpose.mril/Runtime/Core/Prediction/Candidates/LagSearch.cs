@@ -16,9 +16,15 @@ namespace Nowpose.Prediction.Candidates
     /// </remarks>
     sealed class LagSearch
     {
+        /// <summary>
+        /// Number of best lags. With only the best one, the errors are 0.5 % (recordings) and 2.9 % (simulated) larger.
+        /// </summary>
         public const int Kept = 3;
 
-        /// <summary>Time constant of the exponential forgetting in the sums, in s.</summary>
+        /// <summary>
+        /// Time constant of the exponential forgetting in the sums, in s: the last half second has 86 % of the weight, which distinguishes one dwell
+        /// from another.
+        /// </summary>
         const double Forgetting = 0.25;
 
         /// <summary>Maximum lag, in s: cycles of up to two minutes.</summary>
@@ -87,9 +93,9 @@ namespace Nowpose.Prediction.Candidates
             _taken = 0;
             Count = 0;
             if (!(_history.Step > 0)) return;
-            _step = Math.Max(1, (int)(LagStep / _history.Step + 1e-6));
+            _step = Math.Max(1, (int)(LagStep / _history.Step + MotionHistory.Rounding));
             _rowLength = MotionHistory.Capacity / _step;
-            _stride = (int)Math.Ceiling(CompareInterval / _history.Step - 1e-6);
+            _stride = (int)Math.Ceiling(CompareInterval / _history.Step - MotionHistory.Rounding);
             _forgettingFactor = Math.Exp(-_stride * _history.Step / Forgetting);
         }
 

@@ -29,11 +29,15 @@ namespace Nowpose.Prediction.Candidates
 
         /// <summary>
         /// Minimum height of a spike: the smaller of the displacements to the sample and back, relative to the maximum displacement in one direction.
+        /// When a joint reverses at its maximum speed, the ratio is at most 1; the margin allows for a slightly faster motion.
         /// </summary>
         const double SpikeRatio = 1.3;
 
-        /// <summary>Distance from a grid point, in steps, within which a sample counts as lying on it.</summary>
-        const double Rounding = 1e-6;
+        /// <summary>
+        /// Distance from a grid point, in steps, within which a sample counts as lying on it: more than the rounding errors of times and of numbers
+        /// of steps, and too short for a visible motion.
+        /// </summary>
+        public const double Rounding = 1e-6;
 
         readonly double[] _times = new double[Neighbours];
         readonly double[] _positions = new double[Neighbours];

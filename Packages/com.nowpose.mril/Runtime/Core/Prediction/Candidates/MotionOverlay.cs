@@ -7,18 +7,25 @@ namespace Nowpose.Prediction.Candidates
     /// <remarks>Lags are in grid steps of the history, with fractions. Allocates nothing.</remarks>
     sealed class MotionOverlay
     {
-        /// <summary>Maximum distance of a match from the lag of <see cref="LagSearch"/>, s.</summary>
+        /// <summary>
+        /// Maximum distance of a match from the lag of <see cref="LagSearch"/>, s: the maximum change of a dwell that the search compensates. Without
+        /// the search, the errors are 0.4 to 0.5 % larger.
+        /// </summary>
         const double Reach = 0.4;
 
         /// <summary>
-        /// Ratio of mean squares below which a nearby match replaces the match of <see cref="LagSearch"/>.
+        /// Ratio of mean squares below which a nearby match replaces the match of <see cref="LagSearch"/>. It is small, because within a short window
+        /// a straight line matches many positions. Without the replacement, the errors on recordings are 1.2 % larger.
         /// </summary>
         const double MuchBetter = 0.1;
 
         /// <summary>Number of samples compared in the search near the lag: with six, the errors are the same within 0.01 %.</summary>
         const int NearbySamples = 4;
 
-        /// <summary>Approximate maximum number of compared samples. Of 24 samples, for example, every third is compared.</summary>
+        /// <summary>
+        /// Approximate maximum number of compared samples, which limits the time per sample: each search compares them at several lags. Of 24
+        /// samples, for example, every third is compared.
+        /// </summary>
         const int ComparedSamples = 8;
 
         /// <summary>Number of Gauss-Newton steps: the third changes the lag by less than a thousandth of a grid step.</summary>

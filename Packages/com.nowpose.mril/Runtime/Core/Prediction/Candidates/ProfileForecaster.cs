@@ -16,7 +16,7 @@ namespace Nowpose.Prediction.Candidates
     /// </remarks>
     sealed class ProfileForecaster : Forecaster
     {
-        /// <summary>Minimum lag of a move that brakes, in s: larger than the rounding of stamps.</summary>
+        /// <summary>Minimum lag of a move that brakes, in s: larger than the rounding of stamps, which is 0.5 ms for whole milliseconds.</summary>
         const double MinLag = 0.6e-3;
 
         /// <summary>
@@ -26,7 +26,8 @@ namespace Nowpose.Prediction.Candidates
         const double RestRatio = 0.1;
 
         /// <summary>
-        /// Maximum distance of a sample from its move, relative to the recent maximum displacement between two samples.
+        /// Maximum distance of a sample from its move, relative to the recent maximum displacement between two samples. It allows for noise and for
+        /// the drive's following error; the gate rejects a profile that fits although it is wrong.
         /// </summary>
         const double ToleranceRatio = 0.02;
 
@@ -150,6 +151,7 @@ namespace Nowpose.Prediction.Candidates
             }
             _move = Profile(longer);
             _hasBraked = true;
+            // A stroke near the upper bound means that the move has not braked yet.
             return longer < 0.999 * _maxStroke;
         }
 

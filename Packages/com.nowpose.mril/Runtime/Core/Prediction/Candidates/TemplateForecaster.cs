@@ -14,13 +14,16 @@ namespace Nowpose.Prediction.Candidates
     /// </remarks>
     sealed class TemplateForecaster : Forecaster
     {
-        /// <summary>Duration of the newest motion that is compared with the history, in s.</summary>
+        /// <summary>
+        /// Duration of the newest motion that is compared with the history, in s. Within a shorter window, a straight line matches many positions; a
+        /// longer window includes more of the preceding rest, whose duration varies.
+        /// </summary>
         const double Window = 0.4;
 
         /// <summary>Minimum number of sampling intervals before the history starts. Their mean then determines the grid step.</summary>
         const int MinIntervals = 8;
 
-        /// <summary>Minimum grid step, in s.</summary>
+        /// <summary>Minimum grid step, in s: the capacity of the history then covers the maximum lag of two minutes.</summary>
         const double MinStep = 0.02;
 
         /// <summary>
@@ -35,10 +38,15 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         const int MaxStill = 2;
 
-        /// <summary>Maximum gap in the history, in s.</summary>
+        /// <summary>
+        /// Maximum gap in the history, in s, even if the limits allow a longer one: the motion in a longer gap cannot be interpolated.
+        /// </summary>
         const double MaxGap = 2;
 
-        /// <summary>Maximum change of the sampling interval, as a factor; a larger change starts a new history.</summary>
+        /// <summary>
+        /// Maximum change of the sampling interval, as a factor; a larger change starts a new history. Twice the interval exceeds it. A lost sample
+        /// does not, because a gap changes the mean interval by at most a factor of 1.2 (<see cref="MotionState"/>).
+        /// </summary>
         const double MaxIntervalRatio = 1.6;
 
         readonly double _maximumGap;
@@ -152,7 +160,7 @@ namespace Nowpose.Prediction.Candidates
         {
             if (samples.Count <= MinIntervals || samples.CountWithoutGap(_maximumGap) <= MinIntervals) return;
             _interval = interval;
-            _history.Start(_interval * Math.Ceiling(MinStep / _interval - 1e-6));
+            _history.Start(_interval * Math.Ceiling(MinStep / _interval - MotionHistory.Rounding));
             _search.Start();
             for (var i = MinIntervals; i >= 0; i--) _history.Add(samples[i].Time, samples[i].Position);
         }
@@ -209,6 +217,7 @@ namespace Nowpose.Prediction.Candidates
             var total = 0.0;
             for (var i = 0; i < _matches; i++)
             {
+                // The addend prevents a division of zero by zero after an exact match.
                 var ratio = _errors[i] / (min + 1e-300) + 1;
                 _weights[i] = 1 / (ratio * ratio);
                 total += _weights[i];

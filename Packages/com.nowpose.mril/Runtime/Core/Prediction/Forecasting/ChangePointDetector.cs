@@ -10,7 +10,10 @@ namespace Nowpose.Prediction.Forecasting
     /// </remarks>
     sealed class ChangePointDetector
     {
-        /// <summary>Minimum ratio of the acceleration at a change point to the maximum recent acceleration.</summary>
+        /// <summary>
+        /// Minimum ratio of the acceleration at a change point to the maximum recent acceleration. With 1.2, the errors of simulated motions are
+        /// 2.9 % larger; with 2, those of recordings 1.4 %.
+        /// </summary>
         const double MinAccelerationRatio = 1.5;
 
         /// <summary>
@@ -19,10 +22,16 @@ namespace Nowpose.Prediction.Forecasting
         /// </summary>
         const double TimeConstant = 20;
 
-        /// <summary>Minimum change of velocity, relative to the maximum recent speed.</summary>
+        /// <summary>
+        /// Minimum change of velocity, relative to the maximum recent speed. Without this condition, the errors are 1.5 % (recordings) and 0.5 %
+        /// (simulated) larger.
+        /// </summary>
         const double MinChangeRatio = 0.25;
 
-        /// <summary>Minimum speed at the sample that confirms an increase of the speed, relative to the speed at the change point.</summary>
+        /// <summary>
+        /// Minimum speed at the sample that confirms an increase of the speed, relative to the speed at the change point. A joint that starts does
+        /// not become slower; the difference from 1 allows for noise. Without the confirmation, the errors on recordings are 1.0 % larger.
+        /// </summary>
         const double MinConfirmationRatio = 0.9;
 
         double _maxAcceleration;

@@ -5,6 +5,7 @@ namespace Nowpose.Prediction.Forecasting
     /// <summary>Limits forecast tables and defines their form: positions 0, 50 … 500 ms after the newest sample, relative to its position.</summary>
     static class ForecastTable
     {
+        /// <summary>Number of points: they reach 0.5 s, which exceeds the default horizon cap of 0.3 s.</summary>
         public const int Points = 11;
 
         /// <summary>

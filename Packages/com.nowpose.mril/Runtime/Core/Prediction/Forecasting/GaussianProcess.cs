@@ -14,17 +14,24 @@ namespace Nowpose.Prediction.Forecasting
     sealed class GaussianProcess : PositionWeights
     {
         /// <summary>
-        /// l, in s: the correlation length of the motion. Among the values from 0.4 to 2 s, this one is best for moves without noise.
+        /// l, in s: the correlation length of the motion. Among the values from 0.4 to 2 s, this one is best for moves without noise. With 0.4 s, the
+        /// errors on recordings are 1.0 % larger; with 0.9 s, those of simulated motions 1.5 %.
         /// </summary>
         const double LengthScale = 0.6;
 
-        /// <summary>Ratio of the variance of the samples' noise to the variance of the motion.</summary>
+        /// <summary>
+        /// Ratio of the variance of the samples' noise to the variance of the motion. With 1e-8, the errors on recordings are 0.6 % larger; with
+        /// 1e-6, those of simulated motions 1.4 %.
+        /// </summary>
         const double Noise = 1e-7;
 
-        /// <summary>Number of newest samples used.</summary>
+        /// <summary>Number of newest samples used. With 4, the errors are 0.6 to 1.0 % larger; with 7, up to 0.4 %.</summary>
         const int Newest = 5;
 
-        /// <summary>Variance of the level, relative to the variance of the motion.</summary>
+        /// <summary>
+        /// Variance of the level, relative to the variance of the motion: large, because the level is unknown. With 10 or 1000, the errors change by
+        /// less than 0.1 %.
+        /// </summary>
         const double LevelVariance = 100;
 
         /// <summary>

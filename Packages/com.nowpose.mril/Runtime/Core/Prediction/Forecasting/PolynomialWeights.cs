@@ -12,9 +12,12 @@ namespace Nowpose.Prediction.Forecasting
     /// </remarks>
     sealed class PolynomialWeights : PositionWeights
     {
-        /// <summary>Maximum h.</summary>
+        /// <summary>Maximum h: limits memory and time per sample. At 100 Hz, the polynomial spans one second.</summary>
         public const int MaxHistory = 100;
 
+        /// <summary>
+        /// Maximum n, as in the paper. With stamp errors of ± 5 ms, the error of degree 3 is already 2.5 times that of degree 2 (T_s 50, L 100 ms).
+        /// </summary>
         public const int MaxDegree = 3;
 
         /// <summary>

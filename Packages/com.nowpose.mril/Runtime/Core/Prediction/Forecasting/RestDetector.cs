@@ -17,28 +17,39 @@ namespace Nowpose.Prediction.Forecasting
     /// </remarks>
     sealed class RestDetector
     {
-        /// <summary>Number of samples in a range: fewer samples of a motion can be within the noise by chance.</summary>
+        /// <summary>
+        /// Number of samples in a range: fewer samples of a motion can be within the noise by chance. With 3 or 6, the errors change by at
+        /// most 0.7 %.
+        /// </summary>
         const int Window = 4;
 
         /// <summary>
-        /// Quantile of the ranges that counts as noise: a machine is assumed to rest for at least a tenth of the time.
+        /// Quantile of the ranges that counts as noise: a machine is assumed to rest for at least a tenth of the time. With 0.05 or 0.2, the errors
+        /// change by at most 0.5 %.
         /// </summary>
         const double Quantile = 0.1;
 
-        /// <summary>Rate of change of the quantile tracker, in units of the logarithm per second.</summary>
+        /// <summary>
+        /// Rate of change of the quantile tracker, in units of the logarithm per second. With 1.5 or 6, the errors change by at most 0.3 %.
+        /// </summary>
         const double TrackerRate = 3;
 
         /// <summary>
         /// Maximum range of the newest samples at which rest begins, and maximum distance from the rest position at which rest continues, as
-        /// multiples of the noise. The hysteresis prevents frequent changes.
+        /// multiples of the noise. The hysteresis prevents frequent changes. With a range of 2 or 5, or a distance of 3 or 6, the errors change by at
+        /// most 0.3 %.
         /// </summary>
         const double MaxRangeRatio = 3, MaxDistanceRatio = 4;
 
-        /// <summary>Maximum displacement per sample of a motion in one direction at which rest begins, relative to the recent maximum.</summary>
+        /// <summary>
+        /// Maximum displacement per sample of a motion in one direction at which rest begins, relative to the recent maximum. With 0, the error of
+        /// coasting axes was 2.6 times as large; with 0.05 or 0.2, the errors change by at most 0.1 %.
+        /// </summary>
         const double MaxCreepRatio = 0.1;
 
         /// <summary>
-        /// Minimum ratio of progress to path length of a motion; below it, the motion per sample is less than a third of the noise.
+        /// Minimum ratio of progress to path length of a motion; below it, the motion per sample is less than a third of the noise. With 0.2 or 0.5,
+        /// the errors change by less than 0.1 %.
         /// </summary>
         const double MinProgress = 0.35;
 
@@ -48,13 +59,20 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Minimum range, relative to the maximum so far: without it, the tracker would not recover from the logarithm of zero.</summary>
         const double MinRangeRatio = 1e-6;
 
-        /// <summary>Number of samples used to distinguish noise from a slow motion.</summary>
+        /// <summary>
+        /// Number of samples used to distinguish noise from a slow motion. With 8 or 20, the errors change by less than 0.1 %.
+        /// </summary>
         const int NoiseWindow = 12;
 
-        /// <summary>Maximum displacement between two samples at a standstill, relative to the recent maximum.</summary>
+        /// <summary>
+        /// Maximum displacement between two samples at a standstill, relative to the recent maximum. With half or twice this value, the errors change
+        /// by at most 0.2 %.
+        /// </summary>
         const double StillRatio = 1e-3;
 
-        /// <summary>Forgetting factor of the maximum displacement per sample: 1/e after 500 samples.</summary>
+        /// <summary>
+        /// Forgetting factor of the maximum displacement per sample: 1/e after 500 samples. With 0.995 or 0.999, the errors change by at most 0.1 %.
+        /// </summary>
         const double MaxForgettingFactor = 0.998;
 
         double _maxRange;

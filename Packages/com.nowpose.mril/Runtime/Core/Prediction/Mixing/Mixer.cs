@@ -22,8 +22,9 @@ namespace Nowpose.Prediction.Mixing
         public const double TimeConstant = 20;
 
         /// <summary>
-        /// Threshold for a first move, which is a motion much faster than the recent ones: minimum ratio of the squared displacement within
-        /// one horizon to the mean square error of hold.
+        /// Threshold for a first move, which is a motion much faster than the recent ones: minimum ratio of the squared displacement within one
+        /// horizon to the mean square error of hold. For a motion that continues at constant speed, the ratio is 1. Without the rule, the errors on
+        /// recordings are 3.9 % larger, and those of simulated motions 2.8 % smaller.
         /// </summary>
         public const double FirstMoveRatio = 30;
 

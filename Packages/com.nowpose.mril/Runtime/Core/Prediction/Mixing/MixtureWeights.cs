@@ -18,14 +18,21 @@ namespace Nowpose.Prediction.Mixing
         const int Steps = 5;
 
         /// <summary>
-        /// A solve ends at a step that reduces the mean square by less than this fraction of the best forecast's mean square.
+        /// A solve ends at a step that reduces the mean square by less than this fraction of the best forecast's mean square. Such a gain has no
+        /// visible effect, and the next solve continues from there.
         /// </summary>
         const double MinGain = 1e-4;
 
-        /// <summary>Number of samples whose evidence has the same weight as the prior.</summary>
+        /// <summary>
+        /// Number of samples whose evidence has the same weight as the prior, so that the errors of the first samples alone do not determine the
+        /// weights.
+        /// </summary>
         const double PriorSamples = 5;
 
-        /// <summary>Positive: threshold below which weights and evidence count as zero. Tiny: its square, the threshold for squares.</summary>
+        /// <summary>
+        /// Positive: threshold below which weights and evidence count as zero, because they may be rounding errors. Tiny: its square, the threshold
+        /// for squares, which prevents divisions by zero.
+        /// </summary>
         const double Positive = 1e-9, Tiny = 1e-18;
 
         readonly int _count;

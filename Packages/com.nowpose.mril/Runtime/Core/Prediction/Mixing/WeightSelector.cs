@@ -30,7 +30,10 @@ namespace Nowpose.Prediction.Mixing
         /// </summary>
         const double MinEvidence = 0.02;
 
-        /// <summary>Time after the start of a first move during which a line predicts it, s.</summary>
+        /// <summary>
+        /// Time after the start of a first move during which a line predicts it, s. Without the line, the errors of simulated motions are 1.8 %
+        /// larger, and those of recordings 0.6 % smaller.
+        /// </summary>
         const double StartSeconds = 0.08;
 
         readonly MixedForecasters _forecasters;
@@ -109,7 +112,7 @@ namespace Nowpose.Prediction.Mixing
             return displacement * displacement > Mixer.FirstMoveRatio * _overall.MeanSquare(MixedForecasters.Hold);
         }
 
-        // At least the first interval of a move counts as its start.
+        // At least the first interval of a move counts as its start. The margins of 1 % and 0.1 ms allow for an interval above the mean.
         static bool IsStart(MotionState motion) =>
             motion.Samples.NewestTime - motion.Start < Math.Max(StartSeconds, 1.01 * motion.MeanInterval) + 1e-4;
     }

@@ -9,10 +9,15 @@ namespace Nowpose.Prediction.Planning
     /// </remarks>
     sealed class PlanDelay
     {
-        /// <summary>Standard deviation of an unknown delay, s.</summary>
+        /// <summary>
+        /// Standard deviation of an unknown delay, s. With <see cref="MaxStandardErrors"/>, delays of up to about 0.5 s are accepted at first.
+        /// </summary>
         const double UnknownDelay = 0.1;
 
-        /// <summary>Standard deviation of an unknown offset, relative to the plan's range.</summary>
+        /// <summary>
+        /// Standard deviation of an unknown offset, relative to the plan's range. With <see cref="MaxStandardErrors"/>, offsets of up to a tenth of
+        /// the range are accepted at first; a larger one means that the plan belongs to another motion.
+        /// </summary>
         const double UnknownOffset = 0.02;
 
         /// <summary>
@@ -23,11 +28,13 @@ namespace Nowpose.Prediction.Planning
 
         /// <summary>
         /// Standard deviation of the change within one second: of the delay, in s, and of the offset, relative to the standard deviation of an
-        /// unknown offset.
+        /// unknown offset. They keep the gains of the filter above zero, so that it follows slow changes.
         /// </summary>
         const double DelayDrift = 0.005, OffsetDrift = 0.2;
 
-        /// <summary>Maximum residual, in standard deviations, of a joint that follows the plan.</summary>
+        /// <summary>
+        /// Maximum residual, in standard deviations, of a joint that follows the plan: one in 1.7 million normally distributed residuals is larger.
+        /// </summary>
         const double MaxStandardErrors = 5;
 
         /// <summary>Bounds above which squares overflow.</summary>
@@ -60,6 +67,7 @@ namespace Nowpose.Prediction.Planning
         /// <returns>Verdict of the sample on whether the joint follows the plan.</returns>
         public PlanVerdict Add(double time, double difference, double velocity, double range)
         {
+            // At most one second counts: a pause does not make the estimate worthless, and before the first sample there is no interval.
             AddProcessNoise(Math.Min(Math.Max(time - _time, 0), 1), range);
             _time = time;
             var noise = NoiseRatio * range + MinNoise;
@@ -72,6 +80,7 @@ namespace Nowpose.Prediction.Planning
             (delayGain, offsetGain) = (delayGain / variance, offsetGain / variance);
             Delay += delayGain * difference;
             Offset += offsetGain * difference;
+            // The minimum variances, (1 µs)² and (1e-9)², keep the variances positive despite rounding errors.
             var (delayOld, both, offsetOld) = (_varDelay, _covariance, _varOffset);
             _varDelay = Math.Max((1 + delayGain * velocity) * delayOld - delayGain * both, 1e-12);
             _covariance = (1 + delayGain * velocity) * both - delayGain * offsetOld;

@@ -9,11 +9,15 @@ namespace Nowpose.Prediction.Planning
     /// <remarks>Allocates nothing after construction. Not thread-safe. Times are seconds since the epoch of the samples.</remarks>
     sealed class PlanFollower
     {
-        /// <summary>Number of consistent samples in motion after which a plan that was not followed is used again.</summary>
+        /// <summary>
+        /// Number of consistent samples in motion after which a plan that was not followed is used again: a few samples may agree by chance, when the
+        /// joint crosses the plan.
+        /// </summary>
         const int AgreementsToReturn = 5;
 
         /// <summary>
-        /// Settling time after the end of a plan, in s. A plan that ends at rest is used until a sample from after this time arrives.
+        /// Settling time after the end of a plan, in s, during which the drive still approaches its target. A plan that ends at rest is used until a
+        /// sample from after this time arrives.
         /// </summary>
         const double Settling = 0.1;
 

@@ -24,7 +24,10 @@ namespace Nowpose.Prediction.Samples
         /// </summary>
         const int MinLate = 2;
 
-        /// <summary>Maximum delay of a sample relative to later ones on a usable network, in s.</summary>
+        /// <summary>
+        /// Maximum delay of a sample relative to later ones on a usable network, in s. A later sample would hardly improve a prediction, whose
+        /// default horizon cap is 0.3 s.
+        /// </summary>
         public const double MaxDelay = 0.25;
 
         readonly RecentSamples _recent;

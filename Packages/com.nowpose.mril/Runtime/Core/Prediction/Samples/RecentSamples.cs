@@ -8,7 +8,9 @@ namespace Nowpose.Prediction.Samples
     /// </summary>
     sealed class RecentSamples
     {
-        /// <summary>Number of samples kept: a quarter of a second at 1 kHz, 2.5 s at 100 Hz.</summary>
+        /// <summary>
+        /// Number of samples kept: a quarter of a second at 1 kHz, the maximum delay of a late sample (<see cref="ArrivalOrder.MaxDelay"/>).
+        /// </summary>
         const int Capacity = 256;
 
         /// <summary>
@@ -21,7 +23,10 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Minimum significant difference relative to the range of the recent samples; it exceeds an encoder count, for example.</summary>
         const double MinRangeRatio = 1e-3;
 
-        /// <summary>Number of newest samples whose second differences estimate the noise.</summary>
+        /// <summary>
+        /// Number of newest samples whose six second differences estimate the noise: in a longer window, accelerations of an earlier motion would
+        /// increase the estimate.
+        /// </summary>
         const int NoiseWindow = 8;
 
         readonly bool _isEndless;

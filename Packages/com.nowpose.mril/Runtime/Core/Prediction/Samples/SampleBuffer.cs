@@ -8,6 +8,7 @@ namespace Nowpose.Prediction.Samples
     /// <remarks>Allocates nothing after construction.</remarks>
     sealed class SampleBuffer
     {
+        /// <summary>One turn, in rad.</summary>
         const double Turn = 2 * Math.PI;
 
         /// <summary>

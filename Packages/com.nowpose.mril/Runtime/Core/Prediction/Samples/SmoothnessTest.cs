@@ -16,12 +16,18 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Weight of one vote in the mean: eight maximum votes against the line reject it at first, 25 after many votes for it.</summary>
         const double VoteWeight = 0.03;
 
-        /// <summary>Maximum vote. It is a decimal logarithm, so 1 means a ratio of ten.</summary>
+        /// <summary>Maximum vote, so that no single sample decides. It is a decimal logarithm, so 1 means a ratio of ten.</summary>
         const double MaxVote = 1;
 
-        /// <summary>Initial mean, and the mean below which the line is not used: with noise, the mean fluctuates about 0.</summary>
+        /// <summary>
+        /// InitialMean: the line is used at first, because most controllers sample periodically. MinMean: mean below which the line is not used; it
+        /// is below 0, because with noise the mean fluctuates about 0.
+        /// </summary>
         const double InitialMean = 0.2, MinMean = -0.05;
 
+        /// <summary>
+        /// Number of samples: the newest one and three, which determine a quadratic. The others are the start of each part of the values.
+        /// </summary>
         const int Kept = 4, Reported = 0, OnLine = Kept, Positions = 2 * Kept;
 
         // The newest samples, newest first: the reported stamps, followed by the times on the line and the positions.

@@ -13,7 +13,9 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Minimum standard deviation of stamps to correct, in s; a smaller deviation is harmless.</summary>
         const double MinDeviation = 0.3e-3;
 
-        /// <summary>Maximum standard deviation of the stamps of a source without occasional delays, in s.</summary>
+        /// <summary>
+        /// Maximum standard deviation of the stamps of a source without occasional delays, in s: rounding to whole milliseconds causes 0.3 ms.
+        /// </summary>
         const double CleanDeviation = 1e-3;
 
         /// <summary>Maximum distance from the line, in standard deviations; uniform scatter stays within two.</summary>
@@ -25,7 +27,9 @@ namespace Nowpose.Prediction.Samples
         /// </summary>
         const int InARow = 3;
 
-        /// <summary>Distance from the line, in standard deviations, beyond which a stamp counts as off the line.</summary>
+        /// <summary>
+        /// Distance from the line, in standard deviations, beyond which a stamp counts as off the line: uniform scatter stays within √3.
+        /// </summary>
         const double Deviations = 2;
 
         readonly StampLine _line = new StampLine();
