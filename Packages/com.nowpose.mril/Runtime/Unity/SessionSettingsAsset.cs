@@ -79,7 +79,7 @@ namespace Nowpose.Unity
         string _predictor = Predictors.Default;
 
         [SerializeField, Tooltip("Maximum time in ms by which a prediction is ahead of the newest sample, 0 to 5000. Beyond it the pose stays "
-            + "and is marked as held. Default 300: longer predictions are less accurate than the newest sample.")]
+            + "and is marked as held. Default 300: the error of a prediction grows with its horizon.")]
         double _horizonCapMs = 300;
 
         [SerializeField, Tooltip("Maximum time between two samples, ms, 1 to 60000. After a longer gap the prediction starts again, because the "

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Prediction
 {
-    /// <summary>Parts of the pipeline that can be switched off, for the ablation study; prediction.md and prediction-reference.md have its results.</summary>
+    /// <summary>Parts of the pipeline that can be switched off, for the ablation study (prediction.md, prediction-reference.md).</summary>
     [Flags]
     enum PredictionParts
     {
