@@ -9,9 +9,6 @@ namespace Nowpose.Gateway;
 /// <param name="html">The page; null if it was not built.</param>
 sealed partial class HtmlPage(string html)
 {
-    /// <summary>Message that is sent instead of a missing page.</summary>
-    public const string Missing = OperationsMessages.PageMissing;
-
     readonly string _policy = PolicyOf(html);
     readonly byte[] _page = html == null ? null : Encoding.UTF8.GetBytes(html);
 
@@ -19,7 +16,7 @@ sealed partial class HtmlPage(string html)
 
     public Task SendAsync(HttpContext context)
     {
-        if (!IsBuilt) return AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, Missing);
+        if (!IsBuilt) return AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, OperationsMessages.PageMissing);
         var response = context.Response;
         response.ContentType = "text/html; charset=utf-8";
         response.ContentLength = _page.Length;

@@ -30,7 +30,8 @@ static class SineVerb
     static readonly Option<double> Sampling = NumberOption.Create(
         "--sampling-ms", "With --app-ms: sampling interval T_s; half of it is subtracted, too", 50.0, 1, 1000, "ms");
     static readonly Option<double?> Configured = NumberOption.CreateOptional(
-        "--visu-ms", "If the recording shows the gripper (compensation on): L_visu that the headset used; the measured lag is the error of this value", 0.0, 500, "ms");
+        "--visu-ms", "If the recording shows the gripper (compensation on): L_visu that the headset used; the measured lag is the error of this "
+            + "value", 0.0, 500, "ms");
     static readonly Option<double?> Former = FormerVisuOption.Create(Configured);
     static readonly Option<string> Earlier = EarlierProfile.Option();
     static readonly Option<string> Output = OutOption.Create();

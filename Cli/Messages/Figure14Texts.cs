@@ -13,6 +13,9 @@ static class Figure14Texts
     public const string HalfTheError =
         "From 0 to ±10 ms, the factor by which the error grows is less than half as large with h = 3 and with h = 4 as with h = 2.";
 
+    public const string Never = "at none of the errors";
+    public static string From(string ms) => $"from ±{ms} ms";
+
     /// <param name="three">Errors at which h = 3 is better than h = 2, for example "from ±4 ms".</param>
     /// <param name="four">Errors at which h = 4 is better than h = 3.</param>
     public static string Growth(string growth, string three, string four) =>

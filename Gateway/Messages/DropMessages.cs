@@ -31,7 +31,7 @@ static class DropMessages
         DropReason.OutOfRange => "a number is outside the allowed range of its field; check the units and values of the message",
         DropReason.UnknownTopic => "clients cannot publish on this topic; allowed: " + OpenTopics,
         DropReason.UnknownService => $"no such service; see /rosapi/services for a list. A clock must be offered as {RosTopics.PlantTime}NAME",
-        DropReason.TooManyTopics => $"the client exceeds the maximum of {ProtocolLimits.TopicsPerClient} topics; unsubscribe from some",
+        DropReason.TooManyTopics => $"the client exceeds the maximum of {ProtocolLimits.TopicsPerClient} topics; unsubscribe from some, or unadvertise some",
         DropReason.NotFinite => "a number is not finite; use finite numbers only",
         DropReason.LengthMismatch => "the arrays of the message differ in length; each must have one value for each name",
         DropReason.TooManyJoints => $"the message has more than the maximum of {ProtocolLimits.Joints} joints",
@@ -42,7 +42,7 @@ static class DropMessages
         DropReason.StampInFuture =>
             "the time stamp is later than the control time by more than the clock's error bound plus 1 s; set the clock of the source",
         DropReason.NotAllowed =>
-            "the role of this client does not allow this message; use the token of a source, or without tokens connect from the gateway's machine",
+            "the role of this client does not allow this message; use the token of a source; without tokens, connect from the gateway's machine",
         DropReason.Unsynchronised => "the clock of its time stamp is not synchronised yet; wait",
         DropReason.JointTaken => "belongs to another source",
         DropReason.NotUnitQuaternion => FormattableString.Invariant(

@@ -280,7 +280,7 @@ sealed class RosbridgeSession : IDisposable
         {
             var count = same.Count();
             _drops.Count(same.Key, count - 1);
-            var others = count > 1 ? $"; and {count - 1} more" : "";
+            var others = count > 1 ? $" ({count - 1} more)" : "";
             Drop(message, same.Key, rule: $"{same.First().What} {DropMessages.Of(same.Key)}{others}");
         }
 

@@ -45,5 +45,5 @@ static class Figure14
     }
 
     static string Crossover(SweepData data, string winner, string loser) =>
-        data.Crossover(winner, loser) is double ms ? $"from ±{Text(ms)} ms" : "at no error";
+        data.Crossover(winner, loser) is double ms ? Figure14Texts.From(Text(ms)) : Figure14Texts.Never;
 }

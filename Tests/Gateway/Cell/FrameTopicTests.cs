@@ -131,7 +131,7 @@ public class FrameTopicTests
 
         await _source.SendAsync(Tf([.. Enumerable.Range(0, 60).Select(i => Frame("b" + i))]));
 
-        await _source.ExpectErrorAsync("frame b56 with parent world exceeds the maximum of 256 frames; and 3 more (TooManyFrames)");
+        await _source.ExpectErrorAsync("frame b56 with parent world exceeds the maximum of 256 frames (3 more) (TooManyFrames)");
         Assert.That((await _headset.ReceiveAsync()).Transforms.Count, Is.EqualTo(56));
         Assert.That(_gateway.Drops[DropReason.TooManyFrames], Is.EqualTo(4), "each is counted");
     }

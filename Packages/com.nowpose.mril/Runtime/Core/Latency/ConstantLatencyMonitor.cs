@@ -23,7 +23,7 @@ namespace Nowpose.Latency
         /// <summary>The render time is beyond the calibrated range, and the calibration found no limit in it.</summary>
         BeyondMeasured,
 
-        /// <summary>No range is known, and the render time is above the display's refresh interval, so frames miss refreshes.</summary>
+        /// <summary>No range is known, and the display's GPU time is above its refresh interval, so frames miss refreshes.</summary>
         LongerThanRefresh,
     }
 
@@ -63,6 +63,7 @@ namespace Nowpose.Latency
         ConstantLatencyRange _range;
         bool? _isBeyond;
         int _clearFrames;
+        bool _missesRefreshes;
 
         /// <param name="range">Initial value of <see cref="Range"/>.</param>
         public ConstantLatencyMonitor(ConstantLatencyRange range) => _range = range;
@@ -75,12 +76,14 @@ namespace Nowpose.Latency
             {
                 _range = value;
                 _isBeyond = null;
+                _missesRefreshes = false;
                 _clearFrames = 0;
             }
         }
 
         /// <summary>
-        /// Time between two refreshes of the display; null if unknown. Without a range, it is the only limit beyond which L_visu is certainly longer.
+        /// Time between two refreshes of the display; null if unknown. Without a range, it is the limit of
+        /// <see cref="RenderTimeSourceKind.DisplayGpuTime"/>: beyond it, L_visu is certainly longer. Other sources include waiting times.
         /// </summary>
         public TimeSpan? RefreshInterval { get; set; }
 
@@ -99,7 +102,7 @@ namespace Nowpose.Latency
             get
             {
                 if (State != RangeState.Unknown) return RangeUnknownReason.None;
-                if (_range == null) return IsLongerThanRefresh ? RangeUnknownReason.LongerThanRefresh : RangeUnknownReason.NoLimit;
+                if (_range == null) return _missesRefreshes ? RangeUnknownReason.LongerThanRefresh : RangeUnknownReason.NoLimit;
                 if (Source == RenderTimeSourceKind.None) return RangeUnknownReason.NoRenderTime;
                 if (Source != _range.Source) return RangeUnknownReason.OtherSource;
                 return _isBeyond == true ? RangeUnknownReason.BeyondMeasured : RangeUnknownReason.TooFewFrames;
@@ -112,8 +115,6 @@ namespace Nowpose.Latency
         /// <summary>Median that is compared with the limit; null before the first measurement with the current source.</summary>
         public TimeSpan? RenderTime => _recent.Count == 0 ? (TimeSpan?)null : _recent.At(0.5);
 
-        bool IsLongerThanRefresh => _recent.Count >= FramesToJudge && _recent.At(0.5) > RefreshInterval;
-
         /// <summary>Adds the render time of one frame. A change of the source restarts the window.</summary>
         /// <param name="renderTime">
         /// Render time of the frame. Zero and negative values are ignored, because drivers that do not measure report zero.
@@ -124,20 +125,33 @@ namespace Nowpose.Latency
             if (source != Source) Restart(source);
             if (source == RenderTimeSourceKind.None || renderTime <= TimeSpan.Zero) return;
             _recent.Add(renderTime);
-            if (_range != null && _range.Source == source && _recent.Count >= FramesToJudge) Judge(_recent.At(0.5));
+            if (_recent.Count < FramesToJudge) return;
+            if (_range == null) CompareWithRefresh(_recent.At(0.5));
+            else if (_range.Source == source) Judge(_recent.At(0.5));
         }
 
         void Restart(RenderTimeSourceKind source)
         {
             Source = source;
             _isBeyond = null;
+            _missesRefreshes = false;
             _recent.Reset();
             _clearFrames = 0;
         }
 
+        void CompareWithRefresh(TimeSpan median)
+        {
+            if (Source != RenderTimeSourceKind.DisplayGpuTime || !(RefreshInterval is TimeSpan limit)) return;
+            CountClear(median, limit);
+            if (median > limit) _missesRefreshes = true;
+            else if (_clearFrames >= FramesToReturn) _missesRefreshes = false;
+        }
+
+        void CountClear(TimeSpan median, TimeSpan limit) => _clearFrames = median.Ticks < ClearlyInside * limit.Ticks ? _clearFrames + 1 : 0;
+
         void Judge(TimeSpan median)
         {
-            _clearFrames = median.Ticks < ClearlyInside * _range.Limit.Ticks ? _clearFrames + 1 : 0;
+            CountClear(median, _range.Limit);
             if (median > _range.Limit) _isBeyond = true;
             else if (_isBeyond == null || _clearFrames >= FramesToReturn) _isBeyond = false;
         }

@@ -78,7 +78,7 @@ namespace Nowpose.Unity.Messages
                 case RangeUnknownReason.TooFewFrames: return "measuring";
                 case RangeUnknownReason.OtherSource: return OtherSourceLimit;
                 case RangeUnknownReason.LongerThanRefresh: return StateNames.FramesMissRefreshes;
-                case RangeUnknownReason.BeyondMeasured: return "beyond measured range";
+                case RangeUnknownReason.BeyondMeasured: return StateNames.BeyondMeasured;
                 default: return null;
             }
         }

@@ -67,7 +67,7 @@ namespace Nowpose.Prediction.Planning
         /// <returns>Verdict of the sample on whether the joint follows the plan.</returns>
         public PlanVerdict Add(double time, double difference, double velocity, double range)
         {
-            // At most one second counts: a pause does not make the estimate worthless, and before the first sample there is no interval.
+            // At most one second counts: a pause does not make the estimate worthless, and the first sample counts as one second.
             AddProcessNoise(Math.Min(Math.Max(time - _time, 0), 1), range);
             _time = time;
             var noise = NoiseRatio * range + MinNoise;

@@ -24,7 +24,7 @@ namespace Nowpose.Session.Hindcast
         /// <summary>A limit is known, but the render time is not measured, so late frames cannot be detected.</summary>
         NoRenderTime,
 
-        /// <summary>No limit is known, and the render time is above the display's refresh interval.</summary>
+        /// <summary>No range is known, and the display's GPU time is above its refresh interval. Runtimes predict the display time of frames in time.</summary>
         LongerThanRefresh,
     }
 
@@ -51,7 +51,7 @@ namespace Nowpose.Session.Hindcast
             switch (reason)
             {
                 case ErrorWithheldReason.OutsideRange: return "outside range";
-                case ErrorWithheldReason.BeyondMeasured: return "beyond measured range";
+                case ErrorWithheldReason.BeyondMeasured: return StateNames.BeyondMeasured;
                 case ErrorWithheldReason.OtherSource: return StateNames.OtherSourceLimit;
                 case ErrorWithheldReason.NoRenderTime: return StateNames.RenderTimeNotMeasured;
                 case ErrorWithheldReason.LongerThanRefresh: return StateNames.FramesMissRefreshes;

@@ -241,6 +241,32 @@ namespace Nowpose.Tests.Core.Latency
             Assert.That((monitor.State, monitor.UnknownReason), Is.EqualTo((RangeState.Unknown, (RangeUnknownReason)reason)));
         }
 
+        // Other sources include waiting times of up to a frame.
+        [TestCase(RenderTimeSourceKind.CameraCpu)]
+        [TestCase(RenderTimeSourceKind.GpuCompletion)]
+        [TestCase(RenderTimeSourceKind.EngineGpuTime)]
+        public void UnknownReason_NoRangeAndAnotherSource_IsNoLimit(RenderTimeSourceKind source)
+        {
+            var monitor = new ConstantLatencyMonitor(null) { RefreshInterval = Lengths.Ms(1000 / 60.0) };
+
+            for (var i = 0; i < 100; i++) monitor.Add(Lengths.Ms(18), source);
+
+            Assert.That(monitor.UnknownReason, Is.EqualTo(RangeUnknownReason.NoLimit));
+        }
+
+        [Test]
+        public void UnknownReason_NoRangeAndLoadNearARefresh_DoesNotAlternate()
+        {
+            var monitor = new ConstantLatencyMonitor(null) { RefreshInterval = Lengths.Ms(1000 / 60.0) };
+            Add(monitor, 18, 100);
+
+            Add(monitor, 16.5, 100);
+            var near = monitor.UnknownReason;
+            Add(monitor, 12, 100);
+
+            Assert.That((near, monitor.UnknownReason), Is.EqualTo((RangeUnknownReason.LongerThanRefresh, RangeUnknownReason.NoLimit)));
+        }
+
         [Test]
         public void Range_ChangedWhileRunning_AppliesFromTheNextFrame()
         {
