@@ -24,9 +24,9 @@ const changes = bridge => bridge.published('/signals').map(({ header, value }) =
 const posesOf = (bridge, frame, count) => until(() => poses(bridge, frame).length >= count && poses(bridge, frame),
   () => `${count} poses of ${frame}; there are ${poses(bridge, frame).length}, ${JSON.stringify(bridge.state)}`);
 
-/** Whether a time stamp can be the time of arrival of a message, with a tolerance for the round-trip time of the clock readings. */
+/** Whether a time stamp can be the time of arrival of a message. The adapter's clock readings may be wrong by half of a long round-trip time. */
 function isArrival(stamp, sent, seen) {
-  const tolerance = 100_000_000n;
+  const tolerance = 1_000_000_000n;
   return stamp > sent - tolerance && stamp < seen + tolerance;
 }
 
