@@ -56,7 +56,7 @@ describe('objects over a broker', { skip: missing, concurrency: 3 }, () => {
     for (const [robot, x] of [['/arm1', 1], ['/arm2', 2], ['', 3]]) publish(near, `${robot}/joint_states`, state(sync.now(), ['a'], [x]));
     publish(near, '/arm2/robot_description', { data: '<robot name="second"/>' });
 
-    await until(() => ['/arm1', '/arm2', ''].every(robot => far.published(`${robot}/joint_states`).length === 1), () => JSON.stringify(far.state));
+    await until(() => ['/arm1', '/arm2', ''].every(robot => far.published(`${robot}/joint_states`).length >= 1), () => JSON.stringify(far.state));
     assert.deepEqual(['/arm1', '/arm2', ''].map(robot => far.published(`${robot}/joint_states`)[0].position[0]), [1, 2, 3]);
     await until(() => far.published('/arm2/robot_description').length === 1, 'the description');
     await until(() => ['arm1/a', 'arm2/a', 'a'].every(name => far.joint(name)?.state === 'live'), () => JSON.stringify(far.state));

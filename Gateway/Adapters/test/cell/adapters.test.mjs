@@ -201,7 +201,7 @@ signals:
     const found = Object.fromEntries(bridge.published('/signals').map(({ header, name, value }) => [name[0], [value[0], nanoseconds(header.stamp)]]));
     assert.deepEqual([found.closed[0], found.force], [1, [-4.5, stamp]]);
     assert.ok(isArrival(found.closed[1], stamp, robot.now()));
-    await until(() => bridge.published('/arm1/joint_states').length === 1, 'the joint state');
+    await until(() => bridge.published('/arm1/joint_states').length >= 1, 'the joint state');
     assert.deepEqual(bridge.published('/arm1/joint_states')[0].name, ['elbow']);
     await until(() => bridge.joint('arm1/elbow')?.state === 'live', () => JSON.stringify(bridge.state));
   });

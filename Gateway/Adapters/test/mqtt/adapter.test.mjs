@@ -49,11 +49,11 @@ describe('mqtt', { skip: missing, concurrency: 3 }, () => {
     const [{ header, name, position }] = await until(() => bridge.jointStates.length > 0 && bridge.jointStates, () => JSON.stringify(bridge.state));
     assert.deepEqual([nanoseconds(header.stamp), name], [stamp, ['axis']]);
     assert.ok(Math.abs(position[0] - Math.PI / 2) < 1e-12);
-    const seen = await until(() => poses(bridge, 'part').length === 2 && poses(bridge, 'part'), () => JSON.stringify(bridge.state));
+    const seen = await until(() => poses(bridge, 'part').length >= 2 && poses(bridge, 'part').slice(0, 2), () => JSON.stringify(bridge.state));
     assert.deepEqual(seen.map(({ stamp: at, parent, position: place }) => [at, parent, place]),
       [[stamp, 'world', [0.1, 0.2, 0]], [stamp + 50n * MS, 'arm1/tool0', [0.1, 0.2, 0]]]);
     assert.ok(Math.hypot(seen[0].rotation[2] - Math.SQRT1_2, seen[0].rotation[3] - Math.SQRT1_2) < 1e-12);
-    await until(() => changes(bridge, 'speed').length === 2, () => JSON.stringify(bridge.state));
+    await until(() => changes(bridge, 'speed').length >= 2, () => JSON.stringify(bridge.state));
     assert.deepEqual(changes(bridge, 'speed'), [[0.25, stamp], [0.5, stamp + 40n * MS]]);
     assert.deepEqual(bridge.published('/tf_static').map(({ transforms }) => transforms[0].child_frame_id), ['table']);
     assert.match(bridge.published('/arm1/robot_description')[0].data, /<robot/);
@@ -100,7 +100,7 @@ frames:
 
     const [{ header, name, position }] = await until(() => bridge.published('/arm1/joint_states').length > 0 && bridge.published('/arm1/joint_states'),
       () => JSON.stringify(bridge.state));
-    await until(() => changes(bridge, 'closed').length === 1, () => JSON.stringify(bridge.state));
+    await until(() => changes(bridge, 'closed').length >= 1, () => JSON.stringify(bridge.state));
     // The error of the clock is at most half of the round-trip time of a reading.
     const [[value, changed]] = changes(bridge, 'closed'), slack = 100n * MS, stamp = nanoseconds(header.stamp);
     assert.deepEqual([name, position, value], [['elbow_joint'], [0.5], 1]);
@@ -129,7 +129,7 @@ frames:
       prepare: ({ send, now }) => send('cell/part', part({ t: Number(now() / MS) }), { retain: true }),
     });
 
-    await until(() => poses(bridge, 'part').length === 1, () => JSON.stringify(bridge.state));
+    await until(() => poses(bridge, 'part').length >= 1, () => JSON.stringify(bridge.state));
   });
 
   it('Adapter_FromStartToEnd_PublishesNothingToTheBroker', async t => {
@@ -138,7 +138,7 @@ frames:
     await client.subscribeAsync('#');
 
     await send('cell/elbow', '0.5');
-    await until(() => bridge.published('/arm1/joint_states').length === 1, () => JSON.stringify(bridge.state));
+    await until(() => bridge.published('/arm1/joint_states').length >= 1, () => JSON.stringify(bridge.state));
     adapter.child.kill('SIGTERM');
     await adapter.ended;
     await send('cell/end', '1');

@@ -39,7 +39,7 @@ describe('mqtt payloads', { skip: missing, concurrency: 3 }, () => {
       await until(() => Number(bridge.state?.[`refused/${reason}`]) >= 18, () => JSON.stringify(bridge.state));
       await send('cell', good);
 
-      await until(() => changes(bridge, 'closed').length === 1 && poses(bridge, 'part').length === 1 && bridge.jointStates.length === 1,
+      await until(() => changes(bridge, 'closed').length >= 1 && poses(bridge, 'part').length >= 1 && bridge.jointStates.length >= 1,
         () => JSON.stringify(bridge.state));
       for (const entry of ['axis', 'part', 'closed'])
         assert.equal(adapter.err.split('\n').filter(line => line.includes(`${entry} refused (${reason})`)).length, 1, adapter.err);
@@ -50,7 +50,7 @@ describe('mqtt payloads', { skip: missing, concurrency: 3 }, () => {
 
     await send('cell', { ...good, qw: 0.5 });
 
-    await until(() => bridge.state?.['refused/not-unit'] === '1' && bridge.jointStates.length === 1, () => JSON.stringify(bridge.state));
+    await until(() => bridge.state?.['refused/not-unit'] === '1' && bridge.jointStates.length >= 1, () => JSON.stringify(bridge.state));
     assert.deepEqual(poses(bridge, 'part'), []);
   });
 
