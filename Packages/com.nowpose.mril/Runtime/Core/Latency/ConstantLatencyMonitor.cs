@@ -63,7 +63,6 @@ namespace Nowpose.Latency
         ConstantLatencyRange _range;
         bool? _isBeyond;
         int _clearFrames;
-        bool _missesRefreshes;
 
         /// <param name="range">Initial value of <see cref="Range"/>.</param>
         public ConstantLatencyMonitor(ConstantLatencyRange range) => _range = range;
@@ -76,7 +75,6 @@ namespace Nowpose.Latency
             {
                 _range = value;
                 _isBeyond = null;
-                _missesRefreshes = false;
                 _clearFrames = 0;
             }
         }
@@ -91,8 +89,9 @@ namespace Nowpose.Latency
         {
             get
             {
+                if (_range == null || _isBeyond == null) return RangeState.Unknown;
                 if (_isBeyond == false) return RangeState.Inside;
-                return _isBeyond == true && _range.IsLimitReached ? RangeState.Outside : RangeState.Unknown;
+                return _range.IsLimitReached ? RangeState.Outside : RangeState.Unknown;
             }
         }
 
@@ -102,7 +101,7 @@ namespace Nowpose.Latency
             get
             {
                 if (State != RangeState.Unknown) return RangeUnknownReason.None;
-                if (_range == null) return _missesRefreshes ? RangeUnknownReason.LongerThanRefresh : RangeUnknownReason.NoLimit;
+                if (_range == null) return _isBeyond == true ? RangeUnknownReason.LongerThanRefresh : RangeUnknownReason.NoLimit;
                 if (Source == RenderTimeSourceKind.None) return RangeUnknownReason.NoRenderTime;
                 if (Source != _range.Source) return RangeUnknownReason.OtherSource;
                 return _isBeyond == true ? RangeUnknownReason.BeyondMeasured : RangeUnknownReason.TooFewFrames;
@@ -125,34 +124,31 @@ namespace Nowpose.Latency
             if (source != Source) Restart(source);
             if (source == RenderTimeSourceKind.None || renderTime <= TimeSpan.Zero) return;
             _recent.Add(renderTime);
-            if (_recent.Count < FramesToJudge) return;
-            if (_range == null) CompareWithRefresh(_recent.At(0.5));
-            else if (_range.Source == source) Judge(_recent.At(0.5));
+            if (_recent.Count >= FramesToJudge && Limit is TimeSpan limit) Judge(_recent.At(0.5), limit);
+        }
+
+        // Limit that applies to the current source; null if there is none.
+        TimeSpan? Limit
+        {
+            get
+            {
+                if (_range == null) return Source == RenderTimeSourceKind.DisplayGpuTime ? RefreshInterval : null;
+                return _range.Source == Source ? _range.Limit : (TimeSpan?)null;
+            }
         }
 
         void Restart(RenderTimeSourceKind source)
         {
             Source = source;
             _isBeyond = null;
-            _missesRefreshes = false;
             _recent.Reset();
             _clearFrames = 0;
         }
 
-        void CompareWithRefresh(TimeSpan median)
+        void Judge(TimeSpan median, TimeSpan limit)
         {
-            if (Source != RenderTimeSourceKind.DisplayGpuTime || !(RefreshInterval is TimeSpan limit)) return;
-            CountClear(median, limit);
-            if (median > limit) _missesRefreshes = true;
-            else if (_clearFrames >= FramesToReturn) _missesRefreshes = false;
-        }
-
-        void CountClear(TimeSpan median, TimeSpan limit) => _clearFrames = median.Ticks < ClearlyInside * limit.Ticks ? _clearFrames + 1 : 0;
-
-        void Judge(TimeSpan median)
-        {
-            CountClear(median, _range.Limit);
-            if (median > _range.Limit) _isBeyond = true;
+            _clearFrames = median.Ticks < ClearlyInside * limit.Ticks ? _clearFrames + 1 : 0;
+            if (median > limit) _isBeyond = true;
             else if (_isBeyond == null || _clearFrames >= FramesToReturn) _isBeyond = false;
         }
     }

@@ -24,7 +24,6 @@ namespace Nowpose.Session
             _conditions = new ConditionCheck(settings.RewriteBeforeRender);
             Selector = new DisplayTimeSelector(settings.Visualisation, settings.Profile);
             RenderTimes = new ConstantLatencyMonitor(settings.Range);
-            UpdateRefreshInterval();
         }
 
         public DisplayTimeSelector Selector { get; }
@@ -72,14 +71,7 @@ namespace Nowpose.Session
         public DisplayConditions Conditions
         {
             get { lock (_gate) return _conditions.Conditions; }
-            set
-            {
-                lock (_gate)
-                {
-                    _conditions.Report(value);
-                    UpdateRefreshInterval();
-                }
-            }
+            set { lock (_gate) _conditions.Report(value); }
         }
 
         public IReadOnlyList<ConditionMismatch> ProfileMismatches
@@ -104,19 +96,16 @@ namespace Nowpose.Session
             {
                 Selector.Calibrate(profile?.Visualisation ?? _settings.Visualisation, profile ?? _settings.Profile);
                 RenderTimes.Range = profile?.WatchedRange ?? _settings.Range;
-                UpdateRefreshInterval();
             }
         }
-
-        // The device's report takes precedence over the profile.
-        void UpdateRefreshInterval() => RenderTimes.RefreshInterval =
-            (_conditions.Conditions.DisplayHz ?? Selector.Profile?.Conditions.DisplayHz) is double hertz
-                ? new TimeSpan((long)(TimeSpan.TicksPerSecond / hertz)) : (TimeSpan?)null;
 
         public void Rendered(TimeSpan renderTime, RenderTimeSourceKind source)
         {
             lock (_gate)
             {
+                // The device's report takes precedence over the profile.
+                var hertz = _conditions.Conditions.DisplayHz ?? Selector.Profile?.Conditions.DisplayHz;
+                RenderTimes.RefreshInterval = hertz is double rate ? new TimeSpan((long)(TimeSpan.TicksPerSecond / rate)) : (TimeSpan?)null;
                 RenderTimes.Add(renderTime, source);
                 _newestRenderTime = source != RenderTimeSourceKind.None && renderTime > TimeSpan.Zero ? renderTime : (TimeSpan?)null;
             }
