@@ -78,7 +78,7 @@ static class DemoReport
         [DemoTexts.SynchronisedAfter, $"{Number(r.Clock.ConvergedS)} s"],
         [DemoTexts.FrameDuration, $"{Number(r.Frame.CpuUsP50)} µs, {Number(r.Frame.CpuUsP99)} µs"],
         [DemoTexts.AllocatedPerFrame, $"{Number(r.Frame.AllocatedBytesPerFrame)} B"],
-        [DemoTexts.Counts, $"{r.Frames}, {r.Samples}, {r.Dropped}"],
+        [DemoTexts.Counts, RunTexts.Counts(r.Frames, r.Samples, r.Dropped)],
         .. Facts(delays.Rows),
     ];
 

@@ -39,7 +39,7 @@ static class DemoTable
         var hindcast = result.Hindcast;
         var errors = hindcast.Withheld != null ? "" : ", " + DemoTexts.RmsFromTo(Mm(hindcast.HoldRmsMm), Mm(hindcast.RmsMm));
         Row(DemoTexts.AsMeasured, hindcast.ReductionText + errors);
-        Row(DemoTexts.ApplicationLatencyRow, DemoTexts.MedianP95(Ms(result.LatencyMs.AppP50), Ms(result.LatencyMs.AppP95)));
+        Row(RunTexts.ApplicationLatency, RunTexts.MedianP95(Ms(result.LatencyMs.AppP50), Ms(result.LatencyMs.AppP95)));
         Row(DemoTexts.VisualisationLatencyRow, Ms(result.LatencyMs.Visu));
         Row(DemoTexts.DisplayTimeErrorRow, DemoTexts.OnlyP95(Ms(result.LatencyMs.TotalErrorP95)));
         foreach (var (label, value) in new DemoBodyRows(result.Bodies).Rows) Row(label, value);
@@ -50,7 +50,7 @@ static class DemoTable
         Row(DemoTexts.SynchronisedAfterRow, Text(result.Clock.ConvergedS, "0.0", " s"));
         var allocated = Text(result.Frame.AllocatedBytesPerFrame, "0.##", " B");
         Row(DemoTexts.FrameRow, DemoTexts.FrameTimes(Us(result.Frame.CpuUsP50), Us(result.Frame.CpuUsP99), allocated));
-        Row(DemoTexts.CountsRow, $"{result.Frames}, {result.Samples}, {result.Dropped}");
+        Row(RunTexts.CountsRow, RunTexts.Counts(result.Frames, result.Samples, result.Dropped));
         foreach (var (label, value) in delays.Rows) Row(label, value);
         return grid;
     }

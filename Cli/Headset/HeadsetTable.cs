@@ -21,7 +21,7 @@ static class HeadsetTable
         Row(HeadsetTexts.SynchronisedAfter, Text(clock.SynchronisedAfterS, "0.0", " s"));
         Row(HeadsetTexts.ClockSteps, clock.Steps.ToString(CultureInfo.InvariantCulture));
         var latency = result.LatencyMs;
-        Row(HeadsetTexts.ApplicationLatency, HeadsetTexts.MedianP95(Text(latency.AppP50, "0.0", " ms"), Text(latency.AppP95, "0.0", " ms")));
+        Row(RunTexts.ApplicationLatency, RunTexts.MedianP95(Text(latency.AppP50, "0.0", " ms"), Text(latency.AppP95, "0.0", " ms")));
         Row(HeadsetTexts.VisualisationLatency, Text(latency.Visu, "0.0", " ms"));
         Row(HeadsetTexts.EndToEndLatency, Text(latency.EndToEnd, "0.0", " ms"));
         var pose = result.Pose;
@@ -37,7 +37,7 @@ static class HeadsetTable
         if (pose.NotCurrentS > 0) Row(HeadsetTexts.NotScored, HeadsetTexts.NotCurrent(Text(pose.NotCurrentS, "0.00", " s")));
         // A single stretch is the complete run, which is already shown.
         for (var i = 0; i < result.Stretches.Count && result.Stretches.Count > 1; i++) AddStretch(Row, i + 1, result.Stretches[i]);
-        Row(HeadsetTexts.Counts, $"{result.Frames}, {result.Samples}, {result.Dropped}");
+        Row(RunTexts.CountsRow, RunTexts.Counts(result.Frames, result.Samples, result.Dropped));
         console.Write(grid);
     }
 

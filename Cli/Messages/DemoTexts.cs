@@ -5,12 +5,10 @@ static class DemoTexts
 {
     public const string MovingWorkpieces = "workpieces while they move";
     public const string RotatingWorkpieces = "rotation of these workpieces";
-    public const string ApplicationLatencyRow = "application latency";
     public const string VisualisationLatencyRow = "visualisation latency";
     public const string DisplayTimeErrorRow = "display time error";
     public const string ClockErrorRow = "clock offset error";
     public const string SynchronisedAfterRow = "clock synchronised after";
-    public const string CountsRow = "frames, samples, dropped";
     public const string RenderLoadRow = "render load";
     public const string RangeRow = "constant-latency range";
     public const string NotFoundAgain = "not found again";
@@ -28,7 +26,6 @@ static class DemoTexts
     public static string ReportTitle(string robot) => $"Nowpose demo: {robot}";
     public static string RmsFromTo(string uncompensated, string compensated) => $"{uncompensated} to {compensated} RMS";
     public static string RmsWithReduction(string from, string to, string reduction) => $"{from} to {to} RMS, reduction {reduction}";
-    public static string MedianP95(string median, string p95) => $"{median} median, {p95} P95";
     public static string OnlyP95(string p95) => $"{p95} P95";
     public static string MedianP95Maximum(string median, string p95, string maximum) => $"{median} median, {p95} P95, {maximum} maximum";
     public static string FrameTimes(string median, string p99, string allocated) => $"{median} median, {p99} P99, {allocated} allocated";

@@ -1,4 +1,4 @@
-using System.Globalization;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -47,7 +47,7 @@ static class DropMessages
         DropReason.JointTaken => "belongs to another source",
         DropReason.NotUnitQuaternion => FormattableString.Invariant(
             $"the norm of a rotation differs from 1 by more than the maximum of {FrameTransform.NormTolerance}; normalise the quaternion"),
-        DropReason.OwnParent => "a frame is its own parent; correct its header.frame_id",
+        DropReason.OwnParent => FrameMessages.OwnParent,
         DropReason.WorldAsChild => $"is not possible: {FrameParents.World} is the root of all frames, so it has no parent; rename the child frame",
         DropReason.FrameCycle => "is a cycle: its parent depends on the frame itself; correct its header.frame_id",
         DropReason.FrameTooDeep => $"is more than {ProtocolLimits.FrameDepth} transforms below the root; reduce the depth",

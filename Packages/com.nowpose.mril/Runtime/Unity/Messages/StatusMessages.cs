@@ -38,7 +38,6 @@ namespace Nowpose.Unity.Messages
         public const string BaseNotCurrent = "its base is not current";
         public const string RobotNotAdded = "not added to the session; the log states the reason";
         public const string NoLimit = "no limit is known";
-        public const string OtherSourceLimit = "limit is for another source";
 
         public static string Spread(double millimetres, double degrees) =>
             FormattableString.Invariant($"spread {millimetres:0.0} mm {degrees:0.0}°");
@@ -76,7 +75,7 @@ namespace Nowpose.Unity.Messages
                 case RangeUnknownReason.NoLimit: return NoLimit;
                 case RangeUnknownReason.NoRenderTime: return "not measured";
                 case RangeUnknownReason.TooFewFrames: return "measuring";
-                case RangeUnknownReason.OtherSource: return OtherSourceLimit;
+                case RangeUnknownReason.OtherSource: return StateNames.OtherSourceLimit;
                 case RangeUnknownReason.LongerThanRefresh: return StateNames.FramesMissRefreshes;
                 case RangeUnknownReason.BeyondMeasured: return StateNames.BeyondMeasured;
                 default: return null;
