@@ -11,8 +11,8 @@ static class AblationVerb
 {
     static readonly PredictionParts[] Parts =
     [
-        PredictionParts.Repetition, PredictionParts.FrequentMatching, PredictionParts.Profiles, PredictionParts.Process, PredictionParts.Quadratic, PredictionParts.Cubic,
-        PredictionParts.Reported, PredictionParts.ChangePoints, PredictionParts.RestWeights, PredictionParts.FirstMoves,
+        PredictionParts.Repetition, PredictionParts.Profiles, PredictionParts.Process, PredictionParts.Quadratic, PredictionParts.Cubic, PredictionParts.Reported,
+        PredictionParts.ChangePoints, PredictionParts.RestWeights, PredictionParts.FirstMoves,
         PredictionParts.OutlierThreshold, PredictionParts.StampCorrection, PredictionParts.Thinning, PredictionParts.Interpolation,
     ];
 

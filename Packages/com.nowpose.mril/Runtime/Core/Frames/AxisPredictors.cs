@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Prediction;
+using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Frames
 {
@@ -31,6 +32,9 @@ namespace Nowpose.Frames
 
         /// <inheritdoc cref="JointPredictor.Horizon"/>
         public double Horizon => _x.Horizon;
+
+        /// <summary>State of the first component's motion; its times and intervals are those of the whole vector.</summary>
+        public MotionState Motion => _x.Motion;
 
         /// <summary>Adds a sample. Samples may be added in any order. For the parameters, see <see cref="JointPredictor.Add"/>.</summary>
         public DropReason Add(double time, in Vector3D position, double order, double displayed)

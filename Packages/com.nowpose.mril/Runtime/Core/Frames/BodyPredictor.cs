@@ -16,13 +16,12 @@ namespace Nowpose.Frames
         /// <summary>
         /// Parts of <c>adaptive</c> for a body. A tracker's noise makes two samples of an object at rest look like the start of a fast
         /// motion, so the rule for first moves is left out: with it, the error at rest was 1.4 times as large. An object has no drive limits,
-        /// so profiles are left out as well. The search for repeated moves reduces the error for a shuttle to 25 % and for a cam to 46 %. It
-        /// compares fewer samples with the history than it does for joints, because a cell has many objects. Without the parabola, the weights at
-        /// rest and the outlier threshold, the position errors of 1 110 simulated motions are 1.3 % larger, their rotation errors 0.8 % smaller, and
-        /// processing a sample takes up to a fifth less time.
+        /// so profiles are left out as well. Repetitions are found for whole vectors (<see cref="RepeatedVector"/>). Without the parabola, the weights
+        /// at rest and the outlier threshold, the position errors of 1 110 simulated motions are 1.3 % larger, their rotation errors 0.8 % smaller,
+        /// and processing a sample takes up to a fifth less time.
         /// </summary>
         const PredictionParts Parts = PredictionParts.Samples | PredictionParts.Quadratic | PredictionParts.Cubic | PredictionParts.Process
-            | PredictionParts.Repetition | PredictionParts.ChangePoints;
+            | PredictionParts.ChangePoints;
 
         /// <summary>
         /// Degree and history of the polynomials that are mixed with <c>adaptive</c>. Hold and line must be the first two. A polynomial with a

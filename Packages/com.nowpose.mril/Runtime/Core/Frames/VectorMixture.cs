@@ -6,7 +6,7 @@ namespace Nowpose.Frames
 {
     /// <summary>
     /// Predicts a vector by one predictor per component, alone or in a mixture with polynomials of the vector. The weights are common to the
-    /// three components.
+    /// three components. A repetition (<see cref="RepeatedVector"/>) replaces the mixture while its error is clearly smaller.
     /// </summary>
     /// <remarks>
     /// The predictors of the components are the prior: they have the full weight until samples have shown their error. Each sample shows the
@@ -49,6 +49,9 @@ namespace Nowpose.Frames
 
         readonly VectorPolynomial[] _polynomials;
         readonly RecentVectors _recent;
+
+        // Null without a mixture.
+        readonly RepeatedVector _repeated;
         readonly VectorBlend _blend;
         readonly double _horizonCap;
         readonly MixtureWeights _weights;
@@ -76,6 +79,7 @@ namespace Nowpose.Frames
             var samples = MinRecent;
             foreach (var (_, history) in polynomials) samples = Math.Max(samples, history + 1);
             _recent = new RecentVectors(samples, limits.MaximumGap);
+            _repeated = polynomials.Length > 0 ? new RepeatedVector(limits) : null;
             _blend = new VectorBlend(blend);
             _horizonCap = limits.HorizonCap;
             _prior = new double[1 + polynomials.Length];
@@ -109,6 +113,7 @@ namespace Nowpose.Frames
         {
             // Between samples, the prior interpolates.
             if (_polynomials.Length == 0 || time <= Main.NewestTime) return Main.At(time);
+            if (_repeated.IsUsed) return _repeated.At(time);
             if (_newestTime < _lineUntil) return Forecast(Line, time);
             if (_scatter.Scatters && _weights.Evidence < MinEvidence) return Main.Hold;
             var sum = default(Vector3D);
@@ -147,6 +152,7 @@ namespace Nowpose.Frames
             _blend.Clear();
             _distance.Clear();
             _waiting.Clear();
+            _repeated?.Reset();
             _newestTime = _newestOrder = _lineUntil = double.NegativeInfinity;
         }
 
@@ -157,6 +163,7 @@ namespace Nowpose.Frames
             _scatter.Add(position);
             if (_scatter.HasLeft && IsFirstMove(interval, position)) _lineUntil = time + Main.Horizon + interval;
             (_newestTime, _newestOrder, _newest) = (time, order, position);
+            _repeated.Add(position, Main.Motion);
             _recent.Add(time, position);
             foreach (var polynomial in _polynomials) polynomial.Solve(_recent);
             // All forecasts from a single sample are equal to it.
@@ -179,6 +186,7 @@ namespace Nowpose.Frames
                 expected.Forecasts[i] = Forecast(i, due);
                 sum += expected.Forecasts[i] * _weights.Values[i];
             }
+            (expected.Mixture, expected.Repeated) = (sum, _repeated.ForecastFor(due));
             _distance.Add(interval, (sum - expected.Forecasts[Line]).Length);
         }
 
@@ -193,7 +201,9 @@ namespace Nowpose.Frames
                 var expected = _waiting[0];
                 if (!(interval < MaxInterval) || expected.Due < _newestTime) continue;
                 var fraction = (expected.Due - _newestTime) / interval;
-                hasScored |= Score(expected.Forecasts, _newest + (position - _newest) * fraction, forgettingFactor);
+                var truth = _newest + (position - _newest) * fraction;
+                hasScored |= Score(expected.Forecasts, truth, forgettingFactor);
+                _repeated.Score(expected.Repeated, expected.Mixture, truth, time);
             }
             if (hasScored) _weights.Solve(_prior, PriorWeight * (1 - forgettingFactor));
         }
@@ -219,6 +229,11 @@ namespace Nowpose.Frames
 
             /// <summary>One vector per forecast.</summary>
             public Vector3D[] Forecasts { get; }
+
+            /// <summary>Weighted sum of the forecasts.</summary>
+            public Vector3D Mixture { get; set; }
+
+            public RepeatedVector.Forecast Repeated { get; set; }
         }
     }
 }

@@ -66,6 +66,9 @@ namespace Nowpose.Prediction
         /// <summary>Mean time from the newest sample to the display time, in s; forecasts are weighted for it.</summary>
         public double Horizon => _motion.Horizon;
 
+        /// <summary>State of the motion after the newest sample.</summary>
+        internal MotionState Motion => _motion;
+
         /// <summary>
         /// Number of times that the samples showed that their clock went back. All earlier samples are then discarded, and the added sample
         /// is the newest.

@@ -50,10 +50,6 @@ namespace Nowpose.Prediction
         /// <summary>A first move, which is much faster than the previous motion, starts with a line and continues with the prior weights.</summary>
         FirstMoves = 4096,
 
-        /// <summary>Template matching compares each sample with the history, not only every third.</summary>
-        FrequentMatching = 8192,
-
         All = Samples | Quadratic | Cubic | Process | Reported | Repetition | Profiles | ChangePoints | RestWeights | OutlierThreshold | FirstMoves
-            | FrequentMatching
     }
 }

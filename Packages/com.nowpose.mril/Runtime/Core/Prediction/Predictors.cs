@@ -25,13 +25,14 @@ namespace Nowpose.Prediction
         /// limit for templates is smaller, because the error of a false repetition is large: with 0.36, the error for a robot with ten different
         /// moves was 5 % larger. The error of a wrong profile is small.
         /// </summary>
-        const double TemplateGate = 0.3, ProfileGate = 0.8;
+        internal const double TemplateGate = 0.3;
+        const double ProfileGate = 0.8;
 
         /// <summary>
         /// The same for repetitions at a standstill: the start of one of several moves may be correct by chance. With 0.3, the error of a
         /// robot with four moves in random order is 6 % larger.
         /// </summary>
-        const double StartGate = 0.09;
+        internal const double StartGate = 0.09;
 
         /// <summary>
         /// Weight of the line in the prior: on first moves of real machines, a Gaussian process alone overshoots more. On a welding robot, the error
@@ -45,12 +46,8 @@ namespace Nowpose.Prediction
         /// </summary>
         const double ReportedPrior = 0.7;
 
-        /// <summary>
-        /// Minimum interval between two comparisons with the history, in s: MatchInterval for joints, RareMatchInterval for tracked objects, which
-        /// have six coordinates each. At sampling intervals of 50 ms, joints compare each sample; with the interval of objects, their errors are
-        /// about 2 % larger.
-        /// </summary>
-        const double MatchInterval = 0.035, RareMatchInterval = 0.14;
+        /// <summary>Minimum interval between two comparisons with the history, in s: each sample at sampling intervals of 50 ms.</summary>
+        const double MatchInterval = 0.035;
 
         const string HistoryMark = "-h";
 
@@ -95,12 +92,11 @@ namespace Nowpose.Prediction
         {
             shared ??= new SharedForecasters();
             var forecasters = more.Length > 0 ? Mixed(parts, more) : shared.Mixed ??= Mixed(parts, more);
-            var candidates = new List<CandidateGate>();
-            var matchInterval = Has(parts, PredictionParts.FrequentMatching) ? MatchInterval : RareMatchInterval;
+            var candidates = new List<(Forecaster, CandidateGate)>();
             if (Has(parts, PredictionParts.Repetition))
-                candidates.Add(new CandidateGate(new TemplateForecaster(limits, matchInterval), TemplateGate, StartGate));
+                candidates.Add((new TemplateForecaster(limits.MaximumGap, MatchInterval), new CandidateGate(TemplateGate, StartGate)));
             if (Has(parts, PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
-                candidates.Add(new CandidateGate(new ProfileForecaster(limits), ProfileGate, ProfileGate));
+                candidates.Add((new ProfileForecaster(limits), new CandidateGate(ProfileGate, ProfileGate)));
             return new JointPredictor(new Mixer(limits, parts, forecasters, candidates.ToArray()), Kept, parts, limits, blend);
         }
 

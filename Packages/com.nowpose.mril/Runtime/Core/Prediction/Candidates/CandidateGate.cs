@@ -49,18 +49,12 @@ namespace Nowpose.Prediction.Candidates
         Record _still;
         double _maxSquare;
 
-        /// <param name="forecaster">The candidate; neither scored nor used while it has no forecast.</param>
         /// <param name="maxErrorRatio">
         /// Maximum ratio, 0 to 1, of the candidate's mean square error to the mixture's mean square error at which the candidate is used in motion.
         /// </param>
         /// <param name="maxStillErrorRatio">The same for forecasts from a standstill.</param>
-        public CandidateGate(Forecaster forecaster, double maxErrorRatio, double maxStillErrorRatio)
-        {
-            Forecaster = forecaster;
+        public CandidateGate(double maxErrorRatio, double maxStillErrorRatio) =>
             (_maxErrorRatio, _maxStillErrorRatio) = (maxErrorRatio, maxStillErrorRatio);
-        }
-
-        public Forecaster Forecaster { get; }
 
         /// <summary>
         /// Returns the candidate's sum of squared errors relative to that of the mixture; infinite while the candidate must not replace the
@@ -99,7 +93,6 @@ namespace Nowpose.Prediction.Candidates
 
         public void Reset()
         {
-            Forecaster.Reset();
             _moving = _still = default;
             _maxSquare = 0;
         }

@@ -5,12 +5,12 @@ using System.Runtime.InteropServices;
 namespace Nowpose.Prediction.Candidates
 {
     /// <summary>
-    /// Finds how long ago the joint moved in the same way as now. Determines the lags, in whole grid steps, at which the past motion is most similar
-    /// to the present motion.
+    /// Finds how long ago the motion was the same as now: the lags, in whole grid steps, at which the past motion is most similar to the present
+    /// motion.
     /// </summary>
     /// <remarks>
-    /// For every lag k it sums the squared differences x(n) − x(n−k) with exponential forgetting, one addition per lag and
-    /// compared grid point. The last half second therefore counts most, which distinguishes one dwell from another. The positions of
+    /// For every lag k it sums the squared differences x(n) − x(n−k) of all components with exponential forgetting, one addition per lag, component
+    /// and compared grid point. The last half second therefore counts most, which distinguishes one dwell from another. The positions of
     /// a continuous joint are unwrapped, so a cycle that ends one or more turns away from its start is not recognised. Allocates nothing after
     /// construction.
     /// </remarks>
@@ -68,17 +68,31 @@ namespace Nowpose.Prediction.Candidates
 
         // Positions of the history relative to its first position. Grid points that are one lag step apart are adjacent in a row. Each row is a ring
         // buffer with the newest point first. A pass over the lags therefore reads adjacent elements, and only a quarter to a tenth of the memory
-        // that it would read in the history. The histories of many joints together exceed the processor's cache.
-        readonly float[] _rows = new float[MotionHistory.Capacity];
+        // that it would read in the history. The histories of many joints together exceed the processor's cache. The rows of a component follow those of
+        // the previous component.
+        readonly float[] _rows;
         int _rowLength;
-        double _origin;
+
+        // Position of each component at the first and at the newest grid point; the newest is relative to the first.
+        readonly double[] _origins;
+        readonly float[] _positions;
         long _taken;
+
+        // Whether a component has ever differed from its first position. The others are the same at all lags.
+        readonly bool[] _varies;
 
         // _step: grid steps between successive lags. _stride: grid steps between successive compared points. The forgetting factor is per comparison.
         int _step, _stride;
         double _forgettingFactor;
 
-        public LagSearch(MotionHistory history) => _history = history;
+        public LagSearch(MotionHistory history)
+        {
+            _history = history;
+            _rows = new float[history.Components * MotionHistory.Capacity];
+            _origins = new double[history.Components];
+            _positions = new float[history.Components];
+            _varies = new bool[history.Components];
+        }
 
         /// <summary>The best lags, the best first. Only the first <see cref="Count"/> elements are valid.</summary>
         public int[] Lags { get; } = new int[Kept];
@@ -90,6 +104,7 @@ namespace Nowpose.Prediction.Candidates
         {
             Array.Clear(_costs, 0, _costs.Length);
             _costs[0] = float.PositiveInfinity;
+            Array.Clear(_varies, 0, _varies.Length);
             _taken = 0;
             Count = 0;
             if (!(_history.Step > 0)) return;
@@ -105,19 +120,27 @@ namespace Nowpose.Prediction.Candidates
         {
             for (; _taken < _history.Count; _taken++)
             {
-                if (_taken == 0) _origin = _history[0];
-                var position = FromOrigin(_history[_taken]);
-                _rows[PlaceOf(_taken)] = position;
-                if (_taken % _stride == 0 && _taken >= minLag) Compare(_taken, position, minLag);
+                Take(_taken);
+                if (_taken % _stride == 0 && _taken >= minLag) Compare(_taken, minLag);
             }
         }
 
-        float FromOrigin(double position) => (float)Math.Max(-MaxDistance, Math.Min(MaxDistance, position - _origin));
+        void Take(long point)
+        {
+            for (int c = 0, from = _history.PlaceOf(point), to = PlaceOf(point); c < _positions.Length; c++, to += MotionHistory.Capacity)
+            {
+                var position = _history.Points[from + c];
+                if (point == 0) _origins[c] = position;
+                _rows[to] = _positions[c] = (float)Math.Max(-MaxDistance, Math.Min(MaxDistance, position - _origins[c]));
+                _varies[c] |= _positions[c] != 0;
+            }
+        }
 
         int PlaceOf(long point) => (int)(point % _step) * _rowLength + _rowLength - 1 - (int)(point / _step % _rowLength);
 
-        // Adds the squared difference between a position and the position one lag earlier to the cost of each lag, and finds the best local minima.
-        void Compare(long newest, float position, int minLag)
+        // Adds the squared difference between the newest position and the position one lag earlier to the cost of each lag, and finds the best local
+        // minima.
+        void Compare(long newest, int minLag)
         {
             var longest = (int)Math.Min(Math.Min(MaxLag / _history.Step, MotionHistory.Capacity - 1), newest);
             var lags = (longest - minLag) / _step + 1;
@@ -125,26 +148,32 @@ namespace Nowpose.Prediction.Candidates
             var start = place - place % _rowLength;
             // The row is a ring buffer, so the earliest positions are at its start.
             var first = Math.Min(lags, start + _rowLength - place);
-            AddSquares(_costs.AsSpan(1, first), _rows.AsSpan(place, first), position);
-            AddSquares(_costs.AsSpan(1 + first, lags - first), _rows.AsSpan(start, lags - first), position);
+            var (forgettingFactor, min) = ((float)_forgettingFactor, MinCost);
+            for (int c = 0, row = 0; c < _positions.Length; c++, row += MotionHistory.Capacity)
+            {
+                if (!_varies[c]) continue;
+                AddSquares(_costs.AsSpan(1, first), _rows.AsSpan(row + place, first), _positions[c], forgettingFactor, min);
+                AddSquares(_costs.AsSpan(1 + first, lags - first), _rows.AsSpan(row + start, lags - first), _positions[c], forgettingFactor, min);
+                (forgettingFactor, min) = (1, 0);
+            }
             FindMinima(lags, minLag, Math.Min(newest, MotionHistory.Capacity) - MotionHistory.Margin);
         }
 
         // Computing with vectors of four takes a third of the time.
-        void AddSquares(Span<float> costs, Span<float> positions, float position)
+        static void AddSquares(Span<float> costs, Span<float> positions, float position, float forgettingFactor, float min)
         {
             var vectors = MemoryMarshal.Cast<float, Vector4>(costs);
             var others = MemoryMarshal.Cast<float, Vector4>(positions);
-            var (forgettingFactor, vector, min) = ((float)_forgettingFactor, new Vector4(position), new Vector4(MinCost));
+            var (vector, mins) = (new Vector4(position), new Vector4(min));
             for (var i = 0; i < vectors.Length; i++)
             {
                 var difference = vector - others[i];
-                vectors[i] = forgettingFactor * vectors[i] + difference * difference + min;
+                vectors[i] = forgettingFactor * vectors[i] + difference * difference + mins;
             }
             for (var i = vectors.Length * 4; i < costs.Length; i++)
             {
                 var difference = position - positions[i];
-                costs[i] = forgettingFactor * costs[i] + difference * difference + MinCost;
+                costs[i] = forgettingFactor * costs[i] + difference * difference + min;
             }
         }
 

@@ -3,10 +3,10 @@ using System.Runtime.CompilerServices;
 
 namespace Nowpose.Prediction.Candidates
 {
-    /// <summary>Keeps two minutes of a joint's motion on a uniform time grid, interpolated from samples at any intervals.</summary>
+    /// <summary>Keeps two minutes of a motion on a uniform time grid, interpolated from samples at any intervals.</summary>
     /// <remarks>
     /// Indices count grid points since the start and never wrap. The grid ends one sample before the newest sample, so that every
-    /// point has samples on both sides. Allocates nothing after construction.
+    /// point has samples on both sides. A position has one component (a joint) or several (a vector). Allocates nothing after construction.
     /// </remarks>
     sealed class MotionHistory
     {
@@ -16,8 +16,7 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         public const int Capacity = 8192;
 
-        /// <summary>The grid point of an index is at <c>index &amp; Mask</c> in <see cref="Points"/>.</summary>
-        public const int Mask = Capacity - 1;
+        const int Mask = Capacity - 1;
 
         /// <summary>
         /// Number of newest grid points that a match must not include, because the spline also needs points after the last point that is read.
@@ -39,11 +38,24 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         public const double Rounding = 1e-6;
 
+        // The newest samples, newest first; the components of a position are adjacent.
         readonly double[] _times = new double[Neighbours];
-        readonly double[] _positions = new double[Neighbours];
+        readonly double[] _positions;
+        readonly double[] _maxDisplacements;
         int _samples;
-        double _maxDisplacement;
         double _start;
+
+        /// <param name="components">Number of components of a position.</param>
+        public MotionHistory(int components)
+        {
+            Components = components;
+            Points = new double[Capacity * components];
+            _positions = new double[Neighbours * components];
+            _maxDisplacements = new double[components];
+        }
+
+        /// <summary>Number of components of a position.</summary>
+        public int Components { get; }
 
         /// <summary>Grid step, s.</summary>
         public double Step { get; private set; }
@@ -51,11 +63,8 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Grid points since the start; the newest <see cref="Capacity"/> of them are kept.</summary>
         public long Count { get; private set; }
 
-        /// <summary>Ring buffer of the positions at the grid points, for loops over many of them.</summary>
-        public double[] Points { get; } = new double[Capacity];
-
-        /// <summary>Position at a grid point, which must be one of the newest <see cref="Capacity"/>.</summary>
-        public double this[long index] => Points[(int)index & Mask];
+        /// <summary>Ring buffer of the positions at the grid points; the components of a position are adjacent.</summary>
+        public double[] Points { get; }
 
         /// <summary>Clears the history and sets the grid step.</summary>
         /// <param name="step">Grid step in s.</param>
@@ -64,83 +73,86 @@ namespace Nowpose.Prediction.Candidates
             Step = step;
             Count = 0;
             _samples = 0;
-            _maxDisplacement = 0;
+            Array.Clear(_maxDisplacements, 0, Components);
         }
 
         /// <summary>Adds a sample that is newer than all previous samples.</summary>
-        public void Add(double time, double position)
+        /// <param name="position">One number per component.</param>
+        public void Add(double time, ReadOnlySpan<double> position)
         {
             if (_samples == 0) _start = time;
             else if (!(time > _times[0])) return;
-            for (var i = Neighbours - 1; i > 0; i--)
-            {
-                _times[i] = _times[i - 1];
-                _positions[i] = _positions[i - 1];
-            }
+            Array.Copy(_times, 0, _times, 1, Neighbours - 1);
+            Array.Copy(_positions, 0, _positions, Components, (Neighbours - 1) * Components);
             _times[0] = time;
-            _positions[0] = position;
+            position.CopyTo(_positions);
             if (_samples < Neighbours)
             {
                 // Until there are enough samples, the first one is repeated backwards in time.
                 for (var i = _samples + 1; i < Neighbours; i++)
                 {
                     _times[i] = _times[i - 1] - Step;
-                    _positions[i] = _positions[i - 1];
+                    Array.Copy(_positions, (i - 1) * Components, _positions, i * Components, Components);
                 }
                 _samples++;
             }
-            if (_samples == Neighbours) ReplaceSpike();
-            for (; TimeOf(Count) <= _times[1] + Rounding * Step; Count++) Points[(int)Count & Mask] = Between(TimeOf(Count));
+            if (_samples == Neighbours)
+                for (var c = 0; c < Components; c++) ReplaceSpike(c);
+            for (; TimeOf(Count) <= _times[1] + Rounding * Step; Count++) Interpolate(TimeOf(Count), PlaceOf(Count));
         }
 
         // A wrong sample would reappear in a forecast whenever the motion repeats.
-        void ReplaceSpike()
+        void ReplaceSpike(int component)
         {
-            double to = _positions[1] - _positions[2], from = _positions[0] - _positions[1];
+            double newest = _positions[component], before = _positions[2 * Components + component];
+            ref var middle = ref _positions[Components + component];
+            ref var max = ref _maxDisplacements[component];
+            double to = middle - before, from = newest - middle;
             var less = Math.Min(Math.Abs(to), Math.Abs(from));
-            if (to * from >= 0) _maxDisplacement = Math.Max(_maxDisplacement, less);
-            else if (_maxDisplacement > 0 && less > SpikeRatio * _maxDisplacement)
-                _positions[1] = _positions[2] + (_positions[0] - _positions[2]) * (_times[1] - _times[2]) / (_times[0] - _times[2]);
+            if (to * from >= 0) max = Math.Max(max, less);
+            else if (max > 0 && less > SpikeRatio * max) middle = before + (newest - before) * (_times[1] - _times[2]) / (_times[0] - _times[2]);
         }
+
+        /// <summary>Returns the place of a grid point in <see cref="Points"/>. The point must be one of the newest <see cref="Capacity"/>.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public int PlaceOf(long index) => ((int)index & Mask) * Components;
 
         /// <summary>Converts a time to a fractional grid index.</summary>
         public double IndexOf(double time) => (time - _start) / Step;
 
-        /// <summary>Returns the position at a fractional index by a Catmull-Rom spline; it needs two points on either side.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public double At(double index)
+        /// <summary>Adds the weighted position at a fractional index, by a Catmull-Rom spline; it needs two points on either side.</summary>
+        /// <param name="sum">One number per component.</param>
+        public void AddTo(Span<double> sum, double index, double weight)
         {
             var cell = (long)index;
-            var (f, i, points) = (index - cell, (int)cell, Points);
-            double p0 = points[(i - 1) & Mask], p1 = points[i & Mask], p2 = points[(i + 1) & Mask], p3 = points[(i + 2) & Mask];
-            return p1 + 0.5 * f * (p2 - p0 + f * (2 * p0 - 5 * p1 + 4 * p2 - p3 + f * (3 * (p1 - p2) + p3 - p0)));
+            var (f, points) = (index - cell, Points);
+            int before = PlaceOf(cell - 1), here = PlaceOf(cell), next = PlaceOf(cell + 1), after = PlaceOf(cell + 2);
+            for (var c = 0; c < sum.Length; c++)
+            {
+                double p0 = points[before + c], p1 = points[here + c], p2 = points[next + c], p3 = points[after + c];
+                sum[c] += weight * (p1 + 0.5 * f * (p2 - p0 + f * (2 * p0 - 5 * p1 + 4 * p2 - p3 + f * (3 * (p1 - p2) + p3 - p0))));
+            }
         }
 
-        /// <summary>Adds the weighted positions at equidistant indices to a table.</summary>
-        /// <param name="index">First index, as in <see cref="At"/>.</param>
-        /// <param name="step">Interval of the indices.</param>
-        /// <param name="offset">Value that is added to each position.</param>
-        public void AddTo(double[] table, int start, int count, double index, double step, double weight, double offset)
-        {
-            for (var k = start; k < start + count; k++, index += step) table[k] += weight * (offset + At(index));
-        }
-
-        /// <summary>Returns whether <see cref="At"/> has a position for an index.</summary>
+        /// <summary>Returns whether there is a position at an index.</summary>
         public bool Covers(double index) => index < Count - 2 && index >= 1 && index >= Count - Capacity + 1;
 
         double TimeOf(long index) => _start + index * Step;
 
         // Cubic Hermite between samples 2 and 1, with slopes of the parabolas through their neighbours.
-        double Between(double time)
+        void Interpolate(double time, int place)
         {
-            double h0 = _times[2] - _times[3], h1 = _times[1] - _times[2], h2 = _times[0] - _times[1];
-            double d0 = (_positions[2] - _positions[3]) / h0, d1 = (_positions[1] - _positions[2]) / h1, d2 = (_positions[0] - _positions[1]) / h2;
-            var m1 = (d0 * h1 + d1 * h0) / (h0 + h1);
-            var m2 = (d1 * h2 + d2 * h1) / (h1 + h2);
-            var x = time - _times[2];
-            var c = (3 * d1 - 2 * m1 - m2) / h1;
-            var d = (m1 + m2 - 2 * d1) / (h1 * h1);
-            return _positions[2] + x * (m1 + x * (c + x * d));
+            double h0 = _times[2] - _times[3], h1 = _times[1] - _times[2], h2 = _times[0] - _times[1], x = time - _times[2];
+            for (var c = 0; c < Components; c++)
+            {
+                double p1 = _positions[Components + c], p2 = _positions[2 * Components + c];
+                double d0 = (p2 - _positions[3 * Components + c]) / h0, d1 = (p1 - p2) / h1, d2 = (_positions[c] - p1) / h2;
+                var m1 = (d0 * h1 + d1 * h0) / (h0 + h1);
+                var m2 = (d1 * h2 + d2 * h1) / (h1 + h2);
+                var square = (3 * d1 - 2 * m1 - m2) / h1;
+                var cube = (m1 + m2 - 2 * d1) / (h1 * h1);
+                Points[place + c] = p2 + x * (m1 + x * (square + x * cube));
+            }
         }
     }
 }

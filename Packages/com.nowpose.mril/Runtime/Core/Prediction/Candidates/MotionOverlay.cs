@@ -36,35 +36,42 @@ namespace Nowpose.Prediction.Candidates
 
         readonly MotionHistory _history;
 
-        // The compared samples, newest first: grid index, nearest grid point, and position.
+        // The compared samples, newest first: grid index, nearest grid point, and position, whose components are adjacent.
         readonly double[] _indices = new double[2 * ComparedSamples];
         readonly int[] _nearest = new int[2 * ComparedSamples];
-        readonly double[] _positions = new double[2 * ComparedSamples];
+        readonly double[] _positions;
         int _count;
 
         // Gauss-Newton step from the lag of the last comparison.
         double _step;
 
-        public MotionOverlay(MotionHistory history) => _history = history;
+        public MotionOverlay(MotionHistory history)
+        {
+            _history = history;
+            _positions = new double[2 * ComparedSamples * history.Components];
+            Offsets = new double[history.Components];
+        }
 
         /// <summary>Mean square of the samples' distances from the history, after <see cref="Compare"/>.</summary>
         public double MeanSquare { get; private set; }
 
-        /// <summary>Mean distance of the newest two samples from the history, after <see cref="Compare"/>.</summary>
-        public double Offset { get; private set; }
+        /// <summary>Mean distance of the newest two samples from the history in each component, after <see cref="Compare"/>.</summary>
+        public double[] Offsets { get; }
 
         /// <summary>Sets the samples to compare with the history.</summary>
+        /// <param name="times">Times of the newest samples, newest first.</param>
+        /// <param name="positions">Their positions; the components of a position are adjacent.</param>
         /// <param name="count">Number of newest samples.</param>
-        public void Take(SampleHistory newest, int count)
+        public void Take(double[] times, double[] positions, int count)
         {
             _count = 0;
-            var stride = 1 + (count - 1) / ComparedSamples;
+            var (stride, n) = (1 + (count - 1) / ComparedSamples, _history.Components);
             for (var age = 0; age < count; age += age == 0 ? 1 : stride)
             {
-                ref readonly var sample = ref newest[age];
-                _indices[_count] = _history.IndexOf(sample.Time);
+                _indices[_count] = _history.IndexOf(times[age]);
                 _nearest[_count] = (int)(long)(_indices[_count] + 0.5);
-                _positions[_count++] = sample.Position;
+                for (var c = 0; c < n; c++) _positions[_count * n + c] = positions[age * n + c];
+                _count++;
             }
         }
 
@@ -88,25 +95,28 @@ namespace Nowpose.Prediction.Candidates
             MeanSquare = double.PositiveInfinity;
             _step = 0;
             if (!_history.Covers(_indices[0] - lag) || !_history.Covers(_indices[_count - 1] - lag)) return false;
-            var points = _history.Points;
-            double sum = 0, offset = 0, pull = 0, stiffness = 0;
-            for (var k = 0; k < _count; k++)
+            var (points, n) = (_history.Points, _history.Components);
+            double sum = 0, pull = 0, stiffness = 0;
+            Array.Clear(Offsets, 0, n);
+            for (int k = 0, at = 0; k < _count; k++, at += n)
             {
                 var index = _indices[k] - lag;
                 var cell = (long)index;
-                var (f, i) = (index - cell, (int)cell);
-                double p0 = points[(i - 1) & MotionHistory.Mask], p1 = points[i & MotionHistory.Mask];
-                double p2 = points[(i + 1) & MotionHistory.Mask], p3 = points[(i + 2) & MotionHistory.Mask];
-                // The same Catmull-Rom spline as in MotionHistory.At, and its derivative.
-                double a = p2 - p0, b = 2 * p0 - 5 * p1 + 4 * p2 - p3, c = 3 * (p1 - p2) + p3 - p0;
-                var error = _positions[k] - p1 - 0.5 * f * (a + f * (b + f * c));
-                var speed = 0.5 * (a + f * (2 * b + 3 * f * c));
-                sum += error * error;
-                pull += error * speed;
-                stiffness += speed * speed;
-                if (k < 2) offset += error;
+                var f = index - cell;
+                int before = _history.PlaceOf(cell - 1), here = _history.PlaceOf(cell), next = _history.PlaceOf(cell + 1), after = _history.PlaceOf(cell + 2);
+                for (var c = 0; c < n; c++)
+                {
+                    double p0 = points[before + c], p1 = points[here + c], p2 = points[next + c], p3 = points[after + c];
+                    // The same Catmull-Rom spline as in MotionHistory.AddTo, and its derivative.
+                    double first = p2 - p0, second = 2 * p0 - 5 * p1 + 4 * p2 - p3, third = 3 * (p1 - p2) + p3 - p0;
+                    var error = _positions[at + c] - p1 - 0.5 * f * (first + f * (second + f * third));
+                    var speed = 0.5 * (first + f * (2 * second + 3 * f * third));
+                    sum += error * error;
+                    pull += error * speed;
+                    stiffness += speed * speed;
+                    if (k < 2) Offsets[c] += error / Math.Min(_count, 2);
+                }
             }
-            Offset = offset / Math.Min(_count, 2);
             MeanSquare = sum / _count;
             if (stiffness > 0) _step = pull > stiffness ? 1 : pull < -stiffness ? -1 : pull / stiffness;
             return true;
@@ -143,12 +153,15 @@ namespace Nowpose.Prediction.Candidates
         double Nearness(int lag, double enough)
         {
             if (!_history.Covers(_indices[0] - lag) || !_history.Covers(_indices[_count - 1] - lag)) return double.PositiveInfinity;
-            var points = _history.Points;
-            var sum = 0.0;
+            var (points, n, sum) = (_history.Points, _history.Components, 0.0);
             for (int k = 0, stride = 1 + (_count - 1) / NearbySamples; k < _count && sum <= enough; k += stride)
             {
-                var error = _positions[k] - points[(_nearest[k] - lag) & MotionHistory.Mask];
-                sum += error * error;
+                var place = _history.PlaceOf(_nearest[k] - lag);
+                for (var c = 0; c < n; c++)
+                {
+                    var error = _positions[k * n + c] - points[place + c];
+                    sum += error * error;
+                }
             }
             return sum;
         }

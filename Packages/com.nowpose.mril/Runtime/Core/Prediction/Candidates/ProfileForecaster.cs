@@ -20,7 +20,7 @@ namespace Nowpose.Prediction.Candidates
         const double MinLag = 0.6e-3;
 
         /// <summary>
-        /// Maximum displacement of a sample at rest, relative to <see cref="RestDetector.StillDistance"/>: the first samples of a move are
+        /// Maximum displacement of a sample at rest, relative to <see cref="Standstill.Distance"/>: the first samples of a move are
         /// below that distance.
         /// </summary>
         const double RestRatio = 0.1;
@@ -70,7 +70,7 @@ namespace Nowpose.Prediction.Candidates
         {
             if (!motion.IsNewest) return _isKnown;
             (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples.NewestPosition);
-            (_stillDistance, _tolerance) = (RestRatio * motion.Rest.StillDistance, ToleranceRatio * motion.Rest.MaxDisplacement);
+            (_stillDistance, _tolerance) = (RestRatio * motion.Rest.Standstill.Distance, ToleranceRatio * motion.Rest.Standstill.MaxDisplacement);
             if (motion.ConnectedSamples < 2)
             {
                 Rest(_newestPosition);

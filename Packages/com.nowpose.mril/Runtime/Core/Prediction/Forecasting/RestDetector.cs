@@ -6,7 +6,7 @@ namespace Nowpose.Prediction.Forecasting
     /// <summary>Detects rest with and without noise. At rest, the mixture has separate weights, and candidates have separate errors.</summary>
     /// <remarks>
     /// The detector answers three questions:
-    /// 1. Does the joint stand still (<see cref="StillSamples"/>)? Two samples differ by at most a thousandth of the recent maximum. This works only
+    /// 1. Does the joint stand still (<see cref="Standstill"/>)? Two samples differ by at most a thousandth of the recent maximum. This works only
     /// for sources without noise, but needs only one sample; candidates, which predict the start of a motion, use it.
     /// 2. Is it at rest (<see cref="IsAtRest"/>)? Rest begins when the range of the newest four samples is within a small multiple of the
     /// noise, and ends at a larger distance from the position where it began. The mixture uses it.
@@ -64,17 +64,7 @@ namespace Nowpose.Prediction.Forecasting
         /// </summary>
         const int NoiseWindow = 12;
 
-        /// <summary>
-        /// Maximum displacement between two samples at a standstill, relative to the recent maximum. With half or twice this value, the errors change
-        /// by at most 0.2 %.
-        /// </summary>
-        const double StillRatio = 1e-3;
-
-        /// <summary>
-        /// Forgetting factor of the maximum displacement per sample: 1/e after 500 samples. With 0.995 or 0.999, the errors change by at most 0.1 %.
-        /// </summary>
-        const double MaxForgettingFactor = 0.998;
-
+        Standstill _standstill;
         double _maxRange;
 
         // Logarithm of the noise; the noise is 0 until the joint has moved.
@@ -89,21 +79,15 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Whether the joint is at rest and the differences of its samples are only noise.</summary>
         public bool IsOnlyNoise { get; private set; }
 
-        /// <summary>Maximum displacement between two samples of a joint that stands still, in the samples' unit.</summary>
-        public double StillDistance => StillRatio * MaxDisplacement;
-
-        /// <summary>Recent maximum displacement between two samples, in the samples' unit.</summary>
-        public double MaxDisplacement { get; private set; }
-
-        /// <summary>Number of consecutive newest samples of a joint that stands still.</summary>
-        public int StillSamples { get; private set; }
+        /// <summary>Whether the joint stands still, and since how many samples.</summary>
+        public ref readonly Standstill Standstill => ref _standstill;
 
         /// <param name="history">History that contains the newest sample.</param>
         /// <param name="interval">Interval before the newest sample, in s.</param>
         public void Add(SampleHistory history, double interval)
         {
             if (history.Count < 2) return;
-            UpdateStandstill(Math.Abs(history[0].Position - history[1].Position));
+            _standstill.Add(Math.Abs(history[0].Position - history[1].Position));
             var range = RangeOf(history, out var mean, out var isOneWay);
             UpdateNoise(range, interval);
             UpdateRest(history, range, mean, isOneWay);
@@ -115,14 +99,7 @@ namespace Nowpose.Prediction.Forecasting
             _maxRange = _anchor = 0;
             _logarithm = double.NegativeInfinity;
             IsAtRest = IsOnlyNoise = false;
-            MaxDisplacement = 0;
-            StillSamples = 0;
-        }
-
-        void UpdateStandstill(double displacement)
-        {
-            MaxDisplacement = Math.Max(MaxForgettingFactor * MaxDisplacement, displacement);
-            StillSamples = displacement <= StillDistance ? StillSamples + 1 : 0;
+            _standstill = default;
         }
 
         static double RangeOf(SampleHistory history, out double mean, out bool isOneWay)
@@ -160,7 +137,7 @@ namespace Nowpose.Prediction.Forecasting
         {
             var (newest, noise) = (history.NewestPosition, Math.Exp(_logarithm));
             if (IsAtRest && Math.Abs(newest - _anchor) > MaxDistanceRatio * noise) IsAtRest = false;
-            var isMoving = isOneWay && range > MaxCreepRatio * (Window - 1) * MaxDisplacement;
+            var isMoving = isOneWay && range > MaxCreepRatio * (Window - 1) * _standstill.MaxDisplacement;
             if (!IsAtRest && !isMoving && history.Count >= Window && range <= MaxRangeRatio * noise) (IsAtRest, _anchor) = (true, mean);
         }
 

@@ -67,7 +67,7 @@ namespace Nowpose.Prediction.Mixing
             /// <summary>Whether the joint was at rest (<see cref="RestDetector.IsAtRest"/>); its samples may have scattered.</summary>
             public bool WasAtRest { get; set; }
 
-            /// <summary>Whether the joint stood still (<see cref="RestDetector.StillSamples"/>).</summary>
+            /// <summary>Whether the joint stood still (<see cref="Standstill.Samples"/>).</summary>
             public bool WasStill { get; set; }
 
             /// <summary>Stores tables of <see cref="ForecastTable"/>, one after another, with single precision.</summary>

@@ -37,7 +37,7 @@ namespace Nowpose.Prediction.Mixing
         readonly PredictionLimits _limits;
         readonly MixedForecasters _forecasters;
         readonly WeightSelector _weights;
-        readonly CandidateGate[] _candidates;
+        readonly (Forecaster Forecaster, CandidateGate Gate)[] _candidates;
         readonly ForecastSnapshots _snapshots;
         readonly double[] _errors;
 
@@ -51,8 +51,8 @@ namespace Nowpose.Prediction.Mixing
         /// <param name="limits">Limits of the drive.</param>
         /// <param name="parts">The parts of the mixer to use.</param>
         /// <param name="forecasters">Forecasters of the mixture, which other joints may use in turn.</param>
-        /// <param name="candidates">Forecasters that may replace the mixture.</param>
-        public Mixer(PredictionLimits limits, PredictionParts parts, MixedForecasters forecasters, CandidateGate[] candidates)
+        /// <param name="candidates">Forecasters that may replace the mixture, each with the gate that decides when.</param>
+        public Mixer(PredictionLimits limits, PredictionParts parts, MixedForecasters forecasters, (Forecaster Forecaster, CandidateGate Gate)[] candidates)
         {
             _limits = limits;
             _candidates = candidates;
@@ -94,7 +94,11 @@ namespace Nowpose.Prediction.Mixing
 
         public override void Reset()
         {
-            foreach (var candidate in _candidates) candidate.Reset();
+            foreach (var (forecaster, gate) in _candidates)
+            {
+                forecaster.Reset();
+                gate.Reset();
+            }
             _forecasters.Reset();
             _snapshots.Clear();
             _weights.Reset();
@@ -108,7 +112,7 @@ namespace Nowpose.Prediction.Mixing
             snapshot.Position = motion.Samples.NewestPosition;
             snapshot.ChangePoints = motion.ChangePoints.Count;
             snapshot.WasAtRest = motion.Rest.IsAtRest;
-            snapshot.WasStill = motion.Rest.StillSamples > 0;
+            snapshot.WasStill = motion.Rest.Standstill.Samples > 0;
             _forecasters.Fill(motion, _tables, _points);
             FillMixture(motion);
             snapshot.Store(_tables, _points, FillCandidates(motion) | (motion.ConnectedSamples < 2 ? 0 : 1u << Mixture));
@@ -149,7 +153,7 @@ namespace Nowpose.Prediction.Mixing
             for (var i = 0; i < _candidates.Length; i++)
             {
                 if (!snapshot.HasForecast(CandidateTable(i))) continue;
-                var ratio = _candidates[i].ErrorRatio(snapshot.WasStill);
+                var ratio = _candidates[i].Gate.ErrorRatio(snapshot.WasStill);
                 if (ratio < minRatio) (best, minRatio) = (CandidateTable(i), ratio);
             }
             return best;
@@ -184,7 +188,7 @@ namespace Nowpose.Prediction.Mixing
                 if (!snapshot.HasForecast(CandidateTable(i))) continue;
                 var position = snapshot.At(CandidateTable(i), time);
                 var displacement = Math.Max(Math.Abs(truth - snapshot.Position), Math.Abs(position - snapshot.Position));
-                _candidates[i].Score(position - truth, mixtureError, Math.Min(displacement, threshold), snapshot.WasStill, motion.Samples.NewestTime);
+                _candidates[i].Gate.Score(position - truth, mixtureError, Math.Min(displacement, threshold), snapshot.WasStill, motion.Samples.NewestTime);
             }
         }
 

@@ -23,8 +23,8 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         public void CreateGate()
         {
             _candidate = new Oracle();
-            _gate = new CandidateGate(_candidate, 0.3, 0.09);
-            _gated = Of(Mixer(_gate));
+            _gate = new CandidateGate(0.3, 0.09);
+            _gated = Of(Mixer((_candidate, _gate)));
             _mixture = Of(Mixer());
         }
 
@@ -87,7 +87,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         [Test]
         public void ErrorRatio_TwoAccurateCandidates_IsSmallerForTheBetter()
         {
-            var worse = new CandidateGate(_candidate, 0.3, 0.09);
+            var worse = new CandidateGate(0.3, 0.09);
             for (var i = 0; i < 20; i++)
             {
                 _gate.Score(0.1, 1, 1, wasStill: false, time: 0);
@@ -140,7 +140,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         static double Truth(double t) => Math.Sin(3 * t);
 
         // Returns a mixer of hold and a straight line.
-        static Mixer Mixer(params CandidateGate[] candidates) => new Mixer(
+        static Mixer Mixer(params (Forecaster, CandidateGate)[] candidates) => new Mixer(
             PredictionLimits.Unlimited, PredictionParts.All, new MixedForecasters(Array.Empty<MixedForecaster>(), usesChangePoints: true), candidates);
 
         void Feed(int from, int to)

@@ -52,12 +52,12 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             double Dwelling(double t) => Position(Math.Min(t % (Cycle + dwell), Cycle));
         }
 
-        // With these intervals, the number of compared lags is largest. The product compares objects with their history every 0.14 s.
+        // With these intervals, the number of compared lags is largest. The product compares objects with their history every 0.07 s.
         [Test]
         public void Add_LongestHistory_MotionIsStillPredicted(
-            [Values(0.0201, 0.0301, 0.0334, 0.0501, 0.0601, 0.1001)] double interval, [Values(MatchInterval, 0.14)] double matchInterval)
+            [Values(0.0201, 0.0301, 0.0334, 0.0501, 0.0601, 0.1001)] double interval, [Values(MatchInterval, 0.07)] double matchInterval)
         {
-            var predictor = TestPredictors.Of(new TemplateForecaster(PredictionLimits.Unlimited, matchInterval));
+            var predictor = TestPredictors.Of(new TemplateForecaster(double.PositiveInfinity, matchInterval));
 
             for (var t = 0.0; t < 130; t += interval) predictor.Add(t, Position(t));
 
@@ -139,7 +139,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         }
 
         static JointPredictor Alone(PredictionLimits limits = null) =>
-            TestPredictors.Of(new TemplateForecaster(limits ?? PredictionLimits.Unlimited, MatchInterval), limits);
+            TestPredictors.Of(new TemplateForecaster((limits ?? PredictionLimits.Unlimited).MaximumGap, MatchInterval), limits);
 
         static double Position(double t)
         {
