@@ -7,7 +7,8 @@ import { messages } from './messages.mjs';
 
 const { nodeMessages } = messages;
 
-const { SilentNodes } = await parts('opcua/silentNodes');
+const { SilentNodes, NotificationReader, AdapterStatus, Log, PlantOutput } = await parts(
+  'opcua/silentNodes', 'opcua/notificationReader', 'gateway/status', 'log', 'samples/plantOutput');
 
 const good = (value, ms) => new DataValue({
   value: new Variant({ dataType: DataType.Double, value }), statusCode: StatusCodes.Good, sourceTimestamp: ms === undefined ? null : new Date(ms),
@@ -28,7 +29,7 @@ function server(answers = [good(1), good(2)]) {
         return cell.refusal;
       },
     },
-    { nodes: ['n0', 'n1'], lose: (node, reason) => cell.lost.push([node, reason]), refuse: (node, { reason }) => cell.refused.push([node, reason]), expectFirst: () => {}, hasEnded: node => cell.ended.has(node) },
+    { nodes: ['n0', 'n1'], lose: (node, { reason, text }) => cell.lost.push([node, reason, text]), refuse: (node, { reason }) => cell.refused.push([node, reason]), expectFirst: () => {}, hasEnded: node => cell.ended.has(node) },
     ['0', '1'], node => `joints[${node}].node`, () => cell.now);
   cell.hear = (node, value) => cell.nodes.heard([{ node, value }]);
   cell.look = async () => {
@@ -39,6 +40,82 @@ function server(answers = [good(1), good(2)]) {
   cell.hear(1, good(2));
   return cell;
 }
+
+/** Simulates a server with one node, and an adapter that reads it with notifications and read requests. */
+function adapter() {
+  const status = new AdapterStatus('opcua', new Log('plant/test', [], () => {}));
+  const label = 'joint a', joint = { joint: 'a', robot: '', name: 'a', scale: 1, offset: 0 };
+  const configuration = { joints: [joint], frames: [], signals: [], values: [{ label, address: { node: 'n0' }, path: ['joints', 0] }], plant: {} };
+  const clock = { now: BigInt(Date.now()) * 1_000_000n, isSettled: true };
+  const output = new PlantOutput(configuration, { tolerance: 1_000_000n, oldest: 10_000_000_000n }, clock, { publish: () => {}, publishKept: () => {} }, status);
+  const reader = new NotificationReader({ configuration, output, status, clock }, { time: null, timestamp: 'source' });
+  const cell = { status, reader, now: 0, value: good(1, Date.now()) };
+  status.enter('connected');
+  cell.connect = () => {
+    reader.restart();
+    cell.nodes = new SilentNodes({ readAll: async () => [cell.value], monitorAgain: async () => null }, reader, ['0'], () => 'joints[0].node', () => cell.now);
+  };
+  cell.notify = value => {
+    cell.value = value;
+    cell.nodes.heard([{ node: 0, value }]);
+    reader.read([{ node: 0, value }]);
+  };
+  cell.look = () => {
+    cell.now += 500;
+    return cell.nodes.read();
+  };
+  cell.connect();
+  cell.notify(cell.value);
+  return cell;
+}
+
+const gone = bad(StatusCodes.BadNodeIdUnknown);
+
+describe('deletions of nodes', () => {
+  for (const [found, report] of [
+    ['ByARead', async cell => {
+      cell.value = gone;
+      await cell.look();
+      await cell.look();
+    }],
+    ['ByANotification', async cell => {
+      cell.notify(gone);
+      await cell.look();
+    }],
+    ['ByAReadThenByANotification', async cell => {
+      cell.value = gone;
+      await cell.look();
+      cell.notify(gone);
+    }],
+    ['ByAReadInTwoConnections', async cell => {
+      cell.value = gone;
+      await cell.look();
+      cell.connect();
+      await cell.look();
+    }],
+  ]) {
+    it(`Deletion_Found${found}_IsCountedOnce`, async () => {
+      const cell = adapter();
+
+      await report(cell);
+
+      assert.equal(cell.status.refusals('node-gone'), 1);
+      assert.match(cell.status.values()['joint/a'], /^fault /);
+    });
+  }
+
+  it('Deletion_AfterTheNodeWasRestored_IsCountedAgain', async () => {
+    const cell = adapter();
+    cell.value = gone;
+    await cell.look();
+
+    cell.notify(good(2, Date.now()));
+    cell.value = gone;
+    await cell.look();
+
+    assert.equal(cell.status.refusals('node-gone'), 2);
+  });
+});
 
 describe('silent nodes', () => {
   it('Node_RecentlyNotified_IsNotRead', async () => {
@@ -64,7 +141,7 @@ describe('silent nodes', () => {
     await cell.look();
 
     assert.deepEqual(during, [[1], [1]]);
-    assert.deepEqual(cell.lost, [[0, nodeMessages.gone('joints[0].node', 'n0', 'BadNodeIdUnknown')]]);
+    assert.deepEqual(cell.lost, [[0, 'node-gone', nodeMessages.gone('joints[0].node', 'n0', 'BadNodeIdUnknown')]]);
     assert.deepEqual(cell.renewed, [0]);
   });
 
@@ -89,7 +166,8 @@ describe('silent nodes', () => {
     await cell.look();
 
     assert.deepEqual(cell.renewed, [0, 0]);
-    assert.match(cell.lost.at(-1)[1], /BadTooManyMonitoredItems/);
+    assert.equal(cell.lost.at(-1)[1], 'not-monitored');
+    assert.match(cell.lost.at(-1)[2], /BadTooManyMonitoredItems/);
   });
 
   it('Node_ValueChangesWithoutNotification_IsMonitoredAgainAfterTwoReads', async () => {

@@ -120,7 +120,7 @@ export class PoseOutput {
       else poses.forEach(() => this.status.count('clock-unknown'));
     }
     for (const { index, refusal, isLost } of invalid.values())
-      if (isLost === true) this.lose(index, refusal.text, refusal.reason);
+      if (isLost === true) this.lose(index, refusal.text);
       else this.refuse(index, refusal);
   }
 
@@ -161,12 +161,8 @@ export class PoseOutput {
     for (const track of this.#tracks) [track.newest, track.isRepeated] = [null, false];
   }
 
-  /**
-   * Reports that the plant no longer has this value.
-   * @param counted Name of the counter to increment; absent if the event is already counted.
-   */
-  lose(value: number, reason: string, counted?: string): void {
-    if (counted !== undefined) this.status.count(counted);
+  /** Reports that the plant no longer has this value. */
+  lose(value: number, reason: string): void {
     this.#components[value].forget();
     for (const { frame } of this.#tracksOf(value)) {
       this.silence.arrived(frame.frame);

@@ -82,10 +82,7 @@ export class SignalOutput {
   }
 
   #take({ index, value, stamp, isFirst, refusal, isLost }: PlantValue): void {
-    if (refusal !== undefined && isLost === true) {
-      this.status.count(refusal.reason);
-      return this.lose(index, refusal.text);
-    }
+    if (refusal !== undefined && isLost === true) return this.lose(index, refusal.text);
     const number = refusal ?? numberIn(typeof value === 'boolean' ? Number(value) : value);
     if (typeof number !== 'number') return this.refuse(index, number);
     const i = index - this.offset;

@@ -5,6 +5,7 @@ import { Backoff, pause } from '../backoff';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { clockOf } from './clockReader';
 import { byNumber, isByUri, NAMESPACES } from './nodeIds';
+import { reasonNotMonitored } from './nodeValues';
 import { NotificationReader } from './notificationReader';
 import { ReadOnlySession } from './readOnlySession';
 import { folderTrouble } from './security/folder';
@@ -150,11 +151,13 @@ function whereIs({ configuration }: AdapterContext, node: string): string {
  */
 function refuseUnknown(context: AdapterContext, { nodes, valueNodes }: NotificationReader, silent: SilentNodes, refusals: (string | null)[]): void {
   const wrong = refusals.flatMap((refusal, node) =>
-    refusal === null ? [] : [{ node, text: nodeMessages.unknown(whereIs(context, nodes[node]), nodes[node], refusal) }],
+    refusal === null
+      ? []
+      : [{ node, reason: reasonNotMonitored(refusal), text: nodeMessages.unknown(whereIs(context, nodes[node]), nodes[node], refusal) }],
   );
   if (wrong.some(({ node }) => node >= valueNodes.length) || (wrong.length > 0 && wrong.length >= valueNodes.length))
     throw new Refused(wrong.map(({ text }) => text).join('; '));
-  for (const { node, text } of wrong) silent.refused(node, text);
+  for (const { node, ...refusal } of wrong) silent.refused(node, refusal);
 }
 
 function identity({ user, userCertificate }: OpcUaSettings): UserIdentityInfo {

@@ -4,7 +4,7 @@ import type { PlantValue } from '../samples/plantOutput';
 import type { Refusal } from '../samples/stampRule';
 import { ofMilliseconds, type Nanoseconds } from '../times';
 import type { DataValue } from 'node-opcua-client';
-import { isGone, isOverflown, type NodeAddress, statusRefusal, valueOf } from './nodeValues';
+import { isGone, isOverflown, NODE_GONE, type NodeAddress, statusRefusal, valueOf } from './nodeValues';
 import type { NodeValue } from './readOnlySession';
 import type { OpcUaSettings } from './settings';
 import { serverStamp, sourceStamp, timeIn } from './stamps';
@@ -24,6 +24,8 @@ export class NotificationReader {
   readonly #time: TimeVariable | null;
   /** Nodes for which this connection has received a value. */
   readonly #received = new Set<number>();
+  /** For each node that cannot be read, the reason that was counted. It is kept when the adapter reconnects, so that a deletion is counted once. */
+  readonly #lost = new Map<number, string>();
   /** The newest time in the notifications so far. */
   #known: Nanoseconds | null = null;
   #silence: Nanoseconds = 0n;
@@ -75,9 +77,10 @@ export class NotificationReader {
     this.hold(time, new Set(this.#readers.flatMap((values, node) => (nodes.has(node) ? [] : values))));
   }
 
-  /** Reports that the server does not have this node. */
-  lose(node: number, reason: string): void {
-    for (const value of this.#readers[node]) this.context.output.lose(value, reason);
+  /** Reports that the server does not have this node, or does not monitor it. */
+  lose(node: number, { reason, text }: Refusal): void {
+    this.#countLost(node, reason);
+    for (const value of this.#readers[node]) this.context.output.lose(value, text);
   }
 
   /** Reports that the value of this node is invalid. */
@@ -123,9 +126,11 @@ export class NotificationReader {
     const { status } = this.context;
     if (isOverflown(value.statusCode)) status.count('overflow');
     if (isGone(value.statusCode)) {
-      const refusal = { reason: 'node-gone', text: nodeMessages.missing(this.nodes[node], value.statusCode.name) };
+      const refusal = { reason: NODE_GONE, text: nodeMessages.missing(this.nodes[node], value.statusCode.name) };
+      this.#countLost(node, refusal.reason);
       return this.#readers[node].map(index => ({ index, value: null, stamp: null, refusal, isLost: true }));
     }
+    this.#lost.delete(node);
     const isFirst = !this.#received.has(node) && this.#hasStamp(value);
     const bad = statusRefusal(value);
     this.#received.add(node);
@@ -136,6 +141,13 @@ export class NotificationReader {
       if ('value' in found) return { index, value: found.value, stamp, isFirst };
       return { index, value: null, stamp, refusal: found };
     });
+  }
+
+  /** Counts a lost node once, although both a notification and a read request may report it. */
+  #countLost(node: number, reason: string): void {
+    if (this.#lost.get(node) === reason) return;
+    this.#lost.set(node, reason);
+    this.context.status.count(reason);
   }
 
   get #unmatched(): Refusal {

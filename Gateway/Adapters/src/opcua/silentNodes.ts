@@ -1,9 +1,10 @@
 import type { DataValue } from 'node-opcua-client';
 import { isDeepStrictEqual } from 'node:util';
-import { isGone, isGood, statusRefusal } from './nodeValues';
+import { isGone, isGood, NODE_GONE, reasonNotMonitored, statusRefusal } from './nodeValues';
 import type { NotificationReader } from './notificationReader';
 import type { NodeValue, ReadOnlySession } from './readOnlySession';
 import type { SourceStop } from '../samples/jointOutput';
+import type { Refusal } from '../samples/stampRule';
 import { Renewals } from './renewals';
 import { sourceStamp } from './stamps';
 import { nodeMessages } from '../messages/opcua';
@@ -67,9 +68,9 @@ export class SilentNodes {
   }
 
   /** Reports that the server does not monitor this node. Each call of `read` then reads the node. */
-  refused(node: number, reason: string): void {
+  refused(node: number, refusal: Refusal): void {
     this.#nodes[node].isGone = true;
-    this.reader.lose(node, reason);
+    this.reader.lose(node, refusal);
   }
 
   /** Reads each node without recent notifications. Returns the nodes that still have the value of their last notification. */
@@ -86,7 +87,8 @@ export class SilentNodes {
   async #isUnchanged(node: number, value: DataValue): Promise<boolean> {
     const state = this.#nodes[node];
     if (isGone(value.statusCode)) {
-      if (!state.isGone) this.refused(node, nodeMessages.gone(this.nameOf(node), this.reader.nodes[node], value.statusCode.name));
+      const text = nodeMessages.gone(this.nameOf(node), this.reader.nodes[node], value.statusCode.name);
+      if (!state.isGone) this.refused(node, { reason: NODE_GONE, text });
       return false;
     }
     const isSame = isSameValue(state.value, value);
@@ -112,8 +114,8 @@ export class SilentNodes {
   async #monitorAgain(node: number): Promise<void> {
     this.#nodes[node] = { heardAt: this.now(), value: null, isGone: false, isBad: false, differsSince: null };
     this.reader.expectFirst(node);
-    const refusal = await this.session.monitorAgain(node, this.ids[node]);
-    if (refusal !== null) this.refused(node, nodeMessages.notMonitored(this.nameOf(node), refusal));
+    const status = await this.session.monitorAgain(node, this.ids[node]);
+    if (status !== null) this.refused(node, { reason: reasonNotMonitored(status), text: nodeMessages.notMonitored(this.nameOf(node), status) });
   }
 }
 

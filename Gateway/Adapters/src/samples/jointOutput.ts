@@ -24,7 +24,7 @@ export interface JointValue {
   isFirst?: boolean;
   /** The reason why the value is unusable; absent for a usable value. */
   refusal?: Refusal;
-  /** Whether the control system no longer has the variable. `refusal` then contains the reason. */
+  /** Whether the control system no longer has the variable. `refusal` then contains the reason, which the caller has counted. */
   isLost?: boolean;
 }
 
@@ -235,12 +235,8 @@ export class JointOutput {
 
   #sample({ joint, value, velocity, stamp, isFirst, refusal: unusable, isLost }: JointValue, now: Nanoseconds | null): Sample | null {
     if (unusable !== undefined) {
-      if (isLost === true) {
-        this.status.count(unusable.reason);
-        this.lose(joint, unusable.text);
-      } else {
-        this.refuse(joint, unusable.reason, unusable.text);
-      }
+      if (isLost === true) this.lose(joint, unusable.text);
+      else this.refuse(joint, unusable.reason, unusable.text);
       return null;
     }
     const { scale, offset } = this.joints[joint];

@@ -18,7 +18,7 @@ export interface PlantValue {
   isFirst?: boolean;
   /** The reason why the value is unusable; absent for a usable value. */
   refusal?: Refusal;
-  /** Whether the control system no longer has the variable. `refusal` then contains the reason. */
+  /** Whether the control system no longer has the variable. `refusal` then contains the reason, which the caller has counted. */
   isLost?: boolean;
 }
 
