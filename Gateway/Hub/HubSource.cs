@@ -124,7 +124,8 @@ public sealed class HubSource : IDisposable
     /// <summary>Reports a sample that was dropped because of its content.</summary>
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     /// <param name="names">The joints named in the sample, as far as they can be read.</param>
-    internal void ReportDropped(string robot, string[] names, string reason) => _hub.ReportDropped(this, robot, names, reason);
+    internal void ReportDropped(string robot, string[] names, string reason, DropReason code) =>
+        _hub.ReportDropped(this, robot, names, reason, code);
 
     /// <summary>Reports that the source ends normally. Its joints are then removed from the status after a period without samples.</summary>
     internal void Leave() => _hub.ReportLeft(this);

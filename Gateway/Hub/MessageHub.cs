@@ -44,10 +44,10 @@ public sealed class MessageHub
     internal event Action<HubSource, string, HubSource> JointRefused;
 
     /// <summary>
-    /// Raised when a sample is dropped because of its content, with its source, its joints and the reason. Not raised for a sample that names
-    /// a joint of another source.
+    /// Raised when a sample is dropped because of its content, with its source, its joints and the reason as a sentence and as a code. Not raised
+    /// for a sample that names a joint of another source.
     /// </summary>
-    internal event Action<HubSource, string[], string> SampleDropped;
+    internal event Action<HubSource, string[], string, DropReason> SampleDropped;
 
     /// <summary>Raised with the name of a client that has closed its connection normally.</summary>
     internal event Action<string> Left;
@@ -255,7 +255,7 @@ public sealed class MessageHub
 
     internal void ReportLeft(HubSource source) => SourceLeft?.Invoke(source);
 
-    internal void ReportDropped(HubSource source, string robot, string[] names, string reason)
+    internal void ReportDropped(HubSource source, string robot, string[] names, string reason, DropReason code)
     {
         var topic = RobotTopic.NameOf(robot, RosTopics.JointStates);
         lock (_lock)
@@ -268,7 +268,7 @@ public sealed class MessageHub
             }
         }
 
-        SampleDropped?.Invoke(source, HubSource.InCell(robot, names), reason);
+        SampleDropped?.Invoke(source, HubSource.InCell(robot, names), reason, code);
     }
 
     internal void Release(HubSource source, string topic)

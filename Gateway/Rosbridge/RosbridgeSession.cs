@@ -307,7 +307,7 @@ sealed class RosbridgeSession : IDisposable
     void ReportDropped(string robot, JointStateMessage valid, string rule, DropReason reason)
     {
         var (names, trouble) = valid == null ? InvalidJointState.Read(_text.Span) : (valid.Names, null);
-        _source.ReportDropped(robot, names, RequestMessages.Dropped(_source.Title, trouble ?? rule, reason));
+        _source.ReportDropped(robot, names, RequestMessages.Dropped(_source.Title, trouble ?? rule, reason), reason);
     }
 
     void Reply(string text) => _reply(Encoding.UTF8.GetBytes(text));

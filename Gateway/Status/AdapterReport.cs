@@ -5,16 +5,19 @@ namespace Nowpose.Gateway.Status;
 
 /// <summary>
 /// State of one joint, frame or signal, from the diagnostics of its adapter. The diagnostics have the key KIND/NAME with the value
-/// "STATE SINCE REASON", and for a joint that may not be at rest, the key uncertain/NAME with the reason.
+/// "STATE SINCE REASON". A joint that may not be at rest also has the key uncertain/NAME with the reason, and a joint that is neither live nor at rest
+/// the key reason/NAME with one word.
 /// </summary>
 /// <param name="Since">Start of the state, on the wall clock of the adapter's machine.</param>
 /// <param name="Uncertainty">The reason why a joint reported at rest may not be at rest; empty if there is none.</param>
-readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since, string Reason, string Uncertainty = "")
+/// <param name="Word">The adapter's word for the reason; null if it sends none.</param>
+readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since, string Reason, string Uncertainty = "", string Word = null)
 {
     public const string JointPrefix = "joint/";
     public const string FramePrefix = "frame/";
     public const string SignalPrefix = "signal/";
     public const string UncertainPrefix = "uncertain/";
+    public const string WordPrefix = "reason/";
 
     /// <summary>
     /// The prefix that older adapters use in place of <see cref="UncertainPrefix"/>. Version 0.2 accepts it; the next release ignores it.
@@ -26,7 +29,7 @@ readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since,
     // End of the year 9999, the maximum of DateTimeOffset.
     const double MaxUnixSeconds = 253_402_300_799;
 
-    static readonly string[] Prefixes = [JointPrefix, FramePrefix, SignalPrefix, UncertainPrefix, FormerUncertainPrefix];
+    static readonly string[] Prefixes = [JointPrefix, FramePrefix, SignalPrefix, WordPrefix, UncertainPrefix, FormerUncertainPrefix];
 
     /// <summary>Time for which a report is valid. Adapters report once per second.</summary>
     public static readonly TimeSpan Validity = TimeSpan.FromSeconds(2.5);

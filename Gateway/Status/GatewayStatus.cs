@@ -180,7 +180,7 @@ sealed class GatewayStatus : IDisposable
 
     static JointView Of(JointStatus joint) => new(
         joint.Name, joint.Source, joint.Word, UtcText.Of(joint.Since), joint.Age is { } age ? Math.Round(age.TotalSeconds, 3) : null, joint.RateHz,
-        joint.Reason, joint.Uncertainty.Length == 0 ? null : joint.Uncertainty);
+        joint.Reason, joint.Uncertainty.Length == 0 ? null : joint.Uncertainty, joint.ReasonWord);
 
     ClockStatus OfClock()
     {

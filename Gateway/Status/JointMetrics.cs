@@ -6,12 +6,12 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Status;
 
 /// <summary>
-/// Writes the metrics on which alerts are based: the state of each joint per source, refusals by reason, the clock and the pose of each headset,
+/// Writes the metrics on which alerts are based: the state and the fault of each joint per source, refusals by reason, the clock and the pose of each headset,
 /// and active events.
 /// </summary>
 /// <remarks>
-/// The number of label values is bounded: states are a fixed set, and the numbers of joints, sources of a joint, adapters, reasons and headsets
-/// are limited where they are received.
+/// The number of label values is bounded: states and reasons for a joint's fault are fixed sets, and the numbers of joints, sources of a joint, adapters,
+/// reasons for a refusal and headsets are limited where they are received.
 /// </remarks>
 static class JointMetrics
 {
@@ -42,6 +42,7 @@ static class JointMetrics
         foreach (var joint in joints)
             foreach (var word in JointDataStates.Names)
                 text.Add(joint.State == word ? 1 : 0, ("joint", joint.Name), ("source", joint.Source), ("state", word));
+        AddFaults(text, joints);
         text.Begin("nowpose_joint_rest_uncertain", Gauge, "1 for a joint that may not be at rest although no change of it is reported, 0 otherwise.");
         foreach (var joint in joints) text.Add(joint.Uncertain == null ? 0 : 1, ("joint", joint.Name), ("source", joint.Source));
         text.Begin("nowpose_joint_state_since_seconds", Gauge, "Unix time at which the present state of the joint began.");
@@ -50,6 +51,14 @@ static class JointMetrics
         foreach (var joint in joints) text.Add(joint.AgeS, ("joint", joint.Name), ("source", joint.Source));
         text.Begin("nowpose_joint_rate_hertz", Gauge, "Samples of the joint per second.");
         foreach (var joint in joints) text.Add(joint.RateHz, ("joint", joint.Name), ("source", joint.Source));
+    }
+
+    static void AddFaults(PrometheusText text, IReadOnlyList<JointView> joints)
+    {
+        var faults = joints.Where(joint => joint.ReasonWord != null).ToList();
+        if (faults.Count == 0) return;
+        text.Begin("nowpose_joint_fault", Gauge, "1 for a joint that is stale, refused, in fault or missing, with one word for the reason.");
+        foreach (var joint in faults) text.Add(1, ("joint", joint.Name), ("source", joint.Source), ("reason", JointFaultReasons.Of(joint.ReasonWord)));
     }
 
     static void AddRefusals(PrometheusText text, IReadOnlyList<JsonObject> adapters)

@@ -1,6 +1,7 @@
 using System.Text.Json.Nodes;
 using System.Text.Json.Serialization;
 using Nowpose.Gateway.Status.Events;
+using Nowpose.Gateway.Status.Joints;
 
 namespace Nowpose.Gateway.Status;
 
@@ -30,8 +31,10 @@ sealed record StatusSnapshot(
 /// <param name="AgeS">Control time minus the newest sample's stamp; null before the first sample.</param>
 /// <param name="Reason">The reason for the state as one sentence; empty for a live joint.</param>
 /// <param name="Uncertain">The reason why a joint in the state rest may not be at rest; null if there is none.</param>
+/// <param name="ReasonWord">One of <see cref="JointFaultReasons"/>; null for a joint that is live or at rest.</param>
 sealed record JointView(
-    string Name, string Source, string State, string SinceUtc, double? AgeS, double RateHz, string Reason, string Uncertain = null);
+    string Name, string Source, string State, string SinceUtc, double? AgeS, double RateHz, string Reason, string Uncertain = null,
+    string ReasonWord = null);
 
 /// <summary>The state of one frame.</summary>
 /// <param name="Source">Source of the frame, named like the source of a joint.</param>

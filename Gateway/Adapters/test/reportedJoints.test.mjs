@@ -123,6 +123,7 @@ describe('reported joints', () => {
 
     assert.equal(first, `refused ${START / 1000 + 8}.000 value NaN is not a position`);
     assert.equal(status.values()['joint/a'], first);
+    assert.equal(status.values()['reason/a'], 'other-gateway');
     assert.equal(lines.filter(line => line.includes('a refused')).length, 1);
   });
 

@@ -207,7 +207,7 @@ describe('silence', () => {
     const cell = plant();
 
     cell.value(0, NaN);
-    cell.output.lose(1, 'plant.yaml, line 3: no such node');
+    cell.output.lose(1, { reason: 'node-gone', text: 'plant.yaml, line 3: no such node' });
 
     assert.match(cell.status.values()['joint/a'], like(`missing ${ANY} ${refusalMessages.notPosition('NaN')}`));
     assert.match(cell.status.values()['joint/b'], /^missing \d+\.\d{3} plant\.yaml, line 3: no such node$/);
@@ -293,5 +293,52 @@ describe('silence', () => {
     const keys = Object.keys(status.values()).filter(key => key.startsWith('joint/'));
 
     assert.deepEqual(keys, ['joint/b', 'joint/a', 'joint/c']);
+  });
+});
+
+describe('word for the reason of a joint', () => {
+  const wordOf = ({ status }) => status.values()['reason/a'];
+
+  for (const [name, word, act, options] of [
+    ['NeverReceived', 'never-received', () => {}],
+    ['NeverReceivedValid', 'not-finite', cell => cell.value(0, NaN)],
+    ['TypeWrong', 'type', cell => cell.value(0, 'text')],
+    ['StampRepeated', 'stamp-not-newer', cell => [1, 2].forEach(position => cell.value(0, position))],
+    ['Lost', 'node-gone', cell => cell.output.lose(0, { reason: 'node-gone', text: 'gone' })],
+    ['Explained', 'retained', cell => cell.output.explain(0, { reason: 'retained', text: 'it may be old' })],
+    ['EndedInMotion', 'ended-in-motion', cell => moveAndStop(cell, 1)],
+    ['NotConfirmed', 'not-confirmed', cell => moveAndStop(cell, 3, false), { maxDeceleration: 200 }],
+    ['SilentTooLong', 'silent-too-long', cell => moveAndStop(cell, 3), { maxDeceleration: 200, faultAfterMs: 2000 }],
+    ['Disconnected', 'not-connected', cell => {
+      cell.value(0, 1);
+      cell.status.enter('waiting', 'the connection was lost');
+    }],
+  ]) {
+    it(`Joint_${name}_IsNamedInTheDiagnostics`, () => {
+      const cell = plant([{ joint: 'a', ...options }, { joint: 'b' }]);
+
+      act(cell);
+
+      assert.equal(wordOf(cell), word);
+    });
+  }
+
+  it('Joint_LiveOrAtRest_HasNoWord', () => {
+    const cell = plant([{ joint: 'a', maxDeceleration: 200 }, { joint: 'b', maxDeceleration: 200 }]);
+
+    cell.value(0, NaN);
+    cell.time.ms = 10;
+    cell.value(0, 1);
+    const live = [cell.stateOf('a'), wordOf(cell)];
+    moveAndStop(cell, 2);
+
+    assert.deepEqual([...live, cell.stateOf('a'), wordOf(cell)], ['live', undefined, 'rest', undefined]);
+  });
+
+  it('FrameAndSignal_InFault_HaveNoKeyThatAJointOfTheSameNameHas', () => {
+    const { status } = plant();
+    for (const conditions of [status.frames, status.signals]) conditions.fault('other', { reason: 'node-gone', text: 'gone' });
+
+    assert.equal(status.values()['reason/other'], undefined);
   });
 });

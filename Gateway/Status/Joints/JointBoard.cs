@@ -51,23 +51,24 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action
     {
         lock (_lock)
             if (_joints.TryGetValue(name, out var joint))
-                joint.Rows.Find(row => row.Source == source.Name)?.Refuse(JointReasons.Taken(owner.Title));
+                joint.Rows.Find(row => row.Source == source.Name)?.Refuse(JointReasons.Taken(owner.Title), JointFaultReasons.Taken);
     }
 
     /// <summary>
     /// Adds a sample that was dropped because of its content. All joints that the source publishes, and all joints in the sample, count as refused.
     /// </summary>
-    public void Refuse(HubSource source, string[] names, string reason)
+    public void Refuse(HubSource source, string[] names, string reason, DropReason drop = DropReason.None)
     {
+        var word = JointFaultReasons.Of(drop);
         lock (_lock)
         {
             foreach (var joint in _joints.Values)
-                if (joint.IsPublishedBy(source)) joint.OwnerRow(time).Refuse(reason);
+                if (joint.IsPublishedBy(source)) joint.OwnerRow(time).Refuse(reason, word);
             var places = MaxRefusedJoints - _joints.Values.Count(joint => joint.IsOnlyRefused);
             foreach (var name in names)
             {
                 if (!_joints.TryGetValue(name, out var joint) && places-- > 0) joint = Find(name);
-                if (joint != null && !joint.IsPublishedBy(source)) joint.RowOf(source.Name, time).Refuse(reason);
+                if (joint != null && !joint.IsPublishedBy(source)) joint.RowOf(source.Name, time).Refuse(reason, word);
             }
         }
     }
@@ -79,6 +80,8 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action
         var reports = new Dictionary<string, AdapterReport>();
         var uncertainties = values.Select(pair => (Joint: AdapterReport.UncertainJoint(pair.Key), pair.Value)).Where(one => one.Joint != null)
             .Take(ProtocolLimits.Joints).DistinctBy(one => one.Joint).ToDictionary(one => one.Joint, one => AdapterReport.Sentence(one.Value));
+        var words = values.Where(pair => pair.Key.StartsWith(AdapterReport.WordPrefix, StringComparison.Ordinal)).Take(ProtocolLimits.Joints)
+            .DistinctBy(pair => pair.Key).ToDictionary(pair => pair.Key[AdapterReport.WordPrefix.Length..], pair => pair.Value);
         if (values.Any(pair => AdapterReport.IsFormerKey(pair.Key))) LogFormerKey(adapter);
         foreach (var (key, value) in values)
         {
@@ -86,7 +89,7 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action
             if (key.StartsWith(AdapterReport.JointPrefix, StringComparison.Ordinal) && AdapterReport.TryParse(value, out var report))
             {
                 var name = key[AdapterReport.JointPrefix.Length..];
-                reports[name] = report with { Uncertainty = uncertainties.GetValueOrDefault(name, "") };
+                reports[name] = report with { Uncertainty = uncertainties.GetValueOrDefault(name, ""), Word = words.GetValueOrDefault(name) };
             }
         }
 

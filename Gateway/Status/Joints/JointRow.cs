@@ -12,6 +12,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     long _reportedAt;
     long _refusedAt;
     string _refusal;
+    string _refusalWord;
 
     public string Source { get; } = source;
 
@@ -44,13 +45,14 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     }
 
     /// <summary>Records that the gateway refused a sample of the joint.</summary>
-    public void Refuse(string reason) => (_refusal, _refusedAt) = (reason, time.GetTimestamp());
+    /// <param name="word">One of <see cref="JointFaultReasons"/>.</param>
+    public void Refuse(string reason, string word) => (_refusal, _refusalWord, _refusedAt) = (reason, word, time.GetTimestamp());
 
     /// <summary>Determines the current state of the joint.</summary>
     /// <param name="flow">The joint's samples; null if they come from another source.</param>
     public JointStatus Judge(SampleFlow flow)
     {
-        var (state, since, reason) = StateOf(flow);
+        var (state, since, reason, word) = StateOf(flow);
         var now = time.GetUtcNow();
         if (since is { } known && known <= now) _since = known;
         else if (_last != state) _since = now;
@@ -58,20 +60,25 @@ sealed class JointRow(string joint, string source, TimeProvider time)
         return new JointStatus(joint, Source, state, _since, flow?.Age, Math.Round(flow?.RateHz ?? 0, 2), reason)
         {
             Uncertainty = state == JointDataState.Rest ? _report.Uncertainty : "",
+            ReasonWord = state.IsGood() ? null : word,
         };
     }
 
-    (JointDataState State, DateTimeOffset? Since, string Reason) StateOf(SampleFlow flow)
+    (JointDataState State, DateTimeOffset? Since, string Reason, string Word) StateOf(SampleFlow flow)
     {
         var isFlowing = flow is { IsFlowing: true };
-        if (IsRefused && !isFlowing) return (JointDataState.Refused, null, _refusal);
+        if (IsRefused && !isFlowing) return (JointDataState.Refused, null, _refusal, _refusalWord);
         var isReportFresh = IsReportFresh;
-        if (isReportFresh && _report.State != JointDataState.Live) return (_report.State, _report.Since, _report.Reason);
-        if (isFlowing) return (JointDataState.Live, null, "");
-        if (flow is not { HasAny: true }) return (JointDataState.Missing, null, isReportFresh
-            ? JointReasons.NoSample : JointReasons.NoReport);
+        if (isReportFresh && _report.State != JointDataState.Live)
+            return (_report.State, _report.Since, _report.Reason, JointFaultReasons.Of(_report.Word));
+        if (isFlowing) return (JointDataState.Live, null, "", null);
+        if (flow is not { HasAny: true })
+            return isReportFresh
+                ? (JointDataState.Missing, null, JointReasons.NoSample, JointFaultReasons.NoSample)
+                : (JointDataState.Missing, null, JointReasons.NoReport, JointFaultReasons.AdapterSilent);
         if (IsConfigured && !isReportFresh)
-            return (JointDataState.Stale, flow.LastUtc, JointReasons.Silent(Source));
-        return (JointDataState.Stale, flow.LastUtc, isReportFresh ? JointReasons.SamplesStopped : "samples stopped arriving");
+            return (JointDataState.Stale, flow.LastUtc, JointReasons.Silent(Source), JointFaultReasons.AdapterSilent);
+        var reason = isReportFresh ? JointReasons.SamplesStopped : "samples stopped arriving";
+        return (JointDataState.Stale, flow.LastUtc, reason, JointFaultReasons.SamplesStopped);
     }
 }

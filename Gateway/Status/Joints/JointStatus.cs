@@ -12,6 +12,9 @@ readonly record struct JointStatus(
     /// <summary>The reason why a joint assumed at rest may not be at rest; empty if there is none.</summary>
     public string Uncertainty { get; init; } = "";
 
+    /// <summary>One of <see cref="JointFaultReasons"/>; null for a joint that is live or at rest.</summary>
+    public string ReasonWord { get; init; }
+
     public bool IsGood => State.IsGood();
     public string Word => JointDataStates.Of(State);
 }

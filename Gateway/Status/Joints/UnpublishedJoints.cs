@@ -27,7 +27,10 @@ sealed class UnpublishedJoints(TimeProvider time)
         foreach (var name in _since.Keys.Except(missing).ToArray()) _since.Remove(name);
         foreach (var name in missing) _since.TryAdd(name, (time.GetTimestamp(), time.GetUtcNow()));
         return _since.Where(entry => time.GetElapsedTime(entry.Value.Count) >= StartTimeout).Select(entry => new JointStatus(
-            entry.Key, NoSource, JointDataState.Missing, entry.Value.Utc, null, 0, JointReasons.NotPublished));
+            entry.Key, NoSource, JointDataState.Missing, entry.Value.Utc, null, 0, JointReasons.NotPublished)
+        {
+            ReasonWord = JointFaultReasons.NotPublished,
+        });
     }
 
     /// <summary>Gets the names of the joints whose positions headsets need to show the arm.</summary>

@@ -53,18 +53,18 @@ public class PlantFaultTests
     [TearDown]
     public Task Repair() => _plant.CommandAsync("repair", Joint);
 
-    [TestCase("delete", "fault", "BadNodeId(Unknown|Invalid)")]
-    [TestCase("stop", "fault", "ended in mid-motion")]
-    [TestCase("bad", "refused", "BadSensorFailure")]
-    [TestCase("nan", "refused", "NaN")]
-    public async Task Joint_FaultAtTheServer_IsReportedEverywhereUntilRepaired(string fault, string state, string reason)
+    [TestCase("delete", "fault", "BadNodeId(Unknown|Invalid)", "node-gone")]
+    [TestCase("stop", "fault", "ended in mid-motion", "ended-in-motion")]
+    [TestCase("bad", "refused", "BadSensorFailure", "status-bad")]
+    [TestCase("nan", "refused", "NaN", "not-finite")]
+    public async Task Joint_FaultAtTheServer_IsReportedEverywhereUntilRepaired(string fault, string state, string reason, string word)
     {
         using var before = StartHeadset();
         await GoodEverywhereAsync(DateTimeOffset.UtcNow);
 
         var lastEvent = LastEvent(await ReadAsync());
         var begun = await _plant.CommandAsync(fault, Joint);
-        var named = await EverywhereAsync(begun, (status, place) => status.Reports(place, Joint, state, reason), $"{Joint} {state}");
+        var named = await EverywhereAsync(begun, (status, place) => status.Reports(place, Joint, state, reason, word), $"{Joint} {state}");
         var during = await ReadAsync();
         await before.PrintsAsync("the pose is held");
         var seen = await ResultOfAsync(before);

@@ -30,14 +30,16 @@ sealed record ShownStatus(JsonElement State, HttpStatusCode ReadyCode, string Re
     public bool IsHeadsetWithout(string joint) => Headset is { } headset && Text(headset, "level") == "2"
         && GoodClocks.Contains(ValueOf(headset, "state")) && !GoodPoses.Contains(ValueOf(headset, "pose")) && ValueOf(headset, "missing_joints") == joint;
 
-    /// <summary>Whether a place reports this joint with this state, and with the reason if the place contains reasons.</summary>
+    /// <summary>Whether a place reports this joint with this state and with the reason. The headset's own result is tested separately.</summary>
     /// <param name="reason">Regular expression for the reason.</param>
-    public bool Reports(string place, string joint, string state, string reason) => place switch
+    /// <param name="word">The word for the reason in the metrics.</param>
+    public bool Reports(string place, string joint, string state, string reason, string word) => place switch
     {
         "page" => Text(State.GetProperty("status"), "level") == "error"
             && Joints.Any(row => Text(row, "name") == joint && Text(row, "state") == state && Regex.IsMatch(Text(row, "reason"), reason)),
         "readyz" => ReadyCode == HttpStatusCode.ServiceUnavailable && Regex.IsMatch(Ready, $"(?m)^joint {joint} .*{reason}"),
-        "metrics" => Metrics.Contains("nowpose_ready 0\n") && Metrics.Contains($"nowpose_joint_state{{joint=\"{joint}\",source=\"plc\",state=\"{state}\"}} 1\n"),
+        "metrics" => Metrics.Contains("nowpose_ready 0\n") && Metrics.Contains($"nowpose_joint_state{{joint=\"{joint}\",source=\"plc\",state=\"{state}\"}} 1\n")
+            && Metrics.Contains($"nowpose_joint_fault{{joint=\"{joint}\",source=\"plc\",reason=\"{word}\"}} 1\n"),
         "diagnostics" => Adapter is { } adapter && Text(adapter, "level") == "2" && Regex.IsMatch(Text(adapter, "message"), $"^{joint} {state}: .*{reason}")
             && Regex.IsMatch(ValueOf(adapter, "joint/" + joint), $"^{state} .*{reason}"),
         "headset" => IsHeadsetWithout(joint),
@@ -48,7 +50,8 @@ sealed record ShownStatus(JsonElement State, HttpStatusCode ReadyCode, string Re
     {
         "page" => Text(State.GetProperty("status"), "level") == "ok" && Joints.Any() && Joints.All(row => GoodJoints.Contains(Text(row, "state"))),
         "readyz" => ReadyCode == HttpStatusCode.OK,
-        "metrics" => Metrics.Contains("nowpose_ready 1\n") && !Regex.IsMatch(Metrics, "nowpose_joint_state{.*,state=\"(missing|refused|fault|stale)\"} 1"),
+        "metrics" => Metrics.Contains("nowpose_ready 1\n") && !Regex.IsMatch(Metrics, "nowpose_joint_state{.*,state=\"(missing|refused|fault|stale)\"} 1")
+            && !Metrics.Contains("nowpose_joint_fault{"),
         "diagnostics" => Adapter is { } adapter && Text(adapter, "level") == "0"
             && Values(adapter).Where(pair => Text(pair, "key").StartsWith("joint/", StringComparison.Ordinal)).All(pair => GoodJoints.Contains(Text(pair, "value").Split(' ')[0])),
         "headset" => Headset is { } headset && Text(headset, "level") == "0" && GoodPoses.Contains(ValueOf(headset, "pose"))

@@ -34,7 +34,7 @@ public class MetricsTests
         [new SourceStatus(["a", "b"], 49.9, new AgeStatus(80, 120), ["b"])],
         [
             new JointView("a", "press", "live", "2026-11-20T12:00:00.000Z", 0.08, 49.9, ""),
-            new JointView("b", "press", "refused", "2026-11-20T12:00:01.000Z", null, 0, "status Bad"),
+            new JointView("b", "press", "refused", "2026-11-20T12:00:01.000Z", null, 0, "status Bad", ReasonWord: "status-bad"),
         ],
         [new FrameView("box", "world", "press", "live", 0.1)], [new SignalView("grip", 1, "press", "live", 2)],
         headsets, new SpanStatus(0.2, 0.9),
@@ -110,6 +110,19 @@ public class MetricsTests
         }));
     }
 
+    [TestCase("status-bad", "status-bad")]
+    [TestCase("node-gone", "node-gone")]
+    [TestCase("a word of a later release", "other")]
+    public void Of_JointInFault_NamesTheReasonWithAKnownWord(string word, string expected)
+    {
+        var state = Snapshot();
+        state = state with { Joints = [state.Joints[0], state.Joints[1] with { ReasonWord = word }] };
+
+        var lines = Metrics.Of(state, new ForwardingTimes()).Split('\n').Where(line => line.StartsWith("nowpose_joint_fault{", StringComparison.Ordinal));
+
+        Assert.That(lines, Is.EqualTo(new[] { $"nowpose_joint_fault{{joint=\"b\",source=\"press\",reason=\"{expected}\"}} 1" }));
+    }
+
     [TestCase("unsynchronised", 0, "unsynchronised")]
     [TestCase("converging", 0, "converging")]
     [TestCase("coarse", 0, "coarse")]
@@ -166,11 +179,14 @@ public class MetricsTests
 
         var state = Snapshot(Words("goggles", ("pose", "held"))) with { CertificateExpiresUtc = DateTime.UnixEpoch };
         var written = Metrics.Of(state, new ForwardingTimes());
-        foreach (var name in expressions.SelectMany(expression => Regex.Matches(expression, @"nowpose_\w+").Select(match => match.Value)))
+        var texts = ((List<object>)group["rules"]).Cast<Dictionary<object, object>>()
+            .SelectMany(rule => ((Dictionary<object, object>)rule["annotations"]).Values.Cast<string>()).ToList();
+        foreach (var name in expressions.Concat(texts).SelectMany(text => Regex.Matches(text, @"nowpose_\w+").Select(match => match.Value)))
             Assert.That(written, Does.Contain($"# TYPE {name} "), name);
         foreach (var word in expressions.SelectMany(expression => Regex.Matches(expression, "state=~\"([a-z|]+)\"").SelectMany(match => match.Groups[1].Value.Split('|'))))
             Assert.That(written, Does.Contain($"state=\"{word}\""), word);
         Assert.That(expressions, Has.Count.GreaterThan(4));
+        Assert.That(texts, Has.Some.Contains("nowpose_joint_fault{"), "the alert about a joint has the reason");
     }
 
     [Test]

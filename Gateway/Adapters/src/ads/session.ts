@@ -129,7 +129,7 @@ export class AdsSession {
     if (fatal !== undefined) throw fatal.reason;
     return found.map((result, index) => {
       if (result.status === 'fulfilled') return result.value;
-      this.context.output.lose(index, (result.reason as Error).message);
+      this.context.output.lose(index, { reason: 'not-readable', text: (result.reason as Error).message });
       return null;
     });
   }
@@ -157,7 +157,8 @@ export class AdsSession {
           output.hold(now - ofMilliseconds(agoMs + STAMP_LAG_MS + samplingMs), ofMilliseconds(3 * samplingMs), new Set(others));
         },
         lose: (index, error) => {
-          if (this.#isRunning) output.lose(index, adsMessages.notReadable(this.settings.values[index].symbol, this.#reasonOf(error)));
+          const text = adsMessages.notReadable(this.settings.values[index].symbol, this.#reasonOf(error));
+          if (this.#isRunning) output.lose(index, { reason: 'not-readable', text });
         },
         renew: async (index, value) => {
           for (const [handle, watched] of this.#watched) {

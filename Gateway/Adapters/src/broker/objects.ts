@@ -6,7 +6,7 @@ import { SIGNAL_STATUS } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
 import { ofRosTime } from '../times';
 import type { BrokerLink } from './brokerLink';
-import { reportsOf } from './reportedJoints';
+import { OTHER_GATEWAY, reportsOf } from './reportedJoints';
 import { malformedMessages } from '../messages/broker';
 
 /**
@@ -119,6 +119,6 @@ export class ReceivedObjects {
   #judge(name: string): void {
     const reason = this.#reported.get(name);
     if (reason === undefined) this.status.signals.live(name);
-    else this.status.signals.fault(name, reason);
+    else this.status.signals.fault(name, { reason: OTHER_GATEWAY, text: reason });
   }
 }

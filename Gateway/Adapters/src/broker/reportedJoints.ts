@@ -16,6 +16,9 @@ const VALUE = /^(live|rest|stale|refused|fault|missing) (-?\d{1,12}(?:\.\d{1,9})
 // eslint-disable-next-line nowpose/messages -- part of the protocol
 const UNCERTAIN = 'may not be at rest: ';
 
+/** The word for the reason of a joint or signal whose fault the plant's gateway reports. The metrics of that gateway have the reason itself. */
+export const OTHER_GATEWAY = 'other-gateway';
+
 /** A report of the plant's gateway about one joint that is not live. */
 interface Report extends Condition {
   joint: string;
@@ -101,5 +104,7 @@ function reportOf(entry: { key?: unknown; value?: unknown } | null, written: Nan
   const isUncertain = word === 'rest' && reason.startsWith(UNCERTAIN);
   // Converts stale to fault: an adapter cannot report stale, because each gateway determines this state from the samples that it receives.
   const [state, why] = word === 'stale' ? ['fault', brokerMessages.atOtherGateway(reason)] : [word, reason];
-  return { joint, state: state as State, since, reason: why, uncertainty: isUncertain ? reason.slice(UNCERTAIN.length) : '' };
+  const isUsable = state === 'live' || state === 'rest';
+  const uncertainty = isUncertain ? reason.slice(UNCERTAIN.length) : '';
+  return { joint, state: state as State, since, reason: why, word: isUsable ? '' : OTHER_GATEWAY, uncertainty };
 }

@@ -120,7 +120,7 @@ export class PoseOutput {
       else poses.forEach(() => this.status.count('clock-unknown'));
     }
     for (const { index, refusal, isLost } of invalid.values())
-      if (isLost === true) this.lose(index, refusal.text);
+      if (isLost === true) this.lose(index, refusal);
       else this.refuse(index, refusal);
   }
 
@@ -151,7 +151,7 @@ export class PoseOutput {
   }
 
   /** Reports the reason why the frames of a value are not published yet although the value has arrived. */
-  explain(value: number, reason: string): void {
+  explain(value: number, reason: Refusal): void {
     for (const { frame } of this.#tracksOf(value)) this.status.frames.explain(frame.frame, reason);
   }
 
@@ -162,11 +162,11 @@ export class PoseOutput {
   }
 
   /** Reports that the plant no longer has this value. */
-  lose(value: number, reason: string): void {
+  lose(value: number, refusal: Refusal): void {
     this.#components[value].forget();
     for (const { frame } of this.#tracksOf(value)) {
       this.silence.arrived(frame.frame);
-      this.status.frames.fault(frame.frame, reason);
+      this.status.frames.fault(frame.frame, refusal);
     }
   }
 

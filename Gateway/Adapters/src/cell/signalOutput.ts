@@ -66,9 +66,9 @@ export class SignalOutput {
   }
 
   /** Reports that the plant no longer has this value. */
-  lose(value: number, reason: string): void {
+  lose(value: number, refusal: Refusal): void {
     this.#valid.delete(value - this.offset);
-    this.status.signals.fault(this.#nameOf(value), reason);
+    this.status.signals.fault(this.#nameOf(value), refusal);
   }
 
   /** Counts an invalid value. The signal keeps its last valid value, and its state shows that the newest value is invalid. */
@@ -82,7 +82,7 @@ export class SignalOutput {
   }
 
   #take({ index, value, stamp, isFirst, refusal, isLost }: PlantValue): void {
-    if (refusal !== undefined && isLost === true) return this.lose(index, refusal.text);
+    if (refusal !== undefined && isLost === true) return this.lose(index, refusal);
     const number = refusal ?? numberIn(typeof value === 'boolean' ? Number(value) : value);
     if (typeof number !== 'number') return this.refuse(index, number);
     const i = index - this.offset;

@@ -1,5 +1,6 @@
 import type { Log } from '../log';
 import { stateMessages } from '../messages/values';
+import type { Refusal } from '../samples/stampRule';
 
 /** The kind of object to which a value belongs. It is also the prefix of the object's key in the diagnostics. */
 export type ConditionKind = 'joint' | 'frame' | 'signal';
@@ -16,6 +17,8 @@ export interface Condition {
   since: number;
   /** The reason for the state as one sentence; empty while live. */
   reason: string;
+  /** One word for the reason, from a fixed set; empty while live or at rest. */
+  word: string;
   /** The reason why a joint in the state rest may not be at rest; empty if there is none. */
   uncertainty: string;
 }
@@ -42,7 +45,9 @@ export class Conditions {
 
   /** Adds an expected name. Its state is missing until its first valid value. */
   expect(name: string): void {
-    if (!this.#known.has(name)) this.#known.set(name, { state: 'missing', since: this.now(), reason: stateMessages.noValueYet, uncertainty: '' });
+    if (this.#known.has(name)) return;
+    const since = this.now();
+    this.#known.set(name, { state: 'missing', since, reason: stateMessages.noValueYet, word: 'never-received', uncertainty: '' });
   }
 
   has(name: string): boolean {
@@ -70,7 +75,7 @@ export class Conditions {
 
   live(name: string): void {
     if (this.stateOf(name) === 'live') return;
-    this.#enter(name, 'live', '', this.now());
+    this.#enter(name, 'live', '', '', this.now());
     this.log.resume(`${this.kind} ${name}`, stateMessages.liveAgain(name));
   }
 
@@ -84,36 +89,32 @@ export class Conditions {
     const known = this.#known.get(name);
     const reason = stateMessages.assumedAtRest(basis, this.kind, uncertainty);
     if (known?.state === 'rest' && known.reason === reason) return;
-    this.#enter(name, 'rest', reason, since, uncertainty);
+    this.#enter(name, 'rest', reason, '', since, uncertainty);
     this.log.resume(`${this.kind} ${name}`, stateMessages.restWithoutFault(name));
   }
 
-  fault(name: string, reason: string, since = this.now()): void {
+  fault(name: string, reason: Refusal, since = this.now()): void {
     this.#trouble(name, 'fault', reason, since, true);
   }
 
-  missing(name: string, reason: string): void {
-    this.#trouble(name, 'missing', reason, this.now(), true);
-  }
-
   /** Sets the reason for the state of a name that is neither live nor at rest, and whose value has arrived but is not used yet. */
-  explain(name: string, reason: string): void {
+  explain(name: string, reason: Refusal): void {
     const known = this.#known.get(name);
     if (known !== undefined && !isGood(known)) this.#trouble(name, known.state, reason, known.since, true);
   }
 
   /** Sets the state refused. The caller logs the refusal. */
-  refused(name: string, reason: string): void {
+  refused(name: string, reason: Refusal): void {
     this.#trouble(name, 'refused', reason, this.now(), false);
   }
 
   /** Applies a report of the gateway to which the source is connected. */
-  report(name: string, { state, since, reason: text, uncertainty }: Condition): void {
+  report(name: string, { state, since, reason: text, word, uncertainty }: Condition): void {
     const known = this.#known.get(name);
     const reason = this.log.clean(text);
     const isSame = known?.state === state && known.reason === reason && known.uncertainty === uncertainty;
     if (isSame && Math.abs(known.since - since) < SAME_SINCE_MS) return;
-    this.#enter(name, state, reason, since, uncertainty);
+    this.#enter(name, state, reason, word, since, uncertainty);
     if (state === 'rest' || state === 'live')
       this.log.resume(`${this.kind} ${name}`, state === 'rest' ? stateMessages.restWithoutFault(name) : stateMessages.liveAgain(name));
     else this.log.change(`${this.kind} ${name}`, `${state} ${reason}`, `${name} ${state}: ${reason}`);
@@ -129,32 +130,34 @@ export class Conditions {
   /** Reports the end of the connection to the source. The states live, rest and refused become fault, because no values arrive. */
   disconnected(reason: string): void {
     for (const [name, condition] of this.#known)
-      if (isGood(condition) || condition.state === 'refused') this.#enter(name, 'fault', reason, this.now());
+      if (isGood(condition) || condition.state === 'refused') this.#enter(name, 'fault', reason, 'not-connected', this.now());
   }
 
   /** Gets the diagnostics of all names. Faults come first, because a receiver may keep only a part of the list. */
   values(): Record<string, string> {
     const sorted = [...this.#known].sort(([, a], [, b]) => Number(isGood(a)) - Number(isGood(b)));
     return Object.fromEntries(
-      sorted.flatMap(([name, { state, since, reason, uncertainty }]) => [
+      sorted.flatMap(([name, { state, since, reason, word, uncertainty }]) => [
         [`${this.kind}/${name}`, `${state} ${(since / 1000).toFixed(3)}${reason === '' ? '' : ` ${reason}`}`],
+        // The gateway's metrics name the reasons of joints only.
+        ...(word === '' || this.kind !== 'joint' ? [] : [[`reason/${name}`, word]]),
         ...(uncertainty === '' ? [] : [[`uncertain/${name}`, uncertainty]]),
       ]),
     );
   }
 
-  #trouble(name: string, state: State, text: string, since: number, isLogged: boolean): void {
+  #trouble(name: string, state: State, { reason: word, text }: Refusal, since: number, isLogged: boolean): void {
     const reason = this.log.clean(text);
     const { state: before, reason: previous } = this.#known.get(name) ?? {};
     // The state stays 'missing' until the first valid value arrives. Until then, the reason describes the newest invalid value.
     const entered = before === 'missing' ? 'missing' : state;
     if (before === entered && previous === reason) return;
-    this.#enter(name, entered, reason, since);
+    this.#enter(name, entered, reason, word, since);
     if (isLogged) this.log.change(`${this.kind} ${name}`, `${entered} ${reason}`, `${name} ${entered}: ${reason}`);
   }
 
-  #enter(name: string, state: State, reason: string, since: number, uncertainty = ''): void {
-    this.#known.set(name, { state, since, reason, uncertainty });
+  #enter(name: string, state: State, reason: string, word: string, since: number, uncertainty = ''): void {
+    this.#known.set(name, { state, since, reason, word, uncertainty });
     this.changed();
   }
 }

@@ -160,7 +160,7 @@ export class AdapterStatus {
    */
   refuse(reason: string, subject: string, what: string, of: Conditions = this.joints): void {
     this.count(reason);
-    if (of.has(subject)) of.refused(subject, what);
+    if (of.has(subject)) of.refused(subject, { reason, text: what });
     this.log.change(`value of ${subject}`, reason, `${subject} refused (${reason}): ${what}`);
   }
 

@@ -15,6 +15,8 @@ import { mqttMessages } from '../messages/broker';
  */
 const SAMPLING_S = 0.1;
 
+const RETAINED: Refusal = { reason: 'retained', text: mqttMessages.retained };
+
 /** Reads the topics of a broker until it is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
   const { configuration, clock, output, status, stopping } = context;
@@ -36,12 +38,12 @@ export async function run(context: AdapterContext): Promise<void> {
       status.enter('waiting', reason);
     },
     refused: (topic, reason) => {
-      for (const index of values.indicesOf(topic)) output.lose(index, reason);
+      for (const index of values.indicesOf(topic)) output.lose(index, { reason: 'not-readable', text: reason });
     },
     heard: (topic, payload, isRetained) => {
       const found = valuesIn(values, topic, payload, isRetained ? null : clock.now, time);
       output.publish(isRetained ? found.map(value => ({ ...value, isFirst: true })) : found);
-      if (isRetained) for (const { index, refusal } of found) if (refusal === undefined) output.explain(index, mqttMessages.retained);
+      if (isRetained) for (const { index, refusal } of found) if (refusal === undefined) output.explain(index, RETAINED);
     },
     malformed: (topic, problem) => status.refuse('malformed', topic, problem),
   });

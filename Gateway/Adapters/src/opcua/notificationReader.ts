@@ -78,9 +78,9 @@ export class NotificationReader {
   }
 
   /** Reports that the server does not have this node, or does not monitor it. */
-  lose(node: number, { reason, text }: Refusal): void {
-    this.#countLost(node, reason);
-    for (const value of this.#readers[node]) this.context.output.lose(value, text);
+  lose(node: number, refusal: Refusal): void {
+    this.#countLost(node, refusal.reason);
+    for (const value of this.#readers[node]) this.context.output.lose(value, refusal);
   }
 
   /** Reports that the value of this node is invalid. */

@@ -25,7 +25,7 @@ export class CycleOutput {
     output.signals.silence.unconfirmedMs = SIGNAL_SILENCE_MS;
     this.#values = settings.addresses.flatMap((address, i) => {
       const objection = recipe.objectionTo(address);
-      if (objection !== null) output.lose(first + i, objection);
+      if (objection !== null) output.lose(first + i, { reason: 'not-readable', text: objection });
       return objection === null ? [{ index: first + i, address }] : [];
     });
   }

@@ -6,7 +6,7 @@ import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
 import { decelerationFloor, EndOfData } from './endOfData';
 import { grouped, type Sample } from './grouping';
 import { numberIn } from './number';
-import { Silence } from './silence';
+import { ENDED_IN_MOTION, Silence } from './silence';
 import { OF_LONG_AGO, type Refusal, StampRule } from './stampRule';
 import { RestingSamples } from './restingSamples';
 import { refusalMessages, silenceMessages } from '../messages/values';
@@ -141,13 +141,13 @@ export class JointOutput {
   }
 
   /** Reports that the control system no longer has the variable of this joint. */
-  lose(joint: number, reason: string): void {
+  lose(joint: number, refusal: Refusal): void {
     this.#resting.forget(joint);
-    this.status.joints.fault(this.joints[joint].joint, reason);
+    this.status.joints.fault(this.joints[joint].joint, refusal);
   }
 
   /** Reports the reason why a joint is not published yet although its value has arrived. */
-  explain(joint: number, reason: string): void {
+  explain(joint: number, reason: Refusal): void {
     this.status.joints.explain(this.joints[joint].joint, reason);
   }
 
@@ -207,7 +207,7 @@ export class JointOutput {
     const { joint: name } = this.joints[joint];
     this.#resting.forget(joint);
     this.#ended.add(joint);
-    this.status.joints.fault(name, silenceMessages.endedBecause(reason), this.silence.lastSample(name));
+    this.status.joints.fault(name, { reason: ENDED_IN_MOTION, text: silenceMessages.endedBecause(reason) }, this.silence.lastSample(name));
   }
 
   /** Gets the reason why the joint may not be at rest; an empty string if there is none. */
@@ -235,7 +235,7 @@ export class JointOutput {
 
   #sample({ joint, value, velocity, stamp, isFirst, refusal: unusable, isLost }: JointValue, now: Nanoseconds | null): Sample | null {
     if (unusable !== undefined) {
-      if (isLost === true) this.lose(joint, unusable.text);
+      if (isLost === true) this.lose(joint, unusable);
       else this.refuse(joint, unusable.reason, unusable.text);
       return null;
     }

@@ -88,10 +88,10 @@ export class PlantOutput {
   }
 
   /** Reports that the control system no longer has this variable. */
-  lose(index: number, reason: string): void {
-    if (index < this.#firstOfFrames) this.joints.lose(index, reason);
-    else if (this.#isOfFrame(index)) this.frames.lose(index, reason);
-    else this.signals.lose(index, reason);
+  lose(index: number, refusal: Refusal): void {
+    if (index < this.#firstOfFrames) this.joints.lose(index, refusal);
+    else if (this.#isOfFrame(index)) this.frames.lose(index, refusal);
+    else this.signals.lose(index, refusal);
   }
 
   /** Counts an unusable value. */
@@ -120,7 +120,7 @@ export class PlantOutput {
   }
 
   /** Reports the reason why a joint or frame is not published yet although its value has arrived. Ignores signals, which are published at once. */
-  explain(index: number, reason: string): void {
+  explain(index: number, reason: Refusal): void {
     if (index < this.#firstOfFrames) this.joints.explain(index, reason);
     else if (this.#isOfFrame(index)) this.frames.explain(index, reason);
   }

@@ -1,9 +1,13 @@
 import type { Conditions } from '../gateway/conditions';
 import type { AdapterStatus } from '../gateway/status';
 import { silenceMessages } from '../messages/values';
+import type { Refusal } from './stampRule';
 
 /** Time without a sample after which a joint counts as at rest. With a shorter time, a slow motion would change the state with each sample. */
 const REST_MS = 1000;
+
+/** The word for the reason of a joint whose data ended during a motion. */
+export const ENDED_IN_MOTION = 'ended-in-motion';
 
 interface Heard {
   /** Time of the last sample, and time of the last confirmation that the joint still has its value. */
@@ -96,20 +100,21 @@ export class Silence {
     const limit = this.faultAfterMs(joint);
     const unconfirmed = this.now() - heard.confirmed;
     if (limit !== null && silent > limit) {
-      this.#fault(joint, silenceMessages.tooLong(limit));
+      this.#fault(joint, { reason: 'silent-too-long', text: silenceMessages.tooLong(limit) });
       return [joint];
     }
-    if (this.unconfirmedMs !== null && unconfirmed > this.unconfirmedMs) this.#fault(joint, silenceMessages.notConfirmed(this.unconfirmedMs));
-    else if (this.unconfirmedMs === null && silent >= REST_MS) {
+    if (this.unconfirmedMs !== null && unconfirmed > this.unconfirmedMs) {
+      this.#fault(joint, { reason: 'not-confirmed', text: silenceMessages.notConfirmed(this.unconfirmedMs) });
+    } else if (this.unconfirmedMs === null && silent >= REST_MS) {
       // This check also applies before a configured limit, because a joint that moved in its last samples is not at rest.
       const end = this.endOf(joint, silent);
-      if (end !== null) this.#fault(joint, end);
+      if (end !== null) this.#fault(joint, { reason: ENDED_IN_MOTION, text: end });
       else this.#rest(joint, heard, silenceMessages.noValue, limit === null ? uncertainty : '');
     }
     return [];
   }
 
-  #fault(joint: string, reason: string): void {
+  #fault(joint: string, reason: Refusal): void {
     this.conditions.fault(joint, reason, this.lastSample(joint));
   }
 

@@ -174,7 +174,7 @@ describe('poses', () => {
     const { output, take, stateOf, status } = one();
     take({ 0: 100, 1: 0 });
 
-    output.lose(1, 'the server no longer has this node');
+    output.lose(1, { reason: 'node-gone', text: 'the server no longer has this node' });
 
     assert.equal(stateOf('frame/part'), 'fault');
     assert.equal(status.level, 2);

@@ -102,7 +102,7 @@ describe('signals', () => {
     const { take, output, stateOf, status } = two();
     take({ 0: 1 });
 
-    output.lose(0, 'the server no longer has this node');
+    output.lose(0, { reason: 'node-gone', text: 'the server no longer has this node' });
     output.hold(T, 0n, new Set());
 
     assert.equal(stateOf('signal/closed'), 'fault');

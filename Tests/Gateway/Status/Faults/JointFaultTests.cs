@@ -63,7 +63,7 @@ public class JointFaultTests
         _gateway.Publish("a", "b");
 
         _gateway.Report(
-            "adapter/press", ("state", "connected"), ("joint/a", $"{word} {_gateway.Since(90)} the node ns=2;s=Axis1 is gone"),
+            "adapter/press", ("state", "connected"), ("joint/a", $"{word} {_gateway.Since(90)} the node ns=2;s=Axis1 is gone"), ("reason/a", "node-gone"),
             ("joint/b", $"live {_gateway.Since()} "));
 
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(new[]
@@ -74,9 +74,13 @@ public class JointFaultTests
         Assert.That(joints.GetArrayLength(), Is.EqualTo(2));
         Assert.That(joints[0].GetProperty("source").GetString(), Is.EqualTo("press"));
         Assert.That(joints[0].GetProperty("since_utc").GetString(), Is.EqualTo("2026-11-20T11:58:30.000Z"));
+        Assert.That(joints[0].GetProperty("reason_word").GetString(), Is.EqualTo("node-gone"));
         Assert.That(joints[1].GetProperty("state").GetString(), Is.EqualTo("live"));
-        Assert.That(
-            (await _gateway.GetAsync("/metrics")).Text, Does.Contain($"nowpose_joint_state{{joint=\"a\",source=\"press\",state=\"{word}\"}} 1"));
+        var metrics = (await _gateway.GetAsync("/metrics")).Text;
+        Assert.That(metrics, Does.Contain($"nowpose_joint_state{{joint=\"a\",source=\"press\",state=\"{word}\"}} 1"));
+        Assert.That(metrics, Does.Contain("nowpose_joint_fault{joint=\"a\",source=\"press\",reason=\"node-gone\"} 1"));
+        var adapter = (await _gateway.StateAsync()).GetProperty("adapters")[0];
+        Assert.That(adapter.TryGetProperty("reason/a", out _), Is.False, "the word belongs to the joint");
     }
 
     [Test]

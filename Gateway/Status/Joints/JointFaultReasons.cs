@@ -1,0 +1,58 @@
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Status.Joints;
+
+/// <summary>
+/// The words for the reason of a joint that is neither live nor at rest. They are label values of a metric, so the set is fixed. Each word has one
+/// meaning; the reason itself is a sentence.
+/// </summary>
+static class JointFaultReasons
+{
+    /// <summary>Another source publishes the joint.</summary>
+    public const string Taken = "taken";
+
+    /// <summary>The adapter reports the joint as live, but no sample has arrived.</summary>
+    public const string NoSample = "no-sample";
+
+    /// <summary>Samples have stopped, and no adapter gives a reason.</summary>
+    public const string SamplesStopped = "samples-stopped";
+
+    /// <summary>The adapter has stopped reporting.</summary>
+    public const string AdapterSilent = "adapter-silent";
+
+    /// <summary>The robot description has the joint, but no source publishes it.</summary>
+    public const string NotPublished = "not-published";
+
+    /// <summary>The gateway drops the source's samples for a reason without its own word.</summary>
+    public const string InvalidMessage = "invalid-message";
+
+    /// <summary>Any other reason, for example of an adapter that sends no word.</summary>
+    public const string Other = "other";
+
+    // The words of the adapters, which send them with the key reason/NAME or as the reason of a refused value.
+    static readonly string[] OfAdapters =
+    [
+        "never-received", "not-connected", "node-gone", "not-monitored", "not-readable", "ended-in-motion", "silent-too-long", "not-confirmed",
+        "retained", "plc-stopped", "other-gateway", "status-bad", "status-uncertain", "type", "index", "field", "malformed", "not-finite",
+        "stamp-missing", "stamp-zero", "stamp-not-newer", "stamp-future", "stamp-old", "time-unmatched",
+    ];
+
+    /// <summary>All words.</summary>
+    public static readonly IReadOnlySet<string> All =
+        new HashSet<string>([.. OfAdapters, Taken, NoSample, SamplesStopped, AdapterSilent, NotPublished, InvalidMessage, Other]);
+
+    /// <summary>Gets the word itself if it is one of the set, and <see cref="Other"/> otherwise.</summary>
+    /// <param name="word">The word of a client; null if it sends none.</param>
+    public static string Of(string word) => word != null && All.Contains(word) ? word : Other;
+
+    /// <summary>Gets the word for the reason for which the gateway drops a joint's samples.</summary>
+    public static string Of(DropReason reason) => reason switch
+    {
+        DropReason.NotFinite => "not-finite",
+        DropReason.StampZero => "stamp-zero",
+        DropReason.StampInFuture => "stamp-future",
+        DropReason.JointTaken => Taken,
+        DropReason.None => Other,
+        _ => InvalidMessage,
+    };
+}
