@@ -1,3 +1,5 @@
+using Nowpose.Messages;
+
 namespace Nowpose.Gateway.Messages;
 
 /// <summary>Headlines of events on the operations page, and the reasons for the events.</summary>
@@ -82,6 +84,6 @@ static class EventTexts
 
     public const string UncertainRest = "may not be at rest";
 
-    /// <summary>Start of the reason for such a joint in the messages of the gateway. The text is part of the protocol.</summary>
-    public const string UncertainRestReason = "may not be at rest: ";
+    /// <inheritdoc cref="StateNames.UncertainRestReason"/>
+    public const string UncertainRestReason = StateNames.UncertainRestReason;
 }

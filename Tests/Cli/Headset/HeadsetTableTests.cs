@@ -1,5 +1,7 @@
 using NUnit.Framework;
 using Nowpose.Cli.Headset;
+using Nowpose.Protocol;
+using Nowpose.Session;
 using Spectre.Console;
 
 namespace Nowpose.Headless.Tests.Cli.Headset;
@@ -45,6 +47,16 @@ public class HeadsetTableTests
         Assert.That(text, Does.Match(@"outage from 8\.0 to 12\.0 s +held: joint a3: no data: node deleted"));
         Assert.That(text, Does.Match(@"stretch 1: pose +current for 100\.0 % of the frames from 1\.5 to 8\.0 s"));
         Assert.That(text, Does.Match(@"stretch 2: tool, compensated +4\.00 mm RMS, 8\.00 mm P95"));
+    }
+
+    [Test]
+    public void Print_RestOfAJointUncertain_NamesTheJointAndTheReason()
+    {
+        var joint = new JointStatus("a3", JointDataState.Rest, null, TimeSpan.FromSeconds(4), "may not be at rest: the stop itself was not observed");
+
+        var text = Printed(Result() with { Joints = [HeadsetResult.JointResult.Of(joint)], MissingJoints = [] });
+
+        Assert.That(text, Does.Match("joint a3 +rest for 4 s: may not be at rest: the stop itself was not observed"));
     }
 
     [Test]

@@ -8,5 +8,8 @@ namespace Nowpose.Messages
         public const string FramesMissRefreshes = "frames miss refreshes";
         public const string RenderTimeNotMeasured = "render time not measured";
         public const string ValuesUnusable = "no usable values";
+
+        /// <summary>Start of the gateway's reason for a joint that may not be at rest. The text is part of the protocol.</summary>
+        public const string UncertainRestReason = "may not be at rest: ";
     }
 }

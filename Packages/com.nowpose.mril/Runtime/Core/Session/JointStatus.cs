@@ -34,6 +34,9 @@ namespace Nowpose.Session
         /// <summary>Whether the joint has no data, so that it is not shown as current. False for a joint that is assumed to be at rest.</summary>
         public bool IsMissing => !State.IsGood();
 
+        /// <summary>Whether the joint is assumed to be at rest, but the gateway reports that it may not be.</summary>
+        internal bool IsRestUncertain => State == JointDataState.Rest && Reason?.StartsWith(StateNames.UncertainRestReason, StringComparison.Ordinal) == true;
+
         /// <summary>State, age and reason in one line, such as "no data for 4 s: node deleted"; allocates.</summary>
         public string Description => DescriptionWith(Age.HasValue ? " for " + TextOf(Age.Value) : "");
 

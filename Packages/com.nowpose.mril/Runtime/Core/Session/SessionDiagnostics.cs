@@ -65,11 +65,20 @@ namespace Nowpose.Session
 
         static (int Level, string Message) Status(SessionStatistics statistics)
         {
-            if (statistics.Pose == PoseState.Current) return DisplayMessages.ProblemOf(statistics) is { } problem ? (1, problem) : (0, "");
+            if (statistics.Pose == PoseState.Current)
+            {
+                var warnings = string.Join("; ", new[] { UncertainJoints(statistics), DisplayMessages.ProblemOf(statistics) }.Where(text => !string.IsNullOrEmpty(text)));
+                return (warnings.Length == 0 ? 0 : 1, warnings);
+            }
+
             var missing = MissingJoints(statistics);
             var pose = "the pose is " + PoseStateName.Of(statistics);
             return missing.Length == 0 ? (1, pose) : (2, pose + "; missing joints: " + missing);
         }
+
+        // Returns for example "joint a1: may not be at rest: the stop itself was not observed"; empty if the rest of all joints is certain.
+        static string UncertainJoints(SessionStatistics statistics) =>
+            JointStatusText.Of(statistics.JointStatuses.Where(joint => joint.IsRestUncertain), joint => joint.Reason);
 
         static string MissingJoints(SessionStatistics statistics) =>
             string.Join(",", statistics.JointStatuses.Where(each => each.IsMissing).Select(each => each.Joint));

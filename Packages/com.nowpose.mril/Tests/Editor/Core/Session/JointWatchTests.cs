@@ -275,6 +275,40 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(StatusOf(implausible), Is.EqualTo((1, DisplayMessages.ProblemOf(implausible))));
         }
 
+        [Test]
+        public void Diagnostics_RestUncertain_AreAWarningThatNamesTheJointsUntilTheRestIsCertain()
+        {
+            var simulated = Running();
+            DiagnosticsMessage Diagnostics() => SessionDiagnostics.Of(StatisticsOf(simulated), "left", default);
+            JointReport Rest(string joint, string reason) => new JointReport(joint, JointDataState.Rest, ControlNow(simulated) - Lengths.Seconds(9), reason);
+            const string reason = StateNames.UncertainRestReason + "the stop itself was not observed";
+
+            Report(simulated, Rest("shoulder", reason), Rest("elbow", reason));
+            simulated.Run(0.5);
+            var both = Diagnostics();
+            Report(simulated, Rest("shoulder", "no change is reported"), Rest("elbow", reason));
+            var one = Diagnostics();
+            Report(simulated, Rest("shoulder", "no change is reported"), Rest("elbow", ""));
+            var certain = Diagnostics();
+
+            Assert.That((both.Level, both.Message), Is.EqualTo((1, "joints shoulder, elbow: " + reason)));
+            Assert.That((one.Level, one.Message), Is.EqualTo((1, "joint elbow: " + reason)));
+            Assert.That((certain.Level, certain.Message), Is.EqualTo((0, "")));
+            Assert.That(both.Values.Single(pair => pair.Key == "pose").Value, Is.EqualTo("current"));
+        }
+
+        [Test]
+        public void Diagnostics_RestUncertainAndADisplayProblem_ContainBoth()
+        {
+            var statistics = new SessionStatistics { Pose = PoseState.Current, IsDisplayTimeImplausible = true };
+            const string reason = StateNames.UncertainRestReason + "nothing confirms the last value";
+            statistics.ChangeableJointStatuses.Add(new JointStatus("elbow", JointDataState.Rest, null, null, reason));
+
+            var message = SessionDiagnostics.Of(statistics, "left", default);
+
+            Assert.That((message.Level, message.Message), Is.EqualTo((1, "joint elbow: " + reason + "; " + DisplayMessages.ProblemOf(statistics))));
+        }
+
         [TestCase(PoseState.Current, ClockState.Synchronised, 0.4, "current")]
         [TestCase(PoseState.Current, ClockState.Coarse, 0.9, "coarse")]
         [TestCase(PoseState.Current, ClockState.Holdover, 0.9, "current")]

@@ -27,6 +27,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(JointDataState.Fault, "node deleted", "! joint a3: no data since 11:59:56: node deleted")]
         [TestCase(JointDataState.Stale, "", "! joint a3: no data since 11:59:56")]
         [TestCase(JointDataState.Rest, "", "joint a3: assumed at rest since 11:59:56")]
+        [TestCase(JointDataState.Rest, "may not be at rest: no stop seen", "joint a3: assumed at rest since 11:59:56: may not be at rest: no stop seen")]
         public void Update_JointNotLive_IsNamedWithStartAndReason(JointDataState state, string reason, string expected)
         {
             var statistics = Statistics(100, Joint("a3", state, 4, reason));
