@@ -60,5 +60,7 @@ sealed class QueuedListener : IRosbridgeListener
 
     public DiagnosticsMessage Report { get; set; }
 
+    public bool HasPoseChanged { get; set; }
+
     public DiagnosticsMessage Diagnostics() => FailDiagnostics ? throw new InvalidOperationException("no diagnostics today") : Report;
 }

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Net.WebSockets;
 using System.Text;
 using Nowpose.Network;
@@ -114,7 +115,7 @@ public class RosbridgeConnectionTests
     {
         for (var i = 0; i < 3; i++) (await _played.Server.AcceptStreamAsync()).Close();
         var fourth = await _played.Server.AcceptStreamAsync();
-        var since = System.Diagnostics.Stopwatch.StartNew();
+        var since = Stopwatch.StartNew();
         fourth.Close();
 
         (await _played.Server.AcceptStreamAsync()).Close();
@@ -181,6 +182,33 @@ public class RosbridgeConnectionTests
 
         Assert.That(sent, Has.None.Contains(RosTopics.Displayed));
         Assert.That(_played.Listener.Displays, Has.Count.EqualTo(1));
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public async Task Diagnostics_PoseChanges_AreSentWithinASecondButNotMoreThanFiveTimesASecond(bool publishesDisplayed)
+    {
+        using var server = new FakeWebSocketServer();
+        var clock = new StopwatchHeadsetClock();
+        var settings = new ConnectionSettings("127.0.0.1", webSocketPort: server.Port, publishesDisplayed: publishesDisplayed);
+        _played.Listener.Report = new DiagnosticsMessage(default, "left door", []);
+        _played.Listener.HasPoseChanged = true;
+        var since = Stopwatch.StartNew();
+        using var client = new RosbridgeClient(
+            () => WebSocketLinks.Create(settings, clock), clock, _played.Listener, Subscribed.ToRobot(), settings.PublishesDisplayed);
+        var socket = await server.AcceptAsync();
+        var times = new List<double>();
+        double Shortest() => times.Zip(times.Skip(1), (one, next) => next - one).DefaultIfEmpty(double.PositiveInfinity).Min();
+
+        // On a busy machine, single intervals may be longer.
+        while (times.Count < 4 || Shortest() > 0.6 && times.Count < 20)
+        {
+            await NextAsync(socket, "publish", RosTopics.Diagnostics);
+            times.Add(since.Elapsed.TotalSeconds);
+        }
+
+        Assert.That(Shortest(), Is.LessThan(0.6), string.Join(", ", times));
+        Assert.That(times.Count / since.Elapsed.TotalSeconds, Is.LessThanOrEqualTo(5), string.Join(", ", times));
     }
 
     static async Task<string> NextAsync(WebSocket socket, string op, string topic)

@@ -89,6 +89,7 @@ public class StuckSendTests
         public void Described(string urdf, string robot) { }
         public void Dropped(DropReason reason) { }
         public DiagnosticsMessage Diagnostics() => null;
+        public bool HasPoseChanged => false;
         public JointStateMessage Displayed() => new(ControlTime.FromSeconds(5), ["a"], [0.5]);
     }
 }

@@ -55,7 +55,13 @@ namespace Nowpose.Network
         /// <summary>Gets the displayed joints; null without new positions. Called up to twenty times a second.</summary>
         JointStateMessage Displayed();
 
-        /// <summary>Gets the headset's state; null if there is none to publish. Called once a second.</summary>
+        /// <summary>
+        /// Gets the headset's state; null if there is none to publish. Called once a second, and up to five times a second while
+        /// <see cref="HasPoseChanged"/> is true.
+        /// </summary>
         DiagnosticsMessage Diagnostics();
+
+        /// <summary>Whether the state of the pose has changed since the newest diagnostics; false before the first.</summary>
+        bool HasPoseChanged { get; }
     }
 }

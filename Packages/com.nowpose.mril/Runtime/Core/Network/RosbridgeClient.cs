@@ -15,7 +15,10 @@ namespace Nowpose.Network
     /// </summary>
     sealed class RosbridgeClient : IDisposable
     {
-        static readonly TimeSpan DiagnosticsInterval = ClockTicks.Span(1);
+        /// <summary>
+        /// Interval of the diagnostics, and the interval while the state of the pose changes, so that the operations page shows the change at once.
+        /// </summary>
+        static readonly TimeSpan DiagnosticsInterval = ClockTicks.Span(1), MinDiagnosticsInterval = ClockTicks.Span(0.2);
 
         /// <summary>
         /// Interval of the displayed joints. It is sufficient for a smooth display, and its traffic is small compared with the received traffic.
@@ -238,17 +241,17 @@ namespace Nowpose.Network
         async Task PublishAsync(LinkSender sender, CancellationToken cancel)
         {
             await AdvertiseAsync(sender, cancel).ConfigureAwait(false);
-            var next = _clock.Now + DiagnosticsInterval;
+            var last = _clock.Now;
             while (true)
             {
-                await Task.Delay(_publishesDisplayed ? DisplayedInterval : DiagnosticsInterval, cancel).ConfigureAwait(false);
+                await Task.Delay(_publishesDisplayed ? DisplayedInterval : MinDiagnosticsInterval, cancel).ConfigureAwait(false);
                 var displayed = _publishesDisplayed ? _listener.Displayed() : null;
                 if (displayed != null)
                     await sender.SendAsync(
                         RosbridgeWriter.PublishJointState(RosTopics.Displayed, displayed, RosTimeForm.Sec), cancel).ConfigureAwait(false);
                 var now = _clock.Now;
-                if (now < next && _publishesDisplayed) continue;
-                next = now + DiagnosticsInterval;
+                if (now - last < (_listener.HasPoseChanged ? MinDiagnosticsInterval : DiagnosticsInterval)) continue;
+                last = now;
                 await ReportAsync(sender, cancel).ConfigureAwait(false);
             }
         }

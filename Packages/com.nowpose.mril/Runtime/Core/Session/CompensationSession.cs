@@ -283,6 +283,15 @@ namespace Nowpose.Session
             }
         }
 
+        /// <summary>State of the pose in the newest frame. Thread-safe.</summary>
+        internal PoseState Pose
+        {
+            get
+            {
+                lock (_gate) return _main.Frame.State;
+            }
+        }
+
         /// <summary>
         /// Returns the joints of the newest frame, stamped with its display time. Null while the display time is unknown or too inaccurate,
         /// while a joint of the arm has no sample, and if this frame was already returned. Thread-safe.

@@ -7,8 +7,12 @@ namespace Nowpose.Session
     /// <summary>Connects a session to the network: receives messages, and provides displayed joints and diagnostics. Thread-safe.</summary>
     sealed class SessionListener : IRosbridgeListener
     {
+        const int NoDiagnostics = -1;
+
         readonly CompensationSession _session;
         readonly IHeadsetClock _clock;
+        // State of the pose in the newest diagnostics.
+        volatile int _reportedPose = NoDiagnostics;
 
         /// <param name="clock">Clock for time stamps of the diagnostics.</param>
         public SessionListener(CompensationSession session, IHeadsetClock clock)
@@ -51,11 +55,17 @@ namespace Nowpose.Session
 
         public JointStateMessage Displayed() => _session.Displayed();
 
-        /// <summary>Returns the diagnostics that this headset publishes once per second. The time stamp is zero until the clock is known.</summary>
+        public bool HasPoseChanged => _reportedPose != NoDiagnostics && _reportedPose != (int)_session.Pose;
+
+        /// <summary>
+        /// Returns the diagnostics that this headset publishes once per second, and at once when the state of the pose changes. The time stamp is zero
+        /// until the clock is known.
+        /// </summary>
         public DiagnosticsMessage Diagnostics()
         {
             var now = _clock.Now;
             var statistics = _session.Statistics(now);
+            _reportedPose = (int)statistics.Pose;
             return SessionDiagnostics.Of(
                 statistics, _session.Settings.Connection.HeadsetName, statistics.Clock.IsKnown ? statistics.Clock.ToControl(now) : default);
         }

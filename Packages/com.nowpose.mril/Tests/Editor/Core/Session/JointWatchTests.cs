@@ -309,6 +309,27 @@ namespace Nowpose.Tests.Core.Session
             Assert.That((message.Level, message.Message), Is.EqualTo((1, "joint elbow: " + reason + "; " + DisplayMessages.ProblemOf(statistics))));
         }
 
+        [Test]
+        public void HasPoseChanged_PoseIsHeldAndCurrentAgain_IsTrueUntilTheNextDiagnostics()
+        {
+            var simulated = Running();
+            var listener = new SessionListener(simulated.Session, new SetClock { Now = HeadsetTime.FromSeconds(simulated.Now) });
+            var beforeTheFirst = listener.HasPoseChanged;
+            listener.Diagnostics();
+            var unchanged = listener.HasPoseChanged;
+
+            Report(simulated, "elbow", JointDataState.Fault);
+            simulated.Run(0.1);
+            var held = listener.HasPoseChanged;
+            listener.Diagnostics();
+            var reported = listener.HasPoseChanged;
+            Report(simulated);
+            simulated.Run(0.1);
+
+            Assert.That(
+                new[] { beforeTheFirst, unchanged, held, reported, listener.HasPoseChanged }, Is.EqualTo(new[] { false, false, true, false, true }));
+        }
+
         [TestCase(PoseState.Current, ClockState.Synchronised, 0.4, "current")]
         [TestCase(PoseState.Current, ClockState.Coarse, 0.9, "coarse")]
         [TestCase(PoseState.Current, ClockState.Holdover, 0.9, "current")]
