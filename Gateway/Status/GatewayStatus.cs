@@ -15,7 +15,7 @@ namespace Nowpose.Gateway.Status;
 /// <summary>Monitors the hub and reports the state of the gateway. Thread-safe; does not block publishers.</summary>
 sealed class GatewayStatus : IDisposable
 {
-    // Maximum number of events in the state, which each open page reads once per second. /operations/events returns all events.
+    // Maximum number of events in the state, which each open page reads twice per second. /operations/events returns all events.
     const int EventsInState = 100;
 
     static readonly string[] Topics =

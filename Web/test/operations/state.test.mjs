@@ -31,6 +31,17 @@ it('runs its own script but no injected one', async () => {
 });
 
 describe('the shown state', () => {
+  it('is read twice a second', async () => {
+    await open();
+
+    // On a busy machine, single intervals may be longer. They are never shorter, unless a user acts.
+    const intervals = () => gateway.stateRequests.slice(1).map((time, i) => time - gateway.stateRequests[i]);
+    while (intervals().length < 3 || (Math.min(...intervals()) > 750 && intervals().length < 20)) await new Promise(resolve => setTimeout(resolve, 50));
+
+    assert.ok(Math.min(...intervals()) <= 750, `${intervals()} ms`);
+    assert.ok(intervals().every(ms => ms > 100), `${intervals()} ms`);
+  });
+
   it('contains the reports of each headset in words and numbers', async () => {
     const page = await open();
 
