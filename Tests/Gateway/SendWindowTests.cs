@@ -48,6 +48,24 @@ public class SendWindowTests
         Assert.That(run.Window.IsTooSlow, Is.True);
     }
 
+    // The manual states these results (gateway-capacity.md).
+    [TestCase(250, false)]
+    [TestCase(500, false)]
+    [TestCase(750, false)]
+    [TestCase(1000, true)]
+    [TestCase(2000, true)]
+    public void Reader_PausesBetweenItsReads_ReceivesSamplesAsOldAsThePauseAndIsTooSlowFromASecondOn(int pauseMs, bool isTooSlow)
+    {
+        var run = new Run(bytesPerSecond: 1e9, messageBytes: 385, intervalMs: 20, roundTripMs: 1) { ReadPauseMs = pauseMs };
+
+        run.Continue(TimeSpan.FromMilliseconds((SendWindow.MaxLatePongs - 1) * pauseMs));
+        Assert.That(run.Window.IsTooSlow, Is.False, "after a few reads");
+        run.Continue(TimeSpan.FromMilliseconds(3 * pauseMs));
+
+        Assert.That(run.Window.IsTooSlow, Is.EqualTo(isTooSlow));
+        Assert.That(run.MaxAge.TotalMilliseconds, Is.EqualTo(pauseMs).Within(25));
+    }
+
     [Test]
     public void IsTooSlow_SinglePongsAreLate_IsFalse()
     {
@@ -233,6 +251,9 @@ public class SendWindowTests
         /// <summary>At the start of each period of two seconds, nothing arrives at the client for this time in ms.</summary>
         public int StallMs { get; init; }
 
+        /// <summary>Interval of the client's reads, in each of which it reads all data that have arrived, in ms; 1 for a client that always reads.</summary>
+        public int ReadPauseMs { get; init; } = 1;
+
         TimeSpan OneWay => TimeSpan.FromMilliseconds(roundTripMs / 2.0);
 
         TimeSpan Arrival
@@ -292,6 +313,7 @@ public class SendWindowTests
 
         void Read()
         {
+            if ((long)_now.TotalMilliseconds % ReadPauseMs != 0) return;
             _credit = Math.Min(_credit + (BytesPerSecond * Step.TotalSeconds), BytesPerSecond * Step.TotalSeconds + messageBytes);
             while (_way.TryPeek(out var next) && next.Arrives <= _now && next.Bytes <= _credit)
             {
