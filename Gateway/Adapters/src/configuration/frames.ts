@@ -56,6 +56,9 @@ const ANGLES: Record<string, number> = { rad: 1, deg: Math.PI / 180 };
 export const isStationary = ({ selector, position, rotation }: Frame): boolean =>
   selector === null && [...position, ...(rotation?.parts ?? [])].every(part => 'constant' in part);
 
+/** Maximum deviation of the norm of a constant quaternion from 1. It is the deviation that the protocol allows. */
+const MAX_NORM_ERROR = 0.001;
+
 /** Gets the frames of a configuration whose poses consist of individual values, and adds the values to be read for them to `values`. */
 export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], silence: SilenceEntry, values: Value[]): Frame[] {
   const seen = new Map<string, number>();
@@ -66,6 +69,7 @@ export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], si
     if (seen.has(entry.frame)) file.report([...path, 'frame'], configurationMessages.nameTwice(entry.frame, seen.get(entry.frame), 'frame'));
     seen.set(entry.frame, file.lineOf([...path, 'frame']));
     if (entry.quaternion !== undefined && entry.angles !== undefined) file.report([...path, 'angles'], frameMessages.quaternionAndAngles);
+    reportQuaternion(file, entry, [...path, 'quaternion']);
     if (entry.position === undefined) return [];
     paths.push(path);
     const { topic, type } = entry;
@@ -132,6 +136,16 @@ function read(file: YamlFile, kind: string, { label, path, address }: Value, com
   if (address[allowed[0]] === undefined) file.report([...path, allowed[0]], frameMessages.noAddress(allowed[0]));
   values.push({ label, path, address: addressIn(kind === 'ros' ? { ...address, ...common } : address) });
   return { value: values.length - 1 };
+}
+
+/** Reports a quaternion of four constants that is not a rotation. The values of other quaternions are checked when they arrive. */
+function reportQuaternion(file: YamlFile, { frame, quaternion }: FrameEntry, path: Path): void {
+  if (quaternion === undefined) return;
+  const { x, y, z, w } = quaternion;
+  const parts = [x, y, z, w].filter(part => typeof part === 'number');
+  const norm = Math.hypot(...parts);
+  if (parts.length === 4 && !(Math.abs(norm - 1) <= MAX_NORM_ERROR))
+    file.report(path, frameMessages.constantQuaternion(parts, frame, norm, 1 - MAX_NORM_ERROR, 1 + MAX_NORM_ERROR));
 }
 
 /** Reports a frame that is its own ancestor. Each frame of a cycle is reported. The gateway checks frames whose parent changes. */

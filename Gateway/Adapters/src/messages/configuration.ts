@@ -33,6 +33,13 @@ export const configurationMessages = {
 export const frameMessages = {
   world: (name: string) => wrongValue(name, 'this is the name of the anchored frame of the cell, which has no parent; choose another name'),
   quaternionAndAngles: 'quaternion and angles are both set; remove one of the two',
+  /** @param value The components x, y, z and w. */
+  constantQuaternion: (value: number[], frame: string, norm: number, minNorm: number, maxNorm: number) =>
+    wrongValue(
+      value,
+      `the quaternion x, y, z, w of frame ${frame} has the norm ${Number(norm.toPrecision(9))}; `
+        + `allowed: ${minNorm} to ${maxNorm}; divide its components by the norm`,
+    ),
   noAddress: (entry: string) => `missing; add the ${entry} of the variable that contains this number`,
   /** @param chain Names of the frames in the cycle: the frame, its parent, and so on, with the frame again at the end. */
   cycle: (value: unknown, chain: string[], world: string) =>

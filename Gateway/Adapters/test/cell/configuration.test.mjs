@@ -115,6 +115,8 @@ describe('configuration of frames, signals and robots', () => {
     ['AnglesWithoutAxes', OPCUA, 'axes: moving, ', '', 'line 16: frames[1].angles.axes: missing; '],
     ['TwoAngles', OPCUA, ', 0, 0 ]', ', 0 ]', 'line 16: frames[1].angles.values: value '],
     ['TwoRotations', ADS, '    quaternion', '    angles: { order: xyz, axes: fixed, unit: rad, values: [0, 0, 0] }\n    quaternion', `line 8: frames[0].angles: ${frameMessages.quaternionAndAngles}`],
+    ['ConstantQuaternionTooLong', ADS, '{ symbol: MAIN.qz }, w: { symbol: MAIN.qw }', '0, w: 2', `line 8: frames[0].quaternion: ${frameMessages.constantQuaternion([0, 0, 0, 2], 'part', 2, 0.999, 1.001)}`],
+    ['ConstantQuaternionTooShort', ADS, '{ symbol: MAIN.qz }, w: { symbol: MAIN.qw }', '0, w: 0.998', `line 8: frames[0].quaternion: ${frameMessages.constantQuaternion([0, 0, 0, 0.998], 'part', 0.998, 0.999, 1.001)}`],
     ['RestWithoutOnChange', ADS, 'frame: part', 'frame: part\n    silence: rest', `line 7: frames[0].silence: ${adsSettingMessages.restWithoutOnChange}`],
     ['SignalTwice', OPCUA, 'signal: speed', 'signal: closed', `line 19: signals[1].signal: ${configurationMessages.nameTwice('closed', 18, 'signal')}`],
     ['SignalWithoutNode', OPCUA, 'signal: closed, node: i=6', 'signal: closed', 'line 18: signals[0].node: missing; '],
