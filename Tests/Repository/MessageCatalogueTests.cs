@@ -70,7 +70,7 @@ public sealed partial class MessageCatalogueTests
         ["DropMessages"] = ["Of"],
         ["DryRunMessages"] = ["MissingJoints", "MissingJointsLog", "PortInUse"],
         ["FigureErrors"] = ["NotAValue", "NotFinite"],
-        ["FrameMessages"] = ["FileLine", "List"],
+        ["FrameMessages"] = ["FileLine", "FiniteNumber", "List", "Object", "OfFrame", "OfTransform", "Text"],
         ["HeadsetMessages"] = ["AtEnd", "CurrentAgain", "NeverCurrent", "Pose"],
         ["KeyFileMessages"] = ["Renewed"],
         ["KinematicsMessages"] = ["BeyondLimits", "FixedJoint", "Title", "UnknownJoint"],

@@ -73,6 +73,18 @@ public class StationaryFramesTests
     }
 
     [Test]
+    public async Task Check_WrongFieldInTheFile_IsReportedWithFrameFieldAndValue()
+    {
+        Save(Frame("belt"), Frame("fixture", x: 0.25));
+        File.WriteAllText(_path, File.ReadAllText(_path).Replace("\"x\": 0.25", "\"x\": \"q\""));
+
+        var (status, _, errors) = await CheckAsync();
+
+        Assert.That(status, Is.EqualTo(2));
+        Assert.That(CapturedConsole.Lines(errors).Single(), Does.EndWith(": frame fixture has transform.translation.x \"q\"; enter a finite number"));
+    }
+
+    [Test]
     public async Task Serve_FileInvalidOrMissing_EndsAndReportsTheLine([Values] bool isMissing)
     {
         if (!isMissing) File.WriteAllText(_path, "{\n\"transforms\": [3]}");

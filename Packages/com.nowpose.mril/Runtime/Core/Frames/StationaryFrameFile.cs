@@ -14,14 +14,16 @@ namespace Nowpose.Frames
     {
         const int MaxBytes = 1024 * 1024, Nesting = 6;
 
-        /// <exception cref="InputException">The file cannot be read or is invalid; the message names the file, the line and the reason.</exception>
+        /// <exception cref="InputException">The file cannot be read or is invalid; the message names the file, the line, the frame and the reason.</exception>
         public static TransformsMessage Load(string path)
         {
-            var utf8 = Encoding.UTF8.GetBytes(WholeFile.Read(path, MaxBytes));
+            var text = WholeFile.Read(path, MaxBytes);
+            var utf8 = Encoding.UTF8.GetBytes(text);
             var json = new JsonUtf8Reader(utf8, Nesting);
             var message = new TransformsReader().Read(ref json, isStatic: true);
             if (message != null && json.End()) return message;
-            throw new InputException(FrameMessages.FileLine(path, LineAt(utf8, json.Position), WordsOf(json.Fault)));
+            var fault = InvalidStationaryFrame.Describe(text, json.Fault) ?? WordsOf(json.Fault);
+            throw new InputException(FrameMessages.FileLine(path, LineAt(utf8, json.Position), fault));
         }
 
         /// <exception cref="InputException">The file cannot be written; the old file is unchanged.</exception>

@@ -25,6 +25,27 @@ namespace Nowpose.Messages
 
         public const string ChildTwice = "a child_frame_id occurs twice; remove one";
 
+        /// <param name="problem">Predicate of a sentence whose subject is the frame.</param>
+        public static string OfFrame(string frame, string problem) => $"frame {frame} {problem}";
+
+        /// <param name="number">Place in the list, for a frame without a name.</param>
+        public static string OfTransform(int number, string problem) => $"transform {number} {problem}";
+
+        public const string IsOwnParent = "is its own parent; correct its header.frame_id";
+        public const string OccursTwice = "occurs twice as child_frame_id; remove one";
+
+        public static string NoField(string field) => $"has no {field}; add it";
+        public static string WrongField(string field, string value, string allowed) => $"has {field} {value}; enter {allowed}";
+
+        public const string FiniteNumber = "a finite number";
+        public const string Text = "a text";
+        public const string Object = "a JSON object";
+
+        public static string Coordinate(double max) => FormattableString.Invariant($"a number from -{max} to {max} m");
+
+        public static string Norm(double norm, string tolerance) =>
+            FormattableString.Invariant($"has a transform.rotation with the norm {norm:0.#######}; it must be 1 ± {tolerance}; normalise it");
+
         public static string TooManyFrames(int max) => $"more than {max} frames; remove some";
 
         public static string FileLine(string path, int line, string fault) => $"{path}, line {line}: {fault}";

@@ -10,7 +10,7 @@ namespace Nowpose.Protocol.Cell
         const int Names = 4 * ProtocolLimits.Frames;
 
         /// <summary>Maximum magnitude of a coordinate, m. It is far outside a cell, and single precision still resolves 0.1 m there.</summary>
-        const double MaxCoordinate = 1e6;
+        internal const double MaxCoordinate = 1e6;
 
         static readonly JsonNames MessageFields = new JsonNames("transforms");
         static readonly JsonNames StampedFields = new JsonNames("header", "child_frame_id", "transform");

@@ -45,10 +45,17 @@ namespace Nowpose.Tests.Core.Frames
             }
         }
 
-        [TestCase("\"w\": 1.0", "\"w\": 1.1", 25, "a rotation is not a unit quaternion; its norm must be 1 ± 0.001; normalise it")]
-        [TestCase("\"x\": 0.5", "\"x\": NaN", 14, "a number is not finite; correct it")]
-        [TestCase("\"frame_id\": \"world\"", "\"frame_id\": \"box\"", 25, "a frame is its own parent; correct its header.frame_id")]
-        [TestCase("\"child_frame_id\": \"box\",", "", 25, "a field is missing; add it")]
+        [TestCase("\"w\": 1.0", "\"w\": 1.1", 25, "frame box has a transform.rotation with the norm 1.1; it must be 1 ± 0.001; normalise it")]
+        [TestCase("\"x\": 0.5", "\"x\": NaN", 14, "frame box has transform.translation.x NaN; enter a finite number")]
+        [TestCase("\"x\": 0.5", "\"x\": \"q\"", 14, "frame box has transform.translation.x \"q\"; enter a finite number")]
+        [TestCase("\"x\": 0.5", "\"x\": null", 14, "frame box has transform.translation.x null; enter a finite number")]
+        [TestCase("\"x\": 0.5", "\"x\": 2e6", 14, "frame box has transform.translation.x 2000000.0; enter a number from -1000000 to 1000000 m")]
+        [TestCase("\"w\": 1.0", "\"w\": [1]", 22, "frame box has transform.rotation.w [1]; enter a finite number")]
+        [TestCase("\"frame_id\": \"world\"", "\"frame_id\": \"box\"", 25, "frame box is its own parent; correct its header.frame_id")]
+        [TestCase("\"frame_id\": \"world\"", "\"frame_id\": 3", 9, "frame box has header.frame_id 3; enter a text")]
+        [TestCase("\"child_frame_id\": \"box\",", "", 25, "transform 1 has no child_frame_id; add it")]
+        [TestCase("\"child_frame_id\": \"box\",", "\"child_frame_id\": \"\",", 11, "transform 1 has no child_frame_id; add it")]
+        [TestCase("\"y\": 0.0,", "", 17, "frame box has no transform.translation.y; add it")]
         [TestCase("\"y\": 0.0,", "\"y\": 0.0;", 15, "is not a tf2_msgs/TFMessage in JSON (NotJson); correct the file")]
         public void Load_InvalidContent_IsRefusedWithTheLineNumber(string good, string bad, int line, string words)
         {
@@ -78,6 +85,16 @@ namespace Nowpose.Tests.Core.Frames
 
             Assert.That(fault.Message, Does.StartWith(_path + ", line 1: "));
             Assert.That(fault.Message.Contains('\n'), Is.False);
+        }
+
+        [Test]
+        public void Load_FrameTwice_IsRefusedWithItsName()
+        {
+            StationaryFrameFile.Save(_path, new TransformsMessage(Frame("box", 0, 0), Frame("lid", 1, 0), Frame("lid", 2, 0)));
+
+            var fault = Assert.Throws<InputException>(() => StationaryFrameFile.Load(_path));
+
+            Assert.That(fault.Message, Does.EndWith(": frame lid occurs twice as child_frame_id; remove one"));
         }
 
         [Test]
