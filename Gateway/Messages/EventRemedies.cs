@@ -7,6 +7,7 @@ static class EventRemedies
     public const string MissingJoint = "Check that the plant offers the joint's value and that the plant's configuration names it correctly.";
     public const string Values = "Check the values that its source sends.";
     public const string Plant = "Check the plant and its connection.";
+    public const string Parent = "Check the name of the parent; if it is a link of a robot, check that a source publishes the robot's description.";
     public const string CellVariables = "Check its variables in the plant and its entry in the plant's configuration.";
     public const string ClockAdapter = "Check the adapter that reads this clock.";
     public const string Adapters = "Check that the adapter of each plant is running and connected.";

@@ -18,6 +18,8 @@ static class EventTexts
     public const string Stopped = "stopped";
     public const string OfTheGateway = "of the gateway";
     public const string HasExpired = "has expired";
+    public const string IsOrphan = "is an orphan";
+    public const string HasNoSource = "has no source";
 
     /// <param name="state">Name of the state of a joint, frame or signal.</param>
     public static string Is(string state) => $"is {state}";

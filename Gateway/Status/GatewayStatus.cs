@@ -66,14 +66,15 @@ sealed class GatewayStatus : IDisposable
         _diagnostics = new DiagnosticsBoard(options.Time);
         _joints = new JointBoard(options.Time, () => limits.Robot, log);
         _cellReports = new CellReports(options.Time);
-        _cell = new CellBoard(options.Time, _cellReports);
+        _cell = new CellBoard(options.Time, _cellReports, link => hub.Links.RootOf(link) != null);
         _refusals = new RecentRefusals(options.Time);
         Events = events;
-        _conditions = new Conditions(options, clock, _diagnostics, _refusals, _cellReports, limits, recorder);
+        _conditions = new Conditions(options, clock, _diagnostics, _refusals, _cellReports, _cell, limits, recorder);
         hub.JointRefused += Refuse;
         hub.Left += _diagnostics.Remove;
         hub.SampleDropped += _joints.Refuse;
         hub.SourceLeft += _joints.Leave;
+        hub.SourceLeft += _cell.Leave;
         hub.SignalsEnded += _cell.End;
         _started = options.Time.GetUtcNow();
         _subscriptions =
@@ -110,6 +111,7 @@ sealed class GatewayStatus : IDisposable
         _hub.Left -= _diagnostics.Remove;
         _hub.SampleDropped -= _joints.Refuse;
         _hub.SourceLeft -= _joints.Leave;
+        _hub.SourceLeft -= _cell.Leave;
         _hub.SignalsEnded -= _cell.End;
         foreach (var subscription in _subscriptions) subscription.Dispose();
     }

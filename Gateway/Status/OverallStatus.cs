@@ -11,6 +11,9 @@ namespace Nowpose.Gateway.Status;
 /// <param name="Level">ok, warning or error.</param>
 sealed record OverallStatus(string Level, string Text)
 {
+    /// <summary>Maximum number of objects and signals in the text.</summary>
+    const int MaxNames = 3;
+
     /// <summary>Summarises the state.</summary>
     /// <param name="conditions">Current conditions, the worst first.</param>
     /// <param name="joints">States of all joints.</param>
@@ -32,11 +35,12 @@ sealed record OverallStatus(string Level, string Text)
         IReadOnlyList<JointStatus> joints, IReadOnlyList<FrameView> frames, IReadOnlyList<SignalView> signals, bool hasRobot, string headsets)
     {
         if (joints.Count > 0) return new("ok", Summary(joints) + headsets);
-        var states = frames.Select(frame => frame.State).Where(state => state != CellBoard.Stationary).ToArray();
+        var states = frames.Where(frame => frame.State != CellStates.Stationary).Select(frame => (frame.Name, frame.State)).ToArray();
         var all = states.Length + signals.Count;
         if (hasRobot || all == 0) return new("warning", JointReasons.NoSource);
-        var others = states.Concat(signals.Select(signal => signal.State)).Count(state => state != CellBoard.Live);
-        return others > 0 ? new("warning", $"{others} of {Count(all, "object or signal", "objects and signals")} {(others == 1 ? "is" : "are")} not current")
+        var others = states.Concat(signals.Select(signal => (signal.Name, signal.State))).Where(one => one.State != CellStates.Live).ToArray();
+        return others.Length > 0
+            ? new("warning", $"{others.Length} of {Count(all, "object or signal", "objects and signals")} {(others.Length == 1 ? "is" : "are")} not current: {List(others)}")
             : new("ok", $"{Count(states.Length, "object")}, {Count(signals.Count, "signal")}{headsets}");
     }
 
@@ -45,6 +49,9 @@ sealed record OverallStatus(string Level, string Text)
         var resting = joints.Count(joint => joint.State == JointDataState.Rest);
         return resting == 0 ? $"{Count(joints.Count, "joint")} live" : JointReasons.Summary(Count(joints.Count - resting, "joint"), resting);
     }
+
+    static string List((string Name, string State)[] others) =>
+        string.Join(", ", others.Take(MaxNames).Select(one => $"{one.Name} ({one.State})")) + (others.Length > MaxNames ? ", …" : "");
 
     static string Count(int number, string noun, string plural = null) =>
         string.Create(CultureInfo.InvariantCulture, $"{number} {(number == 1 ? noun : plural ?? noun + "s")}");

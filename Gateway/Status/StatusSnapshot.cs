@@ -39,18 +39,39 @@ sealed record JointView(
 /// <summary>The state of one frame.</summary>
 /// <param name="Source">Source of the frame, named like the source of a joint.</param>
 /// <param name="Parent">Parent frame; null before the first pose.</param>
-/// <param name="State">stationary; live; stale: no pose for a second; or the state that its adapter reports: refused, fault or missing.</param>
+/// <param name="State">
+/// stationary; live; stale: no pose for a second; orphan: its parents reach neither the world nor a link of a described robot; or the state that its
+/// adapter reports: refused, fault or missing.
+/// </param>
 /// <param name="AgeS">Control time minus the newest pose's stamp; null for a stationary frame, and before the first pose.</param>
-/// <param name="Reason">The adapter's reason for the state; null if the adapter reports none.</param>
-sealed record FrameView(string Name, string Parent, string Source, string State, double? AgeS, string Reason = null);
+/// <param name="Reason">The reason for the state; null for a frame that is live or stationary.</param>
+sealed record FrameView(string Name, string Parent, string Source, string State, double? AgeS, string Reason = null)
+{
+    /// <summary>Start of the state; null for a frame that is live or stationary.</summary>
+    [JsonIgnore]
+    public DateTimeOffset? Since { get; init; }
+
+    /// <summary>Whether the frame is stale because its adapter sends only changes and assumes the frame at rest.</summary>
+    [JsonIgnore]
+    public bool IsAtRest { get; init; }
+
+    public string SinceUtc => Since is { } since ? UtcText.Of(since) : null;
+}
 
 /// <summary>The state of one signal.</summary>
 /// <param name="Source">Source of the signal, named like the source of a joint.</param>
 /// <param name="Value">Current value; null before the first value.</param>
 /// <param name="State">live; ended: its source has ended; or the state that its adapter reports: refused, fault or missing.</param>
 /// <param name="AgeS">Control time minus the stamp of the message that changed the value; null before the first value.</param>
-/// <param name="Reason">The adapter's reason for the state; null if the adapter reports none.</param>
-sealed record SignalView(string Name, double? Value, string Source, string State, double? AgeS, string Reason = null);
+/// <param name="Reason">The reason for the state; null for a live signal.</param>
+sealed record SignalView(string Name, double? Value, string Source, string State, double? AgeS, string Reason = null)
+{
+    /// <summary>Start of the state; null for a live signal.</summary>
+    [JsonIgnore]
+    public DateTimeOffset? Since { get; init; }
+
+    public string SinceUtc => Since is { } since ? UtcText.Of(since) : null;
+}
 
 /// <summary>The state of the control clock. Values are null while unknown.</summary>
 /// <param name="Source">Name of the plant clock that is served; "own" for the gateway's own clock.</param>

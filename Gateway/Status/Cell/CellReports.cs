@@ -42,6 +42,19 @@ sealed class CellReports(TimeProvider time)
             ];
     }
 
+    /// <summary>Gets an adapter's report that a frame or signal is at rest; null if there is none.</summary>
+    /// <param name="key"><see cref="AdapterReport.FramePrefix"/> or <see cref="AdapterReport.SignalPrefix"/>, and the name.</param>
+    public AdapterReport? RestOf(string key, string adapter)
+    {
+        lock (_lock)
+        {
+            if (!_adapters.TryGetValue(adapter, out var known) || !IsValid(known.At)) return null;
+            foreach (var one in known.Reports)
+                if (one.Key == key && one.Value.State == JointDataState.Rest) return one.Value;
+            return null;
+        }
+    }
+
     bool IsValid(long at) => time.GetElapsedTime(at) < AdapterReport.Validity;
 
     static IEnumerable<KeyValuePair<string, AdapterReport>> Read(IEnumerable<KeyValuePair<string, string>> values, string kind, int limit) =>

@@ -12,11 +12,17 @@ namespace Nowpose.Gateway.Status.Events;
 
 /// <summary>Finds all present faults. Thread-safe.</summary>
 sealed class Conditions(
-    GatewayOptions options, ServedClock clock, DiagnosticsBoard diagnostics, RecentRefusals refusals, CellReports cell, LimitAlarm limits,
-    Recorder recorder)
+    GatewayOptions options, ServedClock clock, DiagnosticsBoard diagnostics, RecentRefusals refusals, CellReports cell, CellBoard board,
+    LimitAlarm limits, Recorder recorder)
 {
     /// <summary>Time without a report after which an adapter or headset is silent. Both report once per second.</summary>
     static readonly TimeSpan Silence = TimeSpan.FromSeconds(3);
+
+    /// <summary>
+    /// Time for which a frame must be an orphan. In this time, the sources of a cell can start one after the other, and the gateway can read the description
+    /// of a robot.
+    /// </summary>
+    static readonly TimeSpan OrphanTimeout = TimeSpan.FromSeconds(1);
 
     /// <summary>Remaining validity below which a certificate is reported.</summary>
     static readonly TimeSpan CertificateNotice = TimeSpan.FromDays(30);
@@ -38,6 +44,7 @@ sealed class Conditions(
         [
             .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(reports)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfUncertainRests(joints))
                 .Concat(OfCell("frame", AdapterReport.FramePrefix)).Concat(OfCell("signal", AdapterReport.SignalPrefix))
+                .Concat(OfFrames()).Concat(OfSignals())
                 .Concat(reports.SelectMany(Of)).Concat(OfRefusals()).Concat(OfLimits()).Concat(OfRecording()).Concat(OfCertificate())
                 .DistinctBy(condition => condition.Key).OrderByDescending(condition => condition.Level),
         ];
@@ -79,6 +86,27 @@ sealed class Conditions(
             Remedy = EventRemedies.CellVariables,
             IsNormalAtStart = one.Report.State == JointDataState.Missing,
         });
+
+    // Frames whose adapter reports a fault have a condition of OfCell.
+    IEnumerable<Condition> OfFrames() =>
+        from frame in board.Frames(clock.Now)
+        where frame is { State: CellStates.Stale, IsAtRest: false } || frame.State == CellStates.Orphan && options.Time.GetUtcNow() - frame.Since >= OrphanTimeout
+        let isOrphan = frame.State == CellStates.Orphan
+        select new Condition(
+            "frame", $"{frame.Name} ({frame.Source})", isOrphan ? EventTexts.IsOrphan : EventTexts.Is(frame.State), frame.Reason, Level.Warning,
+            Since: frame.Since)
+        {
+            Remedy = isOrphan ? EventRemedies.Parent : EventRemedies.Source,
+            IsNormalAtStart = isOrphan,
+        };
+
+    IEnumerable<Condition> OfSignals() =>
+        from signal in board.Signals(clock.Now)
+        where signal.State == CellStates.Ended
+        select new Condition("signal", $"{signal.Name} ({signal.Source})", EventTexts.HasNoSource, signal.Reason, Level.Warning, Since: signal.Since)
+        {
+            Remedy = EventRemedies.Source,
+        };
 
     string ClockName => clock.Source == PlantClocks.Own ? EventTexts.OwnClock : EventTexts.ControlClock(clock.Source);
 

@@ -1,6 +1,8 @@
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status;
 using Nowpose.Gateway.Status.Cell;
+using Nowpose.Gateway.Status.Joints;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using NUnit.Framework;
@@ -18,7 +20,7 @@ public class CellBoardTests
     public void Start()
     {
         _reports = new CellReports(_time);
-        _board = new CellBoard(_time, _reports);
+        _board = new CellBoard(_time, _reports, link => link == "tool0");
         _source = new MessageHub().OpenSource();
     }
 
@@ -51,6 +53,98 @@ public class CellBoardTests
         Assert.That(_board.Frames(At(6)).Single().Parent, Is.EqualTo("tool"));
     }
 
+    [TestCase(false)]
+    [TestCase(true)]
+    public void Frames_ParentIsUnknown_AreOrphansUntilItAppears(bool isStationary)
+    {
+        _board.Add(_source, Pose("box", 5, "nowhere"), isStationary);
+        _board.Add(_source, Pose("lid", 5, "box"), isStationary: false);
+        var start = _time.GetUtcNow();
+        _board.Frames(At(5));
+        _time.Advance(TimeSpan.FromSeconds(0.5));
+
+        var orphans = _board.Frames(At(5));
+
+        Assert.That(orphans.Select(frame => (frame.Name, frame.State, frame.Since)), Is.EqualTo(new (string, string, DateTimeOffset?)[]
+        {
+            ("box", "orphan", start), ("lid", "orphan", start),
+        }));
+        Assert.That(orphans.Select(frame => frame.Reason), Is.EqualTo(new[]
+        {
+            CellReasons.ParentMissing("nowhere"), CellReasons.ParentMissingAbove("box", "nowhere"),
+        }));
+
+        _board.Add(_source, Pose("nowhere", 5), isStationary: true);
+
+        var states = _board.Frames(At(5)).Select(frame => (frame.Name, frame.State, frame.Reason, frame.SinceUtc));
+        Assert.That(states, Is.EqualTo(new (string, string, string, string)[]
+        {
+            ("box", isStationary ? "stationary" : "live", null, null), ("lid", "live", null, null), ("nowhere", "stationary", null, null),
+        }));
+    }
+
+    [TestCase("world", "live")]
+    [TestCase("tool0", "live")]
+    [TestCase("tool1", "orphan")]
+    public void Frames_ParentIsTheWorldOrALink_AreLive(string parent, string state)
+    {
+        _board.Add(_source, Pose("box", 5, parent), isStationary: false);
+
+        Assert.That(_board.Frames(At(5)).Single().State, Is.EqualTo(state));
+    }
+
+    [Test]
+    public void Frames_ParentsOfEndedFramesFormACycle_AreOrphans()
+    {
+        _board.Add(_source, Pose("box", 5, "lid"), isStationary: false);
+        _board.Add(_source, Pose("lid", 5, "box"), isStationary: false);
+
+        Assert.That(_board.Frames(At(5)).Select(frame => frame.State), Is.EqualTo(new[] { "orphan", "orphan" }));
+    }
+
+    [Test]
+    public void Frames_Silent_HaveReasonAndStart()
+    {
+        var start = _time.GetUtcNow();
+        _board.Add(_source, Pose("box", 5, "nowhere"), isStationary: false);
+        _time.Advance(TimeSpan.FromSeconds(1.5));
+
+        var frame = _board.Frames(At(6.5)).Single();
+
+        Assert.That((frame.State, frame.Reason, frame.Since), Is.EqualTo(("stale", CellReasons.PosesStopped, start)));
+    }
+
+    [Test]
+    public void Frames_SilentAtRest_HaveTheReasonOfTheAdapter()
+    {
+        _source.Name = "cell";
+        _board.Add(_source, Pose("box", 5), isStationary: false);
+        _time.Advance(TimeSpan.FromSeconds(1.5));
+        _reports.Add("cell", [KeyValuePair.Create("frame/box", "rest 1700000000.000 assumed at rest")]);
+
+        var frame = _board.Frames(At(6.5)).Single();
+
+        Assert.That((frame.State, frame.Reason, frame.IsAtRest), Is.EqualTo(("stale", "assumed at rest", true)));
+    }
+
+    [TestCase(false)]
+    [TestCase(true)]
+    public void FramesAndSignals_SourceEnded_AreRemovedOnlyAfterANormalEnd(bool isNormal)
+    {
+        _board.Add(_source, Pose("box", 5), isStationary: false);
+        _board.Add(_source, Pose("table", 5), isStationary: true);
+        _board.Add(_source, new SignalsMessage(At(5), new SignalValue("grip", 1)));
+        if (isNormal) _board.Leave(_source);
+        _board.End(_source, ["grip"]);
+        _time.Advance(JointBoard.ForgottenAfter);
+        Assert.That(_board.Frames(At(600)).Count + _board.Signals(At(600)).Count, Is.EqualTo(3));
+
+        _time.Advance(TimeSpan.FromSeconds(1));
+
+        Assert.That(_board.Frames(At(601)).Select(frame => frame.Name), Is.EqualTo(isNormal ? new[] { "table" } : ["box", "table"]));
+        Assert.That(_board.Signals(At(601)).Count, Is.EqualTo(isNormal ? 0 : 1));
+    }
+
     [Test]
     public void Frames_MoreThanAllowed_ReplaceOnlySilentFrames()
     {
@@ -72,7 +166,8 @@ public class CellBoardTests
         Assert.That(_board.Signals(At(8)), Is.EqualTo(new[] { new SignalView("grip", 1, "gateway", "live", 3) }));
 
         _board.End(_source, ["grip", "unknown"]);
-        Assert.That(_board.Signals(At(8)).Single().State, Is.EqualTo("ended"));
+        var ended = _board.Signals(At(8)).Single();
+        Assert.That((ended.State, ended.Reason, ended.Since), Is.EqualTo(("ended", EventTexts.SourceEnded("gateway"), _time.GetUtcNow())));
 
         _board.Add(_source, new SignalsMessage(At(9), new SignalValue("grip", 0)));
         Assert.That(_board.Signals(At(9.5)), Is.EqualTo(new[] { new SignalView("grip", 0, "gateway", "live", 0.5) }));
@@ -115,7 +210,8 @@ public class CellBoardTests
 
         Assert.That(_board.Signals(At(6)), Is.EqualTo(new[]
         {
-            new SignalView("grip", 1, "cell", "refused", 1, "BadSensorFailure"), new SignalView("lamp", null, "cell", "missing", null, "no value"),
+            new SignalView("grip", 1, "cell", "refused", 1, "BadSensorFailure") { Since = DateTimeOffset.FromUnixTimeSeconds(1_700_000_000) },
+            new SignalView("lamp", null, "cell", "missing", null, "no value") { Since = DateTimeOffset.FromUnixTimeSeconds(1_700_000_000) },
         }));
     }
 

@@ -36,11 +36,22 @@ public class OverallStatusTests
     public void Of_StationaryObjectsOnly_IsAWarning() => Assert.That(LevelOf([Frame("stationary")], []), Is.EqualTo("warning"));
 
     [TestCase("stale", "live")]
+    [TestCase("orphan", "live")]
     [TestCase("fault", "live")]
     [TestCase("live", "ended")]
     [TestCase("live", "missing")]
     public void Of_ObjectOrSignalNotCurrent_IsAWarning(string frame, string signal) =>
         Assert.That(LevelOf([Frame("live"), Frame(frame)], [Signal(signal)]), Is.EqualTo("warning"));
+
+    [Test]
+    public void Of_ObjectsNotCurrent_NamesThemWithTheirStates()
+    {
+        FrameView[] frames = [Frame("live"), Frame("orphan") with { Name = "lid" }, Frame("stale") with { Name = "box" }];
+
+        var text = OverallStatus.Of([], [], frames, [Signal("ended"), Signal("fault")], hasRobot: false, headsets: 0).Text;
+
+        Assert.That(text, Is.EqualTo("4 of 5 objects and signals are not current: lid (orphan), box (stale), closed (ended), …"));
+    }
 
     [Test]
     public void Of_JointsLive_IsOk()

@@ -1,14 +1,20 @@
 import { el } from '../dom';
-import { emptyMessages } from '../messages/operations';
+import { emptyMessages, operationsLabels } from '../messages/operations';
 import { captionLabels, columnLabels } from '../messages/terms';
 import { LiveTable } from './liveTable';
 import { type CellFrame, type Signal, type State } from './state';
+import { localTime } from './times';
 
 const seconds = (age: number | null | undefined) => (age == null ? '–' : age < 10 ? `${age.toFixed(1)}\u00a0s` : `${Math.round(age)}\u00a0s`);
 
 const FAULTS = ['refused', 'fault', 'missing'];
 
 const levelOf = (state: string) => (state === 'live' || state === 'stationary' ? 'ok' : FAULTS.includes(state) ? 'error' : 'warning');
+
+/** Returns the reason for the state of an object or signal that is not current, and the start of the state. */
+function noteOf({ reason, since_utc: since }: CellFrame | Signal): string {
+  return reason && since ? operationsLabels.since(reason, localTime(since)) : (reason ?? '');
+}
 
 /** Shows the cell's objects and signals in two tables. */
 export class Cell {
@@ -25,7 +31,7 @@ export class Cell {
     emptyMessages.frames,
     undefined,
     undefined,
-    frame => frame.reason ?? '',
+    noteOf,
   );
   private readonly signals = new LiveTable<Signal>(
     captionLabels.signals,
@@ -39,7 +45,7 @@ export class Cell {
     emptyMessages.signals,
     undefined,
     undefined,
-    signal => signal.reason ?? '',
+    noteOf,
   );
 
   constructor() {

@@ -46,11 +46,13 @@ export interface CellFrame {
   /** Parent frame; null before the first pose. */
   parent: string | null;
   source: string;
-  state: 'live' | 'stale' | 'stationary' | 'refused' | 'fault' | 'missing';
+  state: 'live' | 'stale' | 'orphan' | 'stationary' | 'refused' | 'fault' | 'missing';
   /** Age of the newest pose; null for a stationary object and before the first pose. */
   age_s?: number | null;
   /** Reason why the pose is not current; null if it is current. */
   reason?: string | null;
+  /** Start of the state; null if the pose is current. */
+  since_utc?: string | null;
 }
 
 export interface Signal {
@@ -63,6 +65,8 @@ export interface Signal {
   age_s: number | null;
   /** Reason why the value is not current; null if it is current. */
   reason?: string | null;
+  /** Start of the state; null if the value is current. */
+  since_utc?: string | null;
 }
 
 export interface StatusEvent {

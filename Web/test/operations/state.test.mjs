@@ -90,6 +90,17 @@ describe('the shown state', () => {
     assert.deepEqual((await cells(page, 'grip')).slice(0, 3), ['fault', '–', '–']);
     const text = await page.innerText('#cell-objects');
     assert.match(text, /no value has arrived since the start[^]*the server no longer has this node/);
+
+    const since = new Date(Date.now() - 60_000).toISOString();
+    gateway.state.frames = [
+      { name: 'orph', parent: 'nowhere', source: 'rosbridge 10.0.0.7', state: 'orphan', age_s: 0.1, reason: 'no source publishes its parent nowhere', since_utc: since },
+    ];
+    gateway.state.signals = [{ name: 'grip', value: 1, source: 'plc', state: 'ended', age_s: 3, reason: 'its source plc has ended', since_utc: since }];
+
+    await page.locator('#cell-objects .level.warning').nth(1).waitFor();
+    assert.deepEqual(await cells(page, 'orph'), ['orphan', 'nowhere', '0.1\u00a0s', 'rosbridge 10.0.0.7']);
+    const notes = await page.locator('#cell-objects .note:visible').allInnerTexts();
+    assert.deepEqual(notes.map(note => note.replace(/\d.*$/, '')), ['no source publishes its parent nowhere – since ', 'its source plc has ended – since ']);
     Object.assign(gateway.state, state);
     await page.context().close();
   });

@@ -1,0 +1,14 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Reasons for the state of a frame.</summary>
+static class CellReasons
+{
+    public const string PosesStopped = "its poses stopped arriving";
+
+    public static string ParentMissing(string parent) =>
+        $"no source publishes its parent {parent}, and no described robot has a link of this name";
+
+    /// <param name="frame">The frame whose parent is missing.</param>
+    public static string ParentMissingAbove(string frame, string parent) =>
+        $"its parents end at frame {frame}: no source publishes the parent {parent} of this frame, and no described robot has a link of this name";
+}

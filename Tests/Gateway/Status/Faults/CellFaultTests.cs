@@ -1,0 +1,115 @@
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Status.Events;
+using Nowpose.Protocol.Cell;
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
+
+namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
+
+/// <summary>Tests how state, metrics and event list report frames and signals without current data.</summary>
+public class CellFaultTests
+{
+    MonitoredGateway _gateway;
+
+    [SetUp]
+    public async Task StartAsync()
+    {
+        _gateway = new MonitoredGateway();
+        await _gateway.StartAsync();
+        // Ends the time in which a condition that is normal at startup causes no event.
+        _gateway.Time.Advance(EventList.StartGrace);
+    }
+
+    [TearDown]
+    public Task Close() => _gateway.DisposeAsync().AsTask();
+
+    void Publish(params FrameTransform[] frames) => _gateway.Source.Publish(new TransformsMessage(frames), isStationary: false, []);
+
+    async Task<(string Level, string Text)> StatusAsync()
+    {
+        var status = (await _gateway.StateAsync()).GetProperty("status");
+        return (status.GetProperty("level").GetString(), status.GetProperty("text").GetString());
+    }
+
+    async Task<(string State, string Since)> FrameAsync(string name)
+    {
+        var frame = (await _gateway.StateAsync()).GetProperty("frames").EnumerateArray().Single(one => one.GetProperty("name").GetString() == name);
+        return (frame.GetProperty("state").GetString(), frame.TryGetProperty("since_utc", out var since) ? since.GetString() : null);
+    }
+
+    [Test]
+    public async Task Frame_ParentMissing_IsAnOrphanUntilTheParentAppears()
+    {
+        Publish(Frame("orph", "nowhere"));
+
+        Assert.That(await FrameAsync("orph"), Is.EqualTo(("orphan", "2026-11-20T12:00:03.000Z")));
+        Assert.That(await StatusAsync(), Is.EqualTo(("warning", "1 of 1 object or signal is not current: orph (orphan)")));
+
+        _gateway.Time.Advance(TimeSpan.FromSeconds(1));
+        Publish(Frame("orph", "nowhere"));
+
+        await _gateway.BeginsAsync("frame", "orph (gateway)");
+        var expected = $"frame orph (gateway) is an orphan: {CellReasons.ParentMissing("nowhere")} (since 2026-11-20 12:00:03 UTC). {EventRemedies.Parent}";
+        Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)));
+
+        Publish(Frame("nowhere"));
+
+        Assert.That(await FrameAsync("orph"), Is.EqualTo(("live", (string)null)));
+        await _gateway.EndsAsync("frame", "orph (gateway)");
+        Assert.That((await StatusAsync()).Level, Is.EqualTo("ok"));
+    }
+
+    [Test]
+    public async Task Frame_PosesStop_IsAnEventUntilTheNextPose()
+    {
+        Publish(Frame("box"), Frame("lid"));
+        _gateway.Time.Advance(TimeSpan.FromSeconds(0.9));
+        Publish(Frame("lid"));
+        _gateway.Time.Advance(TimeSpan.FromSeconds(0.3));
+
+        await _gateway.BeginsAsync("frame", "box (gateway)");
+        var one = await _gateway.EventAsync("frame", "box (gateway)");
+        Assert.That(one.GetProperty("what").GetString(), Is.EqualTo("is stale"));
+        Assert.That(one.GetProperty("since_utc").GetString(), Is.EqualTo("2026-11-20T12:00:03.000Z"));
+        var expected = $"frame box (gateway) is stale: {CellReasons.PosesStopped} (since 2026-11-20 12:00:03 UTC). {EventRemedies.Source}";
+        Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)));
+
+        Publish(Frame("box"));
+
+        await _gateway.EndsAsync("frame", "box (gateway)");
+        Assert.That((await StatusAsync()).Level, Is.EqualTo("ok"));
+    }
+
+    [Test]
+    public async Task Frame_AtRestByItsAdapter_IsNoEvent()
+    {
+        _gateway.Source.Name = "cell";
+        Publish(Frame("box"), Frame("lid"));
+        _gateway.Time.Advance(TimeSpan.FromSeconds(2));
+        _gateway.Report("adapter/cell", ("state", "connected"), ("frame/box", $"rest {_gateway.Since(1)} assumed at rest"));
+
+        await _gateway.BeginsAsync("frame", "lid (cell)");
+        Assert.That((await _gateway.EventAsync("frame", "box (cell)")).ValueKind, Is.EqualTo(System.Text.Json.JsonValueKind.Undefined));
+    }
+
+    [Test]
+    public async Task Signal_SourceEnds_IsAnEventUntilAnotherSourcePublishes()
+    {
+        void Send(HubSource source) => source.Publish(new SignalsMessage(Gateways.Start, new SignalValue("grip", 1)), []);
+        using (var first = _gateway.Server.Hub.OpenSource())
+        {
+            first.Name = "plc";
+            Send(first);
+        }
+
+        await _gateway.BeginsAsync("signal", "grip (plc)");
+        var expected = $"signal grip (plc) has no source: {EventTexts.SourceEnded("plc")} (since 2026-11-20 12:00:03 UTC). {EventRemedies.Source}";
+        Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)));
+
+        Send(_gateway.Source);
+
+        await _gateway.EndsAsync("signal", "grip (plc)");
+        Assert.That((await StatusAsync()).Level, Is.EqualTo("ok"));
+    }
+}
