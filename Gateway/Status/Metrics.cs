@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
 using System.Text.Json.Nodes;
+using Nowpose.Gateway.Status.Cell;
 
 namespace Nowpose.Gateway.Status;
 
@@ -25,6 +26,7 @@ static class Metrics
         AddAdapters(text, state.Adapters);
         AddSources(text, state.Sources);
         JointMetrics.Add(text, state);
+        CellMetrics.Add(text, state);
         AddForwarding(text, forwarding);
         AddHeadsets(text, state.Headsets);
         AddCounts(text, state);

@@ -29,6 +29,7 @@ public sealed partial class MessageFolderTests
         // The XML for Unity's linker.
         [Editor + "LinkerProtection.cs"] = 1,
         // The help of metrics, without their names.
+        ["Gateway/Status/Cell/CellMetrics.cs"] = 2,
         ["Gateway/Status/JointMetrics.cs"] = 11,
         ["Gateway/Status/Metrics.cs"] = 38,
         // The help of a verb and of options.

@@ -110,6 +110,36 @@ public class MetricsTests
         }));
     }
 
+    [Test]
+    public void Of_FrameAndSignal_MetricIsOneOnlyForTheirCurrentState()
+    {
+        var state = Snapshot() with
+        {
+            Frames = [new FrameView("box", "nowhere", "twin", "orphan", 0.1), new FrameView("table", "world", "twin", "stationary", null)],
+            Signals = [new SignalView("grip", 1, "plc", "ended", 2)],
+        };
+
+        var lines = Metrics.Of(state, new ForwardingTimes()).Split('\n').Where(line => Regex.IsMatch(line, "^nowpose_(frame|signal)_state{")).ToList();
+
+        Assert.That(lines, Has.Count.EqualTo(2 * 7 + 5));
+        Assert.That(lines.Where(line => line.EndsWith(" 1", StringComparison.Ordinal)), Is.EqualTo(new[]
+        {
+            "nowpose_frame_state{frame=\"box\",source=\"twin\",state=\"orphan\"} 1", "nowpose_frame_state{frame=\"table\",source=\"twin\",state=\"stationary\"} 1",
+            "nowpose_signal_state{signal=\"grip\",source=\"plc\",state=\"ended\"} 1",
+        }));
+    }
+
+    [Test]
+    public void Of_ManyReportedFrames_IsBounded()
+    {
+        var reported = Enumerable.Range(0, 1000).Select(i => new FrameView($"lid{i}", null, "twin", "missing", null));
+        var state = Snapshot() with { Frames = [.. reported, new FrameView("box", "world", "twin", "live", 0.1)] };
+
+        var lines = Metrics.Of(state, new ForwardingTimes()).Split('\n').Where(line => line.StartsWith("nowpose_frame_state{", StringComparison.Ordinal)).ToList();
+
+        Assert.That(lines, Has.Count.EqualTo(7 * 257).And.Some.Contains("frame=\"box\""));
+    }
+
     [TestCase("status-bad", "status-bad")]
     [TestCase("node-gone", "node-gone")]
     [TestCase("a word of a later release", "other")]

@@ -45,6 +45,7 @@ public class CellFaultTests
 
         Assert.That(await FrameAsync("orph"), Is.EqualTo(("orphan", "2026-11-20T12:00:03.000Z")));
         Assert.That(await StatusAsync(), Is.EqualTo(("warning", "1 of 1 object or signal is not current: orph (orphan)")));
+        Assert.That((await _gateway.GetAsync("/metrics")).Text, Does.Contain("nowpose_frame_state{frame=\"orph\",source=\"gateway\",state=\"orphan\"} 1\n"));
 
         _gateway.Time.Advance(TimeSpan.FromSeconds(1));
         Publish(Frame("orph", "nowhere"));
@@ -106,6 +107,7 @@ public class CellFaultTests
         await _gateway.BeginsAsync("signal", "grip (plc)");
         var expected = $"signal grip (plc) has no source: {EventTexts.SourceEnded("plc")} (since 2026-11-20 12:00:03 UTC). {EventRemedies.Source}";
         Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)));
+        Assert.That((await _gateway.GetAsync("/metrics")).Text, Does.Contain("nowpose_signal_state{signal=\"grip\",source=\"plc\",state=\"ended\"} 1\n"));
 
         Send(_gateway.Source);
 
