@@ -4,7 +4,10 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Motion
 {
-    /// <summary>Creates a cycle from a robot's limits: long swings of the first joint alternate with short dips of the other joints.</summary>
+    /// <summary>
+    /// Creates a cycle from a robot's limits: long swings of the first joint alternate with short dips of the other joints. At the end of each dip, the
+    /// robot rests while a gripper closes or opens.
+    /// </summary>
     static class DerivedWaypoints
     {
         // Distance to either side of a joint's middle position, in rad or m: enough for the first joint to reach full speed, and less for the other
@@ -19,11 +22,22 @@ namespace Nowpose.Motion
         // For each waypoint, the swing of the first joint and the dip of the other joints, relative to the distances above.
         static readonly (double Swing, double Dip)[] Cycle =
         {
-            (0, 0), (-1, 0.3), (-1, 1), (-1, 0.3), (1, -0.2), (1, -1), (1, -0.2),
+            (0, 0), (-1, 0.3), (-1, 1), (-1, 1), (-1, 1), (-1, 0.3),
+            (1, -0.2), (1, -1), (1, -1), (1, -1), (1, -0.2),
         };
 
-        /// <summary>Indices of the waypoints at which a tool would grip and release: the waypoints with the largest dip.</summary>
-        public const int Grip = 2, Release = 5;
+        /// <summary>Indices of the waypoints at which a tool grips and releases: in the middle of the rest with the largest dip.</summary>
+        public const int Grip = 3, Release = 8;
+
+        /// <summary>
+        /// Duration of the rest before a grip or release, and of the rest after it, s: about the time that the youBot's fingers take. The rest before
+        /// is necessary because the predicted pose of a fast arm settles only after samples at rest have arrived. Without it, a workpiece that
+        /// changes its parent would move in the displayed gripper.
+        /// </summary>
+        public const double RestSeconds = 0.35;
+
+        /// <summary>Returns whether the robot rests in the move that begins at a waypoint.</summary>
+        public static bool IsRest(int waypoint) => waypoint is Grip - 1 or Grip or Release - 1 or Release;
 
         public static double[][] Of(RobotModel robot) =>
             Cycle.Select(point => Positions(robot, point.Swing, point.Dip)).ToArray();

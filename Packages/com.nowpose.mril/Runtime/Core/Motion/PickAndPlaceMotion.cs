@@ -15,8 +15,10 @@ namespace Nowpose.Motion
         readonly bool[] _given;
         readonly double _grip, _release;
 
-        /// <param name="robot">For the youBot, the cycle has waypoints of its own; for any other robot, it is derived from the robot's
-        /// limits.</param>
+        /// <param name="robot">
+        /// For the youBot, the cycle has waypoints of its own; for any other robot, it is derived from the robot's limits. Every robot rests while its
+        /// gripper closes or opens.
+        /// </param>
         /// <exception cref="InputException">The robot has no moving joints or too many, or cannot reach a waypoint.</exception>
         public PickAndPlaceMotion(RobotModel robot)
         {
@@ -28,11 +30,11 @@ namespace Nowpose.Motion
             CheckReach(waypoints);
             var limits = robot.MovingJoints.Select(DriveLimits.Of).ToArray();
             _moves = waypoints.Zip(waypoints.Skip(1).Append(waypoints[0]), (from, to) => new JointMove(from, to, limits)).ToArray();
+            if (_moves.All(move => move.Duration == 0))
+                throw new InputException(RobotMessages.NoMovingJoint(robot.Name));
             _ends = new double[_moves.Length];
             for (var i = 0; i < _moves.Length; i++)
-                _ends[i] = CycleSeconds += _moves[i].Duration;
-            if (!(CycleSeconds > 0))
-                throw new InputException(RobotMessages.NoMovingJoint(robot.Name));
+                _ends[i] = CycleSeconds += isYoubot || !DerivedWaypoints.IsRest(i) ? _moves[i].Duration : DerivedWaypoints.RestSeconds;
             _grip = _ends[(isYoubot ? YoubotWaypoints.Grip : DerivedWaypoints.Grip) - 1];
             _release = _ends[(isYoubot ? YoubotWaypoints.Release : DerivedWaypoints.Release) - 1];
         }

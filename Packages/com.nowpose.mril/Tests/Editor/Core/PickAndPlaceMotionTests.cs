@@ -132,6 +132,37 @@ namespace Nowpose.Tests.Core
             Assert.That(rests, Is.EqualTo(9)); // one rest per move
         }
 
+        // The fingers of the youBot begin to close when the arm has stopped. Other robots also rest before that.
+        [TestCase("youbot", 0, 0.33)]
+        [TestCase("ur5", 0.35, 0.35)]
+        [TestCase("ur10e", 0.35, 0.35)]
+        public void At_GripAndRelease_ArmRests(string name, double beforeSeconds, double afterSeconds)
+        {
+            var motion = new PickAndPlaceMotion(UrdfFiles.Robot(name));
+            var arm = motion.JointNames.Count(joint => !joint.Contains("finger"));
+            double[] rest = new double[motion.JointNames.Count], at = new double[motion.JointNames.Count];
+
+            foreach (var grip in new[] { ((IGrippingMotion)motion).GripSeconds, ((IGrippingMotion)motion).ReleaseSeconds })
+            {
+                motion.At(grip, rest);
+                for (var t = grip - beforeSeconds + Step; t < grip + afterSeconds - Step; t += Step)
+                {
+                    motion.At(t, at);
+                    Assert.That(at.Take(arm), Is.EqualTo(rest.Take(arm)).Within(1e-9), $"{t - grip} s after the grip or release at {grip} s");
+                }
+            }
+        }
+
+        [Test]
+        public void Constructor_JointsWithoutRange_IsRefused()
+        {
+            var robot = UrdfReader.Read(
+                "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" type=\"revolute\"><parent link=\"a\"/><child link=\"b\"/>"
+                + "<axis xyz=\"0 0 1\"/><limit lower=\"0.5\" upper=\"0.5\" velocity=\"1\" effort=\"1\"/></joint></robot>", "r.urdf");
+
+            Assert.Throws<InputException>(() => new PickAndPlaceMotion(robot));
+        }
+
         [Test]
         public void Constructor_JointCannotReachAWaypoint_NamesTheJoint()
         {
