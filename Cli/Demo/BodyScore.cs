@@ -22,13 +22,11 @@ sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
         if (run.Settings.Work is not { } work || run.Bodies == null) return null;
         var errors = frames.SelectMany(frame => ErrorsIn(frame, work)).ToList();
         return errors.Count == 0 ? null : new DemoResult.BodyErrors(
-            Of(errors.Select(e => (e.HoldMm, e.Mm)).ToList()), Of(errors.Select(e => (e.HoldDeg, e.Deg)).ToList()));
+            Of(errors.Select(e => (e.HoldMm, e.Mm)).ToList()), Of(errors.Select(e => (e.HoldDeg, e.Deg)).ToList()), LargestSlipMm(work));
     }
 
-    /// <summary>Gets the largest distance between a gripped object and its position in the displayed gripper, mm; null if none was gripped.</summary>
-    public double? LargestSlipMm()
+    double? LargestSlipMm(CellWork work)
     {
-        if (run.Settings.Work is not { } work || run.Bodies == null) return null;
         var tool = new ToolKinematics(run.Settings.Robot);
         var joints = new double[run.Settings.Robot.MovingJoints.Count];
         double? largest = null;

@@ -10,6 +10,7 @@ sealed class DemoBodyRows(DemoResult.BodyErrors bodies)
     [
         (DemoTexts.MovingWorkpieces, Row(bodies.ErrorMm, "0.00", " mm")),
         (DemoTexts.RotatingWorkpieces, Row(bodies.ErrorDeg, "0.00", "°")),
+        (DemoTexts.LargestSlip, Text(bodies.LargestSlipMm, "0.00", " mm")),
     ];
 
     static string Row(DemoResult.PoseErrors error, string format, string unit) =>

@@ -28,7 +28,10 @@ sealed record DemoResult(
         [property: JsonIgnore] double? StatedErrorUsP50, [property: JsonIgnore] double? WithinStatedShare);
 
     /// <summary>Errors of the cell's objects while they move.</summary>
-    public sealed record BodyErrors(PoseErrors ErrorMm, PoseErrors ErrorDeg);
+    /// <param name="LargestSlipMm">
+    /// Largest distance between an object displayed as gripped and its place in the displayed gripper, mm; null if none was gripped.
+    /// </param>
+    public sealed record BodyErrors(PoseErrors ErrorMm, PoseErrors ErrorDeg, double? LargestSlipMm);
 
     public sealed record PoseErrors(double? HoldRms, double? Rms, double? P95, double? Reduction);
 

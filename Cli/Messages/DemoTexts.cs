@@ -5,6 +5,7 @@ static class DemoTexts
 {
     public const string MovingWorkpieces = "workpieces while they move";
     public const string RotatingWorkpieces = "rotation of these workpieces";
+    public const string LargestSlip = "largest slip of a gripped workpiece";
     public const string VisualisationLatencyRow = "visualisation latency";
     public const string DisplayTimeErrorRow = "display time error";
     public const string ClockErrorRow = "clock offset error";

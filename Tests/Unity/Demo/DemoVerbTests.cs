@@ -54,7 +54,7 @@ public class DemoVerbTests
             Is.EqualTo("hold_rms hold_max rms p95 max reduction reduction_first_cycle reduction_repeated"));
         Assert.That(Names(result.GetProperty("frame")), Is.EqualTo("cpu_us_p50 cpu_us_p99 allocated_bytes_per_frame"));
         Assert.That(Names(result.GetProperty("light_error_ms")), Is.EqualTo("p50 p95 max"));
-        Assert.That(Names(result.GetProperty("bodies")), Is.EqualTo("error_mm error_deg"));
+        Assert.That(Names(result.GetProperty("bodies")), Is.EqualTo("error_mm error_deg largest_slip_mm"));
         foreach (var kind in new[] { "error_mm", "error_deg" })
             Assert.That(Names(result.GetProperty("bodies").GetProperty(kind)), Is.EqualTo("hold_rms rms p95 reduction"));
         Assert.That(Names(result.GetProperty("hindcast")), Is.EqualTo("reduction reduction_uncertainty rms_mm hold_rms_mm withheld"));

@@ -9,9 +9,9 @@ namespace Nowpose.Unity.Tests.Demo;
 /// <summary>Settings of the demo with its defaults, for runs in virtual time.</summary>
 static class VirtualDemo
 {
-    public static DemoSettings Settings(double seconds, string network, int seed, string predictor = "adaptive")
+    public static DemoSettings Settings(double seconds, string network, int seed, string predictor = "adaptive", string name = "youbot")
     {
-        var robot = RobotFiles.Load("youbot", out var urdf);
+        var robot = RobotFiles.Load(name, out var urdf);
         var motion = new PickAndPlaceMotion(robot);
         return new DemoSettings
         {
