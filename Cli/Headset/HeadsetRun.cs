@@ -4,6 +4,7 @@ using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
+using Nowpose.Network;
 using Nowpose.Recording;
 using Nowpose.Session;
 
@@ -13,8 +14,6 @@ namespace Nowpose.Cli.Headset;
 /// <param name="say">Receives a line of text when the pose stops being current and when it becomes current again.</param>
 sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
 {
-    static readonly TimeSpan DescriptionTimeout = TimeSpan.FromSeconds(10);
-
     readonly StopwatchHeadsetClock _clock = new();
     readonly PoseCount _poses = new();
     readonly PoseStretches _stretches = new();
@@ -37,7 +36,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         recorder?.Dispose();
         recorder?.Ended.Wait(CancellationToken.None);
         if (recorder?.Problem is string problem) Console.Error.WriteLine(ConsoleMessages.Line(problem));
-        return Result(session, robot, _clock.Now - start);
+        return Result(session, robot, _clock.Now - start, cancel);
     }
 
     /// <summary>Reason why the run failed, in one line; null if it did not fail. Set by <see cref="Play"/>.</summary>
@@ -90,18 +89,25 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         while (session.DescribedRobot == null)
         {
             cancel.ThrowIfCancellationRequested();
-            if (_clock.Now - since > DescriptionTimeout)
-                throw new InputException(
-                    HeadsetMessages.NoRobot(DescriptionTimeout.TotalSeconds, session.RobotDescriptionFault ?? session.SampleLink.Detail));
+            if (_clock.Now - since > settings.DescriptionTimeout)
+                throw new InputException(OtherNamespaces(cancel) ?? HeadsetMessages.NoRobot(
+                    settings.DescriptionTimeout.TotalSeconds, session.RobotDescriptionFault ?? session.SampleLink.Detail, settings.RobotNamespace));
             Thread.Sleep(5);
         }
 
         return session.DescribedRobot;
     }
 
+    // Gets a message if the gateway serves robots only in namespaces other than that of the settings; null otherwise.
+    string OtherNamespaces(CancellationToken cancel)
+    {
+        var served = ServedNamespaces.ReadAsync(settings.Connection, _clock, cancel).GetAwaiter().GetResult();
+        return served.Count == 0 || served.Contains(settings.RobotNamespace) ? null : HeadsetMessages.OtherNamespaces(settings.RobotNamespace, served);
+    }
+
     CompensationSession Open(RobotModel robot) => new(settings.Session, robot, _clock);
 
-    HeadsetResult Result(CompensationSession session, RobotModel robot, TimeSpan length)
+    HeadsetResult Result(CompensationSession session, RobotModel robot, TimeSpan length, CancellationToken cancel)
     {
         var now = _clock.Now;
         var statistics = session.Statistics(now);
@@ -123,6 +129,8 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result(), outages,
             statistics.VersionMismatch);
         WhyFailed = HeadsetVerdict.FailureOf(pose, statistics, _wasTimeTrusted, outages);
+        if (WhyFailed != null && statistics.Samples == 0 && statistics.SampleLink.State == LinkState.Connected)
+            WhyFailed = OtherNamespaces(cancel) ?? WhyFailed;
         return result;
     }
 }

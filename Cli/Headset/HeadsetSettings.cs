@@ -12,6 +12,12 @@ sealed record HeadsetSettings
     /// <summary>"youbot", "ur5" or the path of a file; null to use the robot that the gateway describes.</summary>
     public string Robot { get; init; }
 
+    /// <summary>Namespace of the robot; empty for the robot without a namespace.</summary>
+    public string RobotNamespace { get; init; } = "";
+
+    /// <summary>Maximum time to wait for the gateway's description of the robot.</summary>
+    public TimeSpan DescriptionTimeout { get; init; } = TimeSpan.FromSeconds(10);
+
     public string Predictor { get; init; }
     public string Estimator { get; init; }
 
@@ -22,7 +28,8 @@ sealed record HeadsetSettings
 
     /// <summary>Settings of the session. They exclude the profile's range, because nothing is rendered.</summary>
     public SessionSettings Session =>
-        new(Connection, Visualisation, new PredictionSettings(Predictor), clockEstimator: Estimator, profile: Profile?.WithoutRange());
+        new(Connection, Visualisation, new PredictionSettings(Predictor), clockEstimator: Estimator, profile: Profile?.WithoutRange(),
+            robotNamespace: RobotNamespace);
 
     public double Seconds { get; init; }
     public double FramesPerSecond { get; init; }

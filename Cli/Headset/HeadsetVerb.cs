@@ -33,6 +33,11 @@ static class HeadsetVerb
     };
     static readonly Option<string> Name = new("--name") { Description = "Name of this headset", DefaultValueFactory = _ => "headless" };
     static readonly Option<string> Robot = new("--robot") { Description = RobotFiles.Names + " or a .urdf file [default: as the gateway describes it]" };
+    static readonly Option<string> Namespace = new("--namespace")
+    {
+        Description = "Namespace of the robot, for a gateway with several robots, for example arm1 [default: the robot without a namespace]",
+        HelpName = "NAME",
+    };
     static readonly Option<string> Predictor = PredictorOption.Create();
     static readonly Option<string> Estimator = RuntimeOptions.Estimator();
     static readonly Option<string> Profile = RuntimeOptions.Profile();
@@ -46,7 +51,7 @@ static class HeadsetVerb
     {
         var verb = new Command("headset", "Connect the headset runtime to a running gateway, and report accuracy and latency.")
         {
-            Host, SyncPort, WebSocketPort, Pin, TokenFile, InsecureLan, Name, Robot, Predictor, Estimator, Profile, Visualisation,
+            Host, SyncPort, WebSocketPort, Pin, TokenFile, InsecureLan, Name, Robot, Namespace, Predictor, Estimator, Profile, Visualisation,
             FramesPerSecond, Seconds, Record, Json,
         };
         verb.SetAction((parsed, cancel) => Task.Factory.StartNew(
@@ -78,6 +83,7 @@ static class HeadsetVerb
                 parsed.GetValue(Host), parsed.GetValue(SyncPort), parsed.GetValue(WebSocketPort), pin == null ? null : CertificatePin.Parse(pin),
                 token: Token(parsed.GetValue(TokenFile)), insecureLan: parsed.GetValue(InsecureLan), headsetName: parsed.GetValue(Name)),
             Robot = parsed.GetValue(Robot),
+            RobotNamespace = NamespaceOf(parsed.GetValue(Namespace)),
             Predictor = parsed.GetValue(Predictor),
             Estimator = parsed.GetValue(Estimator),
             Profile = RuntimeOptions.ProfileOf(parsed, Profile, Visualisation),
@@ -87,6 +93,9 @@ static class HeadsetVerb
             RecordingPath = parsed.GetValue(Record),
         };
     }
+
+    static string NamespaceOf(string given) => given == null || RobotTopic.IsNamespace(given)
+        ? given ?? "" : throw new InputException(HeadsetMessages.NamespaceInvalid(given, ProtocolLimits.NamespaceLength));
 
     static string Token(string path)
     {

@@ -3,8 +3,21 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Messages about failures and states of the command <c>headset</c>, with remedies.</summary>
 static class HeadsetMessages
 {
-    public static string NoRobot(double seconds, string reason) =>
-        $"--robot: missing, and the gateway did not describe a robot within {seconds} s ({reason}); use youbot, ur5 or a .urdf file";
+    /// <param name="robotNamespace">Namespace of the robot; empty for the robot without a namespace.</param>
+    public static string NoRobot(double seconds, string reason, string robotNamespace) =>
+        $"--robot: missing, and the gateway did not describe a robot{(robotNamespace.Length == 0 ? "" : $" in the namespace {robotNamespace}")} "
+        + $"within {seconds} s ({reason}); use youbot, ur5 or a .urdf file";
+
+    /// <param name="robotNamespace">Namespace that the gateway does not serve; empty for the robot without a namespace.</param>
+    /// <param name="served">Namespaces that the gateway serves.</param>
+    public static string OtherNamespaces(string robotNamespace, IReadOnlyList<string> served) =>
+        (robotNamespace.Length == 0
+            ? "--namespace: missing, and the gateway serves no robot without a namespace"
+            : $"--namespace: the gateway serves no robot in the namespace {robotNamespace}")
+        + $"; it serves {string.Join(", ", served)}; use one of these names";
+
+    public static string NamespaceInvalid(string name, int max) =>
+        $"--namespace: is '{name}'; allowed: a letter, then letters, digits and underscores, up to {max} characters";
 
     public static string NoClock(string reason) => $"the clock was never synchronised: {reason}; run longer (--seconds), or check the connection to the gateway";
     public static string NoJoints(string reason) => $"no joint positions arrived: {reason}; check that a source publishes them to the gateway";
