@@ -1,10 +1,11 @@
+using System.Globalization;
 using System.Text.RegularExpressions;
 
 namespace Nowpose.Headless.Tests.ControlSystem;
 
-/// <summary>Interprets the subset of Structured Text (IEC 61131-3) used by the files of the LED matrix, directly from their text.</summary>
+/// <summary>Interprets the subset of Structured Text (IEC 61131-3) used by the manual and the files of the LED matrix, directly from their text.</summary>
 /// <remarks>
-/// Supports integers, BOOL, zero-based arrays, assignments, IF, FOR, and calls of function blocks with named inputs. Each variable has the
+/// Supports integers, BOOL, LREAL (without division and with decimal arithmetic), zero-based arrays, assignments, IF, FOR, and calls of function blocks with named inputs. Each variable has the
 /// range of its type. Anything else is an error that names the token.
 /// </remarks>
 sealed partial class StructuredText
@@ -13,6 +14,9 @@ sealed partial class StructuredText
     {
         ["BOOL"] = 1, ["BYTE"] = 8, ["WORD"] = 16, ["INT"] = 16, ["DWORD"] = 32, ["ULINT"] = 64,
     };
+
+    /// <summary>Value of <see cref="Variable.BitCount"/> for LREAL.</summary>
+    const int Real = -1;
 
     readonly List<string> _tokens;
     readonly Dictionary<string, Variable> _variables = [];
@@ -36,13 +40,13 @@ sealed partial class StructuredText
     string Next => _tokens[_at];
 
     /// <summary>Gets or sets the value of a variable that is not an array.</summary>
-    public ulong this[string name]
+    public decimal this[string name]
     {
         get => _variables[name].Values[0];
         set => _variables[name].Set(0, value);
     }
 
-    public ulong[] Array(string name) => _variables[name].Values;
+    public decimal[] Array(string name) => _variables[name].Values;
 
     /// <summary>Runs the body once, like one cycle of the PLC.</summary>
     public void Run()
@@ -52,10 +56,10 @@ sealed partial class StructuredText
         if (!Next.StartsWith("END_", StringComparison.Ordinal)) throw Unknown();
     }
 
-    [GeneratedRegex(@"\(\*.*?\*\)", RegexOptions.Singleline)]
+    [GeneratedRegex(@"\(\*.*?\*\)|//[^\n]*", RegexOptions.Singleline)]
     private static partial Regex Comment();
 
-    [GeneratedRegex(@"[A-Z]+#(16#)?[0-9A-F]+|%Q\*|[A-Za-z_]\w*|\d+|:=|<>|\.\.|\S")]
+    [GeneratedRegex(@"[A-Z]+#(16#)?[0-9A-F]+|%Q\*|[A-Za-z_]\w*|\d+(\.\d+)?|:=|<>|<=|>=|\.\.|\S")]
     private static partial Regex Token();
 
     void Declare()
@@ -83,7 +87,8 @@ sealed partial class StructuredText
         }
         var type = Take();
         return Bits.TryGetValue(type, out var bits)
-            ? new Variable(bits, new ulong[length], null) : new Variable(0, null, _blocks(type) ?? throw new FormatException("no type " + type));
+            ? new Variable(bits, new decimal[length], null)
+            : type == "LREAL" ? new Variable(Real, new decimal[length], null) : new Variable(0, null, _blocks(type) ?? throw new FormatException("no type " + type));
     }
 
     void Block(bool runs)
@@ -165,47 +170,51 @@ sealed partial class StructuredText
         if (runs) source.CopyTo(target.Values, 0);
     }
 
-    ulong? Index()
+    int? Index()
     {
         if (!TryTake("[")) return null;
         var index = Expression();
         Expect("]");
-        return index;
+        return (int)index;
     }
 
     // Level 0 contains the operators with the lowest precedence. The order of the levels is that of the standard.
-    ulong Expression() => Binary(0);
+    decimal Expression() => Binary(0);
 
-    ulong Binary(int level)
+    decimal Binary(int level)
     {
-        string[][] levels = [["OR"], ["XOR"], ["AND"], ["=", "<>"], ["+", "-"], ["*", "/", "MOD"]];
+        string[][] levels = [["OR"], ["XOR"], ["AND"], ["=", "<>"], ["<", ">", "<=", ">="], ["+", "-"], ["*", "/", "MOD"]];
         if (level == levels.Length) return Unary();
         var value = Binary(level + 1);
         while (levels[level].Contains(Next)) value = Apply(Take(), value, Binary(level + 1));
         return value;
     }
 
-    static ulong Apply(string sign, ulong a, ulong b) => sign switch
+    static decimal Apply(string sign, decimal a, decimal b) => sign switch
     {
-        "OR" => a | b,
-        "XOR" => a ^ b,
-        "AND" => a & b,
-        "=" => a == b ? 1UL : 0,
-        "<>" => a != b ? 1UL : 0,
+        "OR" => (ulong)a | (ulong)b,
+        "XOR" => (ulong)a ^ (ulong)b,
+        "AND" => (ulong)a & (ulong)b,
+        "=" => a == b ? 1 : 0,
+        "<>" => a != b ? 1 : 0,
+        "<" => a < b ? 1 : 0,
+        ">" => a > b ? 1 : 0,
+        "<=" => a <= b ? 1 : 0,
+        ">=" => a >= b ? 1 : 0,
         "+" => a + b,
         "-" => a - b,
         "*" => a * b,
-        "/" => a / b,
+        "/" => (ulong)a / (ulong)b,
         _ => a % b,
     };
 
-    ulong Unary()
+    decimal Unary()
     {
         // NOT supports only BOOL; other types would need their width.
         if (TryTake("NOT")) return 1 - Unary();
         if (TryTake("(")) return Closed(Expression());
         var token = Take();
-        if (char.IsDigit(token[0])) return ulong.Parse(token);
+        if (char.IsDigit(token[0])) return decimal.Parse(token, CultureInfo.InvariantCulture);
         if (token.Contains('#')) return Literal(token);
         if (token is "TRUE" or "FALSE") return token == "TRUE" ? 1UL : 0;
         if (token is "SHR" or "SHL") return Shift(token);
@@ -213,23 +222,23 @@ sealed partial class StructuredText
         {
             if (_functions.TryGetValue(token, out var function)) return Closed(function());
             var target = token.Split("_TO_");
-            if (target.Length == 2 && Bits.TryGetValue(target[1], out var bits)) return Closed(Expression() & Mask(bits));
+            if (target.Length == 2 && Bits.TryGetValue(target[1], out var bits)) return Closed((ulong)Expression() & Mask(bits));
             throw Unknown();
         }
         if (!_variables.TryGetValue(token, out var variable)) throw Unknown();
         return variable.Values[Index() ?? 0];
     }
 
-    ulong Shift(string direction)
+    decimal Shift(string direction)
     {
         Expect("(");
-        var value = Expression();
+        var value = (ulong)Expression();
         Expect(",");
         var by = (int)Expression();
         return Closed(direction == "SHR" ? value >> by : value << by);
     }
 
-    ulong Closed(ulong value)
+    decimal Closed(decimal value)
     {
         Expect(")");
         return value;
@@ -261,8 +270,8 @@ sealed partial class StructuredText
 
     static ulong Mask(int bits) => ulong.MaxValue >> (64 - bits);
 
-    sealed record Variable(int BitCount, ulong[] Values, StructuredText Block)
+    sealed record Variable(int BitCount, decimal[] Values, StructuredText Block)
     {
-        public void Set(ulong index, ulong value) => Values[index] = value & Mask(BitCount);
+        public void Set(int index, decimal value) => Values[index] = BitCount == Real ? value : (ulong)((Int128)value & Mask(BitCount));
     }
 }

@@ -1,0 +1,93 @@
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.ControlSystem;
+
+/// <summary>Runs the belt's program on the manual's page about objects of a PLC program, unchanged.</summary>
+[FixtureLifeCycle(LifeCycle.InstancePerTestCase)]
+public class BeltProgramTests
+{
+    const int ValuesPerWorkpiece = 7;
+    const decimal Store = 0, Conveyor = 1, Gripper = 2;
+
+    readonly StructuredText _program = new(Source());
+
+    static string Source()
+    {
+        var page = File.ReadAllText(Path.Combine(RepositoryFiles.Root, RepositoryFiles.Package, "Documentation~", "objects-from-a-plc.md"));
+        return page.Split("```").Single(part => part.TrimStart().StartsWith("PROGRAM PRG_Belt", StringComparison.Ordinal));
+    }
+
+    decimal X(int workpiece) => _program.Array("aWorkpiece")[ValuesPerWorkpiece * workpiece];
+
+    decimal Parent(int workpiece) => _program.Array("aWorkpiece")[ValuesPerWorkpiece * workpiece + 6];
+
+    decimal[] Parents => [Parent(0), Parent(1), Parent(2)];
+
+    void Run(int cycles, bool isInterrupted = false)
+    {
+        _program["bLightBarrier"] = isInterrupted ? 1 : 0;
+        for (var i = 0; i < cycles; i++) _program.Run();
+    }
+
+    [Test]
+    public void Run_LightBarrierFree_AllWorkpiecesAreInTheStore()
+    {
+        _program["fBeltSpeed"] = 150;
+
+        Run(10);
+
+        Assert.That(Parents, Is.All.EqualTo(Store));
+        Assert.That(X(0), Is.Zero);
+    }
+
+    [Test]
+    public void Run_WorkpieceInTheLightBarrier_MovesWithTheMeasuredSpeed()
+    {
+        _program["fBeltSpeed"] = 150;
+
+        Run(1, isInterrupted: true);
+        Run(200, isInterrupted: true);
+        _program["fBeltSpeed"] = 0;
+        Run(100);
+        _program["fBeltSpeed"] = 50.5m;
+        Run(1000);
+
+        Assert.That(Parents, Is.EqualTo(new[] { Conveyor, Store, Store }), "one workpiece per interruption of the light barrier");
+        Assert.That(X(0), Is.EqualTo(0.2m * 150 + 50.5m), "mm");
+        Assert.That(_program.Array("aWorkpiece")[2], Is.EqualTo(15), "height of the centre");
+    }
+
+    [Test]
+    public void Run_WorkpieceAtTheEnd_LeavesAndTheOthersKeepTheirElements()
+    {
+        _program["fBeltSpeed"] = 1000;
+        Run(1, isInterrupted: true);
+        Run(599);
+        Run(1, isInterrupted: true);
+
+        Run(599);
+        Assert.That((X(0), X(1)), Is.EqualTo((1199m, 599m)));
+        Run(1);
+
+        Assert.That(Parents, Is.EqualTo(new[] { Store, Conveyor, Store }));
+        Assert.That(X(1), Is.EqualTo(600));
+        Run(1, isInterrupted: true);
+        Assert.That(Parents, Is.EqualTo(new[] { Conveyor, Conveyor, Store }), "a new workpiece uses the free elements");
+        Assert.That(X(0), Is.Zero);
+    }
+
+    [Test]
+    public void Run_GrippedWorkpiece_KeepsItsPoseInTheGripper()
+    {
+        _program["fBeltSpeed"] = 100;
+        Run(1, isInterrupted: true);
+        _program.Array("aWorkpiece")[6] = Gripper;
+        _program.Array("aWorkpiece")[0] = 12;
+
+        Run(5);
+        Run(5, isInterrupted: true);
+
+        Assert.That((X(0), Parent(0)), Is.EqualTo((12m, Gripper)));
+        Assert.That(Parent(1), Is.EqualTo(Conveyor));
+    }
+}
