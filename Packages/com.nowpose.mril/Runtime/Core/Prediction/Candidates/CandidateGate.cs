@@ -14,16 +14,17 @@ namespace Nowpose.Prediction.Candidates
     sealed class CandidateGate
     {
         /// <summary>
-        /// Forgetting factor per scored forecast that was made in motion. The sums have the weight of about seven forecasts, so the gate closes
-        /// within a few samples after a repetition ends.
+        /// Time constant of the exponential forgetting, in s. Errors of forecasts for nearly the same time are similar, so a few samples at a short
+        /// interval are no evidence: with forgetting per sample (0.14 s at an interval of 20 ms), false repetitions moved objects on a conveyor by up
+        /// to 49 mm. With 0.3 s, the rotation errors of vehicles are up to 16 % larger; with 0.8 s, those of simulated motions 1.3 %.
         /// </summary>
-        const double ForgettingFactor = 0.85;
+        const double TimeConstant = 0.5;
 
         /// <summary>
-        /// Time constant of the forgetting factor at a standstill, in s. Few forecasts of starts are scored, so a false start would otherwise prevent
-        /// the use of a candidate for many cycles. With 2 s, the error of a repeated cycle of the virtual cell is twice as large.
+        /// Minimum mean square error of the mixture, relative to the mean square displacement. If the mixture is more accurate, a candidate cannot
+        /// improve the forecast visibly, but can spoil it.
         /// </summary>
-        const double StillTimeConstant = 1;
+        const double MinMixtureRatio = 1e-4;
 
         /// <summary>
         /// Minimum number of scored forecasts before the candidate may replace the mixture, because a few forecasts may be correct by chance. With
@@ -65,7 +66,8 @@ namespace Nowpose.Prediction.Candidates
         {
             ref var record = ref isStill ? ref _still : ref _moving;
             var maxRatio = isStill ? _maxStillErrorRatio : _maxErrorRatio;
-            return record.Scores >= MinScores && record.Candidate < maxRatio * record.Mixture
+            var isImprovable = record.Scores >= MinScores && record.Mixture > MinMixtureRatio * record.Displacement;
+            return isImprovable && record.Candidate < maxRatio * record.Mixture
                 ? record.Candidate / record.Mixture : double.PositiveInfinity;
         }
 
@@ -84,9 +86,10 @@ namespace Nowpose.Prediction.Candidates
             _maxSquare = Math.Max(MaxSquareForgettingFactor * _maxSquare, displacement * displacement);
             if (!(displacement * displacement > MinSquareRatio * _maxSquare)) return;
             ref var record = ref wasStill ? ref _still : ref _moving;
-            var forgettingFactor = !wasStill ? ForgettingFactor : record.Scores == 0 ? 0 : Math.Exp((record.Time - time) / StillTimeConstant);
+            var forgettingFactor = record.Scores == 0 ? 0 : Math.Exp((record.Time - time) / TimeConstant);
             record.Candidate = forgettingFactor * record.Candidate + error * error;
             record.Mixture = forgettingFactor * record.Mixture + mixture * mixture;
+            record.Displacement = forgettingFactor * record.Displacement + displacement * displacement;
             record.Time = time;
             record.Scores++;
         }
@@ -101,6 +104,7 @@ namespace Nowpose.Prediction.Candidates
         {
             public double Candidate;
             public double Mixture;
+            public double Displacement;
             public double Time;
             public int Scores;
         }

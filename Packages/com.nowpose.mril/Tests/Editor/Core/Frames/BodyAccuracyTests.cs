@@ -20,6 +20,8 @@ namespace Nowpose.Tests.Core.Frames
             { "turntable", BodyMotions.Turntable },
             { "turntable, noise", BodyMotions.WithNoise(BodyMotions.Turntable, seed: 72) },
             { "conveyor, noise", BodyMotions.WithNoise(BodyMotions.Conveyor, seed: 75) },
+            { "unequal moves", BodyMotions.UnequalMoves },
+            { "vehicle", BodyMotions.Vehicle },
             { "rest, noise", BodyMotions.WithNoise(BodyMotions.Rest, seed: 73) },
             { "jumping rate", BodyMotions.JumpingRate },
             { "constant turning, noise", BodyMotions.WithNoise(BodyMotions.Constant(new Vector3D(0.3, 0.5, 2)), seed: 74) },
@@ -37,7 +39,13 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("conveyor, noise", 20, 100, 1.05)]
         [TestCase("conveyor, noise", 50, 100, 1.05)]
         [TestCase("conveyor, noise", 100, 150, 1.05)]
-        [TestCase("jumping rate", 20, 100, 1.1)]
+        [TestCase("unequal moves", 20, 100, 1.05)]
+        [TestCase("unequal moves", 50, 100, 1.05)]
+        [TestCase("unequal moves", 100, 150, 1.05)]
+        [TestCase("vehicle", 20, 100, 1.05)]
+        [TestCase("vehicle", 50, 100, 1.05)]
+        [TestCase("vehicle", 100, 150, 1.05)]
+        [TestCase("jumping rate", 20, 100, 1.2)]
         [TestCase("jumping rate", 50, 100, 1.1)]
         [TestCase("jumping rate", 100, 150, 1.1)]
         [TestCase("rest, noise", 20, 100, 1.05)]

@@ -44,6 +44,43 @@ namespace Nowpose.Tests.Core.Frames
             return new PoseSample(t, new Vector3D(x, 0.2, 0.9), UnitQuaternion.Exp(new Vector3D(0, 0, 0.4)));
         }
 
+        /// <summary>An object on a conveyor whose three moves have different lengths, with constant acceleration in their first and last 15 %.</summary>
+        public static PoseSample UnequalMoves(double t)
+        {
+            var moves = new[] { (2.3, 0.55), (1.7, 0), (3.1, 0.9), (0.9, 0), (1.2, 0.2), (2.7, 0) };
+            const double cycle = 11.9, way = 1.65, ramp = 0.15;
+            var (x, rest) = (way * Math.Floor(t / cycle), t % cycle);
+            foreach (var (seconds, metres) in moves)
+            {
+                var u = Math.Min(1, rest / seconds);
+                var v = Math.Min(u, 1 - u);
+                var share = v < ramp ? v * v / (2 * ramp) : v - ramp / 2;
+                x += metres * (u < 0.5 ? share : 1 - ramp - share) / (1 - ramp);
+                if (rest <= seconds) break;
+                rest -= seconds;
+            }
+            return new PoseSample(t, new Vector3D(x, 0.2, 0.9), UnitQuaternion.Exp(new Vector3D(0, 0, 0.35)));
+        }
+
+        /// <summary>
+        /// A vehicle whose yaw rate changes every 2.5 s, at 2 rad/s², to another of three values; no sequence of values repeats within 20 s.
+        /// </summary>
+        public static PoseSample Vehicle(double t)
+        {
+            var rates = new[] { 0, 0.8, 0, -0.8, 0.8, 0, 0.8, -0.8, 0 };
+            const double period = 2.5, acceleration = 2;
+            var angle = 0.0;
+            for (var i = 1; i < rates.Length && t > (i - 1) * period; i++)
+            {
+                var s = Math.Min(period, t - (i - 1) * period);
+                var ramp = Math.Abs(rates[i] - rates[i - 1]) / acceleration;
+                var inRamp = Math.Min(s, ramp);
+                angle += rates[i - 1] * inRamp + Math.Sign(rates[i] - rates[i - 1]) * acceleration * inRamp * inRamp / 2 + rates[i] * (s - inRamp);
+            }
+            return new PoseSample(
+                t, new Vector3D(0.5 * Math.Sin(0.9 * t), 0.3 * Math.Cos(1.1 * t), 0.1), UnitQuaternion.Exp(new Vector3D(0, 0, angle)));
+        }
+
         /// <summary>An object on a turntable whose angular velocity jumps, within one sample, to zero or back, every 3.3 s.</summary>
         public static PoseSample JumpingRate(double t)
         {
