@@ -71,12 +71,12 @@ namespace Nowpose.Prediction.Mixing
         {
             // A solve takes only a few steps, so at rest the common weights are solved again, even if they learn nothing.
             _mustSolve = wasAtRest;
-            if (wasAtRest) _resting.Learn(errors, forgettingFactor);
+            if (wasAtRest && _separatesRest) _resting.Learn(errors, forgettingFactor);
             // Errors of zero, at rest without noise, show no difference between the forecasters.
             if (Array.TrueForAll(errors, error => error == 0)) return;
             _mustSolve = true;
             _overall.Learn(errors, forgettingFactor);
-            if (!wasAtRest) _moving.Learn(errors, forgettingFactor);
+            if (!wasAtRest && _separatesRest) _moving.Learn(errors, forgettingFactor);
         }
 
         /// <summary>Solves for the weights of the next forecast.</summary>
