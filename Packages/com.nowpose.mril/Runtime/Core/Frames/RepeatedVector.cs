@@ -6,7 +6,7 @@ using Nowpose.Prediction.Forecasting;
 namespace Nowpose.Frames
 {
     /// <summary>
-    /// Continues the motion of a vector in the same way as an earlier, similar motion. The gate of joints (<see cref="CandidateGate"/>) decides when
+    /// Continues the motion of a vector in the same way as an earlier, similar motion. A gate as for joints (<see cref="CandidateGate"/>) decides when
     /// this replaces the mixture.
     /// </summary>
     /// <remarks>
@@ -23,10 +23,17 @@ namespace Nowpose.Frames
         /// </summary>
         const double MatchInterval = 0.07;
 
+        /// <summary>
+        /// Time constant with which the gate forgets errors in motion, in s. Errors of forecasts for nearly the same time are similar, so a few
+        /// samples at a short interval are no evidence: with forgetting per sample, as for joints, false repetitions moved objects on a conveyor by up
+        /// to 49 mm (interval 20 ms). With 0.3 s, the rotation errors of vehicles are up to 16 % larger; with 0.8 s, those of simulated motions 1.3 %.
+        /// </summary>
+        const double GateTimeConstant = 0.5;
+
         const int Components = 3;
 
         readonly TemplateMatcher _matcher;
-        readonly CandidateGate _gate = new CandidateGate(Predictors.TemplateGate, Predictors.StartGate);
+        readonly CandidateGate _gate = new CandidateGate(Predictors.TemplateGate, Predictors.StartGate, GateTimeConstant);
         readonly double _horizonCap;
         Standstill _standstill;
         Vector3D _newest;
