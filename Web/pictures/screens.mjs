@@ -51,10 +51,10 @@ export async function openOperations(browser, gateway, viewport) {
   return page;
 }
 
-/** Returns the texts of the page's visible elements without their numbers; null while the view of the robot shows no distances yet. */
+/** Returns the texts of the page's visible elements without their numbers; null while the view of the robot does not show both distances. */
 function readTexts() {
   const distances = document.querySelector('#robot .apart');
-  if (distances && !/\d.*\d/.test(distances.textContent)) return null;
+  if (distances && !/\d mm.*\d mm/.test(distances.textContent.replace(/\s/g, ' '))) return null;
   // Keeps the numbers of names such as arm_joint_1. A live distance is given as "about" or "less than" a number, depending on its size.
   const number = /(?<![\p{L}\d_])[-−]?\d(?:[\d.,:\u202f]*\d)?/gu;
   const textOf = element => (element === distances ? element.textContent.replace(/\b(?:about|less than)\s/g, '') : element.textContent)
