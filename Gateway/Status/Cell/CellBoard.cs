@@ -13,7 +13,7 @@ namespace Nowpose.Gateway.Status.Cell;
 /// </remarks>
 /// <param name="time">Time source for the age of poses.</param>
 /// <param name="reports">The adapters' reports, which give the reasons for missing data.</param>
-/// <param name="isLink">Returns whether a frame is a link of a described robot; null if there are no robots.</param>
+/// <param name="isLink">Returns whether a frame is a link of a described robot; null if no robot is described.</param>
 sealed class CellBoard(TimeProvider time, CellReports reports, Predicate<string> isLink = null)
 {
     /// <summary>Time without a pose after which a tracked frame is stale.</summary>

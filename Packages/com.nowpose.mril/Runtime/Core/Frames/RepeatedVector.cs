@@ -25,7 +25,7 @@ namespace Nowpose.Frames
 
         /// <summary>
         /// Time constant with which the gate forgets errors in motion, in s. Errors of forecasts for nearly the same time are similar, so a few
-        /// samples at a short interval are no evidence: with forgetting per sample, as for joints, false repetitions moved objects on a conveyor by up
+        /// samples at a short interval prove nothing: with forgetting per sample, as for joints, false repetitions moved objects on a conveyor by up
         /// to 49 mm (interval 20 ms). With 0.3 s, the rotation errors of vehicles are up to 16 % larger; with 0.8 s, those of simulated motions 1.3 %.
         /// </summary>
         const double GateTimeConstant = 0.5;
