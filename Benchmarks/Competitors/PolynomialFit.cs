@@ -21,7 +21,7 @@ sealed class PolynomialFit : Forecaster
         var times = ages.Select(age => motion.Samples[age].Time - motion.Samples.NewestTime).ToArray();
         var positions = ages.Select(age => motion.Samples[age].Position).ToArray();
         _coefficients = Fit.Polynomial(times, positions, ages.Length - 1);
-        _newest = motion.Samples.NewestPosition;
+        _newest = motion.Samples[0].Position;
         return true;
     }
 

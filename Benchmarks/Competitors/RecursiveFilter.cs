@@ -16,7 +16,7 @@ abstract class RecursiveFilter : Forecaster
     public override bool Solve(MotionState motion)
     {
         if (!motion.IsNewest) return true;
-        var position = motion.Samples.NewestPosition;
+        var position = motion.Samples[0].Position;
         if (_hasStarted) Update(motion.Interval, position);
         else Start(position);
         Newest = position;

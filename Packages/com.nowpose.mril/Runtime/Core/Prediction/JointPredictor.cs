@@ -17,11 +17,11 @@ namespace Nowpose.Prediction
         /// <summary>
         /// Time constant with which the jump from the curve to the forecast decays, in s: short compared with any latency that is worth compensating.
         /// </summary>
-        const double JumpTimeConstant = 0.005;
+        internal const double JumpTimeConstant = 0.005;
 
         readonly PredictionLimits _limits;
         readonly SectionBlend _blend;
-        readonly ArrivalOrder _arrivals;
+        readonly ArrivalOrder<JointSample> _arrivals;
         readonly SampleBuffer _buffer;
         readonly MotionState _motion;
         readonly Forecaster _forecaster;
@@ -49,7 +49,7 @@ namespace Nowpose.Prediction
             _limits = limits ?? throw new ArgumentNullException(nameof(limits));
             _forecaster = forecaster;
             _blend = new SectionBlend(blend);
-            _arrivals = new ArrivalOrder(limits.IsEndless);
+            _arrivals = new ArrivalOrder<JointSample>(limits.IsEndless);
             _buffer = new SampleBuffer(
                 kept, limits.IsEndless, (parts & PredictionParts.StampCorrection) != 0, (parts & PredictionParts.Thinning) != 0);
             _motion = new MotionState(_buffer.History, limits);
@@ -200,7 +200,7 @@ namespace Nowpose.Prediction
 
         void Solve()
         {
-            (_newestTime, _newestPosition) = (_buffer.History.NewestTime, _buffer.History.NewestPosition);
+            (_newestTime, _newestPosition) = (_buffer.History.NewestTime, _buffer.History[0].Position);
             _isSolved = _forecaster.Solve(_motion);
             _jump = _isSolved && _interpolates ? _forecaster.At(0) : 0;
         }
@@ -241,7 +241,7 @@ namespace Nowpose.Prediction
 
         JointPrediction InterpolatedAt(double time)
         {
-            var curve = new SampleCurve(_buffer.History, _motion.ConnectedSamples);
+            var curve = new SampleCurve<JointSample>(_buffer.History, component: 0, _motion.ConnectedSamples);
             return time < curve.Start ? new JointPrediction(curve.At(curve.Start), PredictionKind.Held)
                 : new JointPrediction(curve.At(time), PredictionKind.Interpolated);
         }

@@ -1,10 +1,11 @@
 using System;
 using Nowpose.Messages;
+using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction
 {
     /// <summary>One joint's position with the control system's stamp.</summary>
-    public readonly struct JointSample
+    public readonly struct JointSample : ISample
     {
         /// <summary>Minimum difference of two stamps, in s: closer stamps count as equal, because a speed between them has no meaning.</summary>
         internal const double SameSeconds = 1e-6;
@@ -51,6 +52,10 @@ namespace Nowpose.Prediction
 
         /// <summary>Acceleration reported by the control system, in rad/s² or m/s²; NaN if it is not reported.</summary>
         public double Acceleration { get; }
+
+        int ISample.Components => 1;
+
+        double ISample.this[int component] => Position;
 
         internal static bool IsSameTime(double one, double other) => Math.Abs(one - other) < SameSeconds;
     }

@@ -38,7 +38,7 @@ namespace Nowpose.Prediction
         /// Weight of the line in the prior: on first moves of real machines, a Gaussian process alone overshoots more. On a welding robot, the error
         /// was 1.22 times that of the best fixed predictor without the line, and 1.01 times with it.
         /// </summary>
-        const double LinePrior = 0.4;
+        internal const double LinePrior = 0.4;
 
         /// <summary>
         /// Prior weight of <see cref="ParabolaForecaster"/> for samples with velocity and acceleration. With exact values, the error of their Taylor
@@ -78,10 +78,18 @@ namespace Nowpose.Prediction
         {
             if (name == "adaptive") return Adaptive(limits, PredictionParts.All, shared, blend);
             if (name == "gp") return new JointPredictor(new CalibratedProcess(), Kept, PredictionParts.Samples, limits, blend);
+            var weights = Polynomial(name);
+            return new JointPredictor(new LinearForecaster(weights), weights.Samples, PredictionParts.None, limits, blend);
+        }
+
+        /// <summary>Creates the weights of a polynomial.</summary>
+        /// <param name="name">One of <see cref="Names"/>, or a polynomial with another history.</param>
+        /// <exception cref="InputException">No polynomial has this name.</exception>
+        internal static PolynomialWeights Polynomial(string name)
+        {
             if (!TryReadPolynomial(name, out var degree, out var history))
                 throw new InputException(PredictionMessages.UnknownPredictor(name, string.Join(", ", Names)));
-            var polynomial = new LinearForecaster(new PolynomialWeights(degree, history));
-            return new JointPredictor(polynomial, history + 1, PredictionParts.None, limits, blend);
+            return new PolynomialWeights(degree, history);
         }
 
         /// <summary>Creates the default predictor from its parts; prediction.md lists the benefit of each part.</summary>

@@ -69,7 +69,7 @@ namespace Nowpose.Prediction.Candidates
         public override bool Solve(MotionState motion)
         {
             if (!motion.IsNewest) return _isKnown;
-            (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples.NewestPosition);
+            (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples[0].Position);
             (_stillDistance, _tolerance) = (RestRatio * motion.Rest.Standstill.Distance, ToleranceRatio * motion.Rest.Standstill.MaxDisplacement);
             if (motion.ConnectedSamples < 2)
             {

@@ -27,7 +27,7 @@ namespace Nowpose.Prediction.Candidates
             // An overtaken sample is too late for the history.
             if (motion.IsNewest)
             {
-                (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples.NewestPosition);
+                (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples[0].Position);
                 Span<double> position = stackalloc[] { _newestPosition };
                 _matcher.Add(_newestTime, position, motion.MeanInterval, motion.Rest.Standstill);
             }

@@ -49,31 +49,30 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Number of change points since the start.</summary>
         public int Count { get; private set; }
 
-        /// <summary>Adds a sample. The speeds in the last two intervals are in the samples' unit per second; the intervals are in s.</summary>
+        /// <summary>Adds a sample.</summary>
         /// <param name="samples">Number of samples, including the newest.</param>
-        /// <param name="speed">Displacement ÷ interval before the newest sample; 0 if there is none.</param>
-        /// <param name="speedBefore">Speed in the previous interval.</param>
-        public void Add(int samples, double interval, double speed, double intervalBefore, double speedBefore)
+        /// <param name="interval">Interval before the newest sample, in s.</param>
+        /// <param name="intervalBefore">Interval before that, in s.</param>
+        /// <param name="speeds">Speeds in these two intervals.</param>
+        public void Add(int samples, double interval, double intervalBefore, in SpeedChange speeds)
         {
             SamplesSince++;
             if (samples < 2) return;
             var forgettingFactor = Math.Exp(-interval / TimeConstant);
             if (samples >= 3)
             {
-                var change = Math.Abs(speed - speedBefore);
-                var acceleration = change / (0.5 * (interval + intervalBefore));
-                var isSameDirection = speed * speedBefore > 0;
-                if (SamplesSince == 2 && SpeedIncreased && isSameDirection && Math.Abs(speed) >= MinConfirmationRatio * Math.Abs(speedBefore))
+                var acceleration = speeds.Change / (0.5 * (interval + intervalBefore));
+                if (SamplesSince == 2 && SpeedIncreased && speeds.Product > 0 && speeds.Newest >= MinConfirmationRatio * speeds.Before)
                     SamplesSince = samples;
-                else if (acceleration > MinAccelerationRatio * _maxAcceleration && change >= MinChangeRatio * _maxSpeed)
+                else if (acceleration > MinAccelerationRatio * _maxAcceleration && speeds.Change >= MinChangeRatio * _maxSpeed)
                 {
                     SamplesSince = 1;
-                    SpeedIncreased = Math.Abs(speed) > Math.Abs(speedBefore) && speed * speedBefore >= 0;
+                    SpeedIncreased = speeds.Newest > speeds.Before && speeds.Product >= 0;
                     Count++;
                 }
                 _maxAcceleration = Math.Max(_maxAcceleration * forgettingFactor, acceleration);
             }
-            _maxSpeed = Math.Max(_maxSpeed * forgettingFactor, Math.Abs(speed));
+            _maxSpeed = Math.Max(_maxSpeed * forgettingFactor, speeds.Newest);
         }
 
         public void Reset()
@@ -82,5 +81,27 @@ namespace Nowpose.Prediction.Forecasting
             SamplesSince = Count = 0;
             SpeedIncreased = false;
         }
+    }
+
+    /// <summary>Speeds of a joint or an object in the last two intervals, displacement ÷ interval; 0 where there is no interval.</summary>
+    readonly struct SpeedChange
+    {
+        /// <param name="newest">Magnitude in the last interval, per second.</param>
+        /// <param name="before">Magnitude in the interval before.</param>
+        /// <param name="change">Magnitude of the difference.</param>
+        /// <param name="product">Scalar product of the two: positive in the same direction, negative after a reversal.</param>
+        public SpeedChange(double newest, double before, double change, double product) =>
+            (Newest, Before, Change, Product) = (newest, before, change, product);
+
+        /// <summary>Speeds of a joint, with their signs.</summary>
+        public SpeedChange(double newest, double before) : this(Math.Abs(newest), Math.Abs(before), Math.Abs(newest - before), newest * before) { }
+
+        public double Newest { get; }
+
+        public double Before { get; }
+
+        public double Change { get; }
+
+        public double Product { get; }
     }
 }

@@ -16,6 +16,10 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Time of the last point, in s.</summary>
         public const double Span = (Points - 1) * Step;
 
+        /// <summary>Returns the number of points that are read up to the horizon cap: the spline also reads two points beyond it.</summary>
+        /// <param name="horizonCap">Maximum time that is displayed, in s.</param>
+        public static int PointsUpTo(double horizonCap) => (int)Math.Min(Points, Math.Ceiling(horizonCap / Step) + 3);
+
         /// <summary>Limits a forecast to the drive's maximum speed and maximum acceleration.</summary>
         /// <param name="table">Contains the table from <paramref name="start"/> on, which is changed in place.</param>
         /// <param name="points">Number of points of the table that are used.</param>
@@ -78,6 +82,11 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Returns a position of a table.</summary>
         public double Read(double[] table) =>
             _weightBefore * table[_before] + _weight * table[_cell] + _weightNext * table[_cell + 1] + _weightAfter * table[_after];
+
+        /// <inheritdoc cref="Read(float[], int, int)"/>
+        public double Read(double[] tables, int table, int count) =>
+            _weightBefore * tables[_before * count + table] + _weight * tables[_cell * count + table]
+            + _weightNext * tables[(_cell + 1) * count + table] + _weightAfter * tables[_after * count + table];
 
         /// <summary>Returns a position of one of several tables that are stored point by point.</summary>
         /// <param name="count">Number of tables.</param>

@@ -30,7 +30,7 @@ namespace Nowpose.Prediction.Forecasting
 
         /// <summary>Solves as if an earlier sample were the newest. The results are relative to this sample until the next solve.</summary>
         /// <inheritdoc cref="PositionWeights.Update"/>
-        public bool Solve(SampleHistory samples, int count, int age = 0)
+        public bool Solve(SampleHistory<JointSample> samples, int count, int age = 0)
         {
             if (!_weights.Update(samples, count, age)) return false;
             var newest = samples[age].Position;

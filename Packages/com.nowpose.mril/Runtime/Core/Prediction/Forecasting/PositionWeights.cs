@@ -56,7 +56,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <param name="count">Number of samples to use, <see cref="MinSamples"/> to <see cref="Samples"/>.</param>
         /// <param name="age">Number of newer samples, which are ignored.</param>
         /// <returns>Whether these times determine the weights.</returns>
-        public bool Update(SampleHistory samples, int count, int age = 0)
+        public bool Update<TSample>(SampleHistory<TSample> samples, int count, int age = 0) where TSample : struct, ISample
         {
             if (count == Count && HasTimes(samples, age)) return _isSolved;
             Count = count;
@@ -70,7 +70,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <param name="weights">Receives the weights from index <paramref name="start"/> on.</param>
         public abstract void At(double ahead, double[] weights, int start);
 
-        bool HasTimes(SampleHistory samples, int age)
+        bool HasTimes<TSample>(SampleHistory<TSample> samples, int age) where TSample : struct, ISample
         {
             var newest = samples[age].Time;
             for (var i = 0; i < Count; i++)

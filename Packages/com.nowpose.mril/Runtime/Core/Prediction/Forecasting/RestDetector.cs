@@ -84,7 +84,7 @@ namespace Nowpose.Prediction.Forecasting
 
         /// <param name="history">History that contains the newest sample.</param>
         /// <param name="interval">Interval before the newest sample, in s.</param>
-        public void Add(SampleHistory history, double interval)
+        public void Add(SampleHistory<JointSample> history, double interval)
         {
             if (history.Count < 2) return;
             _standstill.Add(Math.Abs(history[0].Position - history[1].Position));
@@ -102,7 +102,7 @@ namespace Nowpose.Prediction.Forecasting
             _standstill = default;
         }
 
-        static double RangeOf(SampleHistory history, out double mean, out bool isOneWay)
+        static double RangeOf(SampleHistory<JointSample> history, out double mean, out bool isOneWay)
         {
             var count = Math.Min(Window, history.Count);
             double min = double.PositiveInfinity, max = double.NegativeInfinity, sum = 0;
@@ -129,13 +129,13 @@ namespace Nowpose.Prediction.Forecasting
             var logarithm = Math.Log(Math.Max(range, MinRangeRatio * _maxRange));
             if (double.IsNegativeInfinity(_logarithm)) _logarithm = logarithm;
             // After a pause of several seconds, a step in proportion to the whole pause would take minutes to undo.
-            var seconds = Math.Min(interval, MotionState.MaxInterval);
+            var seconds = Math.Min(interval, SampleTiming.MaxInterval);
             _logarithm += TrackerRate * seconds * (logarithm > _logarithm ? Quantile : Quantile - 1);
         }
 
-        void UpdateRest(SampleHistory history, double range, double mean, bool isOneWay)
+        void UpdateRest(SampleHistory<JointSample> history, double range, double mean, bool isOneWay)
         {
-            var (newest, noise) = (history.NewestPosition, Math.Exp(_logarithm));
+            var (newest, noise) = (history[0].Position, Math.Exp(_logarithm));
             if (IsAtRest && Math.Abs(newest - _anchor) > MaxDistanceRatio * noise) IsAtRest = false;
             var isMoving = isOneWay && range > MaxCreepRatio * (Window - 1) * _standstill.MaxDisplacement;
             if (!IsAtRest && !isMoving && history.Count >= Window && range <= MaxRangeRatio * noise) (IsAtRest, _anchor) = (true, mean);
@@ -143,7 +143,7 @@ namespace Nowpose.Prediction.Forecasting
 
         // White noise makes no progress, and its second differences are √3 times its first; a smooth motion that reverses also makes no
         // progress, but has small second differences.
-        static bool IsNoise(SampleHistory history)
+        static bool IsNoise(SampleHistory<JointSample> history)
         {
             double displacements = 0, bends = 0;
             var count = Math.Min(NoiseWindow, history.Count);

@@ -30,7 +30,7 @@ namespace Nowpose.Prediction.Mixing
         /// Factor by which the line multiplies the speed directly after a change point that did not increase it. Without the factor, the errors on
         /// recordings are 0.4 % larger.
         /// </summary>
-        const double SpeedRatioAfterStop = 0.5;
+        public const double SpeedRatioAfterStop = 0.5;
 
         readonly MixedForecaster[] _mixed;
         readonly double[] _priorWhenReported;

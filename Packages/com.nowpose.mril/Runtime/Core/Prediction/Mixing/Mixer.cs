@@ -56,8 +56,7 @@ namespace Nowpose.Prediction.Mixing
         {
             _limits = limits;
             _candidates = candidates;
-            // The spline reads two points beyond the horizon cap; later times are never displayed.
-            _points = (int)Math.Min(ForecastTable.Points, Math.Ceiling(limits.HorizonCap / ForecastTable.Step) + 3);
+            _points = ForecastTable.PointsUpTo(limits.HorizonCap);
             _forecasters = forecasters;
             _weights = new WeightSelector(_forecasters, parts);
             _errors = new double[_forecasters.Count];
@@ -109,7 +108,7 @@ namespace Nowpose.Prediction.Mixing
         void Forecast(MotionState motion, ForecastSnapshots.Snapshot snapshot)
         {
             snapshot.Time = motion.Samples.NewestTime;
-            snapshot.Position = motion.Samples.NewestPosition;
+            snapshot.Position = motion.Samples[0].Position;
             snapshot.ChangePoints = motion.ChangePoints.Count;
             snapshot.WasAtRest = motion.Rest.IsAtRest;
             snapshot.WasStill = motion.Rest.Standstill.Samples > 0;
@@ -181,7 +180,7 @@ namespace Nowpose.Prediction.Mixing
         {
             var ahead = motion.Samples.NewestTime - snapshot.Time;
             if (_candidates.Length == 0 || !IsInTable(ahead)) return;
-            var (time, truth, threshold) = (new TableTime(ahead), motion.Samples.NewestPosition, _weights.Threshold);
+            var (time, truth, threshold) = (new TableTime(ahead), motion.Samples[0].Position, _weights.Threshold);
             var mixtureError = Math.Min(Math.Abs(snapshot.At(Mixture, time) - truth), threshold);
             for (var i = 0; i < _candidates.Length; i++)
             {
@@ -199,7 +198,7 @@ namespace Nowpose.Prediction.Mixing
         {
             var ahead = motion.Samples.NewestTime - snapshot.Time;
             if (!snapshot.HasForecast(Mixture) || snapshot.ChangePoints != motion.ChangePoints.Count || !IsInTable(ahead)) return;
-            var (time, truth, threshold) = (new TableTime(ahead), motion.Samples.NewestPosition, _weights.Threshold);
+            var (time, truth, threshold) = (new TableTime(ahead), motion.Samples[0].Position, _weights.Threshold);
             for (var i = 0; i < Mixture; i++)
             {
                 var error = snapshot.At(i, time) - truth;

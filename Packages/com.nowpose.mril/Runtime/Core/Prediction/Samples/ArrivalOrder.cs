@@ -2,6 +2,21 @@ using System;
 
 namespace Nowpose.Prediction.Samples
 {
+    /// <summary>Limits that distinguish late samples, and late values of signals, from a clock that went back.</summary>
+    static class ArrivalOrder
+    {
+        /// <summary>
+        /// Number of consecutive late samples that proves that the clock went back: at 20 ms, WiFi swaps two samples every few seconds.
+        /// </summary>
+        public const int MaxLate = 5;
+
+        /// <summary>
+        /// Maximum delay of a sample relative to later ones on a usable network, in s. A later sample would hardly improve a prediction, whose
+        /// default horizon cap is 0.3 s.
+        /// </summary>
+        public const double MaxDelay = 0.25;
+    }
+
     /// <summary>
     /// Distinguishes samples that were overtaken on the network from samples whose clock went back.
     /// </summary>
@@ -11,42 +26,31 @@ namespace Nowpose.Prediction.Samples
     /// sample that is not newer than the last waiting sample, shows that they were overtaken, and they are inserted. If their number, or positions
     /// that contradict the other samples, show that the clock went back, the history restarts with them. Allocates nothing after construction.
     /// </remarks>
-    sealed class ArrivalOrder
+    sealed class ArrivalOrder<TSample> where TSample : struct, ISample
     {
         /// <summary>
-        /// Number of consecutive late samples that proves that the clock went back: at 20 ms, WiFi swaps two samples every few seconds.
-        /// </summary>
-        public const int MaxLate = 5;
-
-        /// <summary>
         /// Number of consecutive late samples that is sufficient if the neighbouring samples show that the joint was elsewhere, or if the samples are
-        /// late by more than <see cref="MaxDelay"/>. A single one may be a repeated message.
+        /// late by more than <see cref="ArrivalOrder.MaxDelay"/>. A single one may be a repeated message.
         /// </summary>
         const int MinLate = 2;
 
-        /// <summary>
-        /// Maximum delay of a sample relative to later ones on a usable network, in s. A later sample would hardly improve a prediction, whose
-        /// default horizon cap is 0.3 s.
-        /// </summary>
-        public const double MaxDelay = 0.25;
-
-        readonly RecentSamples _recent;
-        readonly JointSample[] _ready = new JointSample[MaxLate + 1];
+        readonly RecentSamples<TSample> _recent;
+        readonly TSample[] _ready = new TSample[ArrivalOrder.MaxLate + 1];
         double _newest = double.NegativeInfinity;
         int _readyCount;
 
         // The waiting samples, each newer than the previous one. Some are only evidence: they are used only if the clock has gone back.
-        readonly JointSample[] _late = new JointSample[MaxLate];
-        readonly bool[] _isOnlyEvidence = new bool[MaxLate];
+        readonly TSample[] _late = new TSample[ArrivalOrder.MaxLate];
+        readonly bool[] _isOnlyEvidence = new bool[ArrivalOrder.MaxLate];
         int _lateCount, _contradicted;
 
         /// <param name="isEndless">Whether positions are angles in rad that may wrap from π to −π.</param>
-        public ArrivalOrder(bool isEndless) => _recent = new RecentSamples(isEndless);
+        public ArrivalOrder(bool isEndless) => _recent = new RecentSamples<TSample>(isEndless);
 
         /// <summary>
         /// Samples to use now, in order: the waiting samples that are now classified, and the added sample if it is the newest.
         /// </summary>
-        public ReadOnlySpan<JointSample> Ready => _ready.AsSpan(0, _readyCount);
+        public ReadOnlySpan<TSample> Ready => _ready.AsSpan(0, _readyCount);
 
         /// <summary>Number of times that the samples showed that the clock went back; all earlier samples are then invalid.</summary>
         public int Restarts { get; private set; }
@@ -54,7 +58,7 @@ namespace Nowpose.Prediction.Samples
         /// <param name="oldest">
         /// Order below which samples are too old for the prediction, in s; they are still evidence of a clock that went back.
         /// </param>
-        public DropReason Add(in JointSample sample, double oldest)
+        public DropReason Add(in TSample sample, double oldest)
         {
             _readyCount = 0;
             if (sample.Order > _newest && !JointSample.IsSameTime(_newest, sample.Order))
@@ -64,8 +68,8 @@ namespace Nowpose.Prediction.Samples
                 return DropReason.None;
             }
             // The stamp alone is not sufficient: a clock that goes back by whole sampling intervals repeats earlier stamps with other positions.
-            var isKnown = _recent.TryFind(sample.Order, out var position);
-            if ((isKnown && position == sample.Position) || IsWaiting(sample)) return DropReason.DuplicateSample;
+            var isKnown = _recent.Contains(sample, out var isRepeated);
+            if (isRepeated || IsWaiting(sample)) return DropReason.DuplicateSample;
             var reason = sample.Order < oldest ? DropReason.LateSample : isKnown ? DropReason.DuplicateSample : DropReason.None;
             if (_lateCount > 0 && sample.Order <= _late[_lateCount - 1].Order) ReleaseLate(withEvidence: false);
             if (_recent.Contradict(sample)) _contradicted++;
@@ -86,14 +90,21 @@ namespace Nowpose.Prediction.Samples
             _readyCount = _lateCount = _contradicted = 0;
         }
 
-        bool HasClockGoneBack => _lateCount == MaxLate || _contradicted == MinLate
-            || (_lateCount >= MinLate && _newest - _late[_lateCount - 1].Order > MaxDelay);
+        bool HasClockGoneBack => _lateCount == ArrivalOrder.MaxLate || _contradicted == MinLate
+            || (_lateCount >= MinLate && _newest - _late[_lateCount - 1].Order > ArrivalOrder.MaxDelay);
 
-        bool IsWaiting(in JointSample sample)
+        bool IsWaiting(in TSample sample)
         {
             for (var i = 0; i < _lateCount; i++)
-                if (JointSample.IsSameTime(_late[i].Order, sample.Order) && _late[i].Position == sample.Position) return true;
+                if (JointSample.IsSameTime(_late[i].Order, sample.Order) && HasSameComponents(_late[i], sample)) return true;
             return false;
+        }
+
+        static bool HasSameComponents(in TSample one, in TSample other)
+        {
+            for (var c = 0; c < one.Components; c++)
+                if (one[c] != other[c]) return false;
+            return true;
         }
 
         void ReleaseLate(bool withEvidence)
@@ -103,7 +114,7 @@ namespace Nowpose.Prediction.Samples
             _lateCount = _contradicted = 0;
         }
 
-        void Release(in JointSample sample)
+        void Release(in TSample sample)
         {
             _newest = Math.Max(_newest, sample.Order);
             _recent.Add(sample);

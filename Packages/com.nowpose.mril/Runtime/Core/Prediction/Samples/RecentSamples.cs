@@ -3,10 +3,10 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// Keeps the recent samples of a joint, to recognise a repeated sample and a sample that contradicts its neighbours. Allocates nothing
-    /// after construction.
+    /// Keeps the recent samples of a joint or an object, to recognise a repeated sample and a sample that contradicts its neighbours. Allocates
+    /// nothing after construction.
     /// </summary>
-    sealed class RecentSamples
+    sealed class RecentSamples<TSample> where TSample : struct, ISample
     {
         /// <summary>
         /// Number of samples kept: a quarter of a second at 1 kHz, the maximum delay of a late sample (<see cref="ArrivalOrder.MaxDelay"/>).
@@ -30,54 +30,66 @@ namespace Nowpose.Prediction.Samples
         const int NoiseWindow = 8;
 
         readonly bool _isEndless;
-        readonly (double Order, double Position)[] _samples = new (double, double)[Capacity];
+        readonly int _components = default(TSample).Components;
+
+        // Each sample is stored as its order, followed by its components.
+        readonly double[] _samples;
         int _next;
         int _count;
 
         /// <param name="isEndless">Whether positions are angles in rad that may wrap from π to −π.</param>
-        public RecentSamples(bool isEndless) => _isEndless = isEndless;
-
-        public void Add(in JointSample sample)
+        public RecentSamples(bool isEndless)
         {
-            _samples[_next] = (sample.Order, sample.Position);
+            _isEndless = isEndless;
+            _samples = new double[Capacity * (1 + _components)];
+        }
+
+        public void Add(in TSample sample)
+        {
+            var start = _next * (1 + _components);
+            _samples[start] = sample.Order;
+            for (var c = 0; c < _components; c++) _samples[start + 1 + c] = sample[c];
             _next = (_next + 1) % Capacity;
             if (_count < Capacity) _count++;
         }
 
-        /// <summary>Finds the position of the stored sample with the given time.</summary>
-        public bool TryFind(double order, out double position)
+        /// <summary>Returns whether a sample with the time of this sample is stored.</summary>
+        /// <param name="isRepeated">Whether the stored sample also has the same components.</param>
+        public bool Contains(in TSample sample, out bool isRepeated)
         {
-            var i = IndexAt(order);
-            position = i >= 0 ? _samples[i].Position : double.NaN;
+            var i = IndexAt(sample.Order);
+            isRepeated = i >= 0;
+            for (var c = 0; c < _components && isRepeated; c++) isRepeated = sample[c] == Position(i, c);
             return i >= 0;
         }
 
         /// <summary>
-        /// Returns whether the position of a sample contradicts the stored sample with the same time or, if there is none, the stored samples
+        /// Returns whether any component of a sample contradicts the stored sample with the same time or, if there is none, the stored samples
         /// before and after it; false if one of these two is missing.
         /// </summary>
-        public bool Contradict(in JointSample sample)
+        public bool Contradict(in TSample sample)
         {
             var same = IndexAt(sample.Order);
-            if (same >= 0)
-                return IsElsewhere(sample.Position, _samples[same].Position, 0, Math.Max(DisplacementFrom(same, -1), DisplacementFrom(same, 1)));
-            var before = Neighbour(sample.Order, -1);
-            var after = Neighbour(sample.Order, 1);
+            var (before, after) = same >= 0 ? (same, same) : (Neighbour(sample.Order, -1), Neighbour(sample.Order, 1));
             if (before < 0 || after < 0) return false;
-            var displacement = Difference(_samples[after].Position, _samples[before].Position);
-            var onLine = displacement * (sample.Order - _samples[before].Order) / (_samples[after].Order - _samples[before].Order);
-            var largest = Math.Max(Math.Abs(displacement), Math.Max(DisplacementFrom(before, -1), DisplacementFrom(after, 1)));
-            return IsElsewhere(sample.Position, _samples[before].Position, onLine, largest);
+            var fraction = same >= 0 ? 0 : (sample.Order - Order(before)) / (Order(after) - Order(before));
+            for (var c = 0; c < _components; c++)
+            {
+                var displacement = Difference(Position(after, c), Position(before, c));
+                var largest = Math.Max(Math.Abs(displacement), Math.Max(DisplacementFrom(before, -1, c), DisplacementFrom(after, 1, c)));
+                if (IsElsewhere(sample[c], Position(before, c), displacement * fraction, largest, c)) return true;
+            }
+            return false;
         }
 
         public void Clear() => _next = _count = 0;
 
         // Returns whether a sample is too far from the expected position. Before the first motion, no sample is.
-        bool IsElsewhere(double position, double reference, double displacement, double largest)
+        bool IsElsewhere(double position, double reference, double displacement, double largest, int component)
         {
             var distance = Math.Abs(Difference(position, reference) - displacement);
-            if (!(distance > MaxDistanceRatio * largest + Noise)) return false;
-            var range = Range;
+            if (!(distance > MaxDistanceRatio * largest + Noise(component))) return false;
+            var range = Range(component);
             return distance > MinRangeRatio * range && range > 0;
         }
 
@@ -85,44 +97,45 @@ namespace Nowpose.Prediction.Samples
         int IndexAt(double order)
         {
             var i = _count - 1;
-            while (i >= 0 && !JointSample.IsSameTime(_samples[i].Order, order)) i--;
+            while (i >= 0 && !JointSample.IsSameTime(Order(i), order)) i--;
             return i;
         }
 
-        double DisplacementFrom(int index, int direction)
+        double Order(int index) => _samples[index * (1 + _components)];
+
+        double Position(int index, int component) => _samples[index * (1 + _components) + 1 + component];
+
+        double DisplacementFrom(int index, int direction, int component)
         {
-            var next = Neighbour(_samples[index].Order, direction);
-            return next < 0 ? 0 : Math.Abs(Difference(_samples[next].Position, _samples[index].Position));
+            var next = Neighbour(Order(index), direction);
+            return next < 0 ? 0 : Math.Abs(Difference(Position(next, component), Position(index, component)));
         }
 
         // Maximum second difference of the newest samples: large for noise at rest, small in a smooth motion.
-        double Noise
+        double Noise(int component)
         {
-            get
-            {
-                var noise = 0.0;
-                for (var age = 0; age + 2 < Math.Min(_count, NoiseWindow); age++)
-                    noise = Math.Max(noise, Math.Abs(Difference(Newest(age), Newest(age + 1)) - Difference(Newest(age + 1), Newest(age + 2))));
-                return noise;
-            }
+            var noise = 0.0;
+            for (var age = 0; age + 2 < Math.Min(_count, NoiseWindow); age++)
+                noise = Math.Max(noise, Math.Abs(Step(age, component) - Step(age + 1, component)));
+            return noise;
         }
 
-        double Range
+        double Range(int component)
         {
-            get
+            double minimum = 0, maximum = 0;
+            for (var i = 1; i < _count; i++)
             {
-                double minimum = 0, maximum = 0;
-                for (var i = 1; i < _count; i++)
-                {
-                    var difference = Difference(_samples[i].Position, _samples[0].Position);
-                    minimum = Math.Min(minimum, difference);
-                    maximum = Math.Max(maximum, difference);
-                }
-                return maximum - minimum;
+                var difference = Difference(Position(i, component), Position(0, component));
+                minimum = Math.Min(minimum, difference);
+                maximum = Math.Max(maximum, difference);
             }
+            return maximum - minimum;
         }
 
-        double Newest(int age) => _samples[(_next - 1 - age + Capacity) % Capacity].Position;
+        // Displacement to the sample of this age from the next older one.
+        double Step(int age, int component) => Difference(Newest(age, component), Newest(age + 1, component));
+
+        double Newest(int age, int component) => Position((_next - 1 - age + Capacity) % Capacity, component);
 
         double Difference(double a, double b) => _isEndless ? a - b - SampleBuffer.WholeTurns(a - b) : a - b;
 
@@ -132,8 +145,8 @@ namespace Nowpose.Prediction.Samples
             var nearest = -1;
             for (var i = 0; i < _count; i++)
             {
-                var distance = direction * (_samples[i].Order - order);
-                if (distance > 0 && (nearest < 0 || distance < direction * (_samples[nearest].Order - order))) nearest = i;
+                var distance = direction * (Order(i) - order);
+                if (distance > 0 && (nearest < 0 || distance < direction * (Order(nearest) - order))) nearest = i;
             }
             return nearest;
         }

@@ -15,7 +15,7 @@ namespace Nowpose.Prediction.Samples
         /// Minimum interval in s; closer samples are left out unless they were overtaken, so rates up to 180 Hz are used completely. Samples a
         /// millisecond apart do not improve forecasts over a tenth of a second, and windows of few samples would contain mainly their noise.
         /// </summary>
-        const double MinInterval = 0.0055;
+        public const double MinInterval = 0.0055;
 
         readonly bool _isEndless;
         readonly bool _thins;
@@ -29,15 +29,15 @@ namespace Nowpose.Prediction.Samples
         /// <param name="thins">Whether samples less than 5.5 ms apart are left out.</param>
         public SampleBuffer(int capacity, bool isEndless, bool corrects, bool thins)
         {
-            History = new SampleHistory(capacity);
+            History = new SampleHistory<JointSample>(capacity);
             _isEndless = isEndless;
             _thins = thins;
-            _stamps = corrects ? new StampCorrection() : null;
+            _stamps = corrects ? new StampCorrection(components: 1) : null;
             Clear();
         }
 
         /// <summary>The samples for forecasts.</summary>
-        public SampleHistory History { get; }
+        public SampleHistory<JointSample> History { get; }
 
         /// <summary>
         /// Position of the newest sample, which a display without prediction shows even if the sample is left out; 0 before the first sample.
@@ -58,7 +58,8 @@ namespace Nowpose.Prediction.Samples
         {
             var isNewest = IsNewer(sample);
             var position = Unwrapped(sample);
-            var time = _stamps == null ? sample.Time : _stamps.Correct(sample.Time, position, isNewest);
+            Span<double> component = stackalloc[] { position };
+            var time = _stamps == null ? sample.Time : _stamps.Correct(sample.Time, component, isNewest);
             // The order decides, because the corrected stamp of the newest sample may precede the corrected stamp of the previous sample.
             if (isNewest)
             {

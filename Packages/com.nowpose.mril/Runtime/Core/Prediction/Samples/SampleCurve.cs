@@ -10,17 +10,19 @@ namespace Nowpose.Prediction.Samples
     /// limit applies only where samples rise or fall monotonically: at a turning point it would flatten the curve between the samples. Stores no
     /// results: each call uses the samples around the requested time.
     /// </remarks>
-    readonly struct SampleCurve
+    readonly struct SampleCurve<TSample> where TSample : struct, ISample
     {
         /// <summary>A cubic with end slopes within three times the secant's is monotone (Fritsch &amp; Carlson).</summary>
         const double MaxSlope = 3;
 
-        readonly SampleHistory _samples;
-        readonly int _count;
+        readonly SampleHistory<TSample> _samples;
+        readonly int _component, _count;
 
         /// <param name="samples">Index 0 is the newest.</param>
+        /// <param name="component">Component of the samples.</param>
         /// <param name="count">Number of newest samples, at least two; their times differ.</param>
-        public SampleCurve(SampleHistory samples, int count) => (_samples, _count) = (samples, count);
+        public SampleCurve(SampleHistory<TSample> samples, int component, int count) =>
+            (_samples, _component, _count) = (samples, component, count);
 
         /// <summary>Time of the oldest sample of the curve, s.</summary>
         public double Start => _samples[_count - 1].Time;
@@ -37,11 +39,13 @@ namespace Nowpose.Prediction.Samples
             var secant = Secant(age);
             var (before, after) = ((Slope(age + 1) - secant) * length, (secant - Slope(age)) * length);
             // The straight line plus the contribution of the slopes at both ends.
-            return older.Position + x * (_samples[age].Position - older.Position) + x * (1 - x) * (before * (1 - x) + after * x);
+            return Position(age + 1) + x * (Position(age) - Position(age + 1)) + x * (1 - x) * (before * (1 - x) + after * x);
         }
 
+        double Position(int age) => _samples[age][_component];
+
         // Slope from the sample of this age to the next older one.
-        double Secant(int age) => (_samples[age].Position - _samples[age + 1].Position) / (_samples[age].Time - _samples[age + 1].Time);
+        double Secant(int age) => (Position(age) - Position(age + 1)) / (_samples[age].Time - _samples[age + 1].Time);
 
         double Slope(int age)
         {

@@ -3,13 +3,13 @@ using System.Runtime.CompilerServices;
 
 namespace Nowpose.Prediction.Samples
 {
-    /// <summary>Keeps the newest samples of one joint, sorted by time; index 0 is the newest.</summary>
-    sealed class SampleHistory
+    /// <summary>Keeps the newest samples of one joint or one object, sorted by time; index 0 is the newest.</summary>
+    sealed class SampleHistory<TSample> where TSample : struct, ISample
     {
         readonly int _capacity;
 
         // Ring buffer: the sample with a given age is at (_newest + age) & _mask.
-        readonly JointSample[] _ring;
+        readonly TSample[] _ring;
         readonly int _mask;
         int _newest;
 
@@ -18,12 +18,12 @@ namespace Nowpose.Prediction.Samples
             _capacity = capacity;
             var length = 1;
             while (length < capacity) length *= 2;
-            (_ring, _mask) = (new JointSample[length], length - 1);
+            (_ring, _mask) = (new TSample[length], length - 1);
         }
 
         public int Count { get; private set; }
 
-        public ref readonly JointSample this[int age]
+        public ref readonly TSample this[int age]
         {
             [MethodImpl(MethodImplOptions.AggressiveInlining)]
             get => ref At(age);
@@ -31,13 +31,11 @@ namespace Nowpose.Prediction.Samples
 
         public double NewestTime => Count > 0 ? At(0).Time : double.NegativeInfinity;
 
-        public double NewestPosition => Count > 0 ? At(0).Position : 0;
-
         /// <summary>Order of the oldest sample in a full history, in s; negative infinity while older samples still fit.</summary>
         public double Oldest => Count < _capacity ? double.NegativeInfinity : At(Count - 1).Order;
 
         /// <returns>False if the history is full and the sample is older than its samples, or if another sample has the same time.</returns>
-        public bool Add(in JointSample sample)
+        public bool Add(in TSample sample)
         {
             var age = 0;
             while (age < Count && At(age).Order > sample.Order) age++;
@@ -60,10 +58,10 @@ namespace Nowpose.Prediction.Samples
 
         public void Clear() => Count = 0;
 
-        bool IsAsOld(int age, in JointSample sample) =>
+        bool IsAsOld(int age, in TSample sample) =>
             age >= 0 && age < Count && JointSample.IsSameTime(At(age).Order, sample.Order);
 
-        void Insert(int age, in JointSample sample)
+        void Insert(int age, in TSample sample)
         {
             if (Count < _capacity) Count++;
             _newest = (_newest - 1) & _mask;
@@ -72,6 +70,6 @@ namespace Nowpose.Prediction.Samples
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        ref JointSample At(int age) => ref _ring[(_newest + age) & _mask];
+        ref TSample At(int age) => ref _ring[(_newest + age) & _mask];
     }
 }

@@ -30,20 +30,26 @@ namespace Nowpose.Prediction.Samples
         /// </summary>
         const int Kept = 4, Reported = 0, OnLine = Kept, Positions = 2 * Kept;
 
-        // The newest samples, newest first: the reported stamps, followed by the times on the line and the positions.
-        readonly double[] _values = new double[3 * Kept];
+        // The newest samples, newest first: the reported stamps, followed by the times on the line and the components one after another.
+        readonly double[] _values;
         int _count;
         double _mean;
 
-        public SmoothnessTest() => Reset();
+        /// <param name="components">Number of components of a position.</param>
+        public SmoothnessTest(int components)
+        {
+            _values = new double[Positions + Kept * components];
+            Reset();
+        }
 
         /// <summary>Whether the positions are about as smooth over the times of the line as over the reported stamps, or smoother.</summary>
         public bool PrefersLine => _mean >= MinMean;
 
-        public void Add(double reported, double onLine, double position)
+        public void Add(double reported, double onLine, ReadOnlySpan<double> position)
         {
             for (var i = _values.Length - 1; i > 0; i--) _values[i] = _values[i - 1];
-            (_values[Reported], _values[OnLine], _values[Positions]) = (reported, onLine, position);
+            (_values[Reported], _values[OnLine]) = (reported, onLine);
+            for (var c = 0; c < position.Length; c++) _values[Positions + c * Kept] = position[c];
             if (_count < Kept) _count++;
             if (_count < Kept) return;
             double errorReported = ErrorOf(Reported), errorOnLine = ErrorOf(OnLine);
@@ -61,15 +67,20 @@ namespace Nowpose.Prediction.Samples
         // Distance of sample 0 from the quadratic through samples 1 to 3, in Lagrange form; NaN or infinite if two times coincide.
         double ErrorOf(int times)
         {
-            var (values, error) = (_values, 0.0);
-            for (var i = 1; i < Kept; i++)
+            var (values, squares) = (_values, 0.0);
+            for (var start = Positions; start < values.Length; start += Kept)
             {
-                var term = values[Positions + i] - values[Positions];
-                for (var j = 1; j < Kept; j++)
-                    if (j != i) term *= (values[times] - values[times + j]) / (values[times + i] - values[times + j]);
-                error += term;
+                var error = 0.0;
+                for (var i = 1; i < Kept; i++)
+                {
+                    var term = values[start + i] - values[start];
+                    for (var j = 1; j < Kept; j++)
+                        if (j != i) term *= (values[times] - values[times + j]) / (values[times + i] - values[times + j]);
+                    error += term;
+                }
+                squares += error * error;
             }
-            return Math.Abs(error);
+            return Math.Sqrt(squares);
         }
     }
 }

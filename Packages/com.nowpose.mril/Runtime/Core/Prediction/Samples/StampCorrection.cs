@@ -33,14 +33,18 @@ namespace Nowpose.Prediction.Samples
         const double Deviations = 2;
 
         readonly StampLine _line = new StampLine();
-        readonly SmoothnessTest _smoothness = new SmoothnessTest();
+        readonly SmoothnessTest _smoothness;
 
         // Number of consecutive newest stamps that are off the line on the same side; negative if they are early.
         int _offLine;
 
+        /// <param name="components">Number of components of a position.</param>
+        public StampCorrection(int components) => _smoothness = new SmoothnessTest(components);
+
         /// <summary>Returns the corrected time of a sample.</summary>
         /// <param name="stamp">Uncorrected stamp, in s.</param>
-        public double Correct(double stamp, double position, bool isNewest)
+        /// <param name="position">One number per component.</param>
+        public double Correct(double stamp, ReadOnlySpan<double> position, bool isNewest)
         {
             if (isNewest) UpdateLine(stamp);
             if (!_line.IsKnown) return stamp;

@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Prediction
         /// <summary>Returns the state of a motion after its samples, which are in the order of their times.</summary>
         public static MotionState Motion(double[] times, double[] positions)
         {
-            var history = new SampleHistory(times.Length);
+            var history = new SampleHistory<JointSample>(times.Length);
             var motion = new MotionState(history, PredictionLimits.Unlimited);
             for (var i = 0; i < times.Length; i++)
             {

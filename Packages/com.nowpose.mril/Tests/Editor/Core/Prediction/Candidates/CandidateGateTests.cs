@@ -165,7 +165,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
             public override bool Solve(MotionState motion)
             {
-                (_newest, _position) = (motion.Samples.NewestTime, motion.Samples.NewestPosition);
+                (_newest, _position) = (motion.Samples.NewestTime, motion.Samples[0].Position);
                 return !IsSilent;
             }
 

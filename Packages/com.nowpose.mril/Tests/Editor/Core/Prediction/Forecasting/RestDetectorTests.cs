@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
     {
         const int Seed = 5;
 
-        readonly SampleHistory _history = new SampleHistory(24);
+        readonly SampleHistory<JointSample> _history = new SampleHistory<JointSample>(24);
         readonly RestDetector _rest = new RestDetector();
         Random _random;
 

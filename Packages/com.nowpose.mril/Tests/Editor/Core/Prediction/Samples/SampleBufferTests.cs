@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             var buffer = new SampleBuffer(4, isEndless: true, corrects: false, thins: false);
             foreach (var (time, position) in new[] { (0.0, 3.0), (0.1, -3.0), (0.2, -2.7) }) buffer.Add(new JointSample(time, position));
 
-            Assert.That(buffer.History.NewestPosition, Is.EqualTo(2 * Math.PI - 2.7).Within(1e-12));
+            Assert.That(buffer.History[0].Position, Is.EqualTo(2 * Math.PI - 2.7).Within(1e-12));
             Assert.That(buffer.Shift, Is.EqualTo(2 * Math.PI).Within(1e-12));
             Assert.That(buffer.NewestPosition, Is.EqualTo(-2.7));
         }

@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [TestCase(24)]
         public void Add_SamplesInAnyOrder_KeepsTheNewestSorted(int capacity)
         {
-            var (history, random, all) = (new SampleHistory(capacity), new Random(capacity), new List<double>());
+            var (history, random, all) = (new SampleHistory<JointSample>(capacity), new Random(capacity), new List<double>());
             for (var i = 0; i < 300; i++)
             {
                 // Most samples are newer than all others; some are late, some are repeated.
@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
                 if (all.Count > capacity) all.RemoveAt(capacity);
 
                 Assert.That(Enumerable.Range(0, history.Count).Select(age => history[age].Time), Is.EqualTo(all), "sample " + i);
-                Assert.That(history.NewestPosition, Is.EqualTo(-all[0]));
+                Assert.That(history[0].Position, Is.EqualTo(-all[0]));
                 Assert.That(history.Oldest, Is.EqualTo(all.Count < capacity ? double.NegativeInfinity : all[capacity - 1]));
             }
         }
@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [Test]
         public void ConnectedSamples_GapsAndLateSamples_CountsTheNewestWithoutGap()
         {
-            var (history, random, time) = (new SampleHistory(8), new Random(3), 0.0);
+            var (history, random, time) = (new SampleHistory<JointSample>(8), new Random(3), 0.0);
             var motion = new MotionState(history, new PredictionLimits(maximumGap: MaximumGap));
             for (var i = 0; i < 300; i++)
             {

@@ -1,0 +1,18 @@
+namespace Nowpose.Prediction.Samples
+{
+    /// <summary>A sample with its stamp: the position of a joint, or the pose of an object with several components.</summary>
+    interface ISample
+    {
+        /// <summary>Stamp t_k, which may be wrong, in s.</summary>
+        double Time { get; }
+
+        /// <summary>Sort key of the samples, s: equal to <see cref="Time"/> unless the stamp is wrong.</summary>
+        double Order { get; }
+
+        /// <summary>Number of components.</summary>
+        int Components { get; }
+
+        /// <summary>One component, in rad or m.</summary>
+        double this[int component] { get; }
+    }
+}

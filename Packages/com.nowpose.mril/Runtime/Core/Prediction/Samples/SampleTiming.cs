@@ -1,0 +1,88 @@
+using System;
+
+namespace Nowpose.Prediction.Samples
+{
+    /// <summary>Intervals between the samples of a joint or an object, and the prediction horizon.</summary>
+    sealed class SampleTiming
+    {
+        /// <summary>
+        /// Weight of a new value in the running means, which follow a change of rate within ten samples. With 0.05 or 0.2, the errors are up to 0.6 %
+        /// larger.
+        /// </summary>
+        const double MeanWeight = 0.1;
+
+        /// <summary>
+        /// Maximum sampling interval, in s. A longer pause enters the mean interval and the noise tracker with this value. Without this limit, a
+        /// tenth of the pauses of 2 s or more delayed the next detection of rest with noise by 10 to 90 s.
+        /// </summary>
+        public const double MaxInterval = 0.3;
+
+        /// <summary>Maximum interval that enters the mean, as a multiple of the mean, so that a single gap hardly changes it.</summary>
+        const double MaxGapRatio = 3;
+
+        /// <summary>
+        /// Range of the horizon, in s. At shorter horizons, the forecasts hardly differ, so their errors determine no weights. Forecast tables end at
+        /// 0.5 s.
+        /// </summary>
+        const double MinHorizon = 0.01, MaxHorizon = 0.45;
+
+        /// <summary>
+        /// Horizon until the first display time is known, in s: a typical latency of 100 ms and half a typical interval of 50 ms.
+        /// </summary>
+        const double FirstHorizon = 0.125;
+
+        readonly double _maximumGap;
+        readonly double _maxHorizon;
+
+        /// <param name="limits">Limits with the maximum gap between samples of one motion.</param>
+        public SampleTiming(PredictionLimits limits)
+        {
+            _maximumGap = limits.MaximumGap;
+            // Positions beyond the cap are not predicted.
+            _maxHorizon = Math.Max(MinHorizon, Math.Min(MaxHorizon, limits.HorizonCap));
+            Reset();
+        }
+
+        /// <summary>Number of newest samples without a gap above the maximum.</summary>
+        public int ConnectedSamples { get; private set; }
+
+        /// <summary>Interval before the newest sample, in s; 0 until there are two samples.</summary>
+        public double Interval { get; private set; }
+
+        /// <summary>Running mean of <see cref="Interval"/>, s; 0 until there are two samples.</summary>
+        public double MeanInterval { get; private set; }
+
+        /// <summary>Mean time from the newest sample to the display time, in s.</summary>
+        public double Horizon { get; private set; }
+
+        /// <summary>Updates the intervals after a sample has been added to the history.</summary>
+        /// <param name="isNewest">False if newer samples have overtaken the sample.</param>
+        /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
+        public void Add<TSample>(SampleHistory<TSample> samples, bool isNewest, double displayed) where TSample : struct, ISample
+        {
+            if (!isNewest) ConnectedSamples = samples.CountWithoutGap(_maximumGap);
+            else ConnectedSamples = samples.HasGap(0, _maximumGap) ? 1 : Math.Min(ConnectedSamples + 1, samples.Count);
+            if (samples.Count < 2) return;
+            Interval = samples[0].Time - samples[1].Time;
+            if (!isNewest) return;
+            UpdateMeanInterval();
+            // This section is displayed for one sampling interval from now on, so its mean horizon is half an interval longer than the current one.
+            var ahead = displayed - samples.NewestTime + MeanInterval / 2;
+            if (ahead > 0) Horizon += MeanWeight * (Math.Min(Math.Max(ahead, MinHorizon), _maxHorizon) - Horizon);
+        }
+
+        public void Reset()
+        {
+            Interval = MeanInterval = 0;
+            ConnectedSamples = 0;
+            Horizon = Math.Min(FirstHorizon, _maxHorizon);
+        }
+
+        void UpdateMeanInterval()
+        {
+            var bounded = Math.Min(Interval, MaxInterval);
+            MeanInterval = MeanInterval == 0 ? bounded
+                : MeanInterval + MeanWeight * (Math.Min(bounded, MaxGapRatio * MeanInterval) - MeanInterval);
+        }
+    }
+}
