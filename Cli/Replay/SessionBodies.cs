@@ -26,11 +26,12 @@ sealed class SessionBodies
         _settings = settings;
         _stampErrors = new RandomStream(settings.Seed, 5);
         var prediction = SessionReplay.PredictionOf(session.Header.Prediction, settings);
+        var newPredictor = prediction.BodiesOfACell();
         foreach (var pose in session.Events)
         {
             if (pose.Kind != RecordedSession.EventKind.Pose) continue;
             var line = session.PoseOf(pose);
-            if (!_bodies.TryGetValue(line.Frame, out var body)) _bodies.Add(line.Frame, body = new Body(prediction.CreateBody, prediction.MaximumGap));
+            if (!_bodies.TryGetValue(line.Frame, out var body)) _bodies.Add(line.Frame, body = new Body(newPredictor, prediction.MaximumGap));
             body.AddTruth(pose.TimeLine, line.Parent, pose.At, line.Position, line.Rotation);
         }
     }

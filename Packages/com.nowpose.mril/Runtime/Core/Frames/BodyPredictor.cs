@@ -1,78 +1,84 @@
 using System;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
-using Nowpose.Prediction.Mixing;
+using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Frames
 {
     /// <summary>Predicts the pose of one tracked frame in its parent at times near its newest samples, usually ahead of them.</summary>
     /// <remarks>
-    /// The position and the angles of <see cref="RotationHistory"/> have three components each, and each component has the pipeline of a
-    /// joint. With <c>adaptive</c>, a mixture with common weights for the three components follows (<see cref="VectorMixture"/>). Times and order of
-    /// samples have the same meaning as in <see cref="JointPredictor"/>. Not thread-safe. Allocates nothing after construction.
+    /// The position and the angles of <see cref="RotationHistory"/> are two vectors with the same sample times. Samples are put into order and prepared
+    /// once per pose (<see cref="ArrivalOrder{TSample}"/>, <see cref="BodySamples"/>); then each vector has a section as a joint has one
+    /// (<see cref="VectorPredictor"/>). Times and order of samples have the same meaning as in <see cref="JointPredictor"/>. Not thread-safe. Allocates
+    /// nothing after construction.
     /// </remarks>
     sealed class BodyPredictor
     {
-        /// <summary>
-        /// Parts of <c>adaptive</c> for a body. A tracker's noise makes two samples of an object at rest look like the start of a fast
-        /// motion, so the rule for first moves is left out: with it, the error at rest was 1.4 times as large. An object has no drive limits,
-        /// so profiles are left out as well. Repetitions are found for whole vectors (<see cref="RepeatedVector"/>). Without the parabola, the weights
-        /// at rest and the outlier threshold, the position errors of 1 110 simulated motions are 1.3 % larger, their rotation errors 0.8 % smaller,
-        /// and processing a sample takes up to a fifth less time.
-        /// </summary>
-        const PredictionParts Parts = PredictionParts.Samples | PredictionParts.Quadratic | PredictionParts.Cubic | PredictionParts.Process
-            | PredictionParts.ChangePoints;
-
-        /// <summary>
-        /// Degree and history of the polynomials that are mixed with <c>adaptive</c>. Hold and line must be the first two. A polynomial with a
-        /// history longer than its degree is a least-squares fit, which reduces noise.
-        /// </summary>
-        static readonly (int, int)[] MixedWithAdaptive = { (0, 0), (1, 1), (2, 2), (2, 4), (1, 4), (1, 9) };
-
-        readonly VectorMixture _position;
-        readonly VectorMixture _angles;
         readonly RotationHistory _rotations = new RotationHistory();
+        readonly ArrivalOrder<BodySample> _arrivals = new ArrivalOrder<BodySample>(isEndless: false);
+        readonly BodySamples _samples;
+        readonly VectorForecaster _forecaster;
+        readonly VectorPredictor _position, _angles;
+        readonly SectionBlend _blend;
         readonly double _horizonCap;
-        bool _restsBeforeSecondSample;
+        readonly bool _interpolates;
+        bool _isSolved, _restsBeforeSecondSample;
 
         /// <param name="predictor">A name that <see cref="Predictors.Create(string, PredictionLimits, double)"/> accepts.</param>
-        /// <param name="limits">Horizon cap and maximum gap. The position limits apply to the coordinates in m and to the angles in rad.</param>
+        /// <param name="limits">Horizon cap and maximum gap. An object has no position limits.</param>
         /// <param name="blend">See <see cref="Predictors.Create(string, PredictionLimits, double)"/>.</param>
+        /// <param name="shared">
+        /// Result of <see cref="VectorMixture.NewForecasters"/>, for all objects of a cell. Objects in one message have the same sample times, so the
+        /// weights are then computed once per message. Null to create forecasters for this object only.
+        /// </param>
         /// <exception cref="InputException">The name is unknown.</exception>
-        public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0)
+        public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0, PositionWeights[] shared = null)
         {
-            var shared = new SharedForecasters();
-            _position = Create(predictor, limits, blend, shared);
-            _angles = Create(predictor, limits, blend, shared);
+            if (predictor == Predictors.Default) shared ??= VectorMixture.NewForecasters();
+            else shared = null;
+            VectorForecaster Create(BodyPart part) => shared != null ? new VectorMixture(part, shared, limits)
+                : (VectorForecaster)new VectorPolynomial(part, predictor == "gp" ? new GaussianProcess() : (PositionWeights)Predictors.Polynomial(predictor));
+            _interpolates = shared != null || predictor == "gp";
+            _forecaster = Create(BodyPart.Position);
+            var kept = shared != null ? VectorMixture.SamplesOf(shared) : _forecaster.Samples;
+            _samples = new BodySamples(Math.Max(kept, VectorBlend.Samples), _interpolates, limits);
+            _position = new VectorPredictor(BodyPart.Position, _samples, _forecaster, blend);
+            _angles = new VectorPredictor(BodyPart.Angles, _samples, Create(BodyPart.Angles), blend);
+            _blend = new SectionBlend(blend);
             _horizonCap = limits.HorizonCap;
         }
 
         /// <summary>Pose of the newest sample, which a display without compensation shows; the identity before the first sample.</summary>
-        public RigidTransform Hold => PoseOf(_rotations.Newest, _position.Main.Hold);
+        public RigidTransform Hold => PoseOf(_rotations.Newest, _samples.Newest.Position);
 
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first sample.</summary>
-        public double NewestTime => _position.Main.NewestTime;
+        public double NewestTime => _samples.NewestTime;
 
         /// <summary>Mean time from the newest sample to the display time, in s.</summary>
-        public double Horizon => _position.Main.Horizon;
+        public double Horizon => _samples.Timing.Horizon;
 
         /// <inheritdoc cref="JointPredictor.Restarts"/>
-        public int Restarts => _position.Main.Restarts + _angles.Main.Restarts;
+        public int Restarts => _arrivals.Restarts;
 
         /// <summary>
-        /// Adds a sample. Samples may be added in any order. If any component shows that the clock of the samples went back, all components start a
-        /// new history.
+        /// Adds a sample. Samples may be added in any order. If any coordinate shows that the clock of the samples went back, a new history starts with
+        /// this sample.
         /// </summary>
         /// <param name="displayed">See <see cref="JointPredictor.Add"/>.</param>
         /// <returns>See <see cref="JointPredictor.Add"/>.</returns>
         public DropReason Add(in PoseSample sample, double displayed = double.NaN)
         {
-            if (sample.Time > NewestTime) _restsBeforeSecondSample &= double.IsNegativeInfinity(NewestTime);
+            if (sample.Time > NewestTime) _restsBeforeSecondSample &= _samples.IsEmpty;
             var restarts = Restarts;
-            var reason = AddComponents(sample, displayed);
-            if (Restarts == restarts) return reason;
-            Reset();
-            return AddComponents(sample, displayed);
+            var reason = Order(sample);
+            if (Restarts != restarts)
+            {
+                Reset();
+                reason = Order(sample);
+            }
+            foreach (ref readonly var ready in _arrivals.Ready) Use(ready, displayed);
+            return reason;
         }
 
         /// <summary>Returns the pose at a given time; its rotation always has unit length. Does not change the state.</summary>
@@ -84,17 +90,18 @@ namespace Nowpose.Frames
         /// <param name="kind">Origin of the pose; <see cref="PredictionKind.None"/> before the first sample.</param>
         public RigidTransform At(double time, out PredictionKind kind)
         {
-            kind = _position.Main.KindAt(time);
+            var place = PlaceOf(time);
+            kind = place.Kind;
+            if (kind == PredictionKind.None) return RigidTransform.Identity;
             if (kind == PredictionKind.Held && _restsBeforeSecondSample && time - NewestTime <= _horizonCap) kind = PredictionKind.Predicted;
-            return kind == PredictionKind.None ? RigidTransform.Identity
-                : PoseOf(_rotations.RotationOf(_angles.At(time), time), _position.At(time));
+            return PoseOf(_rotations.RotationOf(_angles.At(time, place), time), _position.At(time, place));
         }
 
         /// <summary>Returns <see cref="Hold"/>. Use it while the display time is unknown.</summary>
         /// <param name="kind"><see cref="PredictionKind.Held"/>, or <see cref="PredictionKind.None"/> before the first sample.</param>
         public RigidTransform Newest(out PredictionKind kind)
         {
-            kind = double.IsNegativeInfinity(NewestTime) ? PredictionKind.None : PredictionKind.Held;
+            kind = _samples.IsEmpty ? PredictionKind.None : PredictionKind.Held;
             return Hold;
         }
 
@@ -112,28 +119,73 @@ namespace Nowpose.Frames
         public void Reset()
         {
             _restsBeforeSecondSample = false;
-            _position.Reset();
-            _angles.Reset();
+            _arrivals.Clear();
             _rotations.Clear();
+            Restart();
         }
 
-        DropReason AddComponents(in PoseSample sample, double displayed)
+        void Restart()
         {
-            var angles = _rotations.Add(sample.Order, sample.Rotation);
-            var reason = _position.Add(sample.Time, sample.Position, sample.Order, displayed);
-            _angles.Add(sample.Time, angles, sample.Order, displayed);
-            return reason;
+            _samples.Clear();
+            _position.Reset();
+            _angles.Reset();
+            _isSolved = false;
+        }
+
+        DropReason Order(in PoseSample sample)
+        {
+            var body = new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order);
+            return _arrivals.Add(body, _samples.IsNewer(body) ? double.NegativeInfinity : _samples.History.Oldest);
+        }
+
+        void Use(in BodySample sample, double displayed)
+        {
+            // Products of such displacements can overflow. If the sample is the newest, a new history starts with it; otherwise it is ignored.
+            var isNear = (sample.Position - _samples.Newest.Position).Length < JointSample.MaxMagnitude;
+            if (!isNear && !_samples.IsNewer(sample)) return;
+            if (!isNear) Restart();
+            var (isBlended, before) = (_blend.IsNeeded(displayed) && !_samples.IsEmpty, NewestTime);
+            var place = isBlended ? PlaceOf(displayed) : default;
+            var (position, angles) = isBlended ? (_position.At(displayed, place), _angles.At(displayed, place)) : default;
+            if (!_samples.Add(sample, displayed)) return;
+            _isSolved = _position.Solve(_interpolates);
+            _angles.Solve(_interpolates);
+            if (!isBlended) return;
+            place = PlaceOf(displayed);
+            _position.Blend(displayed, position, place, before);
+            _angles.Blend(displayed, angles, place, before);
+        }
+
+        // The same cases as for a joint.
+        SectionPlace PlaceOf(double time)
+        {
+            if (_samples.IsEmpty) return new SectionPlace(PredictionKind.None, double.NaN);
+            var (history, connected, ahead) = (_samples.History, _samples.Timing.ConnectedSamples, time - _samples.History.NewestTime);
+            if (_interpolates && ahead <= 0 && connected > 1)
+            {
+                var start = history[connected - 1].Time - history.NewestTime;
+                return ahead < start ? new SectionPlace(PredictionKind.Held, start, isOnCurve: true)
+                    : new SectionPlace(PredictionKind.Interpolated, ahead, isOnCurve: true);
+            }
+            if (!_isSolved || double.IsNaN(time)) return new SectionPlace(PredictionKind.Held, double.NaN);
+            var furthest = Math.Min(_horizonCap, _forecaster.Span);
+            if (ahead > furthest) return new SectionPlace(PredictionKind.Held, furthest);
+            if (ahead < 0 && !double.IsPositiveInfinity(_horizonCap) && ahead < Oldest) return new SectionPlace(PredictionKind.Held, Oldest);
+            return new SectionPlace(ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted, ahead);
+        }
+
+        // Time of the oldest sample of the section relative to the newest, s; not positive.
+        double Oldest
+        {
+            get
+            {
+                var oldest = 0.0;
+                for (var age = 1; age < Math.Min(_samples.Timing.ConnectedSamples, _forecaster.Samples); age++)
+                    oldest = Math.Min(oldest, _samples.History[age].Time - _samples.History.NewestTime);
+                return oldest;
+            }
         }
 
         static RigidTransform PoseOf(in UnitQuaternion rotation, in Vector3D position) => rotation.At(position.X, position.Y, position.Z);
-
-        static VectorMixture Create(string predictor, PredictionLimits limits, double blend, SharedForecasters shared)
-        {
-            if (predictor == Predictors.Default)
-                return new VectorMixture(
-                    new AxisPredictors(() => Predictors.Adaptive(limits, Parts, shared), skipsConstants: true), MixedWithAdaptive, limits, blend);
-            var main = new AxisPredictors(() => Predictors.Create(predictor, limits, blend, shared), skipsConstants: false);
-            return new VectorMixture(main, Array.Empty<(int, int)>(), limits, 0);
-        }
     }
 }

@@ -50,17 +50,16 @@ namespace Nowpose.Frames
         /// <summary>Whether the repetition replaces the mixture.</summary>
         public bool IsUsed { get; private set; }
 
-        /// <summary>Adds a sample that is newer than all previous samples.</summary>
-        /// <param name="motion">Motion of a component of the vector, which has the times of the whole vector.</param>
-        public void Add(in Vector3D position, MotionState motion)
+        /// <summary>Adds a sample.</summary>
+        /// <param name="time">Time in s. A sample that is not newer than all previous samples is ignored.</param>
+        /// <param name="meanInterval">Mean sampling interval, in s.</param>
+        public void Add(in Vector3D position, double time, double meanInterval)
         {
-            var time = motion.Samples.NewestTime;
-            // The buffer may skip a sample that follows another one too soon.
             if (!(time > _newestTime)) return;
             if (_newestTime > double.NegativeInfinity) _standstill.Add((position - _newest).Length);
             (_newestTime, _newest) = (time, position);
             Span<double> components = stackalloc[] { position.X, position.Y, position.Z };
-            _matcher.Add(time, components, motion.MeanInterval, _standstill);
+            _matcher.Add(time, components, meanInterval, _standstill);
             IsUsed = _matcher.HasMatch && !double.IsInfinity(_gate.ErrorRatio(_standstill.Samples > 0));
         }
 

@@ -7,6 +7,9 @@ namespace Nowpose.Frames
     /// <remarks>Allocates nothing.</remarks>
     sealed class VectorBlend
     {
+        /// <summary>Number of newest samples that determine the maximum speed.</summary>
+        public const int Samples = 3;
+
         readonly SectionBlend _blend;
         Vector3D _residual;
         double _maxSpeed;
@@ -23,13 +26,13 @@ namespace Nowpose.Frames
         /// <param name="shown">The vector displayed at that time.</param>
         /// <param name="predicted">Vector that the newest prediction gives for that time.</param>
         /// <param name="before">Time of the newest sample of the displayed prediction, in s.</param>
-        /// <param name="recent">The newest samples, including the one that changed the prediction.</param>
-        public void Start(double displayed, in Vector3D shown, in Vector3D predicted, double before, RecentVectors recent)
+        /// <param name="samples">The samples, including the one that changed the prediction.</param>
+        public void Start(double displayed, in Vector3D shown, in Vector3D predicted, double before, BodySamples samples, BodyPart part)
         {
             _blend.Replace(displayed, before);
-            UpdateMaxSpeed(recent);
+            UpdateMaxSpeed(samples, part);
             _residual = shown - predicted;
-            _isActive = _blend.TryStart(displayed, _residual.Length, _maxSpeed, recent.MeanInterval);
+            _isActive = _blend.TryStart(displayed, _residual.Length, _maxSpeed, samples.Timing.MeanInterval);
         }
 
         /// <summary>Returns the displayed vector.</summary>
@@ -45,13 +48,13 @@ namespace Nowpose.Frames
         }
 
         // Uses two intervals, because the speed in a single one can have any value if the object was moved elsewhere.
-        void UpdateMaxSpeed(RecentVectors recent)
+        void UpdateMaxSpeed(BodySamples samples, BodyPart part)
         {
-            if (recent.Count < 3) return;
-            double interval = recent.TimeOf(0) - recent.TimeOf(1), intervalBefore = recent.TimeOf(1) - recent.TimeOf(2);
-            if (!(interval > 0 && intervalBefore > 0)) return;
-            var (newest, before) = ((recent[0] - recent[1]) * (1 / interval), (recent[1] - recent[2]) * (1 / intervalBefore));
-            if (newest.Dot(before) > 0) _maxSpeed = Math.Max(_maxSpeed, Math.Min(newest.Length, before.Length));
+            if (samples.Timing.ConnectedSamples < Samples) return;
+            var (newest, middle, oldest) = (samples.History[0], samples.History[1], samples.History[2]);
+            var speed = (newest[part] - middle[part]) * (1 / (newest.Time - middle.Time));
+            var before = (middle[part] - oldest[part]) * (1 / (middle.Time - oldest.Time));
+            if (speed.Dot(before) > 0) _maxSpeed = Math.Max(_maxSpeed, Math.Min(speed.Length, before.Length));
         }
     }
 }

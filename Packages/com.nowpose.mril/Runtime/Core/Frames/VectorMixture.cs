@@ -1,34 +1,45 @@
 using System;
 using Nowpose.Prediction;
+using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Mixing;
 
 namespace Nowpose.Frames
 {
     /// <summary>
-    /// Predicts a vector by one predictor per component, alone or in a mixture with polynomials of the vector. The weights are common to the
-    /// three components. A repetition (<see cref="RepeatedVector"/>) replaces the mixture while its error is clearly smaller.
+    /// Forecasts a vector by a mixture with weights that are common to its three components. A repetition (<see cref="RepeatedVector"/>) replaces the
+    /// mixture while its error is clearly smaller.
     /// </summary>
     /// <remarks>
-    /// The predictors of the components are the prior: they have the full weight until samples have shown their error. Each sample shows the
-    /// errors of the forecasts made one horizon before it; the weights minimise the mean square over the last 20 s
-    /// (<see cref="MixtureWeights"/>). The three components have the same kind of noise and motion, so the weights are estimated three times as fast
-    /// as for a joint, and an inaccurate forecast loses its weight within a second. Allocates nothing after construction.
+    /// Like the <see cref="Mixer"/> of a joint, but all forecasters are weighted sums of the newest samples, so the mixture is one too: its weights are
+    /// computed once for all three components. Each sample shows the errors of the forecasts made one horizon before it; the weights minimise the mean
+    /// square over the last 20 s (<see cref="MixtureWeights"/>). The three components have the same kind of noise and motion, so the weights are
+    /// estimated three times as fast as for a joint. Allocates nothing after construction.
     /// </remarks>
-    sealed class VectorMixture
+    sealed class VectorMixture : VectorForecaster
     {
-        /// <summary>Regularisation towards the prior: with 0.05 and with 0.4, the maximum errors are larger.</summary>
-        const double Regularisation = 0.2;
+        /// <summary>
+        /// Regularisation towards the prior. With 0.2, the errors of simulated motions are 0.3 % (position) and 1.1 % (rotation) larger; with 0.05, they
+        /// are 0.1 and 0.4 % smaller, and more motions have a larger error than the best fixed predictor.
+        /// </summary>
+        const double Regularisation = 0.1;
 
         /// <summary>
-        /// Weight of the prior, as a multiple of its weight for a joint. It is larger because successive errors of a component are similar.
+        /// Weight of the prior, as a multiple of its weight for a joint. It is larger because successive errors of a component are similar. With 1 or 8,
+        /// the errors change by at most 0.3 %.
         /// </summary>
-        const double PriorWeight = 8;
+        const double PriorWeight = 4;
 
         /// <summary>
         /// Minimum evidence (<see cref="MixtureWeights.Evidence"/>) for the use of the weights while samples only scatter: one second of
         /// samples.
         /// </summary>
         const double MinEvidence = 0.05;
+
+        /// <summary>
+        /// Minimum number of connected samples from which a forecast is scored. From two samples, all forecasts are the same line, whose large error
+        /// would hide the differences between the forecasters for seconds. With 2 or 5, the errors change by at most 0.6 %.
+        /// </summary>
+        const int MinScored = 3;
 
         /// <summary>Maximum interval in which samples are interpolated to score a forecast, s.</summary>
         const double MaxInterval = 0.3;
@@ -42,156 +53,236 @@ namespace Nowpose.Frames
         /// <summary>Maximum displacement from the newest sample while samples only scatter, as a multiple of the usual error of hold.</summary>
         const double MaxDisplacement = 2;
 
-        const int Components = 3, Hold = 1, Line = 2;
+        /// <summary>Maximum difference from the first vector that counts as rounding, in m or rad. A vector that never changes needs no forecast.</summary>
+        const double Rounding = 1e-9;
 
-        /// <summary>Number of samples that the blend needs.</summary>
-        const int MinRecent = 3;
+        const int Components = 3, Hold = 0, Line = 1, First = 2;
 
-        readonly VectorPolynomial[] _polynomials;
-        readonly RecentVectors _recent;
-
-        // Null without a mixture.
-        readonly RepeatedVector _repeated;
-        readonly VectorBlend _blend;
-        readonly double _horizonCap;
+        readonly BodyPart _part;
+        readonly PositionWeights[] _forecasters;
         readonly MixtureWeights _weights;
-        readonly double[] _prior;
-        readonly double[] _errors;
+        readonly double[] _prior, _errors;
+        readonly RepeatedVector _repeated;
+        readonly ChangePointDetector _changePoints = new ChangePointDetector();
         readonly ScatterDetector _scatter = new ScatterDetector();
         readonly DistanceLimit _distance = new DistanceLimit(Mixer.TimeConstant);
 
         // Forecasts that wait for a sample at or after their time.
         readonly RecyclingQueue<Expected> _waiting;
-        double _newestTime, _newestOrder, _lineUntil;
-        Vector3D _newest;
 
-        /// <param name="main">The predictors of the components.</param>
-        /// <param name="polynomials">
-        /// Degree and history of the polynomials that are mixed with the prior. Hold and line must be the first two. If empty, the prior is used
-        /// alone.
-        /// </param>
+        // The forecast that is displayed: points of a forecast table relative to the newest sample, the three components of each point together.
+        readonly double[] _section = new double[Components * ForecastTable.Points];
+        readonly int _points;
+
+        // The newest samples relative to the newest one, and the speed of the line.
+        readonly Vector3D[] _vectors;
+        Vector3D _lineSpeed;
+
+        // One bit per forecaster that has enough samples of the present motion. A line replaces the others.
+        uint _usable;
+
+        Vector3D _first, _newest, _speed;
+        double _newestTime, _intervalBefore, _lineUntil;
+        bool _hasChanged;
+
+        /// <param name="forecasters">Result of <see cref="NewForecasters"/>. Objects that are sampled at the same times may use it in turn.</param>
         /// <param name="limits">Horizon cap and maximum gap.</param>
-        /// <param name="blend">Time constant of the blend between two predictions, s; 0 disables the blend.</param>
-        public VectorMixture(AxisPredictors main, (int Degree, int History)[] polynomials, PredictionLimits limits, double blend)
+        public VectorMixture(BodyPart part, PositionWeights[] forecasters, PredictionLimits limits)
         {
-            Main = main;
-            _polynomials = Array.ConvertAll(polynomials, one => new VectorPolynomial(one.Degree, one.History));
-            var samples = MinRecent;
-            foreach (var (_, history) in polynomials) samples = Math.Max(samples, history + 1);
-            _recent = new RecentVectors(samples, limits.MaximumGap);
-            _repeated = polynomials.Length > 0 ? new RepeatedVector(limits) : null;
-            _blend = new VectorBlend(blend);
-            _horizonCap = limits.HorizonCap;
-            _prior = new double[1 + polynomials.Length];
-            _prior[0] = 1;
+            (_part, _forecasters) = (part, forecasters);
+            _prior = new double[First + forecasters.Length];
+            (_prior[Line], _prior[First]) = (Predictors.LinePrior, 1 - Predictors.LinePrior);
             _errors = new double[_prior.Length];
             _weights = new MixtureWeights(Regularisation, _prior);
+            _repeated = new RepeatedVector(limits);
             _waiting = new RecyclingQueue<Expected>(Capacity, () => new Expected(_prior.Length));
+            _points = ForecastTable.PointsUpTo(limits.HorizonCap);
+            _vectors = new Vector3D[SamplesOf(forecasters)];
             Forget();
         }
 
-        /// <summary>The predictors of the components, which are the prior of the mixture.</summary>
-        public AxisPredictors Main { get; }
+        public override double Span => ForecastTable.Span;
 
-        /// <summary>Adds a sample. Samples may be added in any order. For the parameters, see <see cref="JointPredictor.Add"/>.</summary>
-        public DropReason Add(double time, in Vector3D position, double order, double displayed)
+        public override int Samples => 2;
+
+        /// <summary>
+        /// Creates the forecasters of a mixture in addition to hold and line. The Gaussian process has the rest of the prior. Polynomials with a history
+        /// longer than their degree are least-squares fits, which reduce noise.
+        /// </summary>
+        public static PositionWeights[] NewForecasters() => new PositionWeights[]
         {
-            var isBlended = _blend.IsNeeded(displayed) && _recent.Count > 0;
-            var (shown, before) = (isBlended ? At(displayed) : default, Main.NewestTime);
-            var reason = Main.Add(time, position, order, displayed);
-            // Late samples improve the prior; the polynomials are valid without them.
-            if (reason != DropReason.None || _polynomials.Length == 0 || !(order > _newestOrder)) return reason;
-            Learn(time, position, order);
-            if (isBlended) _blend.Start(displayed, shown, PredictedAt(displayed), before, _recent);
-            return reason;
+            new GaussianProcess(), new PolynomialWeights(2, 2), new PolynomialWeights(3, 3), new PolynomialWeights(2, 4), new PolynomialWeights(2, 9),
+            new PolynomialWeights(1, 9)
+        };
+
+        /// <summary>Returns the number of newest samples that the forecasters use.</summary>
+        public static int SamplesOf(PositionWeights[] forecasters)
+        {
+            var samples = 0;
+            foreach (var forecaster in forecasters) samples = Math.Max(samples, forecaster.Samples);
+            return samples;
         }
 
-        /// <summary>Returns the vector at a given time. Does not change the state.</summary>
-        public Vector3D At(double time) => _blend.At(time, PredictedAt(time));
-
-        Vector3D PredictedAt(double time)
+        public override bool Solve(BodySamples samples)
         {
-            // Between samples, the prior interpolates.
-            if (_polynomials.Length == 0 || time <= Main.NewestTime) return Main.At(time);
-            if (_repeated.IsUsed) return _repeated.At(time);
-            if (_newestTime < _lineUntil) return Forecast(Line, time);
-            if (_scatter.Scatters && _weights.Evidence < MinEvidence) return Main.Hold;
-            var sum = default(Vector3D);
-            for (var i = 0; i < _prior.Length; i++)
-                if (_weights.Values[i] != 0) sum += Forecast(i, time) * _weights.Values[i];
-            if (_distance.Factor < 1) sum = Forecast(Line, time) * (1 - _distance.Factor) + sum * _distance.Factor;
-            if (!double.IsFinite(sum.X + sum.Y + sum.Z)) return Main.Hold;
-            return _scatter.Scatters ? Bounded(sum) : sum;
+            var vector = samples.History[0][_part];
+            if (double.IsNegativeInfinity(_newestTime)) _first = vector;
+            _hasChanged |= Math.Max(Math.Max(Math.Abs(vector.X - _first.X), Math.Abs(vector.Y - _first.Y)), Math.Abs(vector.Z - _first.Z)) > Rounding;
+            if (_hasChanged)
+            {
+                if (samples.IsNewest) Learn(samples, vector);
+                else Prepare(samples);
+                FillSection();
+            }
+            else if (samples.IsNewest)
+            {
+                (_newestTime, _newest) = (samples.History.NewestTime, vector);
+                UpdateSpeed(samples);
+            }
+            return samples.Timing.ConnectedSamples >= 2;
         }
 
-        Vector3D Forecast(int index, double time) =>
-            index == 0 ? Main.At(time) : _polynomials[index - 1].At(Math.Min(time - _newestTime, _horizonCap));
-
-        // Limits the displacement. In rare cases, the prior mistakes a large difference between two noisy samples for a change point and
-        // extrapolates this difference.
-        Vector3D Bounded(in Vector3D position)
+        public override Vector3D At(double ahead)
         {
-            var hold = Main.Hold;
-            var displacement = position - hold;
-            var max = MaxDisplacement * Math.Sqrt(Components * _weights.MeanSquare(Hold));
-            return displacement.Length <= max ? position : hold + displacement * (max / displacement.Length);
+            if (_repeated.IsUsed) return _repeated.At(_newestTime + ahead) - _newest;
+            var time = new TableTime(ahead);
+            return new Vector3D(time.Read(_section, 0, Components), time.Read(_section, 1, Components), time.Read(_section, 2, Components));
         }
 
-        /// <summary>Discards all samples and weights.</summary>
-        public void Reset()
-        {
-            Main.Reset();
-            Forget();
-        }
+        public override void Reset() => Forget();
 
         void Forget()
         {
             _weights.Reset(_prior);
             _scatter.Clear();
-            _recent.Clear();
-            _blend.Clear();
+            _changePoints.Reset();
             _distance.Clear();
             _waiting.Clear();
-            _repeated?.Reset();
-            _newestTime = _newestOrder = _lineUntil = double.NegativeInfinity;
+            _repeated.Reset();
+            Array.Clear(_section, 0, _section.Length);
+            _newestTime = _lineUntil = double.NegativeInfinity;
+            _intervalBefore = 0;
+            _speed = _newest = default;
+            _hasChanged = false;
         }
 
-        void Learn(double time, in Vector3D position, double order)
+        void Learn(BodySamples samples, in Vector3D vector)
         {
+            var (time, horizon) = (samples.History.NewestTime, samples.Timing.Horizon);
             var interval = time - _newestTime;
-            Score(time, position);
-            _scatter.Add(position);
-            if (_scatter.HasLeft && IsFirstMove(interval, position)) _lineUntil = time + Main.Horizon + interval;
-            (_newestTime, _newestOrder, _newest) = (time, order, position);
-            _repeated.Add(position, Main.Motion);
-            _recent.Add(time, position);
-            foreach (var polynomial in _polynomials) polynomial.Solve(_recent);
-            // All forecasts from a single sample are equal to it.
-            if (_recent.Count > 1) Expect(time + Main.Horizon, interval);
+            Score(time, vector);
+            _scatter.Add(vector);
+            if (_scatter.HasLeft && IsFirstMove(interval, horizon, vector)) _lineUntil = time + horizon + interval;
+            (_newestTime, _newest) = (time, vector);
+            _repeated.Add(vector, time, samples.Timing.MeanInterval);
+            UpdateSpeed(samples);
+            Prepare(samples);
+            if (samples.Timing.ConnectedSamples >= MinScored) Expect(horizon, interval);
+        }
+
+        void UpdateSpeed(BodySamples samples)
+        {
+            var (history, interval, before) = (samples.History, samples.Timing.Interval, _speed);
+            if (history.Count > 1) _speed = (history[0][_part] - history[1][_part]) * (1 / interval);
+            var speeds = new SpeedChange(_speed.Length, before.Length, (_speed - before).Length, _speed.Dot(before));
+            _changePoints.Add(history.Count, interval, _intervalBefore, speeds);
+            _intervalBefore = interval;
+        }
+
+        // Prepares the forecasts from the newest samples.
+        void Prepare(BodySamples samples)
+        {
+            var (history, connected) = (samples.History, samples.Timing.ConnectedSamples);
+            var ofOneMotion = Math.Min(connected, _changePoints.SamplesSince);
+            for (var age = 1; age < Math.Min(ofOneMotion, _vectors.Length); age++) _vectors[age] = history[age][_part] - history[0][_part];
+            var isAfterStop = ofOneMotion == 1 && !_changePoints.SpeedIncreased;
+            _lineSpeed = connected < 2 ? default
+                : (history[0][_part] - history[1][_part]) * ((isAfterStop ? MixedForecasters.SpeedRatioAfterStop : 1) / samples.Timing.Interval);
+            _usable = 0;
+            for (var i = 0; i < _forecasters.Length; i++)
+                if (_forecasters[i].Samples <= ofOneMotion && _forecasters[i].Update(history, _forecasters[i].Samples)) _usable |= 1u << i;
+        }
+
+        // Returns a forecast relative to the newest sample.
+        Vector3D Forecast(int index, double ahead, in TableTime time)
+        {
+            if (index == Hold) return default;
+            if (index == Line || (_usable & 1u << index - First) == 0) return _lineSpeed * ahead;
+            var (table, samples, sum) = (_forecasters[index - First].Table, _forecasters[index - First].Samples, default(Vector3D));
+            // The vector of the newest sample is zero.
+            for (var j = 1; j < samples; j++) sum += _vectors[j] * time.Read(table, j, samples);
+            return sum;
         }
 
         // The weights that result from noise at rest are unsuitable for a first move. After one horizon, they include the errors of this move.
-        bool IsFirstMove(double interval, in Vector3D position)
+        bool IsFirstMove(double interval, double horizon, in Vector3D vector)
         {
-            var displacement = (position - _newest).Length * Main.Horizon / interval;
+            var displacement = (vector - _newest).Length * horizon / interval;
             return displacement * displacement > Mixer.FirstMoveRatio * Components * _weights.MeanSquare(Hold);
         }
 
-        void Expect(double due, double interval)
+        void Expect(double horizon, double interval)
         {
-            var (expected, sum) = (_waiting.Append(), default(Vector3D));
-            expected.Due = due;
+            var (expected, time, sum) = (_waiting.Append(), new TableTime(horizon), default(Vector3D));
+            expected.Due = _newestTime + horizon;
             for (var i = 0; i < _prior.Length; i++)
             {
-                expected.Forecasts[i] = Forecast(i, due);
-                sum += expected.Forecasts[i] * _weights.Values[i];
+                var forecast = Forecast(i, horizon, time);
+                expected.Forecasts[i] = _newest + forecast;
+                sum += forecast * _weights.Values[i];
             }
-            (expected.Mixture, expected.Repeated) = (sum, _repeated.ForecastFor(due));
-            _distance.Add(interval, (sum - expected.Forecasts[Line]).Length);
+            (expected.Mixture, expected.Repeated) = (_newest + sum, _repeated.ForecastFor(expected.Due));
+            _distance.Add(interval, (sum - _lineSpeed * horizon).Length);
+        }
+
+        void FillSection()
+        {
+            Array.Clear(_section, 0, _section.Length);
+            var isLine = _newestTime < _lineUntil;
+            if (!isLine && _scatter.Scatters && _weights.Evidence < MinEvidence) return;
+            var factor = isLine ? 0 : _distance.Factor;
+            var max = _scatter.Scatters && !isLine ? MaxDisplacement * Math.Sqrt(Components * _weights.MeanSquare(Hold)) : double.PositiveInfinity;
+            for (int point = 1, place = Components; point < _points; point++, place += Components)
+            {
+                var line = _lineSpeed * (point * ForecastTable.Step);
+                var sum = factor > 0 ? MixtureAt(point, line) * factor + line * (1 - factor) : line;
+                var length = sum.Length;
+                if (!double.IsFinite(length))
+                {
+                    Array.Clear(_section, 0, _section.Length);
+                    return;
+                }
+                // In rare cases, a large difference between two noisy samples counts as a change point, and the line extrapolates this difference.
+                if (length > max) sum *= max / length;
+                (_section[place], _section[place + 1], _section[place + 2]) = (sum.X, sum.Y, sum.Z);
+            }
+        }
+
+        // Adds the weights of all forecasters per sample before it multiplies them by the vectors.
+        Vector3D MixtureAt(int point, in Vector3D line)
+        {
+            Span<double> weights = stackalloc double[_vectors.Length];
+            var ofLine = _weights.Values[Line];
+            for (var i = 0; i < _forecasters.Length; i++)
+            {
+                var weight = _weights.Values[First + i];
+                if (weight == 0) continue;
+                if ((_usable & 1u << i) == 0)
+                {
+                    ofLine += weight;
+                    continue;
+                }
+                var (table, samples) = (_forecasters[i].Table, _forecasters[i].Samples);
+                for (int j = 1, at = point * samples + 1; j < samples; j++, at++) weights[j] += weight * table[at];
+            }
+            var sum = line * ofLine;
+            for (var j = 1; j < weights.Length; j++)
+                if (weights[j] != 0) sum += _vectors[j] * weights[j];
+            return sum;
         }
 
         // The truth at the time of a forecast is interpolated between the two newest samples.
-        void Score(double time, in Vector3D position)
+        void Score(double time, in Vector3D vector)
         {
             var interval = time - _newestTime;
             var forgettingFactor = Math.Exp(-Math.Max(interval, 0) / (Components * Mixer.TimeConstant));
@@ -201,7 +292,7 @@ namespace Nowpose.Frames
                 var expected = _waiting[0];
                 if (!(interval < MaxInterval) || expected.Due < _newestTime) continue;
                 var fraction = (expected.Due - _newestTime) / interval;
-                var truth = _newest + (position - _newest) * fraction;
+                var truth = _newest + (vector - _newest) * fraction;
                 hasScored |= Score(expected.Forecasts, truth, forgettingFactor);
                 _repeated.Score(expected.Repeated, expected.Mixture, truth, time);
             }

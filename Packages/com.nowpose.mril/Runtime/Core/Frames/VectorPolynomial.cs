@@ -1,80 +1,42 @@
 using System;
+using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Frames
 {
-    /// <summary>
-    /// Polynomial through the newest samples of a vector (Schnierle &amp; Röck 2022, Eq. (8)): interpolating for h = n, least squares for
-    /// h &gt; n.
-    /// </summary>
-    /// <remarks>
-    /// All components are sampled at the same times, so they have one basis: the polynomials 1, u and u² − au − b, which are orthogonal on
-    /// these times. Fewer samples lower the degree; degree 0 is hold.
-    /// </remarks>
-    sealed class VectorPolynomial
+    /// <summary>A predictor by name, for example <c>linear</c> or <c>gp</c>: the weighted sum of the newest samples (<see cref="PositionWeights"/>).</summary>
+    sealed class VectorPolynomial : VectorForecaster
     {
-        /// <summary>
-        /// Minimum sum of squares of the third basis polynomial, relative to the squares of the times: times that coincide determine no
-        /// parabola.
-        /// </summary>
-        const double MinSquareRatio = 1e-12;
+        readonly BodyPart _part;
+        readonly PositionWeights _weights;
+        readonly Vector3D[] _vectors;
+        readonly double[] _weightsAtTime;
 
-        readonly int _degree, _samples;
-        double _centre, _slope, _constant;
-        Vector3D _mean, _linear, _quadratic;
-
-        /// <param name="degree">Degree n, 0 to 2.</param>
-        /// <param name="history">History h: the number of samples used besides the newest one; at least n.</param>
-        public VectorPolynomial(int degree, int history) => (_degree, _samples) = (degree, history + 1);
-
-        /// <summary>Fits the polynomial to the newest samples, of which there is at least one.</summary>
-        public void Solve(RecentVectors recent)
+        /// <param name="weights">Weights of this forecaster only.</param>
+        public VectorPolynomial(BodyPart part, PositionWeights weights)
         {
-            var count = _degree == 0 ? 1 : Math.Min(_samples, recent.Count);
-            var newest = recent.TimeOf(0);
-            _linear = _quadratic = _mean = default;
-            _centre = 0;
-            for (var age = 0; age < count; age++)
-            {
-                _centre += (recent.TimeOf(age) - newest) / count;
-                _mean += recent[age] * (1.0 / count);
-            }
-            if (count > 1) SolveLinear(recent, newest, count);
-            if (count > 2 && _degree > 1) SolveQuadratic(recent, newest, count);
+            (_part, _weights) = (part, weights);
+            (_vectors, _weightsAtTime) = (new Vector3D[weights.Samples], new double[weights.Samples]);
         }
 
-        /// <summary>Returns the vector at a given time, in s, after the newest sample.</summary>
-        public Vector3D At(double ahead)
+        public override double Span => double.PositiveInfinity;
+
+        public override int Samples => _weights.Samples;
+
+        public override bool Solve(BodySamples samples)
         {
-            var u = ahead - _centre;
-            return _mean + _linear * u + _quadratic * (u * u - _slope * u - _constant);
+            var count = Math.Min(samples.Timing.ConnectedSamples, Samples);
+            if (count < _weights.MinSamples || !_weights.Update(samples.History, count)) return false;
+            var newest = samples.History[0][_part];
+            for (var i = 0; i < count; i++) _vectors[i] = samples.History[i][_part] - newest;
+            return true;
         }
 
-        void SolveLinear(RecentVectors recent, double newest, int count)
+        public override Vector3D At(double ahead)
         {
-            var (squares, cubes) = (0.0, 0.0);
-            for (var age = 0; age < count; age++)
-            {
-                var u = recent.TimeOf(age) - newest - _centre;
-                squares += u * u;
-                cubes += u * u * u;
-                _linear += (recent[age] - _mean) * u;
-            }
-            var perSquares = squares > 0 ? 1 / squares : 0;
-            _linear *= perSquares;
-            (_slope, _constant) = (cubes * perSquares, squares / count);
-        }
-
-        void SolveQuadratic(RecentVectors recent, double newest, int count)
-        {
-            var squares = 0.0;
-            for (var age = 0; age < count; age++)
-            {
-                var u = recent.TimeOf(age) - newest - _centre;
-                var value = u * u - _slope * u - _constant;
-                squares += value * value;
-                _quadratic += (recent[age] - _mean) * value;
-            }
-            _quadratic *= squares > MinSquareRatio * _constant * _constant ? 1 / squares : 0;
+            var sum = default(Vector3D);
+            _weights.At(ahead, _weightsAtTime, 0);
+            for (var i = 0; i < _weights.Count; i++) sum += _vectors[i] * _weightsAtTime[i];
+            return sum;
         }
     }
 }

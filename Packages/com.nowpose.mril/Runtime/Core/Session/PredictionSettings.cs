@@ -92,9 +92,13 @@ namespace Nowpose.Session
         internal JointPredictor Create(in JointLimits limits, SharedForecasters shared) =>
             Predictors.Create(Predictor, LimitsOf(limits), IsHold ? 0 : ClockTicks.Seconds(Blend), shared);
 
-        /// <summary>Creates a predictor for an object of the cell, which has no limits.</summary>
-        internal BodyPredictor CreateBody() =>
-            new BodyPredictor(Predictor, LimitsOf(JointLimits.None), IsHold ? 0 : ClockTicks.Seconds(Blend));
+        /// <summary>Returns a function that creates a predictor for one object. The objects of a cell share their forecasters.</summary>
+        internal Func<BodyPredictor> BodiesOfACell()
+        {
+            var shared = VectorMixture.NewForecasters();
+            // An object has no limits.
+            return () => new BodyPredictor(Predictor, LimitsOf(JointLimits.None), IsHold ? 0 : ClockTicks.Seconds(Blend), shared);
+        }
 
         /// <summary>Combines a joint's limits with the limits of these settings.</summary>
         /// <param name="isRevolute">Whether acceleration and jerk limits of these settings apply to the joint.</param>

@@ -1,8 +1,8 @@
 namespace Nowpose.Prediction.Mixing
 {
     /// <summary>
-    /// Forecasters that the predictors of one robot's joints, or of one object's coordinates, use in turn. Their weights are then computed once per
-    /// message, and their memory stays in the processor's cache. Not thread-safe.
+    /// Forecasters that the predictors of one robot's joints use in turn. Their weights are then computed once per message, and their memory stays in
+    /// the processor's cache. Not thread-safe.
     /// </summary>
     sealed class SharedForecasters
     {

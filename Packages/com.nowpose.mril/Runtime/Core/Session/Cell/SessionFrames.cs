@@ -27,7 +27,7 @@ namespace Nowpose.Session.Cell
         public SessionFrames(PredictionSettings prediction, Subscriptions subscriptions, DropCounters drops)
         {
             _drops = drops;
-            Tree = new FrameTree(prediction.CreateBody);
+            Tree = new FrameTree(prediction.BodiesOfACell());
             _needed = new NeededFrames(Tree);
             subscriptions.Add(RosTopics.Tf, RosTopics.TransformsType);
             subscriptions.Add(RosTopics.TfStatic, RosTopics.TransformsType);

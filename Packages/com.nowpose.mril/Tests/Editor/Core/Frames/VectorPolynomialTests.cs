@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Anchoring;
 using Nowpose.Frames;
 using Nowpose.Prediction;
 using NUnit.Framework;
@@ -12,52 +13,50 @@ namespace Nowpose.Tests.Core.Frames
         // Returns stamps at uneven intervals.
         static double StampOf(int k) => 100 + 0.05 * k + 0.004 * Math.Sin(7 * k);
 
+        static void Add(BodyPredictor body, double time, double order) => body.Add(new PoseSample(time, Motion(time), UnitQuaternion.Identity, order));
+
+        static Vector3D At(BodyPredictor body, double time)
+        {
+            var pose = body.At(time);
+            return new Vector3D(pose.X, pose.Y, pose.Z);
+        }
+
         /// <summary>Compares the result with the joint predictors, which fit the same polynomial to each component.</summary>
         [Test]
         public void At_UnevenlySpacedSamples_EqualsThePolynomialOfEachComponent(
-            [Values("hold", "linear", "quadratic", "quadratic-h4", "linear-h4", "linear-h9")] string name,
+            [Values("hold", "linear", "quadratic", "cubic", "quadratic-h4", "linear-h4", "linear-h9")] string name,
             [Values(1, 2, 3, 4, 12)] int samples, [Values(0.02, 0.25)] double ahead)
         {
-            var degree = name.StartsWith("quadratic") ? 2 : name == "hold" ? 0 : 1;
-            var mark = name.IndexOf("-h", StringComparison.Ordinal);
-            var polynomial = new VectorPolynomial(degree, mark < 0 ? degree : int.Parse(name.Substring(mark + 2)));
+            var body = new BodyPredictor(name, PredictionLimits.Unlimited);
             var joints = new JointPredictor[3];
             for (var i = 0; i < 3; i++) joints[i] = Predictors.Create(name, PredictionLimits.Unlimited);
-            var recent = new RecentVectors(10, double.PositiveInfinity);
             for (var k = 0; k < samples; k++)
             {
-                recent.Add(StampOf(k), Motion(StampOf(k)));
+                Add(body, StampOf(k), StampOf(k));
                 for (var i = 0; i < 3; i++) joints[i].Add(new JointSample(StampOf(k), Motion(StampOf(k))[i]));
             }
 
-            polynomial.Solve(recent);
+            var time = StampOf(samples - 1) + ahead;
 
-            for (var i = 0; i < 3; i++)
-                Assert.That(polynomial.At(ahead)[i], Is.EqualTo(joints[i].At(StampOf(samples - 1) + ahead).Position).Within(1e-9), "component " + i);
+            for (var i = 0; i < 3; i++) Assert.That(At(body, time)[i], Is.EqualTo(joints[i].At(time).Position).Within(1e-9), "component " + i);
         }
 
         [Test]
-        public void Solve_AfterAGap_HoldsTheNewestSample()
+        public void At_AfterAGap_HoldsTheNewestSample()
         {
-            var polynomial = new VectorPolynomial(2, 4);
-            var recent = new RecentVectors(10, 0.5);
-            foreach (var t in new[] { 1, 1.1, 1.2, 1.3, 1.81 }) recent.Add(t, Motion(t));
+            var body = new BodyPredictor("quadratic-h4", new PredictionLimits(maximumGap: 0.5));
+            foreach (var t in new[] { 1, 1.1, 1.2, 1.3, 1.81 }) Add(body, t, t);
 
-            polynomial.Solve(recent);
-
-            Assert.That((polynomial.At(0.2) - Motion(1.81)).Length, Is.LessThan(1e-12));
+            Assert.That((At(body, 2.01) - Motion(1.81)).Length, Is.LessThan(1e-12));
         }
 
         [Test]
-        public void Solve_EqualTimes_IsFinite()
+        public void At_EqualStamps_IsFinite()
         {
-            var polynomial = new VectorPolynomial(2, 2);
-            var recent = new RecentVectors(10, 0.5);
-            foreach (var t in new[] { 1.0, 1, 1 }) recent.Add(t, Motion(recent.Count));
+            var body = new BodyPredictor("quadratic", PredictionLimits.Unlimited);
+            for (var order = 1; order < 5; order++) Add(body, 1, order);
 
-            polynomial.Solve(recent);
-
-            Assert.That(polynomial.At(0.2).Length, Is.Not.NaN.And.LessThan(2e3));
+            Assert.That(At(body, 1.2).Length, Is.Not.NaN.And.LessThan(2e3));
         }
     }
 }

@@ -1,0 +1,41 @@
+using Nowpose.Prediction.Samples;
+
+namespace Nowpose.Frames
+{
+    /// <summary>One pose of a tracked frame as six coordinates: the position, m, and the angles of <see cref="RotationHistory"/>, rad.</summary>
+    readonly struct BodySample : ISample
+    {
+        /// <summary>Number of components: three of the position, followed by three angles.</summary>
+        public const int Coordinates = 6;
+
+        public BodySample(double time, in Vector3D position, in Vector3D angles, double order)
+        {
+            Time = time;
+            Position = position;
+            Angles = angles;
+            Order = order;
+        }
+
+        public double Time { get; }
+
+        public double Order { get; }
+
+        public Vector3D Position { get; }
+
+        public Vector3D Angles { get; }
+
+        public int Components => Coordinates;
+
+        public double this[int component] => component < 3 ? Position[component] : Angles[component - 3];
+
+        /// <summary>Returns the position or the angles.</summary>
+        public Vector3D this[BodyPart part] => part == BodyPart.Position ? Position : Angles;
+    }
+
+    /// <summary>The two vectors of a pose.</summary>
+    enum BodyPart
+    {
+        Position,
+        Angles
+    }
+}

@@ -1,0 +1,114 @@
+using System;
+using Nowpose.Anchoring;
+using Nowpose.Frames;
+using Nowpose.Prediction;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Frames
+{
+    public class VectorMixtureTests
+    {
+        const double Interval = 0.05, Latency = 0.1;
+
+        static BodyPredictor Fed(Func<int, Vector3D> motion, int samples, UnitQuaternion? rotation = null)
+        {
+            var body = new BodyPredictor("adaptive", PredictionLimits.Unlimited);
+            for (var k = 0; k < samples; k++) Add(body, k, motion(k), rotation ?? UnitQuaternion.Identity);
+            return body;
+        }
+
+        static void Add(BodyPredictor body, int k, in Vector3D position, in UnitQuaternion rotation) =>
+            body.Add(new PoseSample(k * Interval, position, rotation), k * Interval + Latency);
+
+        static Vector3D At(BodyPredictor body, double time)
+        {
+            var pose = body.At(time);
+            return new Vector3D(pose.X, pose.Y, pose.Z);
+        }
+
+        [TestCase(1)]
+        [TestCase(2)]
+        [TestCase(20)]
+        public void At_ConstantVector_ReturnsItAtAnyTime(int samples)
+        {
+            var body = Fed(_ => new Vector3D(0.7, -3, 0.1), samples);
+
+            foreach (var time in new[] { -1, 0, 0.01, 0.5, 3, 1e6 }) Assert.That(At(body, time), Is.EqualTo(new Vector3D(0.7, -3, 0.1)));
+        }
+
+        [Test]
+        public void At_OnlyThePositionMoves_KeepsTheRotationExactly()
+        {
+            var rotation = UnitQuaternion.Exp(new Vector3D(0.3, -0.2, 1));
+            var body = Fed(k => new Vector3D(Math.Sin(0.1 * k), 0, 0), 200, rotation);
+
+            Assert.That(body.At(199 * Interval + Latency).AngleTo(rotation.At(0, 0, 0)), Is.Zero);
+        }
+
+        [Test]
+        public void At_DifferencesWithinRounding_HoldsTheNewestSample()
+        {
+            var body = Fed(k => new Vector3D(0.7 + 4e-11 * k, 0, 0), 20);
+
+            Assert.That(At(body, 3), Is.EqualTo(new Vector3D(0.7 + 4e-11 * 19, 0, 0)));
+        }
+
+        /// <summary>
+        /// The displacement between two samples of a slow motion is within the rounding tolerance, but the sum of the displacements is not.
+        /// </summary>
+        [Test]
+        public void At_SlowMotion_IsPredicted()
+        {
+            var body = Fed(k => new Vector3D(4e-11 * k, 0, 0), 101);
+
+            Assert.That(At(body, 102 * Interval).X, Is.EqualTo(4e-11 * 102).Within(1e-14));
+        }
+
+        [TestCase(1)]
+        [TestCase(2)]
+        [TestCase(20)]
+        public void At_FirstChangeAfterARest_ContinuesAtTheNewSpeed(int rest)
+        {
+            var body = Fed(_ => new Vector3D(0.7, 0, 0), rest);
+
+            Add(body, rest, new Vector3D(0.8, 0.1, 0), UnitQuaternion.Identity);
+
+            Assert.That((At(body, (rest + 2) * Interval) - new Vector3D(1, 0.3, 0)).Length, Is.LessThan(1e-12));
+        }
+
+        // After an abrupt stop, the samples before it say nothing about the motion. With the whole history, a parabola would overshoot by 24 mm.
+        [Test]
+        public void At_AbruptStop_DoesNotUseTheSamplesBeforeIt()
+        {
+            var body = Fed(k => new Vector3D(0.02 * Math.Min(k, 100), 0, 0), 102);
+            for (var k = 102; k < 104; k++)
+            {
+                Assert.That(At(body, (k - 1) * Interval + Latency).X, Is.EqualTo(2).Within(0.011), k + " samples");
+                Add(body, k, new Vector3D(2, 0, 0), UnitQuaternion.Identity);
+            }
+
+            Assert.That(At(body, 103 * Interval + Latency).X, Is.EqualTo(2).Within(1e-3));
+        }
+
+        // Objects of one cell use the same forecasters in turn. The second object is sampled at other times.
+        [Test]
+        public void At_SharedForecasters_EqualsOwnForecasters()
+        {
+            var shared = VectorMixture.NewForecasters();
+            var objects = new BodyPredictor[4];
+            for (var i = 0; i < objects.Length; i++) objects[i] = new BodyPredictor("adaptive", new PredictionLimits(), shared: i < 2 ? shared : null);
+            for (var k = 0; k < 300; k++)
+                for (var i = 0; i < objects.Length; i++)
+                {
+                    var sample = BodyMotions.HandHeld(k * (i % 2 == 0 ? Interval : 0.03));
+                    objects[i].Add(sample, sample.Time + Latency);
+                }
+
+            for (var i = 0; i < 2; i++)
+            {
+                var time = objects[i].NewestTime + Latency;
+                Assert.That(objects[i].At(time).DistanceTo(objects[i + 2].At(time)), Is.LessThan(1e-7));
+            }
+        }
+    }
+}
