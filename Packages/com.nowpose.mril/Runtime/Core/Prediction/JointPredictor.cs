@@ -81,7 +81,7 @@ namespace Nowpose.Prediction
         /// section. NaN if nothing is displayed.
         /// </param>
         /// <returns>
-        /// <see cref="DropReason.DuplicateSample"/>, <see cref="DropReason.LateSample"/>, or <see cref="DropReason.None"/> if the sample is used.
+        /// <see cref="DropReason.DuplicateSample"/>, <see cref="DropReason.LateSample"/>, or <see cref="DropReason.None"/> for any other sample.
         /// A late sample, or a sample with an earlier time and another position, is used later if the next samples show that the clock went back.
         /// </returns>
         public DropReason Add(in JointSample sample, double displayed = double.NaN)

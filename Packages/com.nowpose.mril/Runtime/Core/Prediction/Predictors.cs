@@ -15,8 +15,8 @@ namespace Nowpose.Prediction
         public const string Default = "adaptive";
 
         /// <summary>
-        /// Number of samples kept for predictors other than polynomials. Template matching needs the most, for example 21 at 50 Hz, for its
-        /// window of 0.4 s.
+        /// Number of samples kept for predictors other than polynomials. <see cref="CalibratedProcess"/> needs the most: at 50 Hz, the samples of one
+        /// horizon of up to 0.38 s and five before them. At higher rates, it calibrates with a shorter horizon.
         /// </summary>
         const int Kept = 24;
 

@@ -22,7 +22,7 @@ namespace Nowpose.Prediction.Candidates
 
         /// <summary>
         /// Time constant of the forgetting factor at a standstill, in s. Few forecasts of starts are scored, so a false start would otherwise prevent
-        /// the use of a candidate for many cycles. With 2 s, the error of a repeated cycle of the virtual cell is twice as large.
+        /// the use of a candidate for many cycles. With 2 s, the error of a repeated cycle of the virtual cell is 2.5 times as large.
         /// </summary>
         const double StillTimeConstant = 1;
 
@@ -46,8 +46,8 @@ namespace Nowpose.Prediction.Candidates
         const double MinSquareRatio = 1e-4;
 
         /// <summary>
-        /// Forgetting factor of the maximum square, per scored forecast: 1/e after 500. At 20 scores per second, this is 25 s of motion, similar to
-        /// the time constant of the weights.
+        /// Forgetting factor of the maximum square, per compared forecast: 1/e after 500. At 20 comparisons per second, this is 25 s of motion,
+        /// similar to the time constant of the weights.
         /// </summary>
         const double MaxSquareForgettingFactor = 0.998;
 

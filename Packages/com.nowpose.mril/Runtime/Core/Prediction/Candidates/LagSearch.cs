@@ -31,8 +31,8 @@ namespace Nowpose.Prediction.Candidates
         const double MaxLag = 120;
 
         /// <summary>
-        /// Maximum step between successive lags, in s; <see cref="MotionOverlay"/> finds the exact lag near them. With 0.1 s, the error of an exact
-        /// repetition at a sampling interval of 50 ms is three times as large.
+        /// Maximum step between successive lags, in s, but at least one grid step; <see cref="MotionOverlay"/> finds the exact lag near them. With
+        /// 0.1 s, the error of an exact repetition at a sampling interval of 50 ms is three times as large.
         /// </summary>
         const double LagStep = 0.06;
 

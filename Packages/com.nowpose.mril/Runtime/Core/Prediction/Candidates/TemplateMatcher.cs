@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Candidates
 {
@@ -20,7 +21,7 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Maximum number of samples in the window.</summary>
         const int MaxSamples = 24;
 
-        /// <summary>Minimum number of sampling intervals before the history starts. Their mean then determines the grid step.</summary>
+        /// <summary>Minimum number of sampling intervals before the history starts. Their running mean then determines the grid step.</summary>
         const int MinIntervals = 8;
 
         /// <summary>Minimum grid step, in s: the capacity of the history then covers the maximum lag of two minutes.</summary>
@@ -45,7 +46,7 @@ namespace Nowpose.Prediction.Candidates
 
         /// <summary>
         /// Maximum change of the sampling interval, as a factor; a larger change starts a new history. Twice the interval exceeds it. A lost sample
-        /// does not, because a gap changes the mean interval by at most a factor of 1.2 (<see cref="MotionState"/>).
+        /// does not, because a gap changes the mean interval by at most a factor of 1.2 (<see cref="SampleTiming"/>).
         /// </summary>
         const double MaxIntervalRatio = 1.6;
 

@@ -1,12 +1,13 @@
 using System;
+using Nowpose.Prediction.Mixing;
 
 namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>Detects change points: samples at which a motion breaks off, so that earlier samples do not predict later ones.</summary>
     /// <remarks>
     /// A window of samples across an emergency stop gives wrong forecasts. A change point is a change of velocity that is faster than all other
-    /// changes in the last few seconds. If it increased the speed, and the next sample confirms the new speed, all samples are used again: the
-    /// samples of a joint at rest do not impair the forecast of its start.
+    /// changes in the last few seconds; their maximum has the time constant of the weights. If it increased the speed, and the next sample confirms
+    /// the new speed, all samples are used again: the samples of a joint at rest do not impair the forecast of its start.
     /// </remarks>
     sealed class ChangePointDetector
     {
@@ -15,12 +16,6 @@ namespace Nowpose.Prediction.Forecasting
         /// 2.9 % larger; with 2, those of recordings 1.4 %.
         /// </summary>
         const double MinAccelerationRatio = 1.5;
-
-        /// <summary>
-        /// Forgetting time constant of the maximum acceleration and the maximum speed, in s: several moves of most machines. It is independent
-        /// of the forgetting factor of the weights; with 10 or 40 s, the errors change by at most 0.5 %.
-        /// </summary>
-        const double TimeConstant = 20;
 
         /// <summary>
         /// Minimum change of velocity, relative to the maximum recent speed. Without this condition, the errors are 1.5 % (recordings) and 0.5 %
@@ -58,7 +53,7 @@ namespace Nowpose.Prediction.Forecasting
         {
             SamplesSince++;
             if (samples < 2) return;
-            var forgettingFactor = Math.Exp(-interval / TimeConstant);
+            var forgettingFactor = Math.Exp(-interval / Mixer.TimeConstant);
             if (samples >= 3)
             {
                 var acceleration = speeds.Change / (0.5 * (interval + intervalBefore));
@@ -67,7 +62,8 @@ namespace Nowpose.Prediction.Forecasting
                 else if (acceleration > MinAccelerationRatio * _maxAcceleration && speeds.Change >= MinChangeRatio * _maxSpeed)
                 {
                     SamplesSince = 1;
-                    SpeedIncreased = speeds.Newest > speeds.Before && speeds.Product >= 0;
+                    // A slow motion in the opposite direction is noise before a start, not a reversal.
+                    SpeedIncreased = speeds.Newest > speeds.Before && (speeds.Product >= 0 || speeds.Before < MinChangeRatio * speeds.Newest);
                     Count++;
                 }
                 _maxAcceleration = Math.Max(_maxAcceleration * forgettingFactor, acceleration);
@@ -88,8 +84,8 @@ namespace Nowpose.Prediction.Forecasting
     {
         /// <param name="newest">Magnitude in the last interval, per second.</param>
         /// <param name="before">Magnitude in the interval before.</param>
-        /// <param name="change">Magnitude of the difference.</param>
-        /// <param name="product">Scalar product of the two: positive in the same direction, negative after a reversal.</param>
+        /// <param name="change">Magnitude of the difference of the two velocities.</param>
+        /// <param name="product">Scalar product of the two velocities: positive in the same direction, negative after a reversal.</param>
         public SpeedChange(double newest, double before, double change, double product) =>
             (Newest, Before, Change, Product) = (newest, before, change, product);
 

@@ -4,8 +4,8 @@ namespace Nowpose.Prediction.Forecasting
     abstract class Forecaster
     {
         /// <summary>
-        /// Number of newest samples that the forecaster uses. A mixture uses the forecaster only while this number of samples, and at least
-        /// three, belong to one motion. A forecaster that uses more samples than this number extrapolates across change points.
+        /// Number of newest samples that a forecast needs. A mixture uses the forecaster only while this number of samples, and at least three,
+        /// belong to one motion. A forecaster that uses more samples than this number extrapolates across change points.
         /// </summary>
         public abstract int Samples { get; }
 

@@ -29,16 +29,10 @@ namespace Nowpose.Prediction.Forecasting
         const int Newest = 5;
 
         /// <summary>
-        /// Variance of the level, relative to the variance of the motion: large, because the level is unknown. With 10 or 1000, the errors change by
-        /// less than 0.1 %.
+        /// Variance of the level, relative to the variance of the motion, and of the trend over one length scale: large, because both are unknown, so
+        /// that constant velocity is predicted exactly. With a level of 10 or 100, the errors change by less than 0.1 %.
         /// </summary>
-        const double LevelVariance = 100;
-
-        /// <summary>
-        /// Variance of the trend, relative to the variance of the motion, per second squared: large enough that constant velocity is
-        /// predicted exactly.
-        /// </summary>
-        const double TrendVariance = 1000 / (LengthScale * LengthScale);
+        const double LevelVariance = 1000, TrendVariance = LevelVariance / (LengthScale * LengthScale);
 
         /// <summary>Maximum time between the newest and the oldest used sample, in units of l/√7.</summary>
         const double MaxSpan = 300;

@@ -81,7 +81,7 @@ namespace Nowpose.Prediction.Mixing
                         _values[i++] = (float)tables[from];
             }
 
-            /// <summary>Returns whether a table contains a forecast.</summary>
+            /// <summary>Returns whether the table of the mixture or of a candidate contains a forecast.</summary>
             public bool HasForecast(int forecast) => (_withForecast & 1u << forecast) != 0;
 
             /// <summary>Returns a forecast position, in the samples' unit.</summary>

@@ -5,10 +5,10 @@ namespace Nowpose.Prediction.Mixing
 {
     /// <summary>Estimates the weights of a joint's mixture from its errors, and selects the weights of the next forecast.</summary>
     /// <remarks>
-    /// There are three sets of weights: from all errors, from the errors at rest, and from the errors in motion. The last two are regularised towards
-    /// the first. Two situations use other weights. If the samples at rest are only noise, the position is held. A first move, which is much
-    /// faster than the motion of the last few seconds, starts as a line and continues with the prior, because weights from noise or slow motion
-    /// do not suit it.
+    /// There are three sets of weights: from all errors except zeros, from the errors at rest, and from the errors in motion. The last two are
+    /// regularised towards the first. Two situations use other weights. If the samples at rest are only noise, the position is held. A first move,
+    /// which is much faster than the motion of the last few seconds, starts as a line and continues with the prior, because weights from noise or
+    /// slow motion do not suit it.
     /// </remarks>
     sealed class WeightSelector
     {

@@ -67,7 +67,7 @@ namespace Nowpose.Prediction.Planning
         /// <returns>Verdict of the sample on whether the joint follows the plan.</returns>
         public PlanVerdict Add(double time, double difference, double velocity, double range)
         {
-            // At most one second counts: a pause does not make the estimate worthless, and the first sample counts as one second.
+            // At most one second counts: a pause does not make the estimate worthless, and at first, the time of the last sample is unknown.
             AddProcessNoise(Math.Min(Math.Max(time - _time, 0), 1), range);
             _time = time;
             var noise = NoiseRatio * range + MinNoise;
@@ -91,7 +91,7 @@ namespace Nowpose.Prediction.Planning
 
         public void Reset()
         {
-            Delay = Offset = _varDelay = _covariance = _varOffset = 0;
+            Delay = Offset = _varDelay = _covariance = _varOffset = _time = 0;
             _hasStarted = false;
         }
 

@@ -18,9 +18,6 @@ namespace Nowpose.Prediction.Samples
         /// </summary>
         const double CleanDeviation = 1e-3;
 
-        /// <summary>Maximum distance from the line, in standard deviations; uniform scatter stays within two.</summary>
-        const double MaxScatter = 3;
-
         /// <summary>
         /// Number of consecutive stamps off the line on the same side after which the line restarts. Scatter rarely causes three such stamps, so
         /// the period has probably changed.
@@ -64,7 +61,7 @@ namespace Nowpose.Prediction.Samples
         // Returns whether the distance from the line comes from another period, not from scatter.
         bool IsPeriodChange(double off)
         {
-            if (Math.Abs(off) <= MaxScatter * _line.Deviation) return false;
+            if (Math.Abs(off) <= Deviations * _line.Deviation) return false;
             // A delay can make a stamp late by any time, but not early. Delays are unlikely for a source with clean stamps, and for two stamps in a
             // row.
             var (isEarly, isOfCleanSource, isInARow) = (off < 0, _line.Deviation < CleanDeviation, Math.Abs(_offLine) > 1);

@@ -41,7 +41,7 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Maximum scatter of periodic stamps, relative to the interval: random stamps scatter by 0.29.</summary>
         const double MaxScatterRatio = 0.25;
 
-        /// <summary>Number of additional fits: the first line may assign wrong numbers, which the next fits correct.</summary>
+        /// <summary>Number of fits to the first stamps: the first line may assign wrong numbers, which the next fits correct.</summary>
         const int Refinements = 3;
 
         /// <summary>

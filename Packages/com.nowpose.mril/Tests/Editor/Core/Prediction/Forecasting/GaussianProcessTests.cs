@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
     {
         const double LengthScale = 0.6;
         const double Noise = 1e-7;
-        const double Level = 100;
+        const double Level = 1000;
         const double Trend = 1000 / (LengthScale * LengthScale);
 
         static readonly double[] Aheads = { 0, 0.013, 0.05, 0.1, 0.217, 0.5 };
