@@ -29,7 +29,7 @@ sealed class Subscription : IDisposable
         _terms = terms;
         // Does not count messages that are skipped because of the client's throttle rate.
         _lost = () => drops.Count(terms.ThrottleMs > 0 ? DropReason.None : DropReason.SlowReader);
-        var bounds = new BoundedChannelOptions(QueueOf(terms, standardQueue)) { FullMode = BoundedChannelFullMode.DropOldest, SingleReader = true };
+        var bounds = new BoundedChannelOptions(QueueOf(topic, terms, standardQueue)) { FullMode = BoundedChannelFullMode.DropOldest, SingleReader = true };
         _times = RobotTopic.Parse(topic).Kind == RosTopics.JointStates && terms.ThrottleMs == 0 ? hub.Forwarding : null;
         if (MessageHub.IsLatched(topic))
         {
@@ -111,11 +111,13 @@ sealed class Subscription : IDisposable
         _queue.Writer.TryComplete();
     }
 
-    // Without a queue length set by the client, a throttled subscription holds one message: the newest, sent at the end of each interval.
-    static int QueueOf(SubscriptionTerms terms, int standard)
+    // Without a queue length set by the client, a throttled subscription holds one message: the newest, sent at the end of each interval. Many sources
+    // publish a message per object, all at the same time, so the queue of poses has room for each object of the largest cell.
+    static int QueueOf(string topic, SubscriptionTerms terms, int standard)
     {
         if (terms.QueueLength > 0)
             return Math.Min(terms.QueueLength, MaxQueueLength);
-        return terms.ThrottleMs > 0 ? 1 : standard;
+        if (terms.ThrottleMs > 0) return 1;
+        return topic == RosTopics.Tf ? Math.Max(standard, ProtocolLimits.Frames) : standard;
     }
 }

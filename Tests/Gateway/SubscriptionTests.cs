@@ -4,6 +4,7 @@ using NUnit.Framework;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Rosbridge;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
@@ -57,5 +58,30 @@ public class SubscriptionTests
         Assert.That(RosbridgeReader.TryRead(await sent.Task.Bounded(), out var message, out _), Is.True);
         Assert.That(message.JointState.Positions[0], Is.EqualTo(dropped));
         Assert.That(drops[DropReason.SlowReader], Is.EqualTo(dropped));
+    }
+
+    // Many sources publish one message per object, all at the same time.
+    [Test]
+    public async Task Pump_OneMessagePerObjectOfTheLargestCell_SendsAll()
+    {
+        var hub = new MessageHub();
+        using var source = hub.OpenSource();
+        var drops = new DropCounters();
+        using var subscription = new Subscription(hub, RosTopics.Tf, default, 16, drops);
+        for (var i = 0; i < ProtocolLimits.Frames; i++)
+            source.Publish(new TransformsMessage(new FrameTransform(ControlTime.FromSeconds(1), "world", "object" + i, 0, 0, 0, 0, 0, 0, 1)), false, []);
+        var (sent, isDone) = (0, new TaskCompletionSource());
+
+        _ = subscription.PumpAsync(
+            next =>
+            {
+                if (!next(long.MinValue).IsEmpty) sent++;
+                if (sent == ProtocolLimits.Frames) isDone.TrySetResult();
+                return Task.CompletedTask;
+            },
+            CancellationToken.None);
+
+        await isDone.Task.Bounded();
+        Assert.That(drops[DropReason.SlowReader], Is.Zero);
     }
 }
