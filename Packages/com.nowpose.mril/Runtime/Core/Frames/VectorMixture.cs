@@ -41,6 +41,13 @@ namespace Nowpose.Frames
         /// </summary>
         const int MinScored = 3;
 
+        /// <summary>
+        /// Maximum change of a constant velocity, relative to the maximum recent speed. While the velocity is constant, the samples before it are left
+        /// out: without noise, a conveyor or turntable that is switched on moves at full speed at once, and a fit across the start would overshoot.
+        /// Without this rule, turntables with abrupt starts had up to 1.3 times the error of the line. With 1e-6, the errors are the same.
+        /// </summary>
+        const double SteadyRatio = 1e-3;
+
         /// <summary>Maximum interval in which samples are interpolated to score a forecast, s.</summary>
         const double MaxInterval = 0.3;
 
@@ -83,6 +90,7 @@ namespace Nowpose.Frames
 
         Vector3D _first, _newest, _speed;
         double _newestTime, _intervalBefore, _lineUntil;
+        int _steadySamples;
         bool _hasChanged;
 
         /// <param name="forecasters">Result of <see cref="NewForecasters"/>. Objects that are sampled at the same times may use it in turn.</param>
@@ -161,7 +169,7 @@ namespace Nowpose.Frames
             _repeated.Reset();
             Array.Clear(_section, 0, _section.Length);
             _newestTime = _lineUntil = double.NegativeInfinity;
-            _intervalBefore = 0;
+            _intervalBefore = _steadySamples = 0;
             _speed = _newest = default;
             _hasChanged = false;
         }
@@ -185,7 +193,9 @@ namespace Nowpose.Frames
             var (history, interval, before) = (samples.History, samples.Timing.Interval, _speed);
             if (history.Count > 1) _speed = (history[0][_part] - history[1][_part]) * (1 / interval);
             var speeds = new SpeedChange(_speed.Length, before.Length, (_speed - before).Length, _speed.Dot(before));
+            _steadySamples = speeds.Change <= SteadyRatio * _changePoints.MaxSpeed ? _steadySamples + 1 : 0;
             _changePoints.Add(history.Count, interval, _intervalBefore, speeds);
+            if (_steadySamples > 0) _changePoints.KeepNewest(_steadySamples + 2);
             _intervalBefore = interval;
         }
 
@@ -294,7 +304,9 @@ namespace Nowpose.Frames
                 var fraction = (expected.Due - _newestTime) / interval;
                 var truth = _newest + (vector - _newest) * fraction;
                 hasScored |= Score(expected.Forecasts, truth, forgettingFactor);
-                _repeated.Score(expected.Repeated, expected.Mixture, truth, time);
+                // After a break, the mixture is wrong for a moment, which proves nothing for a repetition if a line is not.
+                var isLineBetter = (expected.Forecasts[Line] - truth).Length < (expected.Mixture - truth).Length;
+                _repeated.Score(expected.Repeated, isLineBetter ? expected.Forecasts[Line] : expected.Mixture, truth, time);
             }
             if (hasScored) _weights.Solve(_prior, PriorWeight * (1 - forgettingFactor));
         }

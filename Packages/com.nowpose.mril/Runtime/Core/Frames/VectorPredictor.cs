@@ -47,7 +47,7 @@ namespace Nowpose.Frames
         /// <summary>Returns the displayed vector. Does not change the state.</summary>
         /// <param name="time">Time in s.</param>
         /// <param name="place">Place of this time in the section.</param>
-        public Vector3D At(double time, in SectionPlace place) => _blend.At(time, SectionAt(place));
+        public Vector3D At(double time, in SectionPlace place) => double.IsNaN(time) ? SectionAt(place) : _blend.At(time, SectionAt(place));
 
         /// <summary>Discards all learned state.</summary>
         public void Reset()

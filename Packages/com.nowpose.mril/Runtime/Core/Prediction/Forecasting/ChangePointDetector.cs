@@ -30,7 +30,6 @@ namespace Nowpose.Prediction.Forecasting
         const double MinConfirmationRatio = 0.9;
 
         double _maxAcceleration;
-        double _maxSpeed;
 
         /// <summary>
         /// Number of samples since the newest change point, including the sample at which it was detected; the number of all samples after an
@@ -40,6 +39,9 @@ namespace Nowpose.Prediction.Forecasting
 
         /// <summary>Whether the newest change point increased the speed.</summary>
         public bool SpeedIncreased { get; private set; }
+
+        /// <summary>Maximum recent speed, per second.</summary>
+        public double MaxSpeed { get; private set; }
 
         /// <summary>Number of change points since the start.</summary>
         public int Count { get; private set; }
@@ -59,7 +61,7 @@ namespace Nowpose.Prediction.Forecasting
                 var acceleration = speeds.Change / (0.5 * (interval + intervalBefore));
                 if (SamplesSince == 2 && SpeedIncreased && speeds.Product > 0 && speeds.Newest >= MinConfirmationRatio * speeds.Before)
                     SamplesSince = samples;
-                else if (acceleration > MinAccelerationRatio * _maxAcceleration && speeds.Change >= MinChangeRatio * _maxSpeed)
+                else if (acceleration > MinAccelerationRatio * _maxAcceleration && speeds.Change >= MinChangeRatio * MaxSpeed)
                 {
                     SamplesSince = 1;
                     // A slow motion in the opposite direction is noise before a start, not a reversal.
@@ -68,12 +70,16 @@ namespace Nowpose.Prediction.Forecasting
                 }
                 _maxAcceleration = Math.Max(_maxAcceleration * forgettingFactor, acceleration);
             }
-            _maxSpeed = Math.Max(_maxSpeed * forgettingFactor, speeds.Newest);
+            MaxSpeed = Math.Max(MaxSpeed * forgettingFactor, speeds.Newest);
         }
+
+        /// <summary>Leaves out all samples except the newest ones.</summary>
+        /// <param name="samples">Number of samples to use.</param>
+        public void KeepNewest(int samples) => SamplesSince = Math.Min(SamplesSince, samples);
 
         public void Reset()
         {
-            _maxAcceleration = _maxSpeed = 0;
+            _maxAcceleration = MaxSpeed = 0;
             SamplesSince = Count = 0;
             SpeedIncreased = false;
         }

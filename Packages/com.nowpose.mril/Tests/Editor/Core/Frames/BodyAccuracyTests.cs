@@ -22,6 +22,7 @@ namespace Nowpose.Tests.Core.Frames
             { "conveyor, noise", BodyMotions.WithNoise(BodyMotions.Conveyor, seed: 75) },
             { "unequal moves", BodyMotions.UnequalMoves },
             { "vehicle", BodyMotions.Vehicle },
+            { "switched turntable", BodyMotions.Switched },
             { "rest, noise", BodyMotions.WithNoise(BodyMotions.Rest, seed: 73) },
             { "jumping rate", BodyMotions.JumpingRate },
             { "constant turning, noise", BodyMotions.WithNoise(BodyMotions.Constant(new Vector3D(0.3, 0.5, 2)), seed: 74) },
@@ -45,6 +46,9 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("vehicle", 20, 100, 1.05)]
         [TestCase("vehicle", 50, 100, 1.05)]
         [TestCase("vehicle", 100, 150, 1.05)]
+        [TestCase("switched turntable", 20, 100, 1.05)]
+        [TestCase("switched turntable", 50, 100, 1.1)]
+        [TestCase("switched turntable", 100, 150, 1.05)]
         [TestCase("jumping rate", 20, 100, 1.05)]
         [TestCase("jumping rate", 50, 100, 1.05)]
         [TestCase("jumping rate", 100, 150, 1.05)]

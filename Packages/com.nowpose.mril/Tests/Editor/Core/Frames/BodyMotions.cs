@@ -81,6 +81,26 @@ namespace Nowpose.Tests.Core.Frames
                 t, new Vector3D(0.5 * Math.Sin(0.9 * t), 0.3 * Math.Cos(1.1 * t), 0.1), UnitQuaternion.Exp(new Vector3D(0, 0, angle)));
         }
 
+        /// <summary>A table that is switched on and off: it has its full rate at once, and stands at once.</summary>
+        public static PoseSample Switched(double t)
+        {
+            // The table turns for 0.6 to 3 s and stands for 0.4 to 2.8 s; the times of the changes do not repeat.
+            double begin = 0, angle = 0;
+            for (var i = 0; ; i++)
+            {
+                double rest = 1.6 + 1.2 * Math.Sin(3 * i), turn = 1.8 + 1.2 * Math.Cos(5 * i);
+                var turned = Math.Min(Math.Max(t - begin - rest, 0), turn);
+                if (t < begin + rest + turn)
+                {
+                    angle += 1.2 * turned;
+                    break;
+                }
+                begin += rest + turn;
+                angle += 1.2 * turn;
+            }
+            return new PoseSample(t, new Vector3D(0.3 * Math.Cos(angle), 0.3 * Math.Sin(angle), 0.8), UnitQuaternion.Exp(new Vector3D(0, 0, angle)));
+        }
+
         /// <summary>An object on a turntable whose angular velocity jumps, within one sample, to zero or back, every 3.3 s.</summary>
         public static PoseSample JumpingRate(double t)
         {

@@ -262,6 +262,15 @@ namespace Nowpose.Tests.Core.Frames
             AssertPose(predictor.At(59 * Interval + 0.1), fresh.At(59 * Interval + 0.1), 0);
         }
 
+        [TestCase("linear")]
+        [TestCase("adaptive")]
+        public void At_NotANumber_ReturnsTheNewestSample(string name)
+        {
+            var predictor = Fed(name, BodyMotions.HandHeld, 100, blend: 0.01);
+
+            AssertPose(predictor.At(double.NaN), predictor.Hold, 1e-12);
+        }
+
         [Test]
         public void At_CalledTwice_ReturnsTheSamePose()
         {

@@ -90,6 +90,27 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(At(body, 103 * Interval + Latency).X, Is.EqualTo(2).Within(1e-3));
         }
 
+        // Noise at rest shows nothing about a motion, so the newest sample is held until the errors of one second are known.
+        [Test]
+        public void At_FirstSecondOfNoiseAtRest_HoldsTheNewestSample()
+        {
+            var (held, total) = (0, 0);
+            for (var seed = 0; seed < 20; seed++)
+            {
+                var random = new Random(seed);
+                var body = new BodyPredictor("adaptive", PredictionLimits.Unlimited);
+                for (var k = 0; k < 18; k++)
+                {
+                    Add(body, k, new Vector3D(random.NextDouble(), random.NextDouble(), random.NextDouble()) * 1e-3, UnitQuaternion.Identity);
+                    if (k < 4) continue;
+                    total++;
+                    if (At(body, k * Interval + Latency).Equals(new Vector3D(body.Hold.X, body.Hold.Y, body.Hold.Z))) held++;
+                }
+            }
+
+            Assert.That(held, Is.GreaterThan(0.9 * total));
+        }
+
         // Objects of one cell use the same forecasters in turn. The second object is sampled at other times.
         [Test]
         public void At_SharedForecasters_EqualsOwnForecasters()
