@@ -20,7 +20,6 @@ namespace Nowpose.Frames
         readonly BodySamples _samples;
         readonly VectorForecaster _forecaster;
         readonly VectorPredictor _position, _angles;
-        readonly SectionBlend _blend;
         readonly double _horizonCap;
         readonly bool _interpolates;
         bool _isSolved, _restsBeforeSecondSample;
@@ -35,17 +34,15 @@ namespace Nowpose.Frames
         /// <exception cref="InputException">The name is unknown.</exception>
         public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0, PositionWeights[] shared = null)
         {
-            if (predictor == Predictors.Default) shared ??= VectorMixture.NewForecasters();
-            else shared = null;
-            VectorForecaster Create(BodyPart part) => shared != null ? new VectorMixture(part, shared, limits)
+            var mixed = predictor == Predictors.Default ? shared ?? VectorMixture.NewForecasters() : null;
+            VectorForecaster Create(BodyPart part) => mixed != null ? new VectorMixture(part, mixed, limits)
                 : (VectorForecaster)new VectorPolynomial(part, predictor == "gp" ? new GaussianProcess() : (PositionWeights)Predictors.Polynomial(predictor));
-            _interpolates = shared != null || predictor == "gp";
+            _interpolates = mixed != null || predictor == "gp";
             _forecaster = Create(BodyPart.Position);
-            var kept = shared != null ? VectorMixture.SamplesOf(shared) : _forecaster.Samples;
+            var kept = mixed != null ? VectorMixture.SamplesOf(mixed) : _forecaster.Samples;
             _samples = new BodySamples(Math.Max(kept, VectorBlend.Samples), _interpolates, limits);
             _position = new VectorPredictor(BodyPart.Position, _samples, _forecaster, blend);
             _angles = new VectorPredictor(BodyPart.Angles, _samples, Create(BodyPart.Angles), blend);
-            _blend = new SectionBlend(blend);
             _horizonCap = limits.HorizonCap;
         }
 
@@ -144,7 +141,7 @@ namespace Nowpose.Frames
             var isNear = (sample.Position - _samples.Newest.Position).Length < JointSample.MaxMagnitude;
             if (!isNear && !_samples.IsNewer(sample)) return;
             if (!isNear) Restart();
-            var (isBlended, before) = (_blend.IsNeeded(displayed) && !_samples.IsEmpty, NewestTime);
+            var (isBlended, before) = (_position.IsBlendNeeded(displayed) && !_samples.IsEmpty, NewestTime);
             var place = isBlended ? PlaceOf(displayed) : default;
             var (position, angles) = isBlended ? (_position.At(displayed, place), _angles.At(displayed, place)) : default;
             if (!_samples.Add(sample, displayed)) return;
@@ -170,20 +167,12 @@ namespace Nowpose.Frames
             if (!_isSolved || double.IsNaN(time)) return new SectionPlace(PredictionKind.Held, double.NaN);
             var furthest = Math.Min(_horizonCap, _forecaster.Span);
             if (ahead > furthest) return new SectionPlace(PredictionKind.Held, furthest);
-            if (ahead < 0 && !double.IsPositiveInfinity(_horizonCap) && ahead < Oldest) return new SectionPlace(PredictionKind.Held, Oldest);
-            return new SectionPlace(ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted, ahead);
-        }
-
-        // Time of the oldest sample of the section relative to the newest, s; not positive.
-        double Oldest
-        {
-            get
+            if (ahead < 0 && !double.IsPositiveInfinity(_horizonCap))
             {
-                var oldest = 0.0;
-                for (var age = 1; age < Math.Min(_samples.Timing.ConnectedSamples, _forecaster.Samples); age++)
-                    oldest = Math.Min(oldest, _samples.History[age].Time - _samples.History.NewestTime);
-                return oldest;
+                var start = history.StartOf(Math.Min(connected, _forecaster.Samples));
+                if (ahead < start) return new SectionPlace(PredictionKind.Held, start);
             }
+            return new SectionPlace(ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted, ahead);
         }
 
         static RigidTransform PoseOf(in UnitQuaternion rotation, in Vector3D position) => rotation.At(position.X, position.Y, position.Z);

@@ -50,12 +50,11 @@ namespace Nowpose.Frames
         /// <summary>Whether the repetition replaces the mixture.</summary>
         public bool IsUsed { get; private set; }
 
-        /// <summary>Adds a sample.</summary>
-        /// <param name="time">Time in s. A sample that is not newer than all previous samples is ignored.</param>
+        /// <summary>Adds a sample that is newer than all previous samples.</summary>
+        /// <param name="time">Time in s.</param>
         /// <param name="meanInterval">Mean sampling interval, in s.</param>
         public void Add(in Vector3D position, double time, double meanInterval)
         {
-            if (!(time > _newestTime)) return;
             if (_newestTime > double.NegativeInfinity) _standstill.Add((position - _newest).Length);
             (_newestTime, _newest) = (time, position);
             Span<double> components = stackalloc[] { position.X, position.Y, position.Z };

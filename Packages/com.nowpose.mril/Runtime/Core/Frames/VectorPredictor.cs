@@ -36,6 +36,9 @@ namespace Nowpose.Frames
             return isSolved;
         }
 
+        /// <inheritdoc cref="SectionBlend.IsNeeded"/>
+        public bool IsBlendNeeded(double displayed) => _blend.IsNeeded(displayed);
+
         /// <summary>Continues from the displayed vector after the samples have changed.</summary>
         /// <param name="displayed">Last display time, in s.</param>
         /// <param name="shown">Vector that was displayed at this time.</param>

@@ -256,23 +256,14 @@ namespace Nowpose.Prediction
             var furthest = Math.Min(_limits.HorizonCap, _forecaster.Span);
             if (ahead > furthest) (ahead, kind) = (furthest, PredictionKind.Held);
             // A section is as inaccurate before its oldest sample as it is far beyond its newest sample, so its value at the oldest sample is held.
-            else if (ahead < 0 && !double.IsPositiveInfinity(_limits.HorizonCap) && ahead < Oldest) (ahead, kind) = (Oldest, PredictionKind.Held);
+            else if (ahead < 0 && !double.IsPositiveInfinity(_limits.HorizonCap) && ahead < Start) (ahead, kind) = (Start, PredictionKind.Held);
             var position = hold.Position + _forecaster.At(ahead);
             if (_jump != 0) position -= _jump * Math.Exp(-ahead / JumpTimeConstant);
             // An overflow must not reach a transform.
             return double.IsFinite(position) ? new JointPrediction(position, kind) : hold;
         }
 
-        // Time of the oldest sample of the section relative to the newest, s; not positive.
-        double Oldest
-        {
-            get
-            {
-                var oldest = 0.0;
-                for (var age = 1; age < Math.Min(_motion.ConnectedSamples, _forecaster.Samples); age++)
-                    oldest = Math.Min(oldest, _buffer.History[age].Time - _buffer.History.NewestTime);
-                return oldest;
-            }
-        }
+        // Start of the section relative to the newest sample, s; not positive.
+        double Start => _buffer.History.StartOf(Math.Min(_motion.ConnectedSamples, _forecaster.Samples));
     }
 }

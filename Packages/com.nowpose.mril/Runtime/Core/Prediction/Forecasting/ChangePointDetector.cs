@@ -85,7 +85,7 @@ namespace Nowpose.Prediction.Forecasting
         }
     }
 
-    /// <summary>Speeds of a joint or an object in the last two intervals, displacement ÷ interval; 0 where there is no interval.</summary>
+    /// <summary>Speeds of a joint or an object in the last two intervals, displacement ÷ interval; 0 before the second sample.</summary>
     readonly struct SpeedChange
     {
         /// <param name="newest">Magnitude in the last interval, per second.</param>

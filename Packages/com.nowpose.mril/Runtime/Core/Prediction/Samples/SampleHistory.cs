@@ -52,6 +52,15 @@ namespace Nowpose.Prediction.Samples
             return count;
         }
 
+        /// <summary>Returns the earliest time of the newest samples, relative to the newest, in s; not positive.</summary>
+        /// <param name="count">Number of newest samples, at most <see cref="Count"/>.</param>
+        public double StartOf(int count)
+        {
+            var start = 0.0;
+            for (var age = 1; age < count; age++) start = Math.Min(start, At(age).Time - At(0).Time);
+            return start;
+        }
+
         /// <summary>Returns whether the sample of this age has no predecessor, or follows its predecessor after more than the maximum gap.</summary>
         public bool HasGap(int age, double maximumGap) =>
             age + 1 >= Count || At(age).Order - At(age + 1).Order > maximumGap;

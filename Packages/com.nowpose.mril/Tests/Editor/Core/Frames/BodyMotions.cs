@@ -128,6 +128,12 @@ namespace Nowpose.Tests.Core.Frames
             return new PoseSample(t, position, random.Next(3) == 0 ? Negated(rotation) : rotation);
         };
 
+        public static Vector3D PositionAt(this BodyPredictor body, double time)
+        {
+            var pose = body.At(time);
+            return new Vector3D(pose.X, pose.Y, pose.Z);
+        }
+
         public static UnitQuaternion Negated(in UnitQuaternion q)
         {
             UnitQuaternion.TryNormalise(-q.X, -q.Y, -q.Z, -q.W, out var negated);

@@ -65,8 +65,7 @@ namespace Nowpose.Tests.Core.Frames
             {
                 Add(predictor, k, corner, noise);
                 var time = k * Interval + Latency;
-                var pose = predictor.At(time);
-                var error = (new Vector3D(pose.X, pose.Y, pose.Z) - At(time, corner)).Length;
+                var error = (predictor.PositionAt(time) - At(time, corner)).Length;
                 if (time < cycle) first += error * error;
                 else if (time > 3 * cycle) later += error * error / 3;
             }

@@ -20,12 +20,6 @@ namespace Nowpose.Tests.Core.Frames
         static void Add(BodyPredictor body, int k, in Vector3D position, in UnitQuaternion rotation) =>
             body.Add(new PoseSample(k * Interval, position, rotation), k * Interval + Latency);
 
-        static Vector3D At(BodyPredictor body, double time)
-        {
-            var pose = body.At(time);
-            return new Vector3D(pose.X, pose.Y, pose.Z);
-        }
-
         [TestCase(1)]
         [TestCase(2)]
         [TestCase(20)]
@@ -33,7 +27,7 @@ namespace Nowpose.Tests.Core.Frames
         {
             var body = Fed(_ => new Vector3D(0.7, -3, 0.1), samples);
 
-            foreach (var time in new[] { -1, 0, 0.01, 0.5, 3, 1e6 }) Assert.That(At(body, time), Is.EqualTo(new Vector3D(0.7, -3, 0.1)));
+            foreach (var time in new[] { -1, 0, 0.01, 0.5, 3, 1e6 }) Assert.That(body.PositionAt(time), Is.EqualTo(new Vector3D(0.7, -3, 0.1)));
         }
 
         [Test]
@@ -50,7 +44,7 @@ namespace Nowpose.Tests.Core.Frames
         {
             var body = Fed(k => new Vector3D(0.7 + 4e-11 * k, 0, 0), 20);
 
-            Assert.That(At(body, 3), Is.EqualTo(new Vector3D(0.7 + 4e-11 * 19, 0, 0)));
+            Assert.That(body.PositionAt(3), Is.EqualTo(new Vector3D(0.7 + 4e-11 * 19, 0, 0)));
         }
 
         /// <summary>
@@ -61,7 +55,7 @@ namespace Nowpose.Tests.Core.Frames
         {
             var body = Fed(k => new Vector3D(4e-11 * k, 0, 0), 101);
 
-            Assert.That(At(body, 102 * Interval).X, Is.EqualTo(4e-11 * 102).Within(1e-14));
+            Assert.That(body.PositionAt(102 * Interval).X, Is.EqualTo(4e-11 * 102).Within(1e-14));
         }
 
         [TestCase(1)]
@@ -73,7 +67,7 @@ namespace Nowpose.Tests.Core.Frames
 
             Add(body, rest, new Vector3D(0.8, 0.1, 0), UnitQuaternion.Identity);
 
-            Assert.That((At(body, (rest + 2) * Interval) - new Vector3D(1, 0.3, 0)).Length, Is.LessThan(1e-12));
+            Assert.That((body.PositionAt((rest + 2) * Interval) - new Vector3D(1, 0.3, 0)).Length, Is.LessThan(1e-12));
         }
 
         // After an abrupt stop, the samples before it say nothing about the motion. With the whole history, a parabola would overshoot by 24 mm.
@@ -83,11 +77,11 @@ namespace Nowpose.Tests.Core.Frames
             var body = Fed(k => new Vector3D(0.02 * Math.Min(k, 100), 0, 0), 102);
             for (var k = 102; k < 104; k++)
             {
-                Assert.That(At(body, (k - 1) * Interval + Latency).X, Is.EqualTo(2).Within(0.011), k + " samples");
+                Assert.That(body.PositionAt((k - 1) * Interval + Latency).X, Is.EqualTo(2).Within(0.011), k + " samples");
                 Add(body, k, new Vector3D(2, 0, 0), UnitQuaternion.Identity);
             }
 
-            Assert.That(At(body, 103 * Interval + Latency).X, Is.EqualTo(2).Within(1e-3));
+            Assert.That(body.PositionAt(103 * Interval + Latency).X, Is.EqualTo(2).Within(1e-3));
         }
 
         // Noise at rest shows nothing about a motion, so the newest sample is held until the errors of one second are known.
@@ -104,7 +98,7 @@ namespace Nowpose.Tests.Core.Frames
                     Add(body, k, new Vector3D(random.NextDouble(), random.NextDouble(), random.NextDouble()) * 1e-3, UnitQuaternion.Identity);
                     if (k < 4) continue;
                     total++;
-                    if (At(body, k * Interval + Latency).Equals(new Vector3D(body.Hold.X, body.Hold.Y, body.Hold.Z))) held++;
+                    if (body.PositionAt(k * Interval + Latency).Equals(new Vector3D(body.Hold.X, body.Hold.Y, body.Hold.Z))) held++;
                 }
             }
 

@@ -15,12 +15,6 @@ namespace Nowpose.Tests.Core.Frames
 
         static void Add(BodyPredictor body, double time, double order) => body.Add(new PoseSample(time, Motion(time), UnitQuaternion.Identity, order));
 
-        static Vector3D At(BodyPredictor body, double time)
-        {
-            var pose = body.At(time);
-            return new Vector3D(pose.X, pose.Y, pose.Z);
-        }
-
         /// <summary>Compares the result with the joint predictors, which fit the same polynomial to each component.</summary>
         [Test]
         public void At_UnevenlySpacedSamples_EqualsThePolynomialOfEachComponent(
@@ -38,7 +32,7 @@ namespace Nowpose.Tests.Core.Frames
 
             var time = StampOf(samples - 1) + ahead;
 
-            for (var i = 0; i < 3; i++) Assert.That(At(body, time)[i], Is.EqualTo(joints[i].At(time).Position).Within(1e-9), "component " + i);
+            for (var i = 0; i < 3; i++) Assert.That(body.PositionAt(time)[i], Is.EqualTo(joints[i].At(time).Position).Within(1e-9), "component " + i);
         }
 
         [Test]
@@ -47,7 +41,7 @@ namespace Nowpose.Tests.Core.Frames
             var body = new BodyPredictor("quadratic-h4", new PredictionLimits(maximumGap: 0.5));
             foreach (var t in new[] { 1, 1.1, 1.2, 1.3, 1.81 }) Add(body, t, t);
 
-            Assert.That((At(body, 2.01) - Motion(1.81)).Length, Is.LessThan(1e-12));
+            Assert.That((body.PositionAt(2.01) - Motion(1.81)).Length, Is.LessThan(1e-12));
         }
 
         [Test]
@@ -56,7 +50,7 @@ namespace Nowpose.Tests.Core.Frames
             var body = new BodyPredictor("quadratic", PredictionLimits.Unlimited);
             for (var order = 1; order < 5; order++) Add(body, 1, order);
 
-            Assert.That(At(body, 1.2).Length, Is.Not.NaN.And.LessThan(2e3));
+            Assert.That(body.PositionAt(1.2).Length, Is.Not.NaN.And.LessThan(2e3));
         }
     }
 }
