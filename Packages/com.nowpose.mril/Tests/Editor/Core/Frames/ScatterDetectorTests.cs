@@ -50,6 +50,19 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(left, Is.Positive, "motions are detected");
         }
 
+        [Test]
+        public void HasLeft_NoiseInOneComponent_IsTrueForFewerThanOneIn5000Samples()
+        {
+            var (detector, random, left) = (new ScatterDetector(), new Random(13), 0);
+            for (var k = 0; k < 20000; k++)
+            {
+                detector.Add(new Vector3D(0, 0, 0.001 * Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(6.2832 * random.NextDouble())));
+                if (detector.HasLeft) left++;
+            }
+
+            Assert.That(left, Is.LessThan(4));
+        }
+
         /// <summary>
         /// In both cases, the last sample is outside the noise. If the last step is as short as the noise, its direction does not indicate
         /// a motion.
