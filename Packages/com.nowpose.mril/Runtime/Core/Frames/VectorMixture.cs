@@ -92,7 +92,7 @@ namespace Nowpose.Frames
         Vector3D _first, _newest, _speed;
         double _newestTime, _intervalBefore, _lineUntil;
         int _steadySamples;
-        bool _hasChanged;
+        bool _hasChanged, _wasSteady;
 
         /// <param name="forecasters">Result of <see cref="NewForecasters"/>. Objects that are sampled at the same times may use it in turn.</param>
         /// <param name="limits">Horizon cap and maximum gap.</param>
@@ -179,6 +179,12 @@ namespace Nowpose.Frames
         {
             var (time, horizon) = (samples.History.NewestTime, samples.Timing.Horizon);
             var interval = time - _newestTime;
+            // After a gap, or if the object was moved elsewhere, earlier forecasts are wrong for a reason that no forecaster can know.
+            if (samples.Timing.ConnectedSamples == 1)
+            {
+                _waiting.Clear();
+                _scatter.Clear();
+            }
             Score(time, vector);
             _scatter.Add(vector);
             if (_scatter.HasLeft && IsFirstMove(interval, horizon, vector)) _lineUntil = time + horizon + interval;
@@ -194,8 +200,11 @@ namespace Nowpose.Frames
             var (history, interval, before) = (samples.History, samples.Timing.Interval, _speed);
             if (history.Count > 1) _speed = (history[0][_part] - history[1][_part]) * (1 / interval);
             var speeds = new SpeedChange(_speed.Length, before.Length, (_speed - before).Length, _speed.Dot(before));
+            // An abrupt change within an interval shows in the velocity of two intervals.
+            var wasSteady = _steadySamples > 0 || _wasSteady;
+            _wasSteady = _steadySamples > 0;
             _steadySamples = speeds.Change <= SteadyRatio * _changePoints.MaxSpeed ? _steadySamples + 1 : 0;
-            _changePoints.Add(history.Count, interval, _intervalBefore, speeds);
+            _changePoints.Add(history.Count, interval, _intervalBefore, speeds, wasSteady);
             if (_steadySamples > 0) _changePoints.KeepNewest(_steadySamples + 2);
             _intervalBefore = interval;
         }
@@ -316,12 +325,21 @@ namespace Nowpose.Frames
         {
             foreach (var forecast in forecasts)
                 if (!((forecast - truth).Length < MaxError)) return false;
+            if (!Differ(forecasts)) return false;
             for (var component = 0; component < Components; component++)
             {
                 for (var i = 0; i < _prior.Length; i++) _errors[i] = (forecasts[i] - truth)[component];
                 _weights.Learn(_errors, forgettingFactor);
             }
             return true;
+        }
+
+        // From a rest without noise, all forecasts are equal. Their error at a start would hide the differences between the forecasters for seconds.
+        static bool Differ(Vector3D[] forecasts)
+        {
+            foreach (var forecast in forecasts)
+                if ((forecast - forecasts[Line]).Length > Rounding) return true;
+            return false;
         }
 
         sealed class Expected

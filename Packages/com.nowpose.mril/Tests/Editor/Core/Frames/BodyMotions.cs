@@ -101,6 +101,49 @@ namespace Nowpose.Tests.Core.Frames
             return new PoseSample(t, new Vector3D(0.3 * Math.Cos(angle), 0.3 * Math.Sin(angle), 0.8), UnitQuaternion.Exp(new Vector3D(0, 0, angle)));
         }
 
+        /// <summary>
+        /// A vehicle that drives at 0.6 m/s, turns in place at 0.5 rad/s in either direction, and stands, for times that do not repeat. Its speed changes
+        /// at once.
+        /// </summary>
+        public static PoseSample AbruptVehicle(double t)
+        {
+            double x = 0, y = 0, heading = 0, left = t;
+            for (var i = 0; left > 0; i++)
+            {
+                var seconds = Math.Min(left, 1.6 + 1.1 * Math.Sin(3 * i * i + 1));
+                left -= seconds;
+                if (i % 3 == 0) (x, y) = (x + 0.6 * seconds * Math.Cos(heading), y + 0.6 * seconds * Math.Sin(heading));
+                if (i % 3 == 1) heading += (i % 2 == 0 ? 0.5 : -0.5) * seconds;
+            }
+            return new PoseSample(t, new Vector3D(x, y, 0.1), UnitQuaternion.Exp(new Vector3D(0, 0, heading)));
+        }
+
+        /// <summary>An object on a conveyor that moves at 0.3 m/s at once or stands at once, for random times of 0.4 to 3.4 s.</summary>
+        public static Func<double, PoseSample> SwitchedConveyor(int seed) => t =>
+        {
+            var random = new Random(seed);
+            double x = 0, left = t;
+            for (var i = 0; left > 0; i++)
+            {
+                var seconds = Math.Min(left, 0.4 + 3 * random.NextDouble());
+                left -= seconds;
+                if (i % 2 == 0) x += 0.3 * seconds;
+            }
+            return new PoseSample(t, new Vector3D(x, 0.2, 0.9), UnitQuaternion.Exp(new Vector3D(0, 0, 0.4)));
+        };
+
+        /// <summary>A workpiece on a conveyor, 0.3 m/s, that reappears at the start of the conveyor after each 2 m.</summary>
+        public static PoseSample Reappearing(double t) =>
+            new PoseSample(t, new Vector3D(0.3 * t % 2, 0.2, 0.9), UnitQuaternion.Exp(new Vector3D(0, 0, 0.4)));
+
+        /// <summary>An object that moves straight ahead while a planar tracker measures it with noise of 1 mm and 0.1°.</summary>
+        public static PoseSample NoisyHeading(double t)
+        {
+            var random = new Random(76 + (int)Math.Round(t * 1000));
+            var scatter = new Vector3D(0.001 * Normal(random), 0.001 * Normal(random), 0);
+            return new PoseSample(t, Velocity * t + scatter, UnitQuaternion.Exp(new Vector3D(0, 0, 0.0017 * Normal(random))));
+        }
+
         /// <summary>An object on a turntable whose angular velocity jumps, within one sample, to zero or back, every 3.3 s.</summary>
         public static PoseSample JumpingRate(double t)
         {
@@ -121,8 +164,7 @@ namespace Nowpose.Tests.Core.Frames
             var sample = motion(t);
             // The noise depends only on the time, so that each call for a time returns the same sample.
             var random = new Random(seed + (int)Math.Round(t * 1000));
-            double Normal() => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
-            Vector3D Vector(double deviation) => new Vector3D(deviation * Normal(), deviation * Normal(), deviation * Normal());
+            Vector3D Vector(double deviation) => new Vector3D(deviation * Normal(random), deviation * Normal(random), deviation * Normal(random));
             var position = sample.Position + Vector(0.001);
             var rotation = sample.Rotation * UnitQuaternion.Exp(Vector(0.0017));
             return new PoseSample(t, position, random.Next(3) == 0 ? Negated(rotation) : rotation);
@@ -133,6 +175,8 @@ namespace Nowpose.Tests.Core.Frames
             var pose = body.At(time);
             return new Vector3D(pose.X, pose.Y, pose.Z);
         }
+
+        static double Normal(Random random) => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
 
         public static UnitQuaternion Negated(in UnitQuaternion q)
         {

@@ -50,5 +50,27 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         [Test]
         public void Add_AccelerationLikeEarlierOnes_IsNoChangePoint() =>
             Assert.That(After(0.2, 0.4, 0.6, 0.4, 0.2, 0, 0.2).SamplesSince, Is.EqualTo(8));
+
+        // A smooth start from rest has displacements of 1 and 7 or more in its first two intervals.
+        [TestCase(0.5, 1)]
+        [TestCase(0.8, 5)]
+        public void Add_StartFromRestWithoutNoise_UsesEarlierSamplesOnlyIfItIsSmooth(double second, int expected)
+        {
+            var detector = After(0, 0);
+            detector.Add(4, Interval, Interval, new SpeedChange(0.1, 0), wasSteady: true);
+            detector.Add(5, Interval, Interval, new SpeedChange(second, 0.1), wasSteady: true);
+
+            Assert.That(detector.SamplesSince, Is.EqualTo(expected));
+        }
+
+        [TestCase(false, 6)]
+        [TestCase(true, 1)]
+        public void Add_StopAsFastAsAnEarlierStart_IsAChangePointOnlyAfterAConstantVelocity(bool wasSteady, int expected)
+        {
+            var detector = After(0, 1, 1, 1);
+            detector.Add(6, Interval, Interval, new SpeedChange(0, 1), wasSteady);
+
+            Assert.That(detector.SamplesSince, Is.EqualTo(expected));
+        }
     }
 }
