@@ -8,7 +8,7 @@ import { Silence } from '../samples/silence';
 import { OF_LONG_AGO, type Refusal, StampRule } from '../samples/stampRule';
 import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
 import { ComponentTrack } from './component';
-import { MAX_TRANSFORMS, type Pose, TF, TF_STATIC, transform } from './messages';
+import { MAX_TRANSFORMS, type Pose, TF, TF_STATIC, tooFar, transform } from './messages';
 import { IDENTITY, ofAngles, ofVector, type Quaternion, unit } from './rotation';
 import { refusalMessages } from '../messages/values';
 
@@ -264,7 +264,10 @@ function poseOf(
     return { reason: 'parent', text: refusalMessages.parent(choice, parents.length - 1) };
   const turned = turnOf(rotation, parts);
   if (turned === null) return { reason: 'not-unit', text: refusalMessages.quaternion(Math.hypot(...parts)) };
-  return { frame, parent: parents[choice], position: place.map(value => value * scale), rotation: turned };
+  const metres = place.map(value => value * scale);
+  const far = tooFar(metres);
+  if (far !== null) return { reason: 'too-far', text: refusalMessages.tooFar(far.axis, far.metres) };
+  return { frame, parent: parents[choice], position: metres, rotation: turned };
 }
 
 function turnOf(rotation: Frame['rotation'], parts: number[]): Quaternion | null {

@@ -1,6 +1,7 @@
 import { type SilenceEntry, silenceMs } from './silenceEntry';
 import { ADDRESS, type Address, addressIn, type Value } from './values';
 import type { Path, YamlFile } from './yamlFile';
+import { tooFar } from '../cell/messages';
 import { configurationMessages, frameMessages } from '../messages/configuration';
 
 /** Name of the anchored frame of the cell, the root of all frames. */
@@ -88,7 +89,10 @@ export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], si
     };
     return [frame];
   });
-  frames.forEach((frame, i) => reportCycle(file, frames, frame, paths[i]));
+  frames.forEach((frame, i) => {
+    reportDistance(file, frame, paths[i]);
+    if (frame.frame !== WORLD) reportCycle(file, frames, frame, paths[i]);
+  });
   return frames;
 }
 
@@ -148,8 +152,18 @@ function reportQuaternion(file: YamlFile, { frame, quaternion }: FrameEntry, pat
     file.report(path, frameMessages.constantQuaternion(parts, frame, norm, 1 - MAX_NORM_ERROR, 1 + MAX_NORM_ERROR));
 }
 
+/** Reports constant coordinates that are too large. Other coordinates are checked when they arrive. */
+function reportDistance(file: YamlFile, { position, scale }: Frame, path: Path): void {
+  position.forEach((part, i) => {
+    if ('constant' in part && tooFar([part.constant * scale]) !== null)
+      file.report([...path, 'position', 'xyz'[i]], frameMessages.tooFar(part.constant, part.constant * scale));
+  });
+}
+
 /** Reports a frame that is its own ancestor. Each frame of a cycle is reported. The gateway checks frames whose parent changes. */
 function reportCycle(file: YamlFile, frames: Frame[], { frame, parents: [parent, ...others] }: Frame, path: Path): void {
+  const own = others.indexOf(frame);
+  if (own >= 0) return file.report([...path, 'parent', 'of', own + 1], frameMessages.cycle(frame, [frame, frame], WORLD));
   const chain = [frame];
   for (let next: string | undefined = parent; next !== undefined && chain.length <= frames.length;) {
     chain.push(next);

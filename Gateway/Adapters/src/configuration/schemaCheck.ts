@@ -57,6 +57,9 @@ function inWords(error: ErrorObject, root: unknown): { path: Path; text: string 
       const guess = typeof error.data === 'string' ? nearest(error.data, allowed)[0] : undefined;
       return { path: at, text: configurationMessages.notAllowed(error.data, guess, allowed) };
     }
+    case 'maxItems':
+    case 'maxProperties':
+      return { path: at, text: configurationMessages.tooMany(Object.keys(error.data as object).length, error.params.limit as number) };
     default:
       return { path: at, text: `value ${shown(error.data)}; ${parent.description ? `allowed: ${parent.description}` : error.message}` };
   }

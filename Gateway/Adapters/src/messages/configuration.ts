@@ -8,6 +8,7 @@ export const configurationMessages = {
   address: (value: unknown) => wrongValue(value, 'allowed: SCHEME://HOST:PORT with a port from 1 to 65535'),
   noKind: (allowed: string[]) => `missing; add a section plant with an entry kind; allowed kinds: ${allowed.join(', ')}`,
   misspelt: (meant: string) => `unknown entry; did you mean ${meant}?`,
+  tooMany: (count: number, most: number) => `${count} entries; allowed: at most ${most}`,
   /** @param guess The entry that was probably meant; undefined if there is none. */
   unknownEntry: (guess: string | undefined, allowed: readonly string[]) => `unknown entry; ${question(guess)}allowed: ${allowed.join(', ')}`,
   notAllowed: (value: unknown, guess: string | undefined, allowed: readonly string[]) =>
@@ -41,6 +42,7 @@ export const frameMessages = {
         + `allowed: ${minNorm} to ${maxNorm}; divide its components by the norm`,
     ),
   noAddress: (entry: string) => `missing; add the ${entry} of the variable that contains this number`,
+  tooFar: (value: number, metres: number) => wrongValue(value, `this is ${metres} m; allowed: -1000000 to 1000000 m`),
   /** @param chain Names of the frames in the cycle: the frame, its parent, and so on, with the frame again at the end. */
   cycle: (value: unknown, chain: string[], world: string) =>
     wrongValue(

@@ -14,6 +14,7 @@ export const refusalMessages = {
   notPosition: (text: string) => `value ${text} is not a finite number`,
   scaledNotPosition: (number: number, scale: number) => `value ${number} multiplied by the scale ${scale} is not a finite number`,
   parent: (choice: number, last: number) => `the number ${choice} selects no parent; allowed: a whole number from 0 to ${last}`,
+  tooFar: (axis: string, metres: number) => `the coordinate ${axis} is ${metres} m; allowed: -1000000 to 1000000 m`,
   quaternion: (length: number) => `the quaternion has the length ${length.toFixed(3)}; allowed: 0.99 to 1.01`,
 };
 

@@ -1,4 +1,4 @@
-import { type Pose, TF, TF_STATIC, transform } from '../cell/messages';
+import { type Pose, TF, TF_STATIC, tooFar, transform } from '../cell/messages';
 import { unit } from '../cell/rotation';
 import type { PlantClock } from '../clock/plantClock';
 import { WORLD } from '../configuration/frames';
@@ -8,6 +8,7 @@ import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
 import { malformedMessages } from '../messages/broker';
 import { rosMessages } from '../messages/ros';
+import { refusalMessages } from '../messages/values';
 
 /** A frame of the cell and its name in ROS. */
 export interface RosFrame {
@@ -124,6 +125,11 @@ export class RosFrames {
     const quaternion = turn === null ? null : unit(turn);
     if (position === null || quaternion === null || parent === '') {
       this.status.refuse('malformed', frame, malformedMessages.transform(topic ?? source), this.status.frames);
+      return [];
+    }
+    const far = tooFar(position);
+    if (far !== null) {
+      this.status.refuse('too-far', frame, refusalMessages.tooFar(far.axis, far.metres), this.status.frames);
       return [];
     }
     return [{ index, pose: { frame, parent: this.#parentOf(parent), position, rotation: quaternion }, stamp: ofRosTime(header?.stamp) }];

@@ -99,6 +99,9 @@ describe('configuration of frames, signals and robots', () => {
   for (const [name, text, from, to, expected] of [
     ['FrameTwice', OPCUA, 'frame: part', 'frame: table', `line 13: frames[1].frame: ${configurationMessages.nameTwice('table', 11, 'frame')}`],
     ['FrameNamedWorld', OPCUA, 'frame: table', 'frame: world', `line 11: frames[0].frame: ${frameMessages.world('world')}`],
+    ['OwnParentToSelect', OPCUA, 'parent: table', 'parent: { of: [table, part], node: i=9 }', `line 14: frames[1].parent.of[1]: ${frameMessages.cycle('part', ['part', 'part'], 'world')}`],
+    ['TooFarAway', OPCUA, 'x: 1000,', 'x: 2e9,', `line 12: frames[0].position.x: ${frameMessages.tooFar(2e9, 2e6)}`],
+    ['TooManyRobots', OPCUA, '  arm2: ur5e\n', Array.from({ length: 17 }, (_, i) => `  r${i}: ur5e\n`).join(''), `line 4: robots: ${configurationMessages.tooMany(18, 16)}`],
     ['OwnParent', OPCUA, 'parent: table', 'parent: part', `line 14: frames[1].parent: ${frameMessages.cycle('part', ['part', 'part'], 'world')}`],
     ['CycleOfFrames', OPCUA, '  - frame: table\n', '  - frame: table\n    parent: part\n', `line 12: frames[0].parent: ${frameMessages.cycle('part', ['table', 'part', 'table'], 'world')}`],
     ['OnlyOneParentToSelectFrom', OPCUA, 'parent: table', 'parent: { of: [table], node: i=9 }', 'line 14: frames[1].parent.of: value ["table"]; '],

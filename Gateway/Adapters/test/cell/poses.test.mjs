@@ -41,6 +41,19 @@ describe('poses', () => {
     assert.ok(Math.abs(poses()[2].rotation[2] - 1) < 1e-15);
   });
 
+  // The gateway would drop the whole message, and with it the poses of other frames.
+  it('Pose_CoordinateTooLarge_IsRefusedAlone', () => {
+    const other = { ...part, frame: 'other', position: [constant(0), constant(0), constant(0)] };
+    const { take, poses, stateOf, time } = cell({ frames: [part, other], values: VALUES });
+    take({ 0: 1000, 1: 90 });
+
+    time.ms = 10;
+    take({ 0: 1.1e9, 1: 91 });
+
+    assert.deepEqual(poses().map(({ frame, ms }) => [frame, ms]), [['part', 0], ['other', 0], ['other', 10]]);
+    assert.deepEqual([stateOf('frame/part'), stateOf('frame/other')], ['refused', 'live']);
+  });
+
   it('Pose_SomeValuesMissing_IsNotPublished', () => {
     const { take, poses, stateOf } = one();
 
