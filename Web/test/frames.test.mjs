@@ -24,6 +24,17 @@ describe('frames', () => {
     assert.deepEqual(drawn(frames), [1.5]);
   });
 
+  it('are shown by the camera unless they are far from the cell', () => {
+    const frames = new Frames();
+    for (const [child, x] of [['near', 2], ['far', 99999]]) frames.take(message(child, 'world', 10, x), false);
+    frames.pose(10, none);
+    const shown = [];
+
+    frames.addTo({ expandByObject: axes => shown.push(axes.position.x) });
+
+    assert.deepEqual(shown, [2]);
+  });
+
   it('move with their parents', () => {
     const frames = new Frames();
     frames.take(message('table', 'world', 0, 1, Math.PI), true);

@@ -14,6 +14,9 @@ const MAX_AGE = 1;
 /** Number of samples stored per frame. At 100 samples per second, they cover more than the delay of the display. */
 const KEEP = 100;
 
+/** Maximum distance from the world's origin of a frame that the camera includes, m: a frame at a wrong position must not hide the cell. */
+const MAX_DISTANCE = 100;
+
 const ONE = new Vector3(1, 1, 1);
 
 interface Sample {
@@ -70,7 +73,7 @@ export class Frames {
   }
 
   addTo(box: Box3): void {
-    for (const { axes } of this.frames.values()) if (axes.visible) box.expandByObject(axes);
+    for (const { axes } of this.frames.values()) if (axes.visible && axes.position.length() <= MAX_DISTANCE) box.expandByObject(axes);
   }
 
   private add({ header, child_frame_id, transform }: Transform, isStationary: boolean): void {
