@@ -178,6 +178,37 @@ public class PlayedSignalTests : PlayedParts
     }
 
     [Test]
+    public void Signal_ListenerThrows_OtherComponentsReceiveTheChange()
+    {
+        var first = Below<CellSignal>("first", _session.transform).With("_signal", "jaw");
+        var second = Below<CellSignal>("second", _session.transform).With("_signal", "jaw");
+        first.Changed += _ => throw new InvalidOperationException("a mistake of the user");
+        var received = new List<double>();
+        second.Changed += received.Add;
+        Run(1);
+        SendSignal("jaw", _cell.Now - 1, 1);
+
+        Run(0.3);
+
+        Assert.That(received, Is.EqualTo(new[] { 1.0 }));
+        Assert.That(_cell.Player.Logs.Count(log => log.Type == LogType.Exception), Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Signal_ListenerEndsTheSession_NoFrameRemains()
+    {
+        var signal = Below<CellSignal>("jaw", _session.transform);
+        signal.Changed += _ => _session.enabled = false;
+        Run(1);
+        SendSignal("jaw", _cell.Now - 1, 1);
+
+        _cell.Run(0.3, _session);
+
+        Assert.That((_session.Session, _session.Frame), Is.EqualTo(((CompensationSession)null, (DisplayFrame)null)));
+        Assert.That(_cell.Player.Logs.Where(log => log.Type == LogType.Exception), Is.Empty);
+    }
+
+    [Test]
     public void Signal_NoGateway_FaultNamesTheMissingGateway()
     {
         var signal = Below<CellSignal>("gripper", _session.transform);

@@ -302,7 +302,10 @@ namespace Nowpose.Unity
         DisplayFrame Show(bool isLast)
         {
             if (Session == null) return null;
-            var frame = Session.Tick(_clock.Now, isLast);
+            var session = Session;
+            var frame = session.Tick(_clock.Now, isLast);
+            // A listener of a signal may have ended the session.
+            if (Session != session) return null;
             _statistics.Expire();
             if (Robot == null) return frame;
             Frame = frame;

@@ -89,7 +89,15 @@ namespace Nowpose.Unity.Cell
         {
             if (signal.Name != _name) return;
             Track = signal;
-            _changed(signal);
+            try
+            {
+                _changed(signal);
+            }
+            catch (Exception fault)
+            {
+                // A listener of one component must not keep the change from the others, which would show an old state as current.
+                Debug.LogException(fault, _source);
+            }
         }
 
         void Restart(SignalTrack signal)

@@ -24,6 +24,8 @@ namespace Nowpose.Session.Cell
         // The receiving thread replaces the whole dictionary, so readers need no lock.
         volatile Dictionary<string, string> _ended = new Dictionary<string, string>(StringComparer.Ordinal);
 
+        bool _isTimeKnown = true;
+
         public SessionSignals(Subscriptions subscriptions, DropCounters drops)
         {
             _subscriptions = subscriptions;
@@ -75,12 +77,14 @@ namespace Nowpose.Session.Cell
             if (!isConnected) return "no connection";
             if (_ended.TryGetValue(signal, out var reason)) return reason;
             var index = Table.IndexOf(signal);
-            return index < 0 || !Table[index].IsKnown ? "no value received" : null;
+            if (index < 0 || !Table[index].IsKnown) return "no value received";
+            return _isTimeKnown ? null : "clock unsynchronised";
         }
 
         /// <summary>Processes the queued messages, and shows each change whose stamp the display time has reached.</summary>
         public void Show(in DisplayMoment moment)
         {
+            _isTimeKnown = moment.IsTrusted;
             if (!(moment.DisplayTime is ControlTime displayTime)) return;
             _overflow.Take(_kept);
             foreach (var kept in _kept) Take(kept, moment.Clock);

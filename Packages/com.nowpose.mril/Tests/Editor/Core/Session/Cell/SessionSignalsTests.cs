@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
+using Nowpose.Session;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session.Cell
@@ -109,6 +110,10 @@ namespace Nowpose.Tests.Core.Session.Cell
             cell.Run(0.1);
             Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
             Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: false), Is.EqualTo("no connection"));
+            cell.Session.Signals.Show(new DisplayMoment());
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo("clock unsynchronised"));
+            cell.Run(0.2);
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
 
             cell.Session.Listener.SignalStatusReceived(
                 new JointStatusMessage(new[] { new JointReport("grip", JointDataState.Stale, default, "its source has ended") }), default);
