@@ -9,7 +9,7 @@ namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
 public class JointFaultReasonsTests
 {
     // Words of the adapters that never belong to a joint: for a frame, and for the variable with the control system's time.
-    static readonly string[] OfOtherObjects = ["parent", "not-unit", "time-type"];
+    static readonly string[] OfOtherObjects = ["parent", "not-unit", "too-far", "time-type"];
 
     // In the adapters' source, these words are composed.
     static readonly string[] Composed = ["status-bad", "status-uncertain"];
