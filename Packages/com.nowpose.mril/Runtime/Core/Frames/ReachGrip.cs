@@ -120,6 +120,7 @@ namespace Nowpose.Frames
             {
                 var index = _tree.IndexOf(name);
                 if (handOrigin == PoseOrigin.None || index < 0 || _tree.IsCarried(index) || _tree.IsBelow(_tree.IndexOf(_robot), index)) continue;
+                if (IsTakenLater(_tree[index].Reach)) continue;
                 var pose = hand.Inverse * _tree.PoseAt(index, index == _held ? _before : _tree[index].Reach, _since, out var origin);
                 isMeasured &= origin == PoseOrigin.Measured;
                 if (origin == PoseOrigin.None || DistanceOf(pose) > _reach) continue;
@@ -132,6 +133,10 @@ namespace Nowpose.Frames
             else if (_isFinal && IsMine) Put(new ReachPlace(this, _linkName, inHand, _since, isReleased: false));
             _inHand = inHand;
         }
+
+        // The gripper that closed or opened last determines the place, in whichever order the messages arrive. At equal times, the name decides.
+        bool IsTakenLater(ReachPlace place) => place != null && place.Gripper != this
+            && (place.Since > _since || place.Since == _since && string.CompareOrdinal(place.Gripper._linkName, _linkName) < 0);
 
         void Take(int index, in RigidTransform inHand)
         {

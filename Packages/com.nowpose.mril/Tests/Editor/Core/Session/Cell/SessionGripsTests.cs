@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
@@ -234,6 +235,32 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(first.Held, Is.Null);
             Assert.That(second.Held, Is.EqualTo("box"));
             Assert.That(Distance(Find(cell, "box").World, Tool(Shoulder(taken))), Is.LessThan(1e-6));
+        }
+
+        // All headsets must show the object in the same gripper, although the messages arrive in another order.
+        [TestCase(0, 0.1)]
+        [TestCase(0.1, 0)]
+        [TestCase(0.1, 0.1)]
+        public void Close_TwoGrippers_TheOneThatClosedLastHoldsTheObject(double firstDelay, double secondDelay)
+        {
+            var (cell, first) = NewCell("box");
+            var robot = cell.Session.Robots[0];
+            var second = new ReachGrip(cell.Session.Frames.Tree, robot, robot.Robot.IndexOfLink("base"), 2, new[] { "box" });
+            cell.Session.Grips.Add(second, "other");
+            cell.Send("world", "box", 20, At(1, 0), isStationary: true);
+            cell.Sampling = t => cell.SendJoints(t, 0, 0);
+            cell.Send("grip", 19, 0);
+            cell.Send("other", 19, 0);
+            Until(cell, Close + 0.1);
+
+            foreach (var (delay, signal, stamp) in new[] { (firstDelay, "grip", Close), (secondDelay, "other", Close + 0.05) }.OrderBy(one => one.Item1))
+            {
+                Until(cell, Close + 0.1 + delay);
+                cell.Send(signal, stamp, 1);
+            }
+            Until(cell, Close + 2);
+
+            Assert.That((first.Held, second.Held), Is.EqualTo(((string)null, "box")));
         }
 
         [Test]
