@@ -172,7 +172,7 @@ namespace Nowpose.Frames
             _newestTime = _lineUntil = double.NegativeInfinity;
             _intervalBefore = _steadySamples = 0;
             _speed = _newest = default;
-            _hasChanged = false;
+            _hasChanged = _wasSteady = false;
         }
 
         void Learn(BodySamples samples, in Vector3D vector)
