@@ -16,34 +16,30 @@ sealed class CellFrames(RobotLinks links)
 
     public LatchedMessages Stationary { get; } = new(Only);
 
-    /// <summary>Returns a refusal if the message contains a frame of another source; null otherwise.</summary>
-    public Refusal? FindTaken(HubSource source, TransformsMessage message)
-    {
-        for (var i = 0; i < message.Count; i++)
-        {
-            var child = message[i].Child;
-            if (_frames.TryGetValue(child, out var frame) && frame.Owner != null && frame.Owner != source)
-                return new Refusal(DropReason.FrameTaken, $"frame {child}", frame.Owner);
-        }
+    /// <summary>Returns the source that owns a frame, if it is another one; null otherwise.</summary>
+    public HubSource OtherOwner(HubSource source, string child) =>
+        _frames.TryGetValue(child, out var frame) && frame.Owner != source ? frame.Owner : null;
 
-        return null;
-    }
-
-    /// <summary>Adds or updates the frames of a message. Leaves out transforms that would break a limit of the cell.</summary>
+    /// <summary>
+    /// Adds or updates the frames of a message. Leaves out frames of other sources, and transforms that would break a limit of the cell.
+    /// </summary>
     /// <returns>The message itself if all its transforms were accepted; otherwise a message with the accepted ones, which may be empty.</returns>
     public TransformsMessage Accept(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut)
     {
         TransformsMessage accepted = null;
         for (var i = 0; i < message.Count; i++)
         {
-            var reason = Accept(source, message[i], isStationary);
+            var child = message[i].Child;
+            var owner = OtherOwner(source, child);
+            var reason = owner == null ? Accept(source, message[i], isStationary) : DropReason.FrameTaken;
             if (reason == DropReason.None)
             {
                 accepted?.Add(message[i]);
                 continue;
             }
 
-            leftOut.Add(new LeftOut(reason, CellMessageFaults.Frame(message[i].Child, message[i].Parent)));
+            leftOut.Add(owner == null ? LimitBroken(reason, child, message[i].Parent)
+                : new LeftOut(reason, child, CellMessageFaults.Of($"frame {child}", reason), owner));
             accepted ??= MessageParts.Part(message, index => index < i);
         }
 
@@ -61,6 +57,19 @@ sealed class CellFrames(RobotLinks links)
             if (!frame.IsStationary) Remove(child);
         }
     }
+
+    /// <summary>Removes the frames that form a cycle through a robot, because the robot was described after them.</summary>
+    /// <returns>The sources of the removed frames, and the faults; no source for a frame whose source has ended.</returns>
+    public IReadOnlyList<(HubSource Source, LeftOut Frame)> RemoveCycles()
+    {
+        var inCycle = _frames.Where(one => _parents.IsInCycle(one.Key))
+            .Select(one => (one.Value.Owner, LimitBroken(DropReason.FrameCycle, one.Key, _parents[one.Key]))).ToArray();
+        foreach (var (_, frame) in inCycle) Remove(frame.Name);
+        return inCycle;
+    }
+
+    static LeftOut LimitBroken(DropReason reason, string child, string parent) =>
+        new(reason, child, CellMessageFaults.Of(CellMessageFaults.Frame(child, parent), reason));
 
     DropReason Accept(HubSource source, in FrameTransform transform, bool isStationary)
     {

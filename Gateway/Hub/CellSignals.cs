@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -10,16 +11,10 @@ sealed class CellSignals
 
     public LatchedMessages Newest { get; } = new(Only);
 
-    /// <summary>Returns a refusal if the message contains a signal of another source; null otherwise.</summary>
-    public Refusal? FindTaken(HubSource source, SignalsMessage message)
-    {
-        for (var i = 0; i < message.Count; i++)
-            if (_owners.TryGetValue(message[i].Name, out var owner) && owner != source)
-                return new Refusal(DropReason.SignalTaken, $"signal {message[i].Name}", owner);
-        return null;
-    }
+    /// <summary>Returns the source that owns a signal, if it is another one; null otherwise.</summary>
+    public HubSource OtherOwner(HubSource source, string signal) => _owners.TryGetValue(signal, out var owner) && owner != source ? owner : null;
 
-    /// <summary>Adds the signals of a message up to the maximum number of signals, and leaves out the others.</summary>
+    /// <summary>Adds the signals of a message up to the maximum number of signals. Leaves out the others, and signals of other sources.</summary>
     /// <returns>The message itself if all its signals were accepted; otherwise a message with the accepted ones, which may be empty.</returns>
     /// <param name="began">Called with the signals that had no source before, unless there are none.</param>
     public SignalsMessage Accept(HubSource source, SignalsMessage message, List<LeftOut> leftOut, Action<IReadOnlyCollection<string>> began)
@@ -29,14 +24,16 @@ sealed class CellSignals
         for (var i = 0; i < message.Count; i++)
         {
             var name = message[i].Name;
-            if (_owners.ContainsKey(name) || _owners.Count < ProtocolLimits.Signals)
+            var owner = OtherOwner(source, name);
+            if (owner == null && (_owners.ContainsKey(name) || _owners.Count < ProtocolLimits.Signals))
             {
                 if (_owners.TryAdd(name, source)) (added ??= []).Add(name);
                 accepted?.Add(message[i]);
                 continue;
             }
 
-            leftOut.Add(new LeftOut(DropReason.TooManySignals, $"signal {name}"));
+            var reason = owner == null ? DropReason.TooManySignals : DropReason.SignalTaken;
+            leftOut.Add(new LeftOut(reason, name, CellMessageFaults.Of($"signal {name}", reason), owner));
             accepted ??= MessageParts.Part(message, index => index < i);
         }
 

@@ -79,19 +79,23 @@ public sealed class HubSource : IDisposable
     }
 
     /// <summary>
-    /// Publishes poses of frames, unless a child frame belongs to another source. Poses of stationary frames are kept for later subscribers.
+    /// Publishes poses of frames. Poses of stationary frames are kept for later subscribers.
     /// </summary>
     /// <param name="message">The message, which must not change afterwards.</param>
-    /// <param name="leftOut">Receives the transforms that were not published, because they break a limit of the cell.</param>
-    /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
-    internal Refusal? Publish(TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long? receivedAt = null) =>
+    /// <param name="leftOut">
+    /// Receives the transforms that were not published, because the frame belongs to another source or the transform breaks a limit of the cell.
+    /// </param>
+    /// <returns>Whether at least one transform was published.</returns>
+    /// <inheritdoc cref="TryPublish(JointStateMessage, long?)" path="/param[@name='receivedAt']"/>
+    internal bool Publish(TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long? receivedAt = null) =>
         _hub.Publish(this, message, isStationary, leftOut, receivedAt ?? Stopwatch.GetTimestamp());
 
-    /// <summary>Publishes signals and keeps them for later subscribers, unless one of them belongs to another source.</summary>
+    /// <summary>Publishes signals and keeps them for later subscribers.</summary>
     /// <param name="message">The message, which must not change afterwards.</param>
-    /// <param name="leftOut">Receives the signals that were not published, because the cell has too many.</param>
-    /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
-    internal Refusal? Publish(SignalsMessage message, List<LeftOut> leftOut, long? receivedAt = null) =>
+    /// <param name="leftOut">Receives the signals that were not published, because they belong to another source or the cell has too many.</param>
+    /// <returns>Whether at least one signal was published.</returns>
+    /// <inheritdoc cref="TryPublish(JointStateMessage, long?)" path="/param[@name='receivedAt']"/>
+    internal bool Publish(SignalsMessage message, List<LeftOut> leftOut, long? receivedAt = null) =>
         _hub.Publish(this, message, leftOut, receivedAt ?? Stopwatch.GetTimestamp());
 
     /// <summary>Marks a robot's topic as used by this source. The namespace counts as used until the topic is released.</summary>
@@ -115,17 +119,19 @@ public sealed class HubSource : IDisposable
     /// <summary>Whether none of these joints of a robot belongs to another source.</summary>
     internal bool MayPublish(string robot, string[] names) => _hub.IsFree(this, robot, names);
 
-    /// <summary>Whether none of the frames belongs to another source.</summary>
-    internal bool MayPublish(TransformsMessage message) => _hub.IsFree(this, message);
-
-    /// <summary>Whether none of the signals belongs to another source.</summary>
-    internal bool MayPublish(SignalsMessage message) => _hub.IsFree(this, message);
+    /// <summary>Whether a frame or signal does not belong to another source.</summary>
+    /// <param name="kind"><see cref="CellKinds.Frame"/> or <see cref="CellKinds.Signal"/>.</param>
+    internal bool MayPublishPart(string kind, string name) => _hub.OtherOwner(this, kind, name) == null;
 
     /// <summary>Reports a sample that was dropped because of its content.</summary>
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     /// <param name="names">The joints named in the sample, as far as they can be read.</param>
     internal void ReportDropped(string robot, string[] names, string reason, DropReason code) =>
         _hub.ReportDropped(this, robot, names, reason, code);
+
+    /// <summary>Reports a frame or a signal that was left out of a message.</summary>
+    /// <param name="topic">Topic of the message.</param>
+    internal void ReportDropped(string topic, LeftOut part) => _hub.ReportDropped(this, topic, part);
 
     /// <summary>Reports that the source ends normally. Its joints are then removed from the status after a period without samples.</summary>
     internal void Leave() => _hub.ReportLeft(this);

@@ -1,4 +1,3 @@
-using System.Collections.Immutable;
 using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -10,8 +9,7 @@ public sealed class MessageHub
 {
     readonly Lock _lock = new();
     readonly Dictionary<(string Topic, string Name), HubSource> _owners = [];
-    ImmutableDictionary<string, ImmutableArray<Action<HubMessage>>> _subscribers =
-        ImmutableDictionary<string, ImmutableArray<Action<HubMessage>>>.Empty;
+    readonly Subscribers _subscribers = new();
     readonly Dictionary<(HubSource Source, string Topic), HubMessage> _newest = [];
     // Keyed by topic, including the robot's namespace.
     readonly Dictionary<string, HubMessage> _descriptions = [];
@@ -20,10 +18,14 @@ public sealed class MessageHub
     readonly CellSignals _signals = new();
     long _sequence;
 
-    public MessageHub() => _frames = new CellFrames(Links);
+    public MessageHub()
+    {
+        Links = new RobotLinks(RemoveCycles);
+        _frames = new CellFrames(Links);
+    }
 
     /// <summary>Number of topics with at least one subscriber.</summary>
-    internal int Topics => Volatile.Read(ref _subscribers).Count;
+    internal int Topics => _subscribers.Topics;
 
     /// <summary>The namespaces of the robots that have one.</summary>
     internal IReadOnlyList<string> Robots
@@ -35,13 +37,21 @@ public sealed class MessageHub
     }
 
     /// <summary>The links of the described robots.</summary>
-    internal RobotLinks Links { get; } = new();
+    internal RobotLinks Links { get; }
 
     /// <summary>Times from the receipt of a joint state until it is written to a subscriber's socket.</summary>
     public ForwardingTimes Forwarding { get; } = new();
 
-    /// <summary>Raised when a sample is refused, with its source, the joint, and the joint's owner. Called under the hub's lock.</summary>
-    internal event Action<HubSource, string, HubSource> JointRefused;
+    /// <summary>
+    /// Raised when a joint, frame or signal of a source is refused because another source owns it, with the source, the kind, the name and the owner.
+    /// Called under the hub's lock.
+    /// </summary>
+    internal event Action<HubSource, string, string, HubSource> Refused;
+
+    /// <summary>
+    /// Raised when a frame or signal is left out of a message for another reason than its owner, with its source and topic. Called under the hub's lock.
+    /// </summary>
+    internal event Action<HubSource, string, LeftOut> PartDropped;
 
     /// <summary>
     /// Raised when a sample is dropped because of its content, with its source, its joints and the reason as a sentence and as a code. Not raised
@@ -108,17 +118,13 @@ public sealed class MessageHub
     /// <summary>Subscribes to a topic without its kept messages. The caller can get latched messages from <see cref="ReadLatched"/>.</summary>
     internal IDisposable SubscribeToNew(string topic, Action<HubMessage> receive)
     {
-        lock (_lock)
-        {
-            var present = _subscribers.GetValueOrDefault(topic, []);
-            _subscribers = _subscribers.SetItem(topic, present.Add(receive));
-            return new Subscriber(this, topic, receive);
-        }
+        // Under the lock, so that a message kept in the meantime is received exactly once.
+        lock (_lock) return _subscribers.Add(topic, receive);
     }
 
     /// <summary>Subscribes to one topic of all robots that have a namespace. Kept messages are not passed.</summary>
     /// <param name="kind">/joint_states, /joint_trajectory or /robot_description.</param>
-    internal IDisposable SubscribeToRobots(string kind, Action<HubMessage> receive) => SubscribeToNew(OfAllRobots(kind), receive);
+    internal IDisposable SubscribeToRobots(string kind, Action<HubMessage> receive) => SubscribeToNew(Subscribers.OfAllRobots(kind), receive);
 
     /// <summary>Whether a topic is latched per name: <see cref="ReadLatched"/> returns the newest value of each frame or signal.</summary>
     internal static bool IsLatched(string topic) => topic is RosTopics.TfStatic or RosTopics.Signals;
@@ -132,46 +138,40 @@ public sealed class MessageHub
         lock (_lock) return (topic == RosTopics.Signals ? _signals.Newest : _frames.Stationary).Since(since());
     }
 
-    internal void Publish(HubMessage message)
-    {
-        var subscribers = Volatile.Read(ref _subscribers);
-        foreach (var receive in subscribers.GetValueOrDefault(message.Topic, [])) receive(message);
-        if (message.Robot.Length == 0) return;
-        foreach (var receive in subscribers.GetValueOrDefault(OfAllRobots(message.Kind), [])) receive(message);
-    }
+    internal void Publish(HubMessage message) => _subscribers.Publish(message);
 
-    internal Refusal? Publish(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
+    internal bool Publish(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
     {
         var topic = isStationary ? RosTopics.TfStatic : RosTopics.Tf;
         // Under the lock for the same reason as PublishDescription, and so that no pose of a frame is published after its release.
         lock (_lock)
         {
-            if (_frames.FindTaken(source, message) is { } taken) return taken;
-            foreach (var part in MessageParts.Of(_frames.Accept(source, message, isStationary, leftOut)))
+            var accepted = _frames.Accept(source, message, isStationary, leftOut);
+            foreach (var part in MessageParts.Of(accepted))
             {
                 var published = HubMessage.Of(topic, part, receivedAt, source).With(++_sequence);
                 for (var i = 0; isStationary && i < part.Count; i++) _frames.Stationary.Set(part[i].Child, published);
                 Publish(published);
             }
-        }
 
-        return null;
+            return accepted.Count > 0;
+        }
     }
 
-    internal Refusal? Publish(HubSource source, SignalsMessage message, List<LeftOut> leftOut, long receivedAt)
+    internal bool Publish(HubSource source, SignalsMessage message, List<LeftOut> leftOut, long receivedAt)
     {
         lock (_lock)
         {
-            if (_signals.FindTaken(source, message) is { } taken) return taken;
-            foreach (var part in MessageParts.Of(_signals.Accept(source, message, leftOut, SignalsBegan)))
+            var accepted = _signals.Accept(source, message, leftOut, SignalsBegan);
+            foreach (var part in MessageParts.Of(accepted))
             {
                 var published = HubMessage.Of(part, receivedAt, source).With(++_sequence);
                 for (var i = 0; i < part.Count; i++) _signals.Newest.Set(part[i].Name, published);
                 Publish(published);
             }
-        }
 
-        return null;
+            return accepted.Count > 0;
+        }
     }
 
     internal void PublishDescription(HubMessage message)
@@ -225,7 +225,7 @@ public sealed class MessageHub
             if (FindTaken(source, topic, names) is { } taken)
             {
                 var owner = _owners[(topic, taken)];
-                if (kind == RosTopics.JointStates) JointRefused?.Invoke(source, RobotTopic.Qualified(robot, taken), owner);
+                if (kind == RosTopics.JointStates) Refused?.Invoke(source, CellKinds.Joint, RobotTopic.Qualified(robot, taken), owner);
                 return new Refusal(DropReason.JointTaken, taken, owner);
             }
 
@@ -241,14 +241,11 @@ public sealed class MessageHub
         lock (_lock) return FindTaken(source, RobotTopic.NameOf(robot, RosTopics.JointStates), names) == null;
     }
 
-    internal bool IsFree(HubSource source, TransformsMessage message)
+    /// <summary>Gets the other source that owns a frame or signal; null if there is none.</summary>
+    /// <param name="kind"><see cref="CellKinds.Frame"/> or <see cref="CellKinds.Signal"/>.</param>
+    internal HubSource OtherOwner(HubSource source, string kind, string name)
     {
-        lock (_lock) return _frames.FindTaken(source, message) == null;
-    }
-
-    internal bool IsFree(HubSource source, SignalsMessage message)
-    {
-        lock (_lock) return _signals.FindTaken(source, message) == null;
+        lock (_lock) return kind == CellKinds.Signal ? _signals.OtherOwner(source, name) : _frames.OtherOwner(source, name);
     }
 
     internal void ReportLeft(string name) => Left?.Invoke(name);
@@ -263,12 +260,22 @@ public sealed class MessageHub
             // The hub would have refused even a valid sample, so the fault does not concern the joints of the other source.
             if (FindTaken(source, topic, names) is { } taken)
             {
-                JointRefused?.Invoke(source, RobotTopic.Qualified(robot, taken), _owners[(topic, taken)]);
+                Refused?.Invoke(source, CellKinds.Joint, RobotTopic.Qualified(robot, taken), _owners[(topic, taken)]);
                 return;
             }
         }
 
         SampleDropped?.Invoke(source, HubSource.InCell(robot, names), reason, code);
+    }
+
+    internal void ReportDropped(HubSource source, string topic, LeftOut part)
+    {
+        lock (_lock)
+        {
+            var kind = CellKinds.Of(topic);
+            if ((part.Owner ?? OtherOwner(source, kind, part.Name)) is { } owner) Refused?.Invoke(source, kind, part.Name, owner);
+            else PartDropped?.Invoke(source, topic, part);
+        }
     }
 
     internal void Release(HubSource source, string topic)
@@ -286,11 +293,16 @@ public sealed class MessageHub
         }
     }
 
+    void RemoveCycles()
+    {
+        lock (_lock)
+            foreach (var (source, frame) in _frames.RemoveCycles())
+                if (source != null) PartDropped?.Invoke(source, RosTopics.Tf, frame);
+    }
+
     // Returns the first name that belongs to another source; null if there is none. Called under the lock.
     string FindTaken(HubSource source, string topic, string[] names) =>
         Array.Find(names, name => _owners.TryGetValue((topic, name), out var owner) && owner != source);
-
-    static string OfAllRobots(string kind) => "/*" + kind;
 
     // Called under the lock.
     IEnumerable<HubMessage> Kept(string topic)
@@ -298,20 +310,5 @@ public sealed class MessageHub
         if (IsLatched(topic)) return ReadLatched(topic, () => 0);
         return _descriptions.TryGetValue(topic, out var description)
             ? [description] : [.. _newest.Values.Where(message => message.Topic == topic)];
-    }
-
-    void Unsubscribe(string topic, Action<HubMessage> receive)
-    {
-        lock (_lock)
-        {
-            var left = _subscribers.GetValueOrDefault(topic, []).Remove(receive);
-            // Removes a topic without subscribers, because a client may subscribe to any number of topics, one after the other.
-            _subscribers = left.IsEmpty ? _subscribers.Remove(topic) : _subscribers.SetItem(topic, left);
-        }
-    }
-
-    sealed class Subscriber(MessageHub hub, string topic, Action<HubMessage> receive) : IDisposable
-    {
-        public void Dispose() => hub.Unsubscribe(topic, receive);
     }
 }

@@ -7,6 +7,10 @@ namespace Nowpose.Gateway.Hub;
 /// <param name="Owner">The source that owns the joint, frame or signal; null if the reason is not another source.</param>
 readonly record struct Refusal(DropReason Reason, string What, HubSource Owner = null);
 
-/// <summary>A transform or a signal that the hub left out of a published message, because it breaks a limit of the cell.</summary>
-/// <param name="What">The frame with its parent, or the signal.</param>
-readonly record struct LeftOut(DropReason Reason, string What);
+/// <summary>
+/// A transform or a signal that was left out of a published message: its content is invalid, it breaks a limit of the cell, or it belongs to another source.
+/// </summary>
+/// <param name="Name">The frame or the signal; empty if its name cannot be read.</param>
+/// <param name="Fault">The frame or signal and its fault as one clause.</param>
+/// <param name="Owner">The source that owns the frame or signal; null if the reason is not another source.</param>
+readonly record struct LeftOut(DropReason Reason, string Name, string Fault, HubSource Owner = null);

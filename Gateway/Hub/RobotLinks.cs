@@ -5,7 +5,8 @@ namespace Nowpose.Gateway.Hub;
 
 /// <summary>The links of all robots that have a description, by their cell-wide names. Thread-safe.</summary>
 /// <remarks>A description is parsed in the background, because parsing is slow. Its links are unknown until parsing has finished.</remarks>
-sealed class RobotLinks
+/// <param name="changed">Called after the links of a robot have become known or have changed.</param>
+sealed class RobotLinks(Action changed)
 {
     readonly Lock _lock = new();
     readonly Dictionary<string, DescribedRobot> _described = [];
@@ -55,5 +56,7 @@ sealed class RobotLinks
             if (model == null) _robots.Remove(robot);
             else _robots[robot] = ([.. model.Links.Select(link => RobotTopic.Qualified(robot, link.Name))], RobotTopic.Qualified(robot, model.Root.Name));
         }
+
+        changed();
     }
 }

@@ -1,3 +1,5 @@
+using Nowpose.Protocol;
+
 namespace Nowpose.Gateway.Messages;
 
 /// <summary>Descriptions of faults in messages about frames and signals. The name of the frame or signal precedes them.</summary>
@@ -5,11 +7,20 @@ static class CellMessageFaults
 {
     public static string Frame(string child, string parent) => $"frame {child} with parent {parent}";
 
+    /// <param name="what">The frame or signal.</param>
+    public static string Of(string what, DropReason reason) => $"{what} {DropMessages.Of(reason)}";
+
     public const string OwnParent = "is its own parent";
     public const string StampZero = "has a zero stamp";
 
-    public static string SignalTwice(string signal) => $"signal {signal} occurs twice";
-    public static string SignalValue(string signal, string value) => $"value of signal {signal} is {value}";
+    public const string NoName = "without a valid name";
+    public const string ChildTwice = "occurs twice as child_frame_id";
+    public const string Twice = "occurs twice";
+
+    public static string Has(string field, string value) => $"has the {field} {value}";
+
+    public static string TooFar(string field, string value, double limit) =>
+        FormattableString.Invariant($"has the {field} {value} m; allowed: {-limit:0} to {limit:0} m");
 
     public static string Norm(double norm, double tolerance) =>
         FormattableString.Invariant($"has a rotation with the norm {norm:0.#######}; it must be 1 within {tolerance}");

@@ -26,7 +26,7 @@ static class EventTexts
 
     public static string ClockState(string state) => $"its state is {state}";
     public static string ControlClock(string clock) => $"the control clock {clock}";
-    public static string SourceOfJoint(string source, string joint) => $"{source} of joint {joint}";
+    public static string SourceOf(string source, string what) => $"{source} of {what}";
     public static string Pose(string pose) => $"the pose is {pose}";
     public static string ExpiresOn(string day, string remedy) => $"it expires on {day}; {remedy}";
     public static string SourceEnded(string source) => $"its source {source} has ended";
@@ -68,8 +68,8 @@ static class EventTexts
     public const string HeadsetLost = "its reports stopped without a normal end of the connection";
 
     public static string MissingJoints(string pose, string joints) => $"the pose is {pose}; missing joints: {joints}";
-    public static string JointTaken(string owner) => $"the source {owner} already publishes this joint";
-    public static string SourceRefused(string source, string joint) => $"source {source} is refused for joint {joint}";
+    public static string Taken(string owner, string kind) => $"the source {owner} already publishes this {kind}";
+    public static string SourceRefused(string source, string what) => $"source {source} is refused for {what}";
 
     public static string BeyondLimits(double position, string unit, double lower, double upper) =>
         FormattableString.Invariant($"its position was {position:0.###} {unit}; allowed: {lower:0.###} to {upper:0.###} {unit}");

@@ -25,13 +25,13 @@ static class StationaryFrames
     public static void Publish(string path, TransformsMessage message, HubSource source)
     {
         var leftOut = new List<LeftOut>();
-        if (source.Publish(message, isStationary: true, leftOut) is { } refusal) throw new InputException($"{path}: {refusal.What}");
-        if (leftOut.Count > 0) throw new InputException($"{path}: {leftOut[0].What} {DropMessages.Of(leftOut[0].Reason)}");
+        source.Publish(message, isStationary: true, leftOut);
+        if (leftOut.Count > 0) throw new InputException($"{path}: {leftOut[0].Fault}");
     }
 
     static void Require(string path, in FrameTransform frame, DropReason reason)
     {
         if (reason != DropReason.None)
-            throw new InputException($"{path}: {CellMessageFaults.Frame(frame.Child, frame.Parent)} {DropMessages.Of(reason)}");
+            throw new InputException($"{path}: {CellMessageFaults.Of(CellMessageFaults.Frame(frame.Child, frame.Parent), reason)}");
     }
 }

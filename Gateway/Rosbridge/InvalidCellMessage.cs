@@ -1,89 +1,78 @@
-using System.Text;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
+using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
+using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using static Nowpose.Gateway.Rosbridge.ReceivedValue;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Finds the frame or the signal that makes a message on /tf, /tf_static or /signals invalid, and describes it with its value.</summary>
+/// <summary>Describes an invalid transform or signal with its value. The text is the body of a message with only this transform or signal.</summary>
 static class InvalidCellMessage
 {
     static readonly string[] Axes = ["x", "y", "z"], Components = ["x", "y", "z", "w"];
 
-    /// <summary>
-    /// Describes the first invalid frame or signal of a message, for example "frame box has a rotation with the norm 1.02; it must be 1 within
-    /// 0.001". Returns null if none is found, or if the reason does not concern a single frame or signal.
-    /// </summary>
-    /// <param name="utf8">The complete message, which was dropped for <paramref name="reason"/>.</param>
-    public static string Read(ReadOnlySpan<byte> utf8, DropReason reason)
+    /// <summary>Gets the name of the frame or signal; empty if it cannot be read or is too long.</summary>
+    public static string NameIn(string body)
     {
-        if (!IsDescribed(reason)) return null;
+        var message = Parse(body);
+        var token = message?.SelectToken("transforms[0].child_frame_id") ?? message?.SelectToken("name[0]");
+        return token is { Type: JTokenType.String } && (string)token is { Length: <= ProtocolLimits.NameLength } name ? name : "";
+    }
+
+    /// <summary>
+    /// Describes the fault, for example "frame box has a rotation with the norm 1.02; it must be 1 within 0.001".
+    /// </summary>
+    /// <param name="name">Name of the frame or signal; empty if unknown.</param>
+    /// <param name="kind"><see cref="CellKinds.Frame"/> or <see cref="CellKinds.Signal"/>.</param>
+    public static string Describe(string body, string name, string kind, DropReason reason)
+    {
+        var what = $"{kind} {(name.Length == 0 ? CellMessageFaults.NoName : Name(name))}";
+        var trouble = kind == CellKinds.Signal ? OfSignal(body, reason) : OfTransform(Parse(body)?.SelectToken("transforms[0]") as JObject, reason);
+        return trouble == null ? $"{what}: {DropMessages.Of(reason)}" : $"{what} {trouble}";
+    }
+
+    static string OfTransform(JObject transform, DropReason reason) => reason switch
+    {
+        DropReason.OwnParent => CellMessageFaults.OwnParent,
+        DropReason.DuplicateName => CellMessageFaults.ChildTwice,
+        DropReason.StampZero => CellMessageFaults.StampZero,
+        DropReason.NotFinite => Number(transform, value => !IsFinite(value)) is var (field, value) ? CellMessageFaults.Has(field, value) : null,
+        DropReason.OutOfRange => Number(transform, value => IsFinite(value) && Math.Abs((double)value) > TransformsReader.MaxCoordinate) is var (field, value)
+            ? CellMessageFaults.TooFar(field, value, TransformsReader.MaxCoordinate) : null,
+        DropReason.NotUnitQuaternion => CellMessageFaults.Norm(Norm(transform), FrameTransform.NormTolerance),
+        _ => null,
+    };
+
+    static string OfSignal(string body, DropReason reason) => reason switch
+    {
+        DropReason.DuplicateName => CellMessageFaults.Twice,
+        DropReason.NotFinite => CellMessageFaults.Has("value", Parse(body)?.SelectToken("value[0]") is { } value ? Text(value) : ""),
+        _ => null,
+    };
+
+    // Returns the first number with a fault.
+    static (string Field, string Value)? Number(JObject transform, Predicate<JToken> isWrong)
+    {
+        foreach (var (part, fields) in new[] { ("translation", Axes), ("rotation", Components) })
+            foreach (var field in fields)
+                if (transform?.SelectToken($"transform.{part}.{field}") is { } value && isWrong(value)) return ($"{part}.{field}", Text(value));
+        return null;
+    }
+
+    static double Norm(JObject transform) => Math.Sqrt(Components.Sum(field =>
+        transform?.SelectToken($"transform.rotation.{field}") is { } value && IsFinite(value) ? (double)value * (double)value : 0));
+
+    static JObject Parse(string body)
+    {
         try
         {
-            var message = JObject.Parse(Encoding.UTF8.GetString(utf8))["msg"] as JObject;
-            return message?["transforms"] is JArray transforms ? InTransforms(transforms, reason) : InSignals(message, reason);
+            return JObject.Parse(body);
         }
         catch (JsonException)
         {
             return null;
         }
     }
-
-    static bool IsDescribed(DropReason reason) => reason
-        is DropReason.NotUnitQuaternion or DropReason.NotFinite or DropReason.OwnParent or DropReason.DuplicateName or DropReason.StampZero;
-
-    static string InTransforms(JArray transforms, DropReason reason)
-    {
-        var children = new HashSet<string>();
-        foreach (var one in transforms.OfType<JObject>())
-        {
-            var child = one["child_frame_id"] is { Type: JTokenType.String } name ? (string)name : "";
-            var trouble = reason switch
-            {
-                DropReason.OwnParent => child == one.SelectToken("header.frame_id")?.ToString() ? CellMessageFaults.OwnParent : null,
-                DropReason.DuplicateName => children.Add(child) ? null : "occurs twice as child_frame_id",
-                DropReason.StampZero => IsZero(one.SelectToken("header.stamp")) ? CellMessageFaults.StampZero : null,
-                DropReason.NotFinite => NotFinite(one["transform"] as JObject),
-                _ => Norm(one.SelectToken("transform.rotation") as JObject),
-            };
-            if (trouble != null) return $"frame {Name(child)} {trouble}";
-        }
-
-        return null;
-    }
-
-    static string InSignals(JObject message, DropReason reason)
-    {
-        if (message?["name"] is not JArray names) return null;
-        var known = new HashSet<string>();
-        for (var i = 0; i < names.Count; i++)
-        {
-            var name = names[i].ToString();
-            if (reason == DropReason.DuplicateName && !known.Add(name)) return CellMessageFaults.SignalTwice(Name(name));
-            if (reason == DropReason.NotFinite && message["value"] is JArray values && i < values.Count && !IsFinite(values[i]))
-                return CellMessageFaults.SignalValue(Name(name), Text(values[i]));
-        }
-
-        return null;
-    }
-
-    static string NotFinite(JObject transform)
-    {
-        foreach (var (part, fields) in new[] { ("translation", Axes), ("rotation", Components) })
-            foreach (var field in fields)
-                if (transform?[part] is JObject numbers && numbers[field] is { } value && !IsFinite(value)) return $"has {part}.{field} {Text(value)}";
-        return null;
-    }
-
-    static string Norm(JObject rotation)
-    {
-        var components = Array.ConvertAll(Components, field => rotation?[field] is { } value && IsFinite(value) ? (double)value : 0);
-        var norm = Math.Sqrt(components.Sum(component => component * component));
-        var (x, y, z, w) = (components[0], components[1], components[2], components[3]);
-        return FrameTransform.TryNormalise(ref x, ref y, ref z, ref w) ? null : CellMessageFaults.Norm(norm, FrameTransform.NormTolerance);
-    }
-
-    static bool IsZero(JToken stamp) => stamp is JObject time && time.PropertyValues().All(part => part.Type == JTokenType.Integer && part.ToString() == "0");
 }

@@ -9,18 +9,20 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <summary>Checks the stamps of a client's messages, converts them to C1, and publishes the messages. Not thread-safe.</summary>
 sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffers offers)
 {
-    /// <summary>The transforms or signals that were not published with the last message, because they break a limit of the cell.</summary>
+    bool _isPublished;
+
+    /// <summary>The transforms or signals of the present message that are not published.</summary>
     public List<LeftOut> LeftOut { get; } = [];
 
-    /// <summary>Checks the stamps of a message.</summary>
-    /// <param name="stamp">The newest stamp, on C1; zero for a message without a stamp.</param>
+    /// <summary>Checks the stamps of a message. Leaves out transforms with invalid stamps, unless all stamps of the message are invalid.</summary>
+    /// <param name="stamp">The newest valid stamp, or the newest one if none is valid, on C1; zero for a message without a stamp.</param>
     /// <param name="rule">Names the frame and the rule that its stamp breaks; null if the text of the reason is sufficient.</param>
     /// <returns><see cref="DropReason.None"/> for valid stamps.</returns>
     public DropReason Judge(RosbridgeMessage message, out ControlTime stamp, out string rule)
     {
         rule = null;
         stamp = Publications.StampOf(message) ?? default;
-        if (message.Transforms is { } transforms) return Judge(transforms, out stamp, out rule);
+        if (message.Transforms != null) return JudgeTransforms(message, out stamp, out rule);
         return stamp == default ? DropReason.None : Judge(ref stamp);
     }
 
@@ -31,6 +33,7 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
     /// <returns>Null if the message was published.</returns>
     public Refusal? Publish(RosbridgeMessage message, ControlTime stamp, long receivedAt)
     {
+        _isPublished = true;
         var robot = message.RobotTopic.Robot;
         if (message.JointState is { } state)
             return source.Publish(state.Stamp == stamp ? state : state.At(stamp), receivedAt, robot);
@@ -39,14 +42,13 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
         if (message.Data != null)
             return source.Describe(message.Data, robot);
         if (message.Transforms is { } transforms)
-            return source.Publish(transforms, message.Topic == RosTopics.TfStatic, LeftOut, receivedAt);
-        if (message.Signals is { } signals)
+            _isPublished = source.Publish(transforms, message.Topic == RosTopics.TfStatic, LeftOut, receivedAt);
+        else if (message.Signals is { } signals)
         {
             signals.Stamp = stamp;
-            return source.Publish(signals, LeftOut, receivedAt);
+            _isPublished = source.Publish(signals, LeftOut, receivedAt);
         }
-
-        if (message.Displayed != null)
+        else if (message.Displayed != null)
             source.PublishDisplayed(message.Displayed);
         else
             source.Publish(message.Diagnostics);
@@ -58,8 +60,8 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
     public void AddStamp(RosbridgeMessage message, ControlTime stamp, bool isRefused)
     {
         if (stamp == default || offers.StampClock != null || !IsSample(message)) return;
-        // An accepted message needs no check of the owner, because the hub has already checked it.
-        if (!isRefused || MayPublish(message)) clock.Stamps.Add(source, stamp, isRefused);
+        // A published message needs no check of the owner, because the hub has already checked it.
+        if (isRefused ? MayPublish(message) : _isPublished) clock.Stamps.Add(source, stamp, isRefused);
     }
 
     // Excludes /tf_static, because the stamp of a stationary frame is not the time of a sample.
@@ -68,7 +70,7 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
     bool MayPublish(RosbridgeMessage message)
     {
         if (message.JointState is { } state) return source.MayPublish(message.RobotTopic.Robot, state.Names);
-        return message.Signals is { } signals ? source.MayPublish(signals) : source.MayPublish(message.Transforms);
+        return Publications.PartsOf(message).All(name => source.MayPublishPart(CellKinds.Of(message.Topic), name));
     }
 
     // Converts the stamp to C1 if the client stamps with another clock of the plant, and checks that it is not in the future.
@@ -80,25 +82,35 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
     }
 
     // Does not convert a zero stamp, which only a stationary frame may have.
-    DropReason Judge(TransformsMessage transforms, out ControlTime newest, out string rule)
+    DropReason JudgeTransforms(RosbridgeMessage message, out ControlTime newest, out string rule)
     {
-        newest = default;
-        rule = null;
+        var transforms = message.Transforms;
+        var (valid, invalid) = (default(ControlTime), default(ControlTime));
+        List<LeftOut> wrong = null;
         for (var i = 0; i < transforms.Count; i++)
         {
             var stamp = transforms[i].Stamp;
             if (stamp == default) continue;
             var reason = Judge(ref stamp);
-            if (stamp > newest) newest = stamp;
-            if (reason != DropReason.None)
+            if (reason == DropReason.None)
             {
-                rule = $"frame {RequestText.Short(transforms[i].Child)}: {DropMessages.Of(reason)}";
-                return reason;
+                transforms.SetStamp(i, stamp);
+                if (stamp > valid) valid = stamp;
+                continue;
             }
 
-            transforms.SetStamp(i, stamp);
+            var child = transforms[i].Child;
+            (wrong ??= []).Add(new LeftOut(reason, child, $"frame {RequestText.Short(child)}: {DropMessages.Of(reason)}"));
+            if (stamp > invalid) invalid = stamp;
         }
 
+        var isAnyValid = wrong == null || wrong.Count < transforms.Count;
+        newest = isAnyValid ? valid : invalid;
+        rule = isAnyValid ? null : wrong[0].Fault;
+        if (!isAnyValid) return wrong[0].Reason;
+        if (wrong == null) return DropReason.None;
+        LeftOut.AddRange(wrong);
+        message.Transforms = MessageParts.Part(transforms, i => !wrong.Exists(one => one.Name == transforms[i].Child));
         return DropReason.None;
     }
 }

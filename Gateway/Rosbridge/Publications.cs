@@ -46,6 +46,16 @@ static class Publications
     /// <summary>Gets the sender's name in a message; null for messages without a sender's name.</summary>
     public static string NameIn(RosbridgeMessage message) => message.Diagnostics?.HardwareId ?? message.Displayed?.FrameId;
 
+    /// <summary>Whether a topic contains frames or signals, which may have different sources.</summary>
+    public static bool HasParts(string topic) => topic is RosTopics.Tf or RosTopics.TfStatic or RosTopics.Signals;
+
+    /// <summary>Gets the names of the frames or signals in a message.</summary>
+    public static IEnumerable<string> PartsOf(RosbridgeMessage message)
+    {
+        for (var i = 0; i < message.Transforms?.Count; i++) yield return message.Transforms[i].Child;
+        for (var i = 0; i < message.Signals?.Count; i++) yield return message.Signals[i].Name;
+    }
+
     /// <summary>Gets the stamp of a message; null for a message without a stamp, and for transforms, which have a stamp each.</summary>
     public static ControlTime? StampOf(RosbridgeMessage message) =>
         (message.JointState ?? message.Displayed)?.Stamp ?? message.JointTrajectory?.Stamp ?? message.Signals?.Stamp;

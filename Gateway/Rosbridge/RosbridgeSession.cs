@@ -23,10 +23,11 @@ sealed class RosbridgeSession : IDisposable
     readonly Action<ReadOnlyMemory<byte>> _reply;
     readonly SubscriptionSet _subscriptions;
     readonly RosbridgeReader _reader = new();
+    readonly PartialCellMessage _partial = new();
+    readonly StatusReplies _replies;
     readonly HashSet<string> _advertised = [];
     RosTimeForm _form;
     bool _isRos2;
-    string _level;
     ReadOnlyMemory<byte> _text;
     string _name;
     long _receivedAt;
@@ -45,6 +46,7 @@ sealed class RosbridgeSession : IDisposable
         _reply = reply;
         _subscriptions = new SubscriptionSet(hub, queueLength, drops, start);
         _offers = new PlantTimeOffers(plant, reply);
+        _replies = new StatusReplies(_source, drops, Reply);
         _publisher = new MessagePublisher(_source, clock, _offers);
     }
 
@@ -66,14 +68,16 @@ sealed class RosbridgeSession : IDisposable
     public void Handle(in Received received)
     {
         _receivedAt = received.Count;
-        _text = received.Utf8;
+        _text = _replies.Received = received.Utf8;
         _offers.TryAgain();
         var message = default(RosbridgeMessage);
         var reason = received.Fault;
         if (reason == DropReason.None && _reader.TryRead(_text.Span, out message, out reason))
             Do(message, received.Count);
+        else if (message is { Op: RosbridgeOp.Publish } && Publications.HasParts(message.Topic) && Allowance(message.RobotTopic) == DropReason.None)
+            PublishValidParts(message, reason);
         else
-            Drop(message, reason, rule: reason == DropReason.TooManyMessages ? DropMessages.TooManyMessages(MaxMessagesPerSecond) : null);
+            _replies.Drop(message, reason, rule: reason == DropReason.TooManyMessages ? DropMessages.TooManyMessages(MaxMessagesPerSecond) : null);
     }
 
     public void Dispose()
@@ -90,13 +94,13 @@ sealed class RosbridgeSession : IDisposable
         if (message.Topic?.StartsWith('/') == false && message.Op is RosbridgeOp.Subscribe or RosbridgeOp.Unsubscribe or RosbridgeOp.Advertise
             or RosbridgeOp.Unadvertise or RosbridgeOp.Publish)
         {
-            Drop(message, DropReason.UnknownTopic, rule: RequestMessages.NoSlash(Short(message.Topic)));
+            _replies.Drop(message, DropReason.UnknownTopic, rule: RequestMessages.NoSlash(Short(message.Topic)));
             return;
         }
 
         if (message.RobotTopic is { IsValid: false } && message.Op is RosbridgeOp.Subscribe or RosbridgeOp.Advertise or RosbridgeOp.Publish)
         {
-            Drop(message, DropReason.InvalidNamespace);
+            _replies.Drop(message, DropReason.InvalidNamespace);
             return;
         }
 
@@ -112,8 +116,8 @@ sealed class RosbridgeSession : IDisposable
             case RosbridgeOp.UnadvertiseService: _offers.Withdraw(message.Service); break;
             case RosbridgeOp.ServiceResponse: _offers.Answer(message, count); break;
             case RosbridgeOp.Status: break;
-            case RosbridgeOp.SetLevel: _level = message.Level; break;
-            default: Drop(message, DropReason.UnknownOp); break;
+            case RosbridgeOp.SetLevel: _replies.Level = message.Level; break;
+            default: _replies.Drop(message, DropReason.UnknownOp); break;
         }
     }
 
@@ -121,7 +125,7 @@ sealed class RosbridgeSession : IDisposable
     {
         if (Publications.IsKnown(message.RobotTopic) && !Publications.HasType(message.RobotTopic, message.Type))
         {
-            Drop(message, DropReason.WrongType, rule: TypeRule(message));
+            _replies.Drop(message, DropReason.WrongType, rule: TypeRule(message));
             return;
         }
 
@@ -129,7 +133,7 @@ sealed class RosbridgeSession : IDisposable
             return;
         Warn(message);
         if (!Publications.IsKnown(message.RobotTopic))
-            Warn(message, RequestMessages.NotPublished(Topics));
+            _replies.Warn(message, RequestMessages.NotPublished(Topics));
         Remember(message.Type);
         _subscriptions.Add(message.Topic, message.Id, SubscriptionTerms.Of(message));
     }
@@ -137,7 +141,7 @@ sealed class RosbridgeSession : IDisposable
     void Unsubscribe(RosbridgeMessage message)
     {
         if (!_subscriptions.Remove(message.Topic, message.Id))
-            Warn(message, RequestMessages.NotSubscribed(_subscriptions.Topics.Contains(message.Topic) ? Short(message.Id) : null));
+            _replies.Warn(message, RequestMessages.NotSubscribed(_subscriptions.Topics.Contains(message.Topic) ? Short(message.Id) : null));
     }
 
     void Advertise(RosbridgeMessage message)
@@ -146,7 +150,7 @@ sealed class RosbridgeSession : IDisposable
         if (reason == DropReason.None && !Publications.HasType(message.RobotTopic, message.Type))
             reason = DropReason.WrongType;
         if (reason != DropReason.None)
-            Drop(message, reason, rule: reason == DropReason.WrongType ? TypeRule(message) : null);
+            _replies.Drop(message, reason, rule: reason == DropReason.WrongType ? TypeRule(message) : null);
         else if (HasRoomFor(message))
             Reserve(message);
         Remember(message.Type);
@@ -154,7 +158,7 @@ sealed class RosbridgeSession : IDisposable
 
     void Reserve(RosbridgeMessage message)
     {
-        if (_source.Use(message.RobotTopic) is { } refusal) Drop(message, refusal);
+        if (_source.Use(message.RobotTopic) is { } refusal) _replies.Drop(message, refusal);
         else _advertised.Add(message.Topic);
     }
 
@@ -162,7 +166,7 @@ sealed class RosbridgeSession : IDisposable
     {
         if (!_advertised.Remove(message.Topic))
         {
-            Warn(message, RequestMessages.NotAdvertised);
+            _replies.Warn(message, RequestMessages.NotAdvertised);
             return;
         }
 
@@ -175,7 +179,7 @@ sealed class RosbridgeSession : IDisposable
     {
         var reason = _role == Role.Source ? _offers.Offer(message.Service) : DropReason.NotAllowed;
         if (reason != DropReason.None)
-            Drop(message, reason, reason == DropReason.JointTaken ? "the clock" : null);
+            _replies.Drop(message, reason, reason == DropReason.JointTaken ? "the clock" : null);
     }
 
     void Publish(RosbridgeMessage message)
@@ -183,25 +187,42 @@ sealed class RosbridgeSession : IDisposable
         var reason = Allowance(message.RobotTopic);
         ControlTime stamp = default;
         string rule = null;
-        if (reason == DropReason.None)
+        var isAllowed = reason == DropReason.None;
+        if (isAllowed)
             reason = _publisher.Judge(message, out stamp, out rule);
         var name = Publications.NameIn(message);
         if (reason == DropReason.None && name != null && !IsOwn(name))
             reason = DropReason.NotAllowed;
         if (reason != DropReason.None)
         {
-            Drop(message, reason, rule: rule);
+            foreach (var part in isAllowed ? Publications.PartsOf(message) : []) _source.ReportDropped(message.Topic, new LeftOut(reason, part, rule ?? DropMessages.Of(reason)));
+            _replies.Drop(message, reason, rule: rule);
             if (reason == DropReason.StampInFuture) _publisher.AddStamp(message, stamp, true);
+            _replies.DropParts(message, _publisher.LeftOut);
             return;
         }
 
         var refusal = name == null || _names.TryUse(name, this)
             ? _publisher.Publish(message, stamp, _receivedAt) : new Refusal(DropReason.JointTaken, $"the name {Short(name)}");
         if (refusal != null)
-            Drop(message, refusal.Value);
+            _replies.Drop(message, refusal.Value);
         else
             _publisher.AddStamp(message, stamp, false);
-        DropLeftOut(message);
+        _replies.DropParts(message, _publisher.LeftOut);
+    }
+
+    // Publishes the valid transforms or signals of a message that also contains invalid ones. Without a valid one, the message is one drop.
+    void PublishValidParts(RosbridgeMessage message, DropReason reason)
+    {
+        if (_partial.TryRead(_text.Span, message, _publisher.LeftOut))
+        {
+            Publish(message);
+            return;
+        }
+
+        foreach (var part in _publisher.LeftOut) _source.ReportDropped(message.Topic, part);
+        _replies.Drop(message, reason, rule: _publisher.LeftOut.Find(part => part.Reason == reason).Fault);
+        _publisher.LeftOut.Clear();
     }
 
     // Whether a client may use a name. The first name that it uses becomes its name. Only a source may use the name of an adapter.
@@ -244,7 +265,7 @@ sealed class RosbridgeSession : IDisposable
         var topics = new HashSet<string>(_subscriptions.Topics.Concat(_advertised)) { message.Topic };
         var isNameGood = message.Topic.Length <= ProtocolLimits.NameLength;
         if (!isNameGood || topics.Count > ProtocolLimits.TopicsPerClient)
-            Drop(message, isNameGood ? DropReason.TooManyTopics : DropReason.NameTooLong);
+            _replies.Drop(message, isNameGood ? DropReason.TooManyTopics : DropReason.NameTooLong);
         return isNameGood && topics.Count <= ProtocolLimits.TopicsPerClient;
     }
 
@@ -259,55 +280,7 @@ sealed class RosbridgeSession : IDisposable
     // Warns of each unsupported option. The request is served without these options.
     void Warn(RosbridgeMessage message)
     {
-        foreach (var unsupported in Unsupported.In(_text)) Warn(message, unsupported);
-    }
-
-    void Warn(RosbridgeMessage message, string text)
-    {
-        if (_level is not ("none" or "error")) Reply(RosbridgeWriter.Status("warning", Subject(message) + text, Short(message.Id)));
-    }
-
-    void Drop(RosbridgeMessage message, Refusal refusal)
-    {
-        var owner = refusal.Owner == null ? "" : $", {Short(refusal.Owner.Title)}";
-        Drop(message, refusal.Reason, rule: $"{Short(refusal.What)} {DropMessages.Of(refusal.Reason)}{owner}");
-    }
-
-    // Counts each transform or signal that was left out. The client receives one status message per reason.
-    void DropLeftOut(RosbridgeMessage message)
-    {
-        foreach (var same in _publisher.LeftOut.GroupBy(one => one.Reason))
-        {
-            var count = same.Count();
-            _drops.Count(same.Key, count - 1);
-            var others = count > 1 ? $" ({count - 1} more)" : "";
-            Drop(message, same.Key, rule: $"{same.First().What} {DropMessages.Of(same.Key)}{others}");
-        }
-
-        _publisher.LeftOut.Clear();
-    }
-
-    void Drop(RosbridgeMessage message, DropReason reason, string what = null, string rule = null)
-    {
-        _drops.Count(reason);
-        if (message is { Op: RosbridgeOp.Publish, Topic: RosTopics.Tf or RosTopics.TfStatic or RosTopics.Signals, Transforms: null, Signals: null })
-            rule ??= InvalidCellMessage.Read(_text.Span, reason);
-        rule ??= what == null ? DropMessages.Of(reason) : $"{what} {DropMessages.Of(reason)}";
-        var text = reason == DropReason.UnknownOp
-            ? RequestMessages.UnknownOperation(Short(message.OpName), KnownOperations)
-            : $"{Subject(message)}dropped: {rule} ({reason})";
-        // Excludes joints of other sources, which the hub reports itself.
-        if (message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true, Kind: RosTopics.JointStates } topic } && reason != DropReason.JointTaken)
-            ReportDropped(topic.Robot, message.JointState, rule, reason);
-        // Replies last, so that a client that has received the reply finds the drop in the gateway's status.
-        if (_level != "none")
-            Reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
-    }
-
-    void ReportDropped(string robot, JointStateMessage valid, string rule, DropReason reason)
-    {
-        var (names, trouble) = valid == null ? InvalidJointState.Read(_text.Span) : (valid.Names, null);
-        _source.ReportDropped(robot, names, RequestMessages.Dropped(_source.Title, trouble ?? rule, reason), reason);
+        foreach (var unsupported in Unsupported.In(_text)) _replies.Warn(message, unsupported);
     }
 
     void Reply(string text) => _reply(Encoding.UTF8.GetBytes(text));

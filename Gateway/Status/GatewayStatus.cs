@@ -66,11 +66,12 @@ sealed class GatewayStatus : IDisposable
         _diagnostics = new DiagnosticsBoard(options.Time);
         _joints = new JointBoard(options.Time, () => limits.Robot, log);
         _cellReports = new CellReports(options.Time);
-        _cell = new CellBoard(options.Time, _cellReports, link => hub.Links.RootOf(link) != null);
+        _cell = new CellBoard(options.Time, _cellReports, hub.Links.RootOf);
         _refusals = new RecentRefusals(options.Time);
         Events = events;
         _conditions = new Conditions(options, clock, _diagnostics, _refusals, _cellReports, _cell, limits, recorder);
-        hub.JointRefused += Refuse;
+        hub.Refused += Refuse;
+        hub.PartDropped += Refuse;
         hub.Left += _diagnostics.Remove;
         hub.SampleDropped += _joints.Refuse;
         hub.SourceLeft += _joints.Leave;
@@ -107,7 +108,8 @@ sealed class GatewayStatus : IDisposable
         _watch.Dispose();
         _signals.Dispose();
         _version.Dispose();
-        _hub.JointRefused -= Refuse;
+        _hub.Refused -= Refuse;
+        _hub.PartDropped -= Refuse;
         _hub.Left -= _diagnostics.Remove;
         _hub.SampleDropped -= _joints.Refuse;
         _hub.SourceLeft -= _joints.Leave;
@@ -157,7 +159,10 @@ sealed class GatewayStatus : IDisposable
             _joints.Add(message.Source, message.Joints, age);
         }
         else if (message.Content is TransformsMessage frames) _cell.Add(message.Source, frames, message.Topic == RosTopics.TfStatic);
-        else if (message.Content is SignalsMessage signals) _cell.Add(message.Source, signals);
+        else if (message.Content is SignalsMessage signals)
+        {
+            if (_cell.Add(message.Source, signals)) ReportSignals();
+        }
         else if (message.Content is DiagnosticsMessage diagnostics)
         {
             _diagnostics.Add(diagnostics);
@@ -171,13 +176,22 @@ sealed class GatewayStatus : IDisposable
         if (source != null) source.Name = name;
         _joints.Report(name, diagnostics.Values, source);
         _cellReports.Add(name, diagnostics.Values);
-        _signals.Report(_cellReports.Troubled(AdapterReport.SignalPrefix), _options.Time.GetUtcNow());
+        ReportSignals();
     }
 
-    void Refuse(HubSource source, string joint, HubSource owner)
+    void ReportSignals() =>
+        _signals.Report([.. _cellReports.Troubled(AdapterReport.SignalPrefix), .. _cell.RefusedSignals()], _options.Time.GetUtcNow());
+
+    void Refuse(HubSource source, string kind, string name, HubSource owner)
     {
-        _joints.Refuse(source, joint, owner);
-        _refusals.Add(source, joint, owner);
+        if (kind == CellKinds.Joint) _joints.Refuse(source, name, owner);
+        _refusals.Add(source, kind, name, owner);
+    }
+
+    void Refuse(HubSource source, string topic, LeftOut part)
+    {
+        _cell.Refuse(source, topic, part);
+        if (topic == RosTopics.Signals) ReportSignals();
     }
 
     static JointView Of(JointStatus joint) => new(

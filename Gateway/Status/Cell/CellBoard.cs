@@ -8,20 +8,27 @@ namespace Nowpose.Gateway.Status.Cell;
 
 /// <summary>The frames and signals of the cell with their states. Thread-safe.</summary>
 /// <remarks>
+/// A frame or signal whose messages are dropped because of their content is refused: a tracked frame while no valid pose arrives, a stationary frame
+/// or a signal until its next valid message, because these are sent only once.
 /// A frame or signal stays listed after its source has ended, so that the status shows that its data are missing. If the source ended normally, the frame
 /// or signal is removed after <see cref="JointBoard.ForgottenAfter"/> without data.
 /// </remarks>
 /// <param name="time">Time source for the age of poses.</param>
 /// <param name="reports">The adapters' reports, which give the reasons for missing data.</param>
-/// <param name="isLink">Returns whether a frame is a link of a described robot; null if no robot is described.</param>
-sealed class CellBoard(TimeProvider time, CellReports reports, Predicate<string> isLink = null)
+/// <param name="rootOfLink">Returns the root link of the described robot to which a link belongs; null for a frame that is not a link.</param>
+sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, string> rootOfLink = null)
 {
-    /// <summary>Time without a pose after which a tracked frame is stale.</summary>
+    /// <summary>Maximum number of frames, and of signals, known only from refused messages.</summary>
+    internal const int MaxRefused = 64;
+
+    /// <summary>Time without a newer pose after which a tracked frame is stale.</summary>
     static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(1);
 
+    static readonly string RefusedState = JointDataStates.Of(JointDataState.Refused);
+
     readonly object _gate = new();
-    readonly SortedDictionary<string, Frame> _frames = new(StringComparer.Ordinal);
-    readonly SortedDictionary<string, Signal> _signals = new(StringComparer.Ordinal);
+    readonly SortedDictionary<string, FrameEntry> _frames = new(StringComparer.Ordinal);
+    readonly SortedDictionary<string, SignalEntry> _signals = new(StringComparer.Ordinal);
 
     /// <summary>Records a publication on /tf or /tf_static.</summary>
     public void Add(HubSource source, TransformsMessage message, bool isStationary)
@@ -29,22 +36,57 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Predicate<string>
         lock (_gate)
             for (var i = 0; i < message.Count; i++)
             {
-                if (!TryGet(_frames, message[i].Child, ProtocolLimits.Frames, IsSilent, out var frame)) continue;
+                if (!TryGet(_frames, message[i].Child, ProtocolLimits.Frames, frame => !frame.HasAny || IsSilent(frame), out var frame)) continue;
                 (frame.Source, frame.IsStationary, frame.Parent) = (source, isStationary, message[i].Parent);
-                (frame.Stamp, frame.SeenAt, frame.HasLeft) = (message[i].Stamp, time.GetTimestamp(), false);
+                frame.ArrivedAt = time.GetTimestamp();
+                if (!frame.HasAny || isStationary || message[i].Stamp > frame.Stamp) (frame.Stamp, frame.SeenAt) = (message[i].Stamp, frame.ArrivedAt);
+                (frame.HasLeft, frame.HasAny) = (false, true);
+                frame.Refusal = null;
             }
     }
 
     /// <summary>Records a publication on /signals.</summary>
-    public void Add(HubSource source, SignalsMessage message)
+    /// <returns>Whether the message ends a refusal.</returns>
+    public bool Add(HubSource source, SignalsMessage message)
     {
+        var isRefusalOver = false;
         lock (_gate)
             for (var i = 0; i < message.Count; i++)
             {
-                if (!TryGet(_signals, message[i].Name, ProtocolLimits.Signals, signal => signal.IsEnded, out var signal)) continue;
-                if (signal.Value != message[i].Value || signal.Source == null) (signal.Value, signal.Since) = (message[i].Value, message.Stamp);
-                (signal.Source, signal.IsEnded, signal.HasLeft) = (source, false, false);
+                if (!TryGet(_signals, message[i].Name, ProtocolLimits.Signals, signal => signal.IsEnded || !signal.HasAny, out var signal)) continue;
+                if (signal.Value != message[i].Value) (signal.Value, signal.Since) = (message[i].Value, message.Stamp);
+                (signal.Source, signal.IsEnded, signal.HasLeft, signal.HasAny) = (source, false, false, true);
+                isRefusalOver |= signal.Refusal != null;
+                signal.Refusal = null;
             }
+
+        return isRefusalOver;
+    }
+
+    /// <summary>Records that a frame or signal was dropped because of its content.</summary>
+    /// <param name="topic">Topic of the message.</param>
+    public void Refuse(HubSource source, string topic, LeftOut part)
+    {
+        if (part.Name.Length == 0) return;
+        var refusal = new DroppedMessage(part.Fault, RequestMessages.Dropped(source.Title, part.Fault, part.Reason), time.GetTimestamp(), time.GetUtcNow());
+        lock (_gate)
+        {
+            if (topic == RosTopics.Signals) Refuse(_signals, source, part.Name, refusal);
+            else if (Refuse(_frames, source, part.Name, refusal) is { HasAny: false } frame) frame.IsStationary = topic == RosTopics.TfStatic;
+        }
+    }
+
+    /// <summary>Gets the signals whose newest value was refused, with a short reason for headsets.</summary>
+    public IReadOnlyList<CellReport> RefusedSignals()
+    {
+        lock (_gate)
+            return
+            [
+                .. from signal in _signals
+                   where signal.Value is { Refusal: not null, IsEnded: false }
+                   select new CellReport(
+                       signal.Key, signal.Value.Source.Title, new AdapterReport(JointDataState.Refused, signal.Value.Refusal.Since, signal.Value.Refusal.Fault)),
+            ];
     }
 
     /// <summary>Records that the source of these signals has ended.</summary>
@@ -70,7 +112,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Predicate<string>
     {
         lock (_gate)
         {
-            foreach (var (name, _) in _frames.Where(one => one.Value.HasLeft && IsSilent(one.Value) && IsOver(one.Value.SeenAt)).ToArray()) _frames.Remove(name);
+            Forget(_frames, frame => frame.HasAny ? frame.HasLeft && IsSilent(frame) && IsOver(frame.SeenAt) : !IsRefused(frame));
             var troubled = reports.Troubled(AdapterReport.FramePrefix).DistinctBy(one => one.Name).ToDictionary(one => one.Name, StringComparer.Ordinal);
             var published = _frames.Select(one => Explained(ViewOf(one.Key, one.Value, now), troubled.GetValueOrDefault(one.Key)));
             var missing = troubled.Values.Where(one => !_frames.ContainsKey(one.Name)).Select(one => new FrameView(
@@ -87,7 +129,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Predicate<string>
     {
         lock (_gate)
         {
-            foreach (var (name, _) in _signals.Where(one => one.Value is { HasLeft: true, IsEnded: true } && IsOver(one.Value.EndedAt)).ToArray()) _signals.Remove(name);
+            Forget(_signals, signal => signal.HasAny ? signal is { HasLeft: true, IsEnded: true } && IsOver(signal.EndedAt) : IsOver(signal.Refusal.At));
             var troubled = reports.Troubled(AdapterReport.SignalPrefix).DistinctBy(one => one.Name).ToDictionary(one => one.Name, StringComparer.Ordinal);
             var published = _signals.Select(one => Explained(ViewOf(one.Key, one.Value, now), troubled.GetValueOrDefault(one.Key)));
             var missing = troubled.Values.Where(one => !_signals.ContainsKey(one.Name)).Select(one => new SignalView(
@@ -99,41 +141,59 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Predicate<string>
         }
     }
 
-    FrameView ViewOf(string name, Frame frame, ControlTime now)
+    FrameView ViewOf(string name, FrameEntry frame, ControlTime now)
     {
         var (state, reason) = (frame.IsStationary ? CellStates.Stationary : CellStates.Live, (string)null);
         var utcNow = time.GetUtcNow();
         var since = utcNow;
-        if (IsSilent(frame)) (state, reason, since) = (CellStates.Stale, CellReasons.PosesStopped, utcNow - time.GetElapsedTime(frame.SeenAt));
+        if (IsRefused(frame)) (state, reason, since) = (RefusedState, frame.Refusal.Reason, frame.Refusal.Since);
+        else if (IsSilent(frame))
+        {
+            (state, reason) = (CellStates.Stale, time.GetElapsedTime(frame.ArrivedAt) > MaxSilence ? CellReasons.PosesStopped : CellReasons.StampsStopped);
+            since = utcNow - time.GetElapsedTime(frame.SeenAt);
+        }
         else if (OrphanReason(name, frame) is { } why) (state, reason) = (CellStates.Orphan, why);
         since = frame.Enter(state, since);
-        return new FrameView(name, frame.Parent, frame.Source.Title, state, frame.IsStationary ? null : Seconds(now - frame.Stamp), reason)
+        return new FrameView(
+            name, frame.Parent, frame.Source.Title, state, frame.IsStationary || !frame.HasAny ? null : Seconds(now - frame.Stamp), reason)
         {
             Since = reason == null ? null : since,
         };
     }
 
-    static SignalView ViewOf(string name, Signal signal, ControlTime now) =>
-        new(
-            name, signal.Value, signal.Source.Title, signal.IsEnded ? CellStates.Ended : CellStates.Live, Seconds(now - signal.Since),
-            signal.IsEnded ? EventTexts.SourceEnded(signal.Source.Title) : null)
-        {
-            Since = signal.IsEnded ? signal.EndedUtc : null,
-        };
+    static SignalView ViewOf(string name, SignalEntry signal, ControlTime now)
+    {
+        var (state, reason, since) = (CellStates.Live, (string)null, (DateTimeOffset?)null);
+        if (signal.IsEnded) (state, reason, since) = (CellStates.Ended, EventTexts.SourceEnded(signal.Source.Title), signal.EndedUtc);
+        else if (signal.Refusal is { } refusal) (state, reason, since) = (RefusedState, refusal.Reason, refusal.Since);
+        return new SignalView(name, signal.Value, signal.Source.Title, state, signal.HasAny ? Seconds(now - signal.Since) : null, reason) { Since = since };
+    }
 
-    // Returns null if the parents of the frame reach the world or a robot. The number of steps is limited, because a frame whose source has ended stays
+    // Returns null if the parents of the frame reach the world, or a robot whose base is not a frame. The number of steps is limited, because a frame whose source has ended stays
     // listed, so that the listed parents may form a cycle.
-    string OrphanReason(string name, Frame frame)
+    string OrphanReason(string name, FrameEntry frame)
     {
         var (child, parent) = (name, frame.Parent);
         for (var steps = 0; steps <= _frames.Count; steps++)
         {
-            if (parent == FrameParents.World || isLink?.Invoke(parent) == true) return null;
-            if (!_frames.TryGetValue(parent, out var above)) break;
+            if (parent == FrameParents.World) return null;
+            if (!Published(parent, out var above) && rootOfLink?.Invoke(parent) is { } root)
+            {
+                if (!Published(root, out above)) return null;
+                parent = root;
+            }
+
+            if (above == null) break;
             (child, parent) = (parent, above.Parent);
         }
 
         return child == name ? CellReasons.ParentMissing(parent) : CellReasons.ParentMissingAbove(child, parent);
+    }
+
+    bool Published(string name, out FrameEntry frame)
+    {
+        if (!_frames.TryGetValue(name, out frame) || !frame.HasAny) frame = null;
+        return frame != null;
     }
 
     // Adds the adapter's reason to a stale frame. If poses still arrive, they come from another source or are newer than the report.
@@ -151,7 +211,16 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Predicate<string>
 
     bool IsOver(long last) => time.GetElapsedTime(last) > JointBoard.ForgottenAfter;
 
-    bool IsSilent(Frame frame) => !frame.IsStationary && time.GetElapsedTime(frame.SeenAt) > MaxSilence;
+    static void Forget<T>(SortedDictionary<string, T> all, Predicate<T> isOver)
+    {
+        foreach (var (name, _) in all.Where(one => isOver(one.Value)).ToArray()) all.Remove(name);
+    }
+
+    // A tracked frame is refused only if no valid pose arrives, because its next pose follows soon.
+    bool IsRefused(FrameEntry frame) => frame.Refusal is { } refusal
+        && (frame.IsStationary ? frame.HasAny || !IsOver(refusal.At) : (!frame.HasAny || IsSilent(frame)) && time.GetElapsedTime(refusal.At) < JointBoard.StaleAfter);
+
+    bool IsSilent(FrameEntry frame) => !frame.IsStationary && time.GetElapsedTime(frame.SeenAt) > MaxSilence;
 
     static double Seconds(TimeSpan age) => Math.Round(age.TotalSeconds, 3);
 
@@ -166,42 +235,18 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Predicate<string>
         return true;
     }
 
-    sealed class Frame
+    // Finds or adds the entry of a refused frame or signal, and keeps the start of a refusal that continues.
+    static T Refuse<T>(SortedDictionary<string, T> all, HubSource source, string name, DroppedMessage refusal)
+        where T : CellEntry, new()
     {
-        string _state;
-        DateTimeOffset _since;
-
-        public HubSource Source { get; set; }
-        public bool IsStationary { get; set; }
-        public string Parent { get; set; }
-        public ControlTime Stamp { get; set; }
-        public long SeenAt { get; set; }
-
-        /// <summary>Whether the source of the newest pose has ended normally.</summary>
-        public bool HasLeft { get; set; }
-
-        /// <summary>Returns the start of the present state.</summary>
-        /// <param name="since">Start of the state if it is new.</param>
-        public DateTimeOffset Enter(string state, DateTimeOffset since)
+        if (!all.TryGetValue(name, out var entry))
         {
-            if (_state != state) (_state, _since) = (state, since);
-            return _since;
+            if (all.Count >= ProtocolLimits.Frames || all.Values.Count(one => !one.HasAny) >= MaxRefused) return null;
+            all.Add(name, entry = new T());
         }
-    }
 
-    sealed class Signal
-    {
-        public HubSource Source { get; set; }
-        public bool IsEnded { get; set; }
-        public long EndedAt { get; set; }
-        public DateTimeOffset EndedUtc { get; set; }
-
-        /// <summary>Whether the source has ended normally.</summary>
-        public bool HasLeft { get; set; }
-
-        public double Value { get; set; }
-
-        /// <summary>Stamp of the message with which the value changed.</summary>
-        public ControlTime Since { get; set; }
+        if (!entry.HasAny) entry.Source = source;
+        entry.Refusal = entry.Refusal == null ? refusal : refusal with { Since = entry.Refusal.Since };
+        return entry;
     }
 }

@@ -8,7 +8,7 @@ namespace Nowpose.Gateway.Status.Cell;
 
 /// <summary>
 /// Publishes the list of signals without current values on /nowpose/signal_status after each change of the list. These are the signals whose
-/// source has ended, and those that an adapter reports with a fault.
+/// source has ended, those that an adapter reports with a fault, and those whose newest value the gateway has refused.
 /// </summary>
 /// <remarks>
 /// Headsets need the list, because a signal that is published only on change may be silent for hours and still be current. All methods run
@@ -51,7 +51,7 @@ sealed class SignalStatusTopic : IDisposable
         _source.Dispose();
     }
 
-    /// <summary>Updates the signals that adapters report with a fault.</summary>
+    /// <summary>Updates the signals that adapters report with a fault, and those that the gateway refuses.</summary>
     public void Report(IReadOnlyList<CellReport> reports, DateTimeOffset utcNow) => _hub.Exclusively(() =>
     {
         if (reports.Select(Key).SequenceEqual(_reported.Select(Key))) return;

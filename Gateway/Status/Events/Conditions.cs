@@ -63,12 +63,11 @@ sealed class Conditions(
                 JointDataState.Fault => EventRemedies.Plant,
                 _ => "",
             },
-            IsNormalAtStart = row.State == JointDataState.Missing || IsClockAwaited(row),
+            IsNormalAtStart = row.State == JointDataState.Missing || row.State == JointDataState.Refused && IsClockAwaited(row.Reason),
         };
 
     // Whether samples are refused only because the adapter's clock is not measured yet, which is normal for the first samples.
-    static bool IsClockAwaited(JointStatus row) => row.State == JointDataState.Refused
-        && row.Reason.Contains(DropMessages.Of(DropReason.Unsynchronised), StringComparison.Ordinal);
+    static bool IsClockAwaited(string reason) => reason.Contains(DropMessages.Of(DropReason.Unsynchronised), StringComparison.Ordinal);
 
     static IEnumerable<Condition> OfUncertainRests(IReadOnlyList<JointStatus> joints) => joints.Where(row => row.Uncertainty.Length > 0).Select(
         row => new Condition("joint", $"{row.Name} ({row.Source})", EventTexts.UncertainRest, row.Uncertainty, Level.Warning, Since: row.Since)
@@ -90,22 +89,29 @@ sealed class Conditions(
     // Frames whose adapter reports a fault have a condition of OfCell.
     IEnumerable<Condition> OfFrames() =>
         from frame in board.Frames(clock.Now)
-        where frame is { State: CellStates.Stale, IsAtRest: false } || frame.State == CellStates.Orphan && options.Time.GetUtcNow() - frame.Since >= OrphanTimeout
+        where frame is { State: CellStates.Stale, IsAtRest: false } || IsRefused(frame.State)
+            || frame.State == CellStates.Orphan && options.Time.GetUtcNow() - frame.Since >= OrphanTimeout
         let isOrphan = frame.State == CellStates.Orphan
         select new Condition(
             "frame", $"{frame.Name} ({frame.Source})", isOrphan ? EventTexts.IsOrphan : EventTexts.Is(frame.State), frame.Reason, Level.Warning,
             Since: frame.Since)
         {
-            Remedy = isOrphan ? EventRemedies.Parent : EventRemedies.Source,
-            IsNormalAtStart = isOrphan,
+            Remedy = isOrphan ? EventRemedies.Parent : IsRefused(frame.State) ? EventRemedies.Values : EventRemedies.Source,
+            IsNormalAtStart = isOrphan || IsRefused(frame.State) && IsClockAwaited(frame.Reason),
         };
+
+    static bool IsRefused(string state) => state == JointDataStates.Of(JointDataState.Refused);
 
     IEnumerable<Condition> OfSignals() =>
         from signal in board.Signals(clock.Now)
-        where signal.State == CellStates.Ended
-        select new Condition("signal", $"{signal.Name} ({signal.Source})", EventTexts.HasNoSource, signal.Reason, Level.Warning, Since: signal.Since)
+        where signal.State == CellStates.Ended || IsRefused(signal.State)
+        let isRefused = IsRefused(signal.State)
+        select new Condition(
+            "signal", $"{signal.Name} ({signal.Source})", isRefused ? EventTexts.IsRefused : EventTexts.HasNoSource, signal.Reason, Level.Warning,
+            Since: signal.Since)
         {
-            Remedy = EventRemedies.Source,
+            Remedy = isRefused ? EventRemedies.Values : EventRemedies.Source,
+            IsNormalAtStart = isRefused && IsClockAwaited(signal.Reason),
         };
 
     string ClockName => clock.Source == PlantClocks.Own ? EventTexts.OwnClock : EventTexts.ControlClock(clock.Source);
@@ -221,9 +227,9 @@ sealed class Conditions(
 
     IEnumerable<Condition> OfRefusals() => refusals.Read().Select(
         one => new Condition(
-            "source", EventTexts.SourceOfJoint(one.Source, one.Joint), EventTexts.IsRefused, EventTexts.JointTaken(one.Owner), Level.Warning)
+            "source", EventTexts.SourceOf(one.Source, $"{one.Kind} {one.Name}"), EventTexts.IsRefused, EventTexts.Taken(one.Owner, one.Kind), Level.Warning)
         {
-            Headline = EventTexts.SourceRefused(one.Source, one.Joint),
+            Headline = EventTexts.SourceRefused(one.Source, $"{one.Kind} {one.Name}"),
             Remedy = EventRemedies.TwoSources,
         });
 

@@ -104,6 +104,47 @@ public class CellStatusTests
     }
 
     [Test]
+    public async Task State_OnlyInvalidFramesAndSignals_AreRefusedWithTheReason()
+    {
+        await _source.SendAsync(Tf(Frame("box")).Replace("\"w\":1.0", "\"w\":2.0"));
+        await _source.ExpectErrorAsync("NotUnitQuaternion");
+        await _source.SendAsync(SignalsText(("grip", 1)).Replace("[1.0]", "[null]"));
+        await _source.ExpectErrorAsync("NotFinite");
+
+        var state = await StateAsync();
+
+        var box = state.GetProperty("frames").EnumerateArray().Single();
+        var grip = state.GetProperty("signals").EnumerateArray().Single();
+        Assert.That(new[] { box, grip }.Select(one => one.GetProperty("state").GetString()), Is.All.EqualTo("refused"));
+        Assert.That(box.GetProperty("reason").GetString(), Is.EqualTo(
+            "the gateway drops the samples of rosbridge 127.0.0.1: frame box has a rotation with the norm 2; it must be 1 within 0.001 (NotUnitQuaternion)"));
+        Assert.That(grip.TryGetProperty("value", out _), Is.False, "no valid value is known");
+        Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Contain("box (rosbridge 127.0.0.1) is refused"));
+    }
+
+    [Test]
+    public async Task State_SecondSourceOfAFrameOrSignal_IsAnEventAndKeepsThemLive()
+    {
+        using var second = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await _source.SendAsync(Tf(Frame("box")));
+        await _source.SendAsync(SignalsText(("grip", 1)));
+        await _source.RoundTripAsync();
+
+        await second.SendAsync(Tf(Frame("box")));
+        await second.ExpectErrorAsync("FrameTaken");
+        await second.SendAsync(SignalsText(("grip", 1)).Replace("[1.0]", "[null]"));
+        await second.ExpectErrorAsync("NotFinite");
+
+        var state = await StateAsync();
+        Assert.That(state.GetProperty("frames").EnumerateArray().Single().GetProperty("state").GetString(), Is.EqualTo("live"));
+        Assert.That(state.GetProperty("signals").EnumerateArray().Single().GetProperty("state").GetString(), Is.EqualTo("live"));
+        await Soon.BecomesAsync(() => Events().Contains("source rosbridge 127.0.0.1 is refused for frame box")
+            && Events().Contains("source rosbridge 127.0.0.1 is refused for signal grip"), "both are events");
+
+        string Events() => GetAsync("/operations/state").GetAwaiter().GetResult();
+    }
+
+    [Test]
     public async Task Metrics_FramesAndSignals_AreCountedByTopicAndReason()
     {
         await _source.SendAsync(Tf(Frame("a")));

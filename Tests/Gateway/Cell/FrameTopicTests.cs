@@ -7,6 +7,8 @@ namespace Nowpose.Headless.Tests.Gateway.Cell;
 
 public class FrameTopicTests
 {
+    const string Urdf = "<robot name='r'><link name='base'/><link name='tool0'/><joint name='j' type='fixed'><parent link='base'/><child link='tool0'/></joint></robot>";
+
     GatewayServer _gateway;
     RawRosbridgeClient _source, _headset;
 
@@ -53,7 +55,7 @@ public class FrameTopicTests
     }
 
     [TestCase("\"rotation\":{\"x\":0,\"y\":0,\"z\":0,\"w\":1.02}", DropReason.NotUnitQuaternion, "frame box has a rotation with the norm 1.02; it must be 1 within 0.001")]
-    [TestCase("\"rotation\":{\"x\":0,\"y\":NaN,\"z\":0,\"w\":1}", DropReason.NotFinite, "frame box has rotation.y NaN")]
+    [TestCase("\"rotation\":{\"x\":0,\"y\":NaN,\"z\":0,\"w\":1}", DropReason.NotFinite, "frame box has the rotation.y NaN")]
     [TestCase("\"rotation\":{\"x\":0,\"y\":0,\"z\":0}", DropReason.MissingField, "missing")]
     public async Task Publish_InvalidRotation_DropsTheFrameWithTheReason(string rotation, object reason, string part)
     {
@@ -89,6 +91,49 @@ public class FrameTopicTests
 
         await SendAsync(TfStatic(Frame("box", stamp: default(ControlTime))));
         Assert.That(_gateway.Drops.Total, Is.EqualTo(6));
+    }
+
+    [TestCase("\"x\":2.0", "\"x\":NaN", "frame b has the translation.x NaN (NotFinite)")]
+    [TestCase("\"x\":2.0", "\"x\":2e6", "frame b has the translation.x 2000000 m; allowed: -1000000 to 1000000 m (OutOfRange)")]
+    [TestCase("\"child_frame_id\":\"b\"", "\"child_frame_id\":\"\"", "frame without a valid name: a field is missing or empty")]
+    [TestCase("\"child_frame_id\":\"b\"", "\"child_frame_id\":\"b\",\"child_frame_id\":\"b\"", "frame b: a field occurs twice; remove one (DuplicateField)")]
+    public async Task Publish_OneInvalidFrame_OmitsOnlyThisFrame(string valid, string invalid, string fault)
+    {
+        await _headset.SubscribeAsync(RosTopics.Tf);
+
+        await _source.SendAsync(Tf(Frame("a", x: 1), Frame("b", x: 2), Frame("c", x: 3)).Replace(valid, invalid));
+
+        await _source.ExpectErrorAsync(fault);
+        Assert.That(await NextFramesAsync(), Is.EqualTo("a=1 c=3"));
+        Assert.That(_gateway.Drops.Total, Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Publish_OneFrameInTheFutureOrTwice_OmitsOnlyThisFrame()
+    {
+        await _headset.SubscribeAsync(RosTopics.Tf);
+
+        await _source.SendAsync(Tf(Frame("a", x: 1), Frame("b", x: 2, stamp: ControlTime.FromSeconds(5100))));
+
+        await _source.ExpectErrorAsync("frame b: the time stamp is later");
+        Assert.That(await NextFramesAsync(), Is.EqualTo("a=1"));
+
+        await _source.SendAsync(Tf(Frame("b", x: 1), Frame("a", x: 2), Frame("b", x: 3)));
+
+        await _source.ExpectErrorAsync("frame b occurs twice as child_frame_id (DuplicateName)");
+        Assert.That(await NextFramesAsync(), Is.EqualTo("a=2"), "neither of the poses of b is known to be right");
+    }
+
+    [Test]
+    public async Task Publish_TooManyFramesWithAnInvalidOne_AreDropped()
+    {
+        await _headset.SubscribeAsync(RosTopics.Tf);
+        var frames = Enumerable.Range(0, 257).Select(i => Frame("f" + i)).ToArray();
+
+        await _source.SendAsync(Tf(frames).Replace("\"child_frame_id\":\"f9\"", "\"child_frame_id\":\"\""));
+
+        await _source.ExpectErrorAsync("MissingField");
+        await _headset.RoundTripAsync();
     }
 
     [Test]
@@ -139,7 +184,6 @@ public class FrameTopicTests
     [Test]
     public async Task Publish_FrameThatClosesACycleThroughADescribedRobot_IsOmitted()
     {
-        const string Urdf = "<robot name='r'><link name='base'/><link name='tool0'/><joint name='j' type='fixed'><parent link='base'/><child link='tool0'/></joint></robot>";
         await SendAsync(RosbridgeWriter.PublishString("/arm1/robot_description", Urdf));
         await _gateway.Hub.Links.Read.Bounded();
         await SendAsync(Tf(Frame("box", "arm1/tool0")));
@@ -148,6 +192,22 @@ public class FrameTopicTests
 
         await _source.ExpectErrorAsync("FrameCycle");
         await SendAsync(Tf(Frame("arm1/base", "world")));
+    }
+
+    [Test]
+    public async Task Describe_RobotThatClosesACycle_RemovesTheFramesOfTheCycle()
+    {
+        await SendAsync(TfStatic(Frame("table")));
+        await SendAsync(TfStatic(Frame("box", "arm1/tool0"), Frame("arm1/base", "box"), Frame("lid", "box")));
+
+        await SendAsync(RosbridgeWriter.PublishString("/arm1/robot_description", Urdf));
+        await _gateway.Hub.Links.Read.Bounded();
+
+        await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.TfStatic));
+        Assert.That(new[] { await NextFramesAsync(), await NextFramesAsync() }, Is.EqualTo(new[] { "table=0", "lid=0" }));
+        await SendAsync(TfStatic(Frame("box", "arm1/tool0")));
+        await _source.SendAsync(TfStatic(Frame("arm1/base", "box")));
+        await _source.ExpectErrorAsync("FrameCycle");
     }
 
     [TestCase(true)]

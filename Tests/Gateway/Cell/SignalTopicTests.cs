@@ -143,6 +143,9 @@ public class SignalTopicTests
 
         await second.ExpectErrorAsync("signal grip belongs to another source, rosbridge 127.0.0.1 (SignalTaken)");
         Assert.That(_gateway.Drops[DropReason.SignalTaken], Is.EqualTo(1));
+        await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.Signals));
+        var values = new[] { (await _headset.ReceiveAsync()).Signals.Text(), (await _headset.ReceiveAsync()).Signals.Text() };
+        Assert.That(values, Is.EqualTo(new[] { "grip=1", "lamp=1" }), "the signal without another source is published");
         _source.Dispose();
         await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 2, "the first has disconnected");
         await second.SendAsync(SignalsText(("lamp", 1), ("grip", 0)));
@@ -165,7 +168,7 @@ public class SignalTopicTests
         Assert.That(_gateway.Drops[DropReason.TooManySignals], Is.EqualTo(2));
     }
 
-    [TestCase("\"value\":[NaN]", DropReason.NotFinite, "value of signal grip is NaN (NotFinite)")]
+    [TestCase("\"value\":[NaN]", DropReason.NotFinite, "signal grip has the value NaN (NotFinite)")]
     [TestCase("\"value\":[1.0,2.0]", DropReason.LengthMismatch, "length")]
     [TestCase("\"value\":[true]", DropReason.WrongType, "type")]
     public async Task Publish_InvalidSignals_AreDroppedWithTheReason(string value, object reason, string part)
@@ -174,6 +177,37 @@ public class SignalTopicTests
 
         await _source.ExpectErrorAsync(part);
         Assert.That(_gateway.Drops[(DropReason)reason], Is.EqualTo(1));
+    }
+
+    [TestCase("[1.0,NaN,3.0]", "signal b has the value NaN (NotFinite)")]
+    [TestCase("[1.0,null,3.0]", "signal b has the value null (NotFinite)")]
+    [TestCase("[1.0,\"on\",3.0]", "signal b: a field or topic has the wrong type; use the types of the topic's message type (WrongType)")]
+    public async Task Publish_OneInvalidSignal_OmitsOnlyThisSignal(string values, string fault)
+    {
+        await _headset.SubscribeAsync(RosTopics.Signals);
+
+        await _source.SendAsync(SignalsText(("a", 1), ("b", 2), ("c", 3)).Replace("[1.0,2.0,3.0]", values));
+
+        await _source.ExpectErrorAsync(fault);
+        Assert.That((await _headset.ReceiveAsync()).Signals.Text(), Is.EqualTo("a=1 c=3"));
+        Assert.That(_gateway.Drops.Total, Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task SignalStatus_NewestValueRefused_ContainsTheSignalUntilItsNextValidValue()
+    {
+        await SendAsync(SignalsText(("grip", 1)));
+        await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.SignalStatus));
+        Assert.That((await _headset.ReceiveAsync()).SignalStatus.Joints, Is.Empty);
+
+        await _source.SendAsync(SignalsText(("grip", 0)).Replace("[0.0]", "[NaN]"));
+        await _source.ExpectErrorAsync("NotFinite");
+
+        var refused = (await _headset.ReceiveAsync()).SignalStatus.Joints.Single();
+        Assert.That((refused.Joint, refused.State), Is.EqualTo(("grip", JointDataState.Refused)));
+        Assert.That(refused.Reason, Is.EqualTo("signal grip has the value NaN"));
+        await SendAsync(SignalsText(("grip", 0)));
+        Assert.That((await _headset.ReceiveAsync()).SignalStatus.Joints, Is.Empty);
     }
 
     [Test]
@@ -215,6 +249,6 @@ public class SignalTopicTests
         for (var i = 0; i < 100; i++) Assert.That(values[$"s{(sent - i) % 100}"], Is.EqualTo(sent - i));
 
         void Publish(string name, double value) => Assert.That(
-            source.Publish(new Nowpose.Protocol.Cell.SignalsMessage(Gateways.Start, new Nowpose.Protocol.Cell.SignalValue(name, value)), []), Is.Null);
+            source.Publish(new Nowpose.Protocol.Cell.SignalsMessage(Gateways.Start, new Nowpose.Protocol.Cell.SignalValue(name, value)), []), Is.True);
     }
 }

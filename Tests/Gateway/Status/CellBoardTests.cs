@@ -20,7 +20,7 @@ public class CellBoardTests
     public void Start()
     {
         _reports = new CellReports(_time);
-        _board = new CellBoard(_time, _reports, link => link == "tool0");
+        _board = new CellBoard(_time, _reports, link => link is "tool0" or "base" ? "base" : null);
         _source = new MessageHub().OpenSource();
     }
 
@@ -91,6 +91,115 @@ public class CellBoardTests
         _board.Add(_source, Pose("box", 5, parent), isStationary: false);
 
         Assert.That(_board.Frames(At(5)).Single().State, Is.EqualTo(state));
+    }
+
+    [TestCase("world", "live")]
+    [TestCase("nowhere", "orphan")]
+    public void Frames_ParentIsALinkOfARobotWithAMovingBase_DependOnTheBase(string parentOfBase, string state)
+    {
+        _board.Add(_source, Pose("box", 5, "tool0"), isStationary: false);
+        _board.Add(_source, Pose("base", 5, parentOfBase), isStationary: false);
+
+        Assert.That(_board.Frames(At(5)).Select(frame => frame.State), Is.EqualTo(new[] { state, state }));
+    }
+
+    void Refuse(string topic, string name) => _board.Refuse(_source, topic, new LeftOut(DropReason.NotFinite, name, "is wrong"));
+
+    [Test]
+    public void Frames_OnlyRefused_AreListedUntilTheMessagesStop()
+    {
+        Refuse(RosTopics.Tf, "box");
+        var start = _time.GetUtcNow();
+        _time.Advance(TimeSpan.FromSeconds(1));
+        Refuse(RosTopics.Tf, "box");
+
+        Assert.That(_board.Frames(At(5)), Is.EqualTo(new[]
+        {
+            new FrameView("box", null, "gateway", "refused", null, "the gateway drops the samples of gateway: is wrong (NotFinite)") { Since = start },
+        }));
+
+        _time.Advance(JointBoard.StaleAfter);
+
+        Assert.That(_board.Frames(At(7)), Is.Empty);
+    }
+
+    [Test]
+    public void Frames_RefusedAfterValidPoses_AreRefusedOnlyWithoutValidPoses()
+    {
+        _board.Add(_source, Pose("box", 5), isStationary: false);
+        _board.Add(_source, Pose("table", 5), isStationary: true);
+        Refuse(RosTopics.Tf, "box");
+        Refuse(RosTopics.TfStatic, "table");
+        Assert.That(States(), Is.EqualTo(new[] { ("box", "live"), ("table", "refused") }), "a stationary frame is sent only once");
+
+        _time.Advance(TimeSpan.FromSeconds(1.5));
+        Refuse(RosTopics.Tf, "box");
+        Assert.That(States(), Is.EqualTo(new[] { ("box", "refused"), ("table", "refused") }));
+
+        _time.Advance(TimeSpan.FromSeconds(2));
+        _board.Add(_source, Pose("table", 5), isStationary: true);
+        Assert.That(States(), Is.EqualTo(new[] { ("box", "stale"), ("table", "stationary") }));
+
+        IEnumerable<(string, string)> States() => _board.Frames(At(9)).Select(frame => (frame.Name, frame.State));
+    }
+
+    [Test]
+    public void Signals_Refused_AreListedUntilTheNextValidValue()
+    {
+        _board.Add(_source, new SignalsMessage(At(5), new SignalValue("grip", 1)));
+        Refuse(RosTopics.Signals, "grip");
+        Refuse(RosTopics.Signals, "lamp");
+        _time.Advance(TimeSpan.FromMinutes(5));
+
+        Assert.That(_board.Signals(At(9)).Select(signal => (signal.Name, signal.State, signal.Value)), Is.EqualTo(new (string, string, double?)[]
+        {
+            ("grip", "refused", 1), ("lamp", "refused", null),
+        }));
+        Assert.That(_board.RefusedSignals().Select(one => one.Name), Is.EqualTo(new[] { "grip", "lamp" }));
+
+        Assert.That(_board.Add(_source, new SignalsMessage(At(9), new SignalValue("grip", 1), new SignalValue("lamp", 1))), Is.True);
+
+        Assert.That(_board.Signals(At(9)).Select(signal => signal.State), Is.EqualTo(new[] { "live", "live" }));
+        Assert.That(_board.RefusedSignals(), Is.Empty);
+    }
+
+    [Test]
+    public void FramesAndSignals_ManyRefusedNames_AreBoundedAndReplacedByPublishedOnes()
+    {
+        for (var i = 0; i < 1000; i++)
+        {
+            Refuse(RosTopics.Tf, $"a{i}");
+            Refuse(RosTopics.Signals, $"a{i}");
+        }
+
+        Assert.That(_board.Frames(At(5)).Count, Is.EqualTo(CellBoard.MaxRefused));
+        Assert.That(_board.Signals(At(5)).Count, Is.EqualTo(CellBoard.MaxRefused));
+
+        for (var i = 0; i < ProtocolLimits.Frames; i++)
+        {
+            _board.Add(_source, Pose($"f{i}", 5), isStationary: false);
+            _board.Add(_source, new SignalsMessage(At(5), new SignalValue($"s{i}", 1)));
+        }
+
+        Assert.That(_board.Frames(At(5)).Select(frame => frame.State), Is.All.EqualTo("live").And.Exactly(ProtocolLimits.Frames).Items);
+        Assert.That(_board.Signals(At(5)).Select(signal => signal.State), Is.All.EqualTo("live").And.Exactly(ProtocolLimits.Signals).Items);
+    }
+
+    [Test]
+    public void Frames_StampDoesNotAdvance_AreStale()
+    {
+        for (var i = 0; i < 10; i++)
+        {
+            _board.Add(_source, Pose("box", 5), isStationary: false);
+            _time.Advance(TimeSpan.FromSeconds(0.2));
+        }
+
+        var frame = _board.Frames(At(7)).Single();
+        Assert.That((frame.State, frame.Reason), Is.EqualTo(("stale", CellReasons.StampsStopped)));
+
+        _board.Add(_source, Pose("box", 7), isStationary: false);
+
+        Assert.That(_board.Frames(At(7)).Single().State, Is.EqualTo("live"));
     }
 
     [Test]

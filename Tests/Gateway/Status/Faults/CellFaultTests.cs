@@ -66,7 +66,7 @@ public class CellFaultTests
     {
         Publish(Frame("box"), Frame("lid"));
         _gateway.Time.Advance(TimeSpan.FromSeconds(0.9));
-        Publish(Frame("lid"));
+        Publish(Frame("lid", stamp: Gateways.Start + TimeSpan.FromSeconds(0.9)));
         _gateway.Time.Advance(TimeSpan.FromSeconds(0.3));
 
         await _gateway.BeginsAsync("frame", "box (gateway)");
@@ -76,7 +76,7 @@ public class CellFaultTests
         var expected = $"frame box (gateway) is stale: {CellReasons.PosesStopped} (since 2026-11-20 12:00:03 UTC). {EventRemedies.Source}";
         Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)));
 
-        Publish(Frame("box"));
+        Publish(Frame("box", stamp: Gateways.Start + TimeSpan.FromSeconds(1.2)));
 
         await _gateway.EndsAsync("frame", "box (gateway)");
         Assert.That((await StatusAsync()).Level, Is.EqualTo("ok"));

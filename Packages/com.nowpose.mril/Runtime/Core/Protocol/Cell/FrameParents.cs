@@ -10,6 +10,9 @@ namespace Nowpose.Protocol.Cell
         /// <summary>Name of the cell's own frame, which is anchored in the room.</summary>
         public const string World = "world";
 
+        // Without a cycle, a path has at most two steps per frame: one from the frame to its parent, and one from a link to its root link.
+        const int MaxSteps = 2 * ProtocolLimits.Frames + 1;
+
         readonly Dictionary<string, string> _parents = new Dictionary<string, string>(StringComparer.Ordinal);
         readonly Func<string, string> _rootOfLink;
 
@@ -35,6 +38,21 @@ namespace Nowpose.Protocol.Cell
             return reason;
         }
 
+        /// <summary>
+        /// Whether a frame depends on itself. This is possible only through the links of a robot that was described after the frame got its parent.
+        /// </summary>
+        public bool IsInCycle(string child)
+        {
+            var frame = child;
+            for (var steps = 0; steps <= MaxSteps; steps++)
+            {
+                frame = Above(frame);
+                if (frame == null || frame == child) return frame != null;
+            }
+
+            return false;
+        }
+
         public bool Remove(string child) => _parents.Remove(child);
 
         DropReason Check(string child, string parent, bool isKnown)
@@ -47,18 +65,26 @@ namespace Nowpose.Protocol.Cell
             return depth + 1 + HeightBelow(child) > ProtocolLimits.FrameDepth ? DropReason.FrameTooDeep : DropReason.None;
         }
 
+        // Returns the parent of a frame, or the root link of a link; null for a root.
+        string Above(string frame)
+        {
+            if (_parents.TryGetValue(frame, out var parent)) return parent;
+            var root = _rootOfLink(frame);
+            return root == frame ? null : root;
+        }
+
         // Returns the number of transforms between a frame and its root; stops at the forbidden frame.
         int DistanceToRoot(string frame, string forbidden, out bool isReached)
         {
             var depth = 0;
-            // Without a cycle, a path has at most two steps per frame: one from the frame to its parent, and one from a link to its root link.
-            for (var steps = 0; steps <= 2 * ProtocolLimits.Frames + 1; steps++)
+            for (var steps = 0; steps <= MaxSteps; steps++)
             {
                 isReached = frame == forbidden;
                 if (isReached) return depth;
-                if (_parents.TryGetValue(frame, out var parent)) depth++;
-                else if ((parent = _rootOfLink(frame)) == null || parent == frame) return depth;
-                frame = parent;
+                var above = Above(frame);
+                if (above == null) return depth;
+                if (_parents.ContainsKey(frame)) depth++;
+                frame = above;
             }
 
             // The path did not end: a robot that was added after the frames has closed a cycle.

@@ -1,0 +1,14 @@
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Hub;
+
+/// <summary>Words for the kinds of things that have one source each.</summary>
+static class CellKinds
+{
+    public const string Joint = "joint";
+    public const string Frame = "frame";
+    public const string Signal = "signal";
+
+    /// <param name="topic">/tf, /tf_static or /signals.</param>
+    public static string Of(string topic) => topic == RosTopics.Signals ? Signal : Frame;
+}

@@ -1,0 +1,72 @@
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
+using Nowpose.Protocol;
+using static Nowpose.Gateway.Rosbridge.RequestText;
+
+namespace Nowpose.Gateway.Rosbridge;
+
+/// <summary>Counts what a client sends in vain, reports it to the hub, and sends the client a status message. Not thread-safe.</summary>
+/// <param name="source">The client as a source of the hub.</param>
+/// <param name="reply">Sends a message to the client.</param>
+sealed class StatusReplies(HubSource source, DropCounters drops, Action<string> reply)
+{
+    /// <summary>Level from which the client wants to receive status messages: warning, error or none; null for all.</summary>
+    public string Level { get; set; }
+
+    /// <summary>The complete message that is being handled.</summary>
+    public ReadOnlyMemory<byte> Received { get; set; }
+
+    /// <summary>Warns of a request that is served only in part or has no effect.</summary>
+    public void Warn(RosbridgeMessage message, string text)
+    {
+        if (Level is not ("none" or "error")) reply(RosbridgeWriter.Status("warning", Subject(message) + text, Short(message.Id)));
+    }
+
+    /// <summary>Reports a message that the hub refused.</summary>
+    public void Drop(RosbridgeMessage message, Refusal refusal)
+    {
+        var owner = refusal.Owner == null ? "" : $", {Short(refusal.Owner.Title)}";
+        Drop(message, refusal.Reason, rule: $"{Short(refusal.What)} {DropMessages.Of(refusal.Reason)}{owner}");
+    }
+
+    /// <summary>Reports transforms or signals that were left out of a message, and clears the list. Each is counted; the client receives one status message per reason and owner.</summary>
+    public void DropParts(RosbridgeMessage message, List<LeftOut> parts)
+    {
+        foreach (var part in parts) source.ReportDropped(message.Topic, part);
+        foreach (var same in parts.GroupBy(one => (one.Reason, one.Owner)))
+        {
+            var count = same.Count();
+            drops.Count(same.Key.Reason, count - 1);
+            var owner = same.Key.Owner == null ? "" : $", {Short(same.Key.Owner.Title)}";
+            var others = count > 1 ? $" ({count - 1} more)" : "";
+            Drop(message, same.Key.Reason, rule: $"{same.First().Fault}{owner}{others}");
+        }
+
+        parts.Clear();
+    }
+
+    /// <summary>Reports a dropped message.</summary>
+    /// <param name="message">The readable part of the message; null if nothing can be read.</param>
+    /// <param name="what">The thing to which the text of the reason applies; null if the text is complete.</param>
+    /// <param name="rule">The fault as one clause; null for the text of the reason.</param>
+    public void Drop(RosbridgeMessage message, DropReason reason, string what = null, string rule = null)
+    {
+        drops.Count(reason);
+        rule ??= what == null ? DropMessages.Of(reason) : $"{what} {DropMessages.Of(reason)}";
+        var text = reason == DropReason.UnknownOp
+            ? RequestMessages.UnknownOperation(Short(message.OpName), KnownOperations)
+            : $"{Subject(message)}dropped: {rule} ({reason})";
+        // Excludes joints of other sources, which the hub reports itself.
+        if (message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true, Kind: RosTopics.JointStates } topic } && reason != DropReason.JointTaken)
+            ReportDropped(topic.Robot, message.JointState, rule, reason);
+        // Replies last, so that a client that has received the reply finds the drop in the gateway's status.
+        if (Level != "none")
+            reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
+    }
+
+    void ReportDropped(string robot, JointStateMessage valid, string rule, DropReason reason)
+    {
+        var (names, trouble) = valid == null ? InvalidJointState.Read(Received.Span) : (valid.Names, null);
+        source.ReportDropped(robot, names, RequestMessages.Dropped(source.Title, trouble ?? rule, reason), reason);
+    }
+}
