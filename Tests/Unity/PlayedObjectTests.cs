@@ -47,6 +47,68 @@ public class PlayedObjectTests : PlayedParts
         Assert.That(part.Parent, Is.EqualTo("tool_centre_point"));
     }
 
+    // The objects below a moving one are enabled before it, as an inactive parent or a later change of the hierarchy causes it.
+    [Test]
+    public void TrackedObject_BelowAMovingObjectThatIsEnabledLater_IsNotDisplacedByIt()
+    {
+        var lid = Below<TrackedObject>("lid", _session.transform);
+        var knob = Below<TrackedObject>("knob", lid.transform);
+        var box = Below<TrackedObject>("box", _session.transform);
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        void Send(double t)
+        {
+            SendPose("world", "box", t, Along(t));
+            SendPose("world", "lid", t, Along(-t));
+            SendPose("world", "knob", t, Along(0.5));
+        }
+        Run(2, Send, () => { if (lid.transform.parent == _session.transform && rig.Tool != null) lid.transform.SetParent(box.transform); });
+        knob.enabled = false;
+        knob.enabled = true;
+
+        Run(1, Send, () =>
+        {
+            AssertAt(box.transform, _session.transform, Along(_cell.Now + Visu), 1e-3);
+            AssertAt(lid.transform, _session.transform, Along(-_cell.Now - Visu), 1e-3);
+            AssertAt(knob.transform, _session.transform, Along(0.5), 1e-3);
+        });
+
+        knob.transform.SetParent(rig.Tool);
+        Run(1, Send, () => AssertAt(knob.transform, _session.transform, Along(0.5), 1e-3));
+    }
+
+    [Test]
+    public void StationaryObject_InvalidName_IsReportedOnceAndKeepsTheSavedPlaces()
+    {
+        var file = Path.Combine(_folder, "stationary-objects.json");
+        StationaryFrameFile.Save(file, new TransformsMessage(Along(2).ToTransform(default, "world", "other")));
+        var before = File.ReadAllText(file);
+        var wrong = Below<StationaryObject>(new string('x', 129), _session.transform);
+        Run(0.5);
+
+        wrong.BeginMove();
+        Run(0.5);
+        wrong.EndMove();
+
+        Assert.That(File.ReadAllText(file), Is.EqualTo(before));
+        Assert.That(wrong.Fault, Does.StartWith("the frame 'xxx").And.Contain("allowed: 1 to 128 characters, not 'world'"));
+        Assert.That(_cell.Player.Logs.Count(log => log.Type == LogType.Error), Is.EqualTo(1));
+    }
+
+    [Test]
+    public void StationaryObject_RenamedAtRunTime_IsSavedUnderTheNameOfItsFrame()
+    {
+        var fixture = Below<StationaryObject>("fixture", _session.transform).With("_fileName", "");
+        Run(0.5);
+        fixture.name = "renamed";
+
+        fixture.BeginMove();
+        Run(0.1);
+        fixture.EndMove();
+
+        Assert.That(fixture.Frame, Is.EqualTo("fixture"));
+        Assert.That(StationaryFrameFile.Load(Path.Combine(_folder, "stationary-objects.json"))[0].Child, Is.EqualTo("fixture"));
+    }
+
     [Test]
     public void TrackedObject_NoLongerSent_LooksHeldWhileTheRobotIsCurrent()
     {

@@ -242,6 +242,53 @@ public class PlayedSignalTests : PlayedParts
         Assert.That(part.Share, Is.EqualTo(1).Within(1e-6));
     }
 
+    [Test]
+    public void ActuatedPart_SignalNotCurrent_LooksDifferentUntilItIsCurrent()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var appearance = rig.gameObject.AddComponent<PoseAppearance>();
+        var jaw = Below<ActuatedPart>("jaw", rig.transform);
+        var (moved, other) = (Rendering.PlayedAppearance.Part("moved", jaw.transform), Rendering.PlayedAppearance.Part("other", rig.transform));
+        appearance.Refresh();
+        Run(1);
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
+        Assert.That((IsHatched(moved), IsHatched(other), appearance.Look.Label), Is.EqualTo((true, false, "signal not current")), jaw.Fault);
+
+        SendSignal("jaw", _cell.Now - 1, 1);
+        Run(0.5);
+        Assert.That((IsHatched(moved), IsHatched(other), appearance.Look.Label), Is.EqualTo((false, false, "")));
+
+        _session.Session.Listener.SignalStatusReceived(
+            new JointStatusMessage([new JointReport("jaw", JointDataState.Refused, At(0), "signal jaw has the value NaN")]), HeadsetTime.FromSeconds(1000));
+        Run(0.1);
+        Assert.That((IsHatched(moved), IsHatched(other), appearance.Look.Reason), Is.EqualTo((true, false, "signal jaw has the value NaN")));
+
+        jaw.enabled = false;
+        Run(0.1);
+        Assert.That(IsHatched(moved), Is.False, "a disabled part follows no signal");
+
+        static bool IsHatched(Renderer renderer)
+        {
+            var block = new MaterialPropertyBlock();
+            renderer.GetPropertyBlock(block);
+            return block.GetFloat(Shader.PropertyToID("_Hatch")) > 0;
+        }
+    }
+
+    [Test]
+    public void ActuatedPart_OnATrackedObject_ReportsTheConflictAndDoesNotMoveIt()
+    {
+        var box = Below<TrackedObject>("box", _session.transform);
+        var part = box.gameObject.AddComponent<ActuatedPart>().With("_wayMetres", new Vector3(0, 0, 1)).With("_signal", "jaw");
+        Run(1, t => SendPose("world", "box", t, Along(t)));
+        SendSignal("jaw", _cell.Now - 1, 1);
+
+        Run(1, t => SendPose("world", "box", t, Along(t)), () => AssertAt(box.transform, _session.transform, Along(_cell.Now + Visu), 1e-3));
+
+        Assert.That(part.Fault, Is.EqualTo("the tracked or stationary object on the same object moves it; put the actuated part on a child object"));
+        Assert.That(_cell.Player.Logs.Count(log => log.Type == LogType.Error && log.Message.Contains("put the actuated part on a child object")), Is.EqualTo(1));
+    }
+
     [TestCase(-3600)]
     [TestCase(3600)]
     public void ActuatedPart_ControlClockSteps_StaysAtItsPositionAndMovesFromThere(double step)

@@ -11,7 +11,8 @@ namespace Nowpose.Unity
     /// <remarks>
     /// A move starts at the stamp of the signal's change and takes the stroke time. The object therefore moves in phase with the real part even if
     /// the message arrived late; see <see cref="ActuatedStroke"/>. The pose for the value 0 is the object's local pose when this component is
-    /// enabled. The object keeps this pose until the first value is known.
+    /// enabled. The object keeps this pose until the first value is known. While the signal's value is not current, the <see cref="PoseAppearance"/>
+    /// on this object or above it stripes the part.
     /// </remarks>
     [AddComponentMenu("Nowpose/Actuated Part")]
     [DisallowMultipleComponent]
@@ -44,24 +45,30 @@ namespace Nowpose.Unity
         /// <summary>Position within the stroke in the newest frame, from 0 (start) to 1 (end).</summary>
         public float Share { get; private set; }
 
-        /// <summary>Reason why the signal's value is not current, in one line; null if the value is current.</summary>
-        public string Fault => _follower == null ? StatusMessages.NoSession : _follower.Fault;
+        /// <summary>Reason why the part does not follow the signal or the signal's value is not current, in one line; null if it is current.</summary>
+        public string Fault => _follower != null ? _follower.Fault : GetComponent<ICellObject>() is object ? ObjectMessages.OtherMover : StatusMessages.NoSession;
 
         void OnEnable()
         {
             _restPosition = transform.localPosition;
             _restRotation = transform.localRotation;
             _stroke = new ActuatedStroke(0, 1, _strokeMs / 1000.0);
+            if (GetComponent<ICellObject>() is object)
+            {
+                ConsoleLog.Fail(this, ObjectMessages.TwoMovers(name));
+                return;
+            }
             _follower = SignalFollower.Of(this, _session, "actuated part", Signal, Take, restarted: Take);
             _source = this.SessionOr(_session);
-            if (_source != null) _source.Shown += Show;
+            if (_source != null) _source.Movers.Add(this, Show);
         }
 
         void OnDisable()
         {
-            _follower?.Leave();
+            if (_follower == null) return;
+            _follower.Leave();
             _follower = null;
-            if (_source is object) _source.Shown -= Show;
+            if (_source is object) _source.Movers.Remove(this);
             _source = null;
             Move(0);
         }

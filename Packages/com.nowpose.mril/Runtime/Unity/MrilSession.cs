@@ -99,6 +99,9 @@ namespace Nowpose.Unity
         /// <summary>The robot of the newest session, from the asset or as described by the gateway; null while it is unknown.</summary>
         public RobotModel Robot { get; private set; }
 
+        /// <summary>The components that move objects of the scene before <see cref="Shown"/> is raised.</summary>
+        internal Movers Movers { get; } = new Movers();
+
         /// <summary>The last computed frame; null without a session or while the robot is unknown.</summary>
         public DisplayFrame Frame { get; private set; }
 
@@ -309,7 +312,8 @@ namespace Nowpose.Unity
             _statistics.Expire();
             if (Robot == null) return frame;
             Frame = frame;
-            Shown?.Invoke(frame);
+            Movers.Move(frame);
+            if (Session == session) Shown?.Invoke(frame);
             return Frame;
         }
     }

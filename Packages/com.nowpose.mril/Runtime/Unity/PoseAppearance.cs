@@ -41,6 +41,9 @@ namespace Nowpose.Unity
         readonly List<Renderer> _found = new List<Renderer>();
         readonly Dictionary<Renderer, PosePart> _parts = new Dictionary<Renderer, PosePart>();
         readonly List<PoseCarrier> _carriers = new List<PoseCarrier>();
+        // The actuated parts that move renderers, with their faults when they were last drawn.
+        readonly Dictionary<ActuatedPart, string> _actuated = new Dictionary<ActuatedPart, string>();
+        readonly List<ActuatedPart> _changed = new List<ActuatedPart>();
         MrilSession _source;
         RobotRig _rig;
         ICellObject _object;
@@ -69,6 +72,18 @@ namespace Nowpose.Unity
         }
 
         internal PoseLook Look
+        {
+            get
+            {
+                var look = LookOfPose;
+                if (!_pose.HasValue || !look.IsDrawn) return look;
+                foreach (var actuated in _actuated)
+                    if (actuated.Value != null) return WithSignal(look, actuated.Value);
+                return look;
+            }
+        }
+
+        PoseLook LookOfPose
         {
             get
             {
@@ -117,6 +132,7 @@ namespace Nowpose.Unity
             Leave();
             _materials.Begin(_substitute);
             _carriers.Clear();
+            _actuated.Clear();
             _anchor = GetComponentInParent<BaseAnchor>();
             _base = BaseLook.Of(_anchor);
             _carrier = PoseCarrier.Of(transform, _carrier);
@@ -126,6 +142,7 @@ namespace Nowpose.Unity
                 if (!_parts.TryGetValue(each, out var part)) _parts.Add(each, part = new PosePart(each, _block, _materials));
                 part.Take();
                 Follow(part.Carrier);
+                if (part.Actuated != null) _actuated[part.Actuated] = FaultOf(part.Actuated);
                 if (part.HasUnsuitableMaterial) Report(part.UnsuitableMaterial, each);
             }
             Draw();
@@ -175,6 +192,7 @@ namespace Nowpose.Unity
         {
             var hasChanged = StateIn(frame) != _pose;
             foreach (var carrier in _carriers) hasChanged |= carrier.HasChanged();
+            hasChanged |= UpdateActuated();
             var known = BaseLook.Of(_anchor);
             hasChanged |= !known.IsSameAs(_base);
             _base = known;
@@ -199,14 +217,30 @@ namespace Nowpose.Unity
 
         void Draw()
         {
-            var look = Look;
+            var look = LookOfPose;
             foreach (var part in _parts.Values)
             {
-                if (_pose.HasValue) part.Draw(look, _opacity);
-                else part.ShowNoSession(_opacity);
+                if (!_pose.HasValue) part.ShowNoSession(_opacity);
+                else part.Draw(part.Actuated is object && _actuated[part.Actuated] is string fault ? WithSignal(look, fault) : look, _opacity);
             }
-            SetLabel(look.Label);
+            SetLabel(Look.Label);
         }
+
+        // A part whose signal is not current may be at the wrong end of its stroke, so it is striped like a pose that is not current.
+        static PoseLook WithSignal(PoseLook look, string fault) =>
+            look.Also(ObjectMessages.SignalNotCurrent, fault, PoseLook.Of(PoseState.Held).Fade);
+
+        bool UpdateActuated()
+        {
+            _changed.Clear();
+            foreach (var known in _actuated)
+                if (FaultOf(known.Key) != known.Value) _changed.Add(known.Key);
+            foreach (var part in _changed) _actuated[part] = FaultOf(part);
+            return _changed.Count > 0;
+        }
+
+        // A disabled part stays at the start of its stroke on purpose, and a destroyed one no longer moves anything.
+        static string FaultOf(ActuatedPart part) => part != null && part.isActiveAndEnabled ? part.Fault : null;
 
         /// <summary>The first active carrier (rig before gripper) that does not follow the session; null if all follow.</summary>
         PoseCarrier Unmoved

@@ -137,13 +137,13 @@ namespace Nowpose.Unity
             _source = this.SessionOr(_session);
             if (_source == null) return;
             _robot = new RigRobot(this, RobotNamespace, _description, _source);
-            _source.Shown += Show;
+            _source.Movers.Add(this, Show);
         }
 
         void OnDisable()
         {
             if (_source is null) return;
-            _source.Shown -= Show;
+            _source.Movers.Remove(this);
             _robot.Leave();
             _source = null;
         }

@@ -24,21 +24,23 @@ namespace Nowpose.Unity
     [RequireComponent(typeof(PoseAppearance))]
     public sealed class StationaryObject : MonoBehaviour, ICellObject
     {
+        const string DefaultFile = "stationary-objects.json";
+
         [SerializeField, Tooltip("The session that receives the object's frame. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
         [SerializeField, Tooltip("Name of the frame, the child_frame_id of /tf_static. Empty: the name of this object.")]
         string _frame = "";
 
-        [SerializeField, Tooltip("Name of the file on the device that stores the poses of objects that were placed by hand.")]
-        string _fileName = "stationary-objects.json";
+        [SerializeField, Tooltip("Name of the file on the device that stores the poses of objects that were placed by hand. Empty: stationary-objects.json.")]
+        string _fileName = DefaultFile;
 
         MrilSession _source;
         FollowedFrame _followed;
         RigidTransform? _saved;
 
         /// <summary>Name of the frame.</summary>
-        public string Frame => string.IsNullOrEmpty(_frame) ? name : _frame;
+        public string Frame => _followed != null ? _followed.Name : string.IsNullOrEmpty(_frame) ? name : _frame;
 
         /// <summary>State of the object's pose. If the object is not shown at its real place, the state gives the reason.</summary>
         public PoseState State => _followed == null ? PoseState.Incomplete : _followed.State;
@@ -47,7 +49,7 @@ namespace Nowpose.Unity
         public bool IsMoving { get; private set; }
 
         /// <summary>Path of the file with the places of all objects that were placed by hand.</summary>
-        public string SavedPath => Path.Combine(Application.persistentDataPath, _fileName);
+        public string SavedPath => Path.Combine(Application.persistentDataPath, string.IsNullOrEmpty(_fileName) ? DefaultFile : _fileName);
 
         /// <summary>Reason why the object's pose is not current, in one line; null if it is current.</summary>
         public string Fault => _followed == null ? StatusMessages.NoSession : _followed.Fault;
@@ -70,6 +72,7 @@ namespace Nowpose.Unity
         {
             if (!IsMoving) return;
             IsMoving = false;
+            if (!_followed.IsNameValid) return;
             _followed.PlaceBy(transform);
             _saved = CellPlace.PoseIn(_followed.World, transform);
             Save();
@@ -82,14 +85,14 @@ namespace Nowpose.Unity
             if (_followed == null) return;
             _saved = Saved();
             _source = this.SessionOr(_session);
-            _source.Shown += Show;
+            _source.Movers.Add(this, Show);
         }
 
         void OnDisable()
         {
             if (_followed == null) return;
             EndMove();
-            if (_source is object) _source.Shown -= Show;
+            if (_source is object) _source.Movers.Remove(this);
             _followed.Leave();
             _followed = null;
         }

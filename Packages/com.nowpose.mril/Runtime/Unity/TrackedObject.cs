@@ -30,7 +30,7 @@ namespace Nowpose.Unity
         FollowedFrame _followed;
 
         /// <summary>Name of the frame.</summary>
-        public string Frame => string.IsNullOrEmpty(_frame) ? name : _frame;
+        public string Frame => _followed != null ? _followed.Name : string.IsNullOrEmpty(_frame) ? name : _frame;
 
         public RigPose Shows => _shows;
 
@@ -50,13 +50,13 @@ namespace Nowpose.Unity
             _followed = FollowedFrame.Of(this, _session, "tracked object", Frame, isGhost: _shows == RigPose.Held);
             if (_followed == null) return;
             _source = this.SessionOr(_session);
-            _source.Shown += Show;
+            _source.Movers.Add(this, Show);
         }
 
         void OnDisable()
         {
             if (_followed == null) return;
-            if (_source is object) _source.Shown -= Show;
+            if (_source is object) _source.Movers.Remove(this);
             _followed.Leave();
             _followed = null;
         }

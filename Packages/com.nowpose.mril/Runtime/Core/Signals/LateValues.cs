@@ -27,7 +27,7 @@ namespace Nowpose.Signals
         /// Adds a received value. If the value is not late, the late values before it are discarded: newer messages have only overtaken them on the
         /// network.
         /// </summary>
-        /// <param name="newest">Newest stamp of the signal; null before the first value.</param>
+        /// <param name="newest">Newest stamp of the signal, without announced changes; null before the first value.</param>
         /// <returns>Whether the source's clock went back. If so, use the values and then call <see cref="Clear"/>.</returns>
         public bool Add(ControlTime stamp, double value, ControlTime? newest)
         {

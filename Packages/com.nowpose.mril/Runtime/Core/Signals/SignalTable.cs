@@ -32,8 +32,9 @@ namespace Nowpose.Signals
 
         /// <summary>Adds a received value.</summary>
         /// <param name="stamp">Control time from which the signal has the value.</param>
+        /// <param name="arrival">Control time of the arrival; null if unknown.</param>
         /// <returns>Drop reason; <see cref="DropReason.None"/> if the value was used.</returns>
-        public DropReason Add(ControlTime stamp, in SignalValue value)
+        public DropReason Add(ControlTime stamp, in SignalValue value, ControlTime? arrival = null)
         {
             var index = IndexOf(value.Name);
             if (index < 0)
@@ -45,7 +46,7 @@ namespace Nowpose.Signals
                 added.Restarted += signal => Restarted?.Invoke(signal);
                 _signals.Add(added);
             }
-            return _signals[index].Add(stamp, value.Value);
+            return _signals[index].Add(stamp, value.Value, arrival);
         }
 
         /// <summary>Makes all changes visible whose stamps are at or before the display time.</summary>

@@ -15,6 +15,8 @@ namespace Nowpose.Signals
         // Changes in the order of their stamps, oldest first. The first change is the visible change if _isVisible is true.
         readonly Change[] _changes = new Change[Capacity];
         readonly LateValues _late = new LateValues();
+        // Newest stamp that was not later than its arrival.
+        ControlTime? _newestSample;
         int _count;
         bool _isVisible;
 
@@ -41,12 +43,23 @@ namespace Nowpose.Signals
         public ControlTime? Newest { get; private set; }
 
         /// <summary>Adds a received value, which may repeat the previous value.</summary>
-        /// <remarks>If late stamps show that the source's clock went back, the signal restarts with the late values.</remarks>
-        public DropReason Add(ControlTime stamp, double value)
+        /// <remarks>
+        /// If late stamps show that the source's clock went back, the signal restarts with the late values. An announced change, whose stamp is later
+        /// than its arrival, does not make the values after it late.
+        /// </remarks>
+        /// <param name="arrival">Control time of the arrival; null if unknown.</param>
+        public DropReason Add(ControlTime stamp, double value, ControlTime? arrival = null)
         {
-            if (!_late.Add(stamp, value, Newest)) return Place(stamp, value);
-            RestartWithLateValues();
-            return DropReason.None;
+            if (stamp > arrival) return Place(stamp, value);
+            // If all stamps so far were later than their arrival, the clock of the source is ahead, and going back makes its values late.
+            var newest = _newestSample ?? Newest;
+            if (_late.Add(stamp, value, newest))
+            {
+                RestartWithLateValues();
+                return DropReason.None;
+            }
+            if (!(stamp < newest)) _newestSample = stamp;
+            return Place(stamp, value);
         }
 
         /// <summary>Makes the next change visible if the display time has reached it.</summary>
@@ -76,7 +89,7 @@ namespace Nowpose.Signals
             _count = 0;
             if (_isVisible) _changes[_count++] = new Change(Always, _changes[0].Value);
             if (!_isVisible || _changes[0].Value != newest) _changes[_count++] = new Change(Always, newest);
-            Newest = null;
+            Newest = _newestSample = null;
             _late.Clear();
             Restarted?.Invoke(this);
         }
@@ -87,7 +100,7 @@ namespace Nowpose.Signals
         {
             _count = 0;
             if (_isVisible) _changes[_count++] = new Change(Always, _changes[0].Value);
-            Newest = null;
+            Newest = _newestSample = null;
             foreach (var (stamp, value) in _late.All) Place(stamp, value);
             _late.Clear();
             Restarted?.Invoke(this);

@@ -1,4 +1,6 @@
 using Nowpose.Frames;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
@@ -13,22 +15,30 @@ namespace Nowpose.Unity.Cell
     sealed class FollowedFrame : IShownPart
     {
         readonly MrilSession _source;
-        readonly string _name;
         readonly bool _isGhost;
         readonly string _missing;
+        readonly string _invalid;
+        DropReason _refused;
         CompensationSession _session;
         CellFrame _frame;
 
         FollowedFrame(MrilSession source, Transform world, string name, bool isGhost, string missing)
         {
             _source = source;
-            _name = name;
+            Name = name;
             _isGhost = isGhost;
-            _missing = missing;
+            _invalid = IsValid(name) ? null : ObjectMessages.InvalidFrame(name);
+            _missing = _invalid ?? missing;
             World = world;
-            Title = "object " + name;
+            Title = "object " + InputException.OneLine(name, ProtocolLimits.NameLength);
             if (!isGhost) source.Parts.Add(this, name);
         }
+
+        /// <summary>Name of the frame since the component was enabled.</summary>
+        public string Name { get; }
+
+        /// <summary>Whether the name is a valid name of a frame. An invalid frame is never placed.</summary>
+        public bool IsNameValid => _invalid == null;
 
         public string Title { get; }
 
@@ -69,13 +79,16 @@ namespace Nowpose.Unity.Cell
             Component component, MrilSession assigned, string kind, string name, bool isGhost = false, string missing = "no pose received")
         {
             var source = component.RequiredSession(assigned, kind);
-            return source == null ? null : new FollowedFrame(source, CellPlace.WorldOf(component, source), name, isGhost, missing);
+            if (source == null) return null;
+            var followed = new FollowedFrame(source, CellPlace.WorldOf(component, source), name, isGhost, missing);
+            if (followed._invalid != null) ConsoleLog.Fail(component, $"{kind} '{component.name}': {followed._invalid}");
+            return followed;
         }
 
         /// <summary>Stops following the frame.</summary>
         public void Leave()
         {
-            if (!_isGhost) _source.Parts.Remove(this, _name);
+            if (!_isGhost) _source.Parts.Remove(this, Name);
             _session = null;
             _frame = null;
         }
@@ -89,19 +102,22 @@ namespace Nowpose.Unity.Cell
             {
                 _session = _source.Session;
                 _frame = null;
-                _session.Frames.Need(_name);
+                if (IsNameValid) _session.Frames.Need(Name);
             }
-            _frame ??= _session.Frames.Find(_name);
+            _frame ??= _session.Frames.Find(Name);
             return isNew;
         }
+
+        static bool IsValid(string name) => name.Length > 0 && name.Length <= ProtocolLimits.NameLength && name != FrameParents.World;
 
         /// <summary>Places the frame at the pose of a transform, until a source publishes the frame. Does nothing without a session.</summary>
         public void PlaceBy(Transform placed)
         {
-            if (_session == null) return;
-            var reason = _session.Frames.Place(_name, CellPlace.PoseIn(World, placed));
-            if (reason == DropReason.None) _frame = _session.Frames.Find(_name);
-            else ConsoleLog.Fail(placed, ObjectMessages.NotAccepted(Title, reason));
+            if (_session == null || !IsNameValid) return;
+            var reason = _session.Frames.Place(Name, CellPlace.PoseIn(World, placed));
+            if (reason == DropReason.None) _frame = _session.Frames.Find(Name);
+            else if (reason != _refused) ConsoleLog.Fail(placed, ObjectMessages.NotAccepted(Title, reason));
+            _refused = reason;
         }
 
         /// <summary>Moves a transform to the frame's pose. Does nothing while the pose is unknown.</summary>
@@ -110,7 +126,7 @@ namespace Nowpose.Unity.Cell
         {
             if (_frame == null || State == PoseState.Incomplete) return;
             var tree = _session.Frames.Tree;
-            moved.PlaceIn(World, shows == RigPose.Displayed ? _frame.World : tree.HeldOf(tree.IndexOf(_name)));
+            moved.PlaceIn(World, shows == RigPose.Displayed ? _frame.World : tree.HeldOf(tree.IndexOf(Name)));
         }
     }
 }

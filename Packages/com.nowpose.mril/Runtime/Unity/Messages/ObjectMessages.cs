@@ -1,3 +1,6 @@
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+
 namespace Nowpose.Unity.Messages
 {
     /// <summary>Error messages about objects of the cell, and names of their states.</summary>
@@ -6,7 +9,17 @@ namespace Nowpose.Unity.Messages
         public const string ParentUnknown = "its parent is unknown";
         public const string ParentNotCurrent = "its parent's pose is not current";
         public const string PosesStopped = "no new poses are arriving";
+        public const string OtherMover = "the tracked or stationary object on the same object moves it; put the actuated part on a child object";
+        public const string SignalNotCurrent = "signal not current";
         public const string RobotUnknown = "its robot is unknown";
+
+        public static string TwoMovers(string component) =>
+            $"actuated part '{component}': a tracked or stationary object on the same object moves it; put the actuated part on a child object";
+
+        /// <param name="frame">An invalid name.</param>
+        public static string InvalidFrame(string frame) =>
+            $"the frame '{InputException.OneLine(frame, 32)}' is not a valid name; allowed: 1 to {ProtocolLimits.NameLength} characters, not "
+            + $"'{FrameParents.World}'; correct Frame";
 
         public static string NoLink(string robot, string link) => $"the robot '{robot}' has no link '{link}'; correct Link";
 

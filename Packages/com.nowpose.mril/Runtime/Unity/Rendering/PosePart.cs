@@ -35,6 +35,9 @@ namespace Nowpose.Unity.Rendering
         /// <summary>The rig or gripper that moves the part, or the one that moved it and was destroyed; null if there is none.</summary>
         public PoseCarrier Carrier { get; private set; }
 
+        /// <summary>The nearest actuated part above the renderer; null if there is none.</summary>
+        public ActuatedPart Actuated { get; private set; }
+
         /// <summary>Whether one of the part's materials cannot mark a pose as not current.</summary>
         public bool HasUnsuitableMaterial => _material.Means == PoseMeans.None;
 
@@ -53,6 +56,7 @@ namespace Nowpose.Unity.Rendering
         public void Take()
         {
             Carrier = PoseCarrier.Of(_renderer.transform, Carrier);
+            Actuated = _renderer.GetComponentInParent<ActuatedPart>(true);
             if (!_isSubstituted) _own = null;
             Examine();
             if (_isTaken) return;

@@ -99,8 +99,9 @@ namespace Nowpose.Session.Cell
 
         void Take(in ArrivedSignal signal, in ClockModel clock)
         {
-            var isInFuture = StampRule.IsInFuture(signal.Stamp, clock.ToControl(signal.Arrival), clock.ErrorBound);
-            var reason = isInFuture ? DropReason.StampInFuture : Table.Add(signal.Stamp, signal.Value);
+            var arrival = clock.ToControl(signal.Arrival);
+            var isInFuture = StampRule.IsInFuture(signal.Stamp, arrival, clock.ErrorBound);
+            var reason = isInFuture ? DropReason.StampInFuture : Table.Add(signal.Stamp, signal.Value, arrival);
             _drops.Count(reason);
             Judged?.Invoke(signal.Value, signal.Stamp, signal.Arrival, reason);
         }

@@ -49,6 +49,36 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That(signal.Next(At(20)), Is.False);
         }
 
+        [TestCase(0.02)]
+        [TestCase(0.2)]
+        public void Add_AnnouncedChangeThenOrdinaryValues_IsShownAtItsStamp(double latency)
+        {
+            var signal = new SignalTrack("grip");
+            signal.Add(At(10), 0, At(10 + latency));
+            signal.Next(At(10));
+
+            signal.Add(At(10.91), 1, At(10.1 + latency));
+            for (var k = 2; k < 30; k++) Assert.That(signal.Add(At(10 + 0.05 * k), k < 19 ? 0 : 1, At(10 + 0.05 * k + latency)), Is.EqualTo(DropReason.None));
+
+            Assert.That(signal.Next(At(10.909)), Is.False);
+            Assert.That((signal.Next(At(10.91)), signal.Value, signal.Since), Is.EqualTo((true, 1.0, (ControlTime?)At(10.91))));
+        }
+
+        [Test]
+        public void Add_ClockOfASourceThatIsAheadGoesBack_RestartsTheSignal()
+        {
+            var signal = new SignalTrack("grip");
+            var restarts = 0;
+            signal.Restarted += _ => restarts++;
+            for (var k = 0; k < 10; k++) signal.Add(At(10.5 + 0.05 * k), 0, At(10 + 0.05 * k));
+            signal.Next(At(11));
+
+            for (var k = 10; k < 16; k++) signal.Add(At(5 + 0.05 * k), 1, At(10 + 0.05 * k));
+
+            Assert.That(restarts, Is.EqualTo(1));
+            Assert.That((signal.Next(At(10.8)), signal.Value), Is.EqualTo((true, 1.0)));
+        }
+
         [Test]
         public void Add_EarlierStampOfAWaitingChange_MovesTheChangeToTheEarlierStamp()
         {

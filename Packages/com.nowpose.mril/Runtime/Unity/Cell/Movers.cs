@@ -1,0 +1,85 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity.Cell
+{
+    /// <summary>
+    /// The components that move objects of the scene in each frame. An object moves before the objects below it in the hierarchy, which it carries;
+    /// otherwise these would be displaced by its motion since the last frame. Does not allocate in a frame, unless the hierarchy has changed.
+    /// </summary>
+    sealed class Movers
+    {
+        readonly List<Mover> _movers = new List<Mover>();
+        Mover[] _order = Array.Empty<Mover>();
+        bool _isChanged;
+
+        /// <param name="component">The component whose object is moved.</param>
+        /// <param name="move">Moves the object to its place in a frame.</param>
+        public void Add(Component component, Action<DisplayFrame> move)
+        {
+            _movers.Add(new Mover(component, move));
+            _isChanged = true;
+        }
+
+        public void Remove(Component component)
+        {
+            foreach (var mover in _movers) mover.IsRemoved |= mover.Component == component;
+            _movers.RemoveAll(mover => mover.IsRemoved);
+            _isChanged = true;
+        }
+
+        public void Move(DisplayFrame frame)
+        {
+            if (_isChanged || !IsInOrder()) Arrange();
+            // A component that a listener has added in the meantime moves from the next frame on.
+            foreach (var mover in _order)
+                if (!mover.IsRemoved) mover.Move(frame);
+        }
+
+        bool IsInOrder()
+        {
+            for (var i = 1; i < _order.Length; i++)
+                if (_order[i - 1].Depth > _order[i].Depth) return false;
+            return true;
+        }
+
+        void Arrange()
+        {
+            _isChanged = false;
+            var depths = new int[_movers.Count];
+            _order = _movers.ToArray();
+            for (var i = 0; i < _order.Length; i++) depths[i] = _order[i].Depth * _order.Length + i;
+            Array.Sort(depths, _order);
+        }
+
+        sealed class Mover
+        {
+            readonly Action<DisplayFrame> _move;
+
+            public Mover(Component component, Action<DisplayFrame> move)
+            {
+                Component = component;
+                _move = move;
+            }
+
+            public Component Component { get; }
+
+            public bool IsRemoved { get; set; }
+
+            /// <summary>Number of objects above the component's object.</summary>
+            public int Depth
+            {
+                get
+                {
+                    var depth = 0;
+                    for (var above = Component.transform.parent; above != null; above = above.parent) depth++;
+                    return depth;
+                }
+            }
+
+            public void Move(DisplayFrame frame) => _move(frame);
+        }
+    }
+}
