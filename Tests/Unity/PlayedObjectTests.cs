@@ -125,6 +125,23 @@ public class PlayedObjectTests : PlayedParts
     }
 
     [Test]
+    public void Cell_WithoutARobot_ShowsObjectsAndSignals()
+    {
+        _session.RobotAsset = null;
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var box = Below<TrackedObject>("box", _session.transform);
+        var jaw = Below<ActuatedPart>("jaw", _session.transform).With("_wayMetres", new Vector3(0, 0, 0.02f));
+        Run(1, t => SendPose("world", "box", t, Along(t)));
+        SendSignal("jaw", _cell.Now - 1, 1);
+
+        Run(1, t => SendPose("world", "box", t, Along(t)), () => AssertAt(box.transform, _session.transform, Along(_cell.Now + Visu), 1e-3));
+
+        Assert.That((_session.Robot, _session.Frame, rig.Model), Is.EqualTo(((RobotModel)null, (DisplayFrame)null, (RobotModel)null)));
+        Assert.That((box.State, box.GetComponent<PoseAppearance>().Look.IsHatched), Is.EqualTo((PoseState.Current, false)));
+        Assert.That((jaw.Share, jaw.Fault), Is.EqualTo((1f, (string)null)));
+    }
+
+    [Test]
     public void TrackedObject_NeverSent_IsNotDrawn()
     {
         var box = Below<TrackedObject>("box", _session.transform);

@@ -104,7 +104,7 @@ public class AppearanceLifeTests
     [Test]
     public void OnDisable_AtAnyFrame_RemovesItsListeners([Values(0, 1, 2, 300)] int frames, [Values] bool destroyed)
     {
-        int[] Count() => [Listeners(_played.Session, "Shown"), Listeners(_played.Session, "Hidden"), Listeners(_played.Rig, "Bound")];
+        int[] Count() => [Listeners(_played.Session, "Computed"), Listeners(_played.Session, "Hidden"), Listeners(_played.Rig, "Bound")];
         _played.Appearance.enabled = false;
         _played.Play(0);
         for (var i = 0; i < frames; i++) _played.Cell.Frame(_played.Session);

@@ -82,13 +82,13 @@ namespace Nowpose.Unity
         {
             if (_session is object)
             {
-                _session.Shown -= Show;
+                _session.Computed -= Show;
                 _session.Parts.Remove(this);
                 Drop();
             }
             _session = session;
             if (session == null) return;
-            session.Shown += Show;
+            session.Computed += Show;
             session.Parts.Add(this);
         }
 

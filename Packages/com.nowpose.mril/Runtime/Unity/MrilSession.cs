@@ -55,7 +55,7 @@ namespace Nowpose.Unity
         UnityEvent _onStale = new UnityEvent();
 
         // Replaces the robot until the gateway has described it. This model has no joints and is not shown.
-        static readonly RobotModel NoRobot = UrdfReader.Read("<robot name='none'><link name='base'/></robot>", "no robot");
+        static readonly RobotModel NoRobot = UrdfReader.Read("<robot name='none'><link name='no robot'/></robot>", "no robot");
 
         readonly SessionWatch _watch = new SessionWatch();
         readonly FrameStatistics _statistics = new FrameStatistics();
@@ -78,6 +78,9 @@ namespace Nowpose.Unity
         /// robot is unknown. The session reuses the frame object, so listeners must not store it.
         /// </summary>
         public event Action<DisplayFrame> Shown;
+
+        /// <summary>Raised before <see cref="Shown"/>, and also while the robot is unknown, for objects and signals of the cell.</summary>
+        internal event Action<DisplayFrame> Computed;
 
         /// <summary>
         /// Raised when the session stops computing frames because it is paused, disabled or restarted. The displayed pose is then not current.
@@ -310,11 +313,12 @@ namespace Nowpose.Unity
             // A listener of a signal may have ended the session.
             if (Session != session) return null;
             _statistics.Expire();
-            if (Robot == null) return frame;
-            Frame = frame;
+            if (Robot != null) Frame = frame;
             Movers.Move(frame);
-            if (Session == session) Shown?.Invoke(frame);
-            return Frame;
+            Computed?.Invoke(frame);
+            if (Session != session) return null;
+            if (Robot != null) Shown?.Invoke(frame);
+            return Session == session ? frame : null;
         }
     }
 }

@@ -66,13 +66,13 @@ namespace Nowpose.Unity
         {
             if (_session is object)
             {
-                _session.Shown -= Show;
+                _session.Computed -= Show;
                 _session.Hidden -= Hide;
             }
             Hide();
             _session = session;
             if (session == null) return;
-            session.Shown += Show;
+            session.Computed += Show;
             session.Hidden += Hide;
         }
 

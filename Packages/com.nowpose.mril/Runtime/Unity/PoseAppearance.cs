@@ -159,7 +159,7 @@ namespace Nowpose.Unity
             if (_rig != null) _rig.Bound += Refresh;
             if (_source != null)
             {
-                _source.Shown += Show;
+                _source.Computed += Show;
                 _source.Hidden += ShowNoSession;
                 if (_source.Frame != null) Take(_source.Frame);
             }
@@ -171,7 +171,7 @@ namespace Nowpose.Unity
             if (_rig is object) _rig.Bound -= Refresh;
             if (_source is object)
             {
-                _source.Shown -= Show;
+                _source.Computed -= Show;
                 _source.Hidden -= ShowNoSession;
             }
             _isOn = false;
@@ -207,7 +207,8 @@ namespace Nowpose.Unity
             _outsideRange = frame.OutsideRange;
         }
 
-        PoseState StateIn(DisplayFrame frame) => _object != null ? _object.State : _rig != null ? _rig.StateIn(frame) : frame.State;
+        PoseState StateIn(DisplayFrame frame) => _object != null ? _object.State : _rig != null ? _rig.StateIn(frame)
+            : _source.Robot == null ? PoseState.Incomplete : frame.State;
 
         void ShowNoSession()
         {

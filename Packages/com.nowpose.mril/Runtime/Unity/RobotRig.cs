@@ -163,6 +163,8 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
+            // The session's own robot may still be unknown, while objects and other robots are shown.
+            if (RobotNamespace.Length == 0 && _source.Robot == null) return;
             var shown = _robot.FrameIn(_source.Session, frame);
             FollowRobot();
             if (shown == null || !IsFollowing) return;

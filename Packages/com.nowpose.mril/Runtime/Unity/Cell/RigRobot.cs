@@ -58,7 +58,11 @@ namespace Nowpose.Unity.Cell
         public SessionRobot Robot => _robot;
 
         /// <summary>Returns the state of the robot's pose in a frame of the session.</summary>
-        public PoseState StateIn(DisplayFrame frame) => IsOwn ? frame.State : _robot == null ? PoseState.Incomplete : _robot.Frame.State;
+        public PoseState StateIn(DisplayFrame frame)
+        {
+            if (!IsOwn) return _robot == null ? PoseState.Incomplete : _robot.Frame.State;
+            return _source.Robot == null ? PoseState.Incomplete : frame.State;
+        }
 
         /// <summary>Finds the robot in the session, or adds it, and returns its display frame.</summary>
         /// <param name="frame">Display frame of the session's own robot.</param>

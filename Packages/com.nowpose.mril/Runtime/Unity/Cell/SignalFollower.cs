@@ -26,7 +26,7 @@ namespace Nowpose.Unity.Cell
             _changed = changed;
             _restarted = restarted;
             _title = "signal " + name;
-            _source.Shown += Show;
+            _source.Computed += Show;
             _source.Parts.Add(this);
         }
 
@@ -59,7 +59,7 @@ namespace Nowpose.Unity.Cell
         public void Leave()
         {
             _source.Parts.Remove(this);
-            _source.Shown -= Show;
+            _source.Computed -= Show;
             Follow(null);
         }
 
