@@ -28,7 +28,6 @@ sealed class RecordedSession
     readonly List<PlannedMotion> _plans = [];
     readonly List<PoseLine> _poses = [];
     readonly Dictionary<string, (double Value, int Changes)> _signals = [];
-    readonly bool _namesJoints;
     int _timeLine;
     long _planned;
     ControlTime? _nextFrame;
@@ -37,11 +36,10 @@ sealed class RecordedSession
     {
         _path = path;
         Header = header;
-        _namesJoints = header.Joints.Count > 0;
         _joints = Enumerable.Range(0, header.Joints.Count).ToDictionary(i => header.Joints[i].Name);
     }
 
-    /// <summary>The header of the file. If the file describes no robot, the joints are those named in the samples.</summary>
+    /// <summary>The header of the file. If the file does not describe the robot without a namespace, its joints are those named in the samples.</summary>
     public SessionHeader Header { get; private set; }
 
     public IReadOnlyList<Event> Events => _events;
@@ -109,7 +107,7 @@ sealed class RecordedSession
     void Add(SampleLine sample)
     {
         if (sample.ControlArrival is { } arrival) AddFramesUntil(arrival);
-        if (!_namesJoints)
+        if (!Header.IsRobotDescribed)
             foreach (var name in sample.Names) _joints.TryAdd(name, _joints.Count);
         var first = _values.Count;
         for (var i = 0; i < sample.Names.Length; i++)
@@ -140,9 +138,13 @@ sealed class RecordedSession
 
     void NameJoints()
     {
-        if (!_namesJoints) Header = Header with
+        Header = Header with
         {
-            Joints = [.. _joints.OrderBy(joint => joint.Value).Select(joint => new SessionHeader.Joint(joint.Key, "rad", JointLimits.None))],
+            Joints =
+            [
+                .. Header.Joints,
+                .. _joints.OrderBy(joint => joint.Value).Skip(Header.Joints.Count).Select(joint => new SessionHeader.Joint(joint.Key, "rad", JointLimits.None)),
+            ],
         };
     }
 

@@ -16,13 +16,23 @@ static class SessionLines
     public static SessionHeader ReadHeader(LineFields line)
     {
         var robot = line.Object("robot");
+        var joints = ReadJoints(robot, "");
+        var isDescribed = joints.Count > 0;
+        if (line.Has("robots"))
+            foreach (var other in line.Objects("robots")) joints.AddRange(ReadJoints(other, other.Text("namespace")));
+        return new SessionHeader(robot.Text("name"), joints, ReadPrediction(line, line.Object("settings")), isDescribed);
+    }
+
+    static List<SessionHeader.Joint> ReadJoints(LineFields robot, string namespaceName)
+    {
         var joints = new List<SessionHeader.Joint>();
         foreach (var joint in robot.Objects("joints").Select(ReadJoint))
         {
             if (joints.Any(other => other.Name == joint.Name)) throw robot.Wrong("joints", SessionFileMessages.JointTwice(joint.Name));
             joints.Add(joint);
         }
-        return new SessionHeader(robot.Text("name"), joints, ReadPrediction(line, line.Object("settings")));
+
+        return joints.ConvertAll(joint => joint with { Name = RobotTopic.Qualified(namespaceName, joint.Name) });
     }
 
     /// <returns>The line; null if its kind is unknown or not used.</returns>

@@ -1,3 +1,4 @@
+using System.Collections.Immutable;
 using Nowpose.Gateway.Messages;
 using Nowpose.Recording;
 
@@ -24,14 +25,17 @@ sealed class RecordedFile
     /// <param name="path">Path of the file.</param>
     /// <param name="open">Creates the file at its path; called on the writing thread.</param>
     /// <param name="cell">Name of the cell; null if it has no name.</param>
-    /// <param name="robot">The robot described in the file's header.</param>
+    /// <param name="robots">The robots described in the file's header, by their namespaces.</param>
     /// <param name="startedUtc">Start of the recording, UTC.</param>
-    public RecordedFile(string path, Func<string, LineFile> open, string cell, DescribedRobot robot, DateTime startedUtc)
+    public RecordedFile(string path, Func<string, LineFile> open, string cell, ImmutableSortedDictionary<string, DescribedRobot> robots, DateTime startedUtc)
     {
         Path = path;
-        Robot = robot;
+        Robots = robots;
         var line = new JsonLine();
-        HeaderLine.WriteOfGateway(line, cell, robot.Model, startedUtc);
+        // A robot with an invalid description has no model.
+        var models = robots.Select(one => (Namespace: one.Key, Robot: one.Value.Model)).Where(one => one.Robot != null).ToArray();
+        HeaderLine.WriteOfGateway(
+            line, cell, models.FirstOrDefault(one => one.Namespace.Length == 0).Robot, models.Where(one => one.Namespace.Length > 0), startedUtc);
         var settings = new RecordingSettings(path, () => _lines = open(path), MaxMegabytes);
         _writer = new RecordWriter(settings, _ring, line, new RecordLine(line, 0, new StatisticsLine()));
         _writer.Start();
@@ -39,8 +43,8 @@ sealed class RecordedFile
 
     public string Path { get; }
 
-    /// <summary>The robot described in the file's header.</summary>
-    public DescribedRobot Robot { get; }
+    /// <summary>The robots described in the file's header, by their namespaces.</summary>
+    public ImmutableSortedDictionary<string, DescribedRobot> Robots { get; }
 
     /// <summary>Time at which the next file replaced this one, as a <see cref="System.Diagnostics.Stopwatch"/> timestamp.</summary>
     public long RetiredAt { get; set; }

@@ -1,3 +1,4 @@
+using System.Collections.Immutable;
 using System.Diagnostics;
 using System.Globalization;
 using Nowpose.Gateway.Clock;
@@ -11,8 +12,8 @@ namespace Nowpose.Gateway.Recording;
 
 /// <summary>Records the gateway's traffic to session files while it is enabled. Thread-safe; does not block the hub.</summary>
 /// <remarks>
-/// A new file starts when the robot changes, because a file's header describes one robot, and when the file reaches its maximum size. A
-/// disk error ends the recording until the recorder is enabled again. The status gives the reason and the number of missing lines.
+/// A new file starts when the description of a robot changes, because a file's header describes the robots, and when the file reaches its maximum
+/// size. A disk error ends the recording until the recorder is enabled again. The status gives the reason and the number of missing lines.
 /// </remarks>
 public sealed class Recorder : IAsyncDisposable
 {
@@ -47,7 +48,8 @@ public sealed class Recorder : IAsyncDisposable
     readonly Timer _timer;
     volatile RecordedFile _file;
     volatile bool _isWanted;
-    DescribedRobot _robot = DescribedRobot.None;
+    // The described robots by their namespaces; replaced as a whole.
+    ImmutableSortedDictionary<string, DescribedRobot> _robots = ImmutableSortedDictionary.Create<string, DescribedRobot>(StringComparer.Ordinal);
     bool _isDisposed;
     // Numbers of written and of missing records in the earlier files since the recorder was enabled.
     long _linesBefore, _lostBefore;
@@ -68,6 +70,9 @@ public sealed class Recorder : IAsyncDisposable
         _exists = open == null ? File.Exists : _ => true;
         _timer = new Timer(_ => Tick());
         _subscriptions.Add(hub.Subscribe(RosTopics.RobotDescription, Describe));
+        _subscriptions.Add(hub.SubscribeToRobots(RosTopics.RobotDescription, Describe));
+        foreach (var robot in hub.Robots)
+            if (hub.DescriptionOf(robot) is { } urdf) Describe(HubMessage.Description(urdf, robot));
         foreach (var topic in Topics) _subscriptions.Add(hub.Subscribe(topic, Take));
         foreach (var topic in RobotTopics) _subscriptions.Add(hub.SubscribeToRobots(topic, Take));
         plant.Added += Listen;
@@ -178,7 +183,9 @@ public sealed class Recorder : IAsyncDisposable
     void Describe(HubMessage message)
     {
         // Must not block, because the hub calls this method under its lock.
-        Interlocked.Exchange(ref _robot, new DescribedRobot((string)message.Content));
+        var urdf = (string)message.Content;
+        ImmutableInterlocked.Update(
+            ref _robots, robots => robots.GetValueOrDefault(message.Robot)?.Urdf == urdf ? robots : robots.SetItem(message.Robot, new DescribedRobot(urdf)));
         RenewOnRobotChange();
     }
 
@@ -189,7 +196,7 @@ public sealed class Recorder : IAsyncDisposable
         if (!_isWanted) return;
         var file = _file;
         // Continues on another thread, because parsing a URDF is slow and must not block the publisher.
-        if (file.Robot.Urdf != _robot.Urdf) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
+        if (file.Robots != _robots) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
     }
 
     void Listen(PlantClock asked)
@@ -228,20 +235,20 @@ public sealed class Recorder : IAsyncDisposable
     }
 
     // Called without the lock, because it parses a URDF and accesses the disk, which may take long.
-    (DateTime Now, string Path, DescribedRobot Robot) Prepare()
+    (DateTime Now, string Path, ImmutableSortedDictionary<string, DescribedRobot> Robots) Prepare()
     {
-        var robot = _robot;
-        _ = robot.Model;
+        var robots = _robots;
+        foreach (var robot in robots.Values) _ = robot.Model;
         var now = _options.Time.GetUtcNow().UtcDateTime;
-        return (now, FreePath(now), robot);
+        return (now, FreePath(now), robots);
     }
 
-    void Begin((DateTime Now, string Path, DescribedRobot Robot) next)
+    void Begin((DateTime Now, string Path, ImmutableSortedDictionary<string, DescribedRobot> Robots) next)
     {
         // Chooses another path if another thread has started a file with this path in the meantime.
         if (!_begun.Add(next.Path)) _begun.Add((next = Prepare()).Path);
         _traffic.Begin();
-        var file = new RecordedFile(next.Path, _open, _options.Cell, next.Robot, next.Now);
+        var file = new RecordedFile(next.Path, _open, _options.Cell, next.Robots, next.Now);
         _file = file;
         _log(RecorderMessages.Begun(file.Path));
         _traffic.Tick(file);

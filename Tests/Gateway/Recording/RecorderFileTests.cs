@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Nowpose.Cli.Replay;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
@@ -65,6 +66,40 @@ public class RecorderFileTests
         Assert.That(files.Select(lines => lines[^1].GetProperty("kind").GetString()), Is.All.EqualTo("end"));
         Assert.That(recorder.Status.Lines, Is.EqualTo(files.Sum(lines => lines.Length - 2)));
         Assert.That(recorder.Status.Lost, Is.Zero);
+    }
+
+    [Test]
+    public async Task Record_RobotsInNamespaces_AreDescribedInTheHeader()
+    {
+        _cell.Source.TryDescribe(RobotFiles.LoadText("youbot"));
+        _cell.Source.Describe(RobotFiles.LoadText("ur5"), "arm1");
+        await using var recorder = _cell.Open();
+        recorder.SwitchOn();
+        _cell.Source.Describe(RobotFiles.LoadText("ur5"), "arm1");
+        _cell.Source.Publish(new JointStateMessage(_cell.Clock.Now, ["elbow_joint"], [1]), null, "arm1");
+        await recorder.SwitchOffAsync().Bounded();
+
+        var file = _cell.Files().Single();
+        var other = Lines(file)[0].GetProperty("robots").EnumerateArray().Single();
+        Assert.That(other.GetProperty("namespace").GetString(), Is.EqualTo("arm1"));
+        Assert.That(other.GetProperty("joints").EnumerateArray().Select(joint => joint.GetProperty("name").GetString()), Does.Contain("elbow_joint"));
+        var session = RecordedSession.Read(file);
+        var joints = session.Header.Joints;
+        Assert.That(joints.Select(joint => joint.Name), Does.Contain("arm_joint_1").And.Contain("arm1/elbow_joint"));
+        Assert.That(joints.Single(joint => joint.Name == "arm1/elbow_joint").Limits.Velocity, Is.EqualTo(Math.PI).Within(0.01));
+        Assert.That(session.ValuesOf(session.Events.Single(one => one.Kind == RecordedSession.EventKind.Sample)).Length, Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Record_DescriptionOfARobotInANamespaceChanges_StartsAnotherFile()
+    {
+        await using var recorder = _cell.Open();
+        recorder.SwitchOn();
+        _cell.Source.Describe(RobotFiles.LoadText("ur5"), "arm1");
+        await Soon.BecomesAsync(() => _cell.Files().Length == 2, "the second file");
+        await recorder.SwitchOffAsync().Bounded();
+
+        Assert.That(_cell.Files().Select(file => Lines(file)[0].GetProperty("robots").GetArrayLength()).Order(), Is.EqualTo(new[] { 0, 1 }));
     }
 
     [Test]

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Globalization;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
@@ -29,8 +30,10 @@ namespace Nowpose.Recording
         }
 
         /// <summary>Writes the first line of a gateway's file. It contains only the settings that a prediction uses.</summary>
-        /// <param name="robot">Robot model; null without a robot description.</param>
-        public static void WriteOfGateway(JsonLine line, string cell, RobotModel robot, DateTime startedUtc)
+        /// <param name="robot">Model of the robot without a namespace; null without its description.</param>
+        /// <param name="others">Namespaces and models of the other described robots.</param>
+        public static void WriteOfGateway(
+            JsonLine line, string cell, RobotModel robot, IEnumerable<(string Namespace, RobotModel Robot)> others, DateTime startedUtc)
         {
             line.Begin("session").Add("format", SessionFormat.Name).Add("version", SessionFormat.Version);
             line.Add("package", SessionFormat.Package).Add("recorded_by", "gateway");
@@ -38,15 +41,20 @@ namespace Nowpose.Recording
             line.Add("started_utc", startedUtc.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture));
             if (robot != null) WriteRobot(line, robot);
             else line.Open("robot", '{').Add("name", "not described").Open("joints", '[').Close(']').Close('}');
+            line.Open("robots", '[');
+            foreach (var other in others) WriteFields(line.OpenElement().Add("namespace", other.Namespace), other.Robot);
+            line.Close(']');
             var prediction = PredictionSettings.Default;
             line.Open("settings", '{').Add("predictor", prediction.Predictor).Add("horizon_cap_ms", prediction.HorizonCap.TotalMilliseconds)
                 .Add("maximum_gap_ms", prediction.MaximumGap.TotalMilliseconds).Add("blend_ms", prediction.Blend.TotalMilliseconds).Close('}');
             line.End();
         }
 
-        static void WriteRobot(JsonLine line, RobotModel robot)
+        static void WriteRobot(JsonLine line, RobotModel robot) => WriteFields(line.Open("robot", '{'), robot);
+
+        static void WriteFields(JsonLine line, RobotModel robot)
         {
-            line.Open("robot", '{').Add("name", robot.Name).Add("description_sha256", robot.SourceHash.ToString());
+            line.Add("name", robot.Name).Add("description_sha256", robot.SourceHash.ToString());
             line.Open("joints", '[');
             foreach (var joint in robot.MovingJoints)
             {
