@@ -38,5 +38,12 @@ static class SessionFileMessages
     public static string PointOrder(int point) =>
         $"of point {point} is negative, or not later than that of the previous point; times must increase";
 
+    public static string TooFar(double value, double limit) =>
+        FormattableString.Invariant($"has {value} m; allowed: {-limit:0} to {limit:0} m");
+
+    /// <param name="longest">Maximum number of characters.</param>
+    public static string Name(string value, int longest) => $"is '{InputException.OneLine(value, 32)}'; allowed: 1 to {longest} characters";
+
+    public const string OwnParent = "is the frame itself; a frame must have another parent";
     public const string NotARotation = "is not a rotation; it must be a unit quaternion x, y, z, w";
 }

@@ -2,6 +2,7 @@ using Nowpose.Cli.Messages;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using Nowpose.Sync;
 
@@ -43,7 +44,7 @@ static class SessionLines
         "plan" => ReadPlan(line),
         "pose" => ReadPose(line),
         "signal" => new SignalLine(
-            ControlTime.FromNanoseconds(line.Whole("stamp_ns")), line.Text("name"), line.Number("value"), line.TextOr("dropped", null)),
+            ControlTime.FromNanoseconds(line.Whole("stamp_ns")), Name(line, "name"), line.Number("value"), line.TextOr("dropped", null)),
         "frame" => new FrameLine(
             HeadsetTime.FromNanoseconds(line.Whole("start_ns")),
             line.Has("light_ns") ? ControlTime.FromNanoseconds(line.Whole("light_ns")) : null,
@@ -126,10 +127,21 @@ static class SessionLines
         var (position, rotation) = (line.Numbers("position", 3), line.Numbers("rotation", 4));
         if (!UnitQuaternion.TryNormalise(rotation[0], rotation[1], rotation[2], rotation[3], out var turned))
             throw line.Wrong("rotation", SessionFileMessages.NotARotation);
+        if (position.FirstOrDefault(value => Math.Abs(value) > TransformsReader.MaxCoordinate) is not 0 and var far)
+            throw line.Wrong("position", SessionFileMessages.TooFar(far, TransformsReader.MaxCoordinate));
+        var (frame, parent) = (Name(line, "frame"), Name(line, "parent"));
+        if (frame == parent) throw line.Wrong("parent", SessionFileMessages.OwnParent);
         return new PoseLine(
-            ControlTime.FromNanoseconds(line.Whole("stamp_ns")), line.Text("frame"), line.Text("parent"),
+            ControlTime.FromNanoseconds(line.Whole("stamp_ns")), frame, parent,
             new Vector3D(position[0], position[1], position[2]), turned, line.FlagOr("stationary", false), line.TextOr("dropped", null),
             ControlArrivalIn(line));
+    }
+
+    // Returns the name of a frame or signal.
+    static string Name(LineFields line, string field)
+    {
+        var name = line.Text(field);
+        return name.Length is > 0 and <= ProtocolLimits.NameLength ? name : throw line.Wrong(field, SessionFileMessages.Name(name, ProtocolLimits.NameLength));
     }
 
     static ControlTime? ControlArrivalIn(LineFields line) =>

@@ -301,11 +301,14 @@ public class SessionReplayTests
     [TestCase("\"rotation\":[0,0,0,2]", "field 'rotation' is not a rotation")]
     [TestCase("\"rotation\":[0,0,1]", "field 'rotation' has 3 numbers; it must have 4")]
     [TestCase("\"rotation\":\"none\"", "field 'rotation' must be an array")]
-    public async Task Replay_DamagedPose_NamesItsLineAndField(string rotation, string expected)
+    [TestCase("\"rotation\":[0,0,0,1]", "field 'position' has 2000000 m; allowed: -1000000 to 1000000 m", "[0,2e6,0]")]
+    [TestCase("\"rotation\":[0,0,0,1]", "field 'parent' is the frame itself; a frame must have another parent", "[0,0,0]", "part")]
+    [TestCase("\"rotation\":[0,0,0,1]", "field 'parent' is ''; allowed: 1 to 128 characters", "[0,0,0]", "")]
+    public async Task Replay_DamagedPose_NamesItsLineAndField(string rotation, string expected, string position = "[0,0,0]", string parent = "world")
     {
         VirtualRecording.To(_path, seconds: 6);
         var lines = File.ReadAllLines(_path).ToList();
-        lines.Insert(5, $"{{\"kind\":\"pose\",\"arrival_ns\":1,\"stamp_ns\":1,\"frame\":\"part\",\"parent\":\"world\",\"position\":[0,0,0],{rotation}}}");
+        lines.Insert(5, $"{{\"kind\":\"pose\",\"arrival_ns\":1,\"stamp_ns\":1,\"frame\":\"part\",\"parent\":\"{parent}\",\"position\":{position},{rotation}}}");
         File.WriteAllLines(_path, lines);
 
         var run = await Run("replay", _path);
