@@ -14,6 +14,9 @@ export type Component = { constant: number } | { value: number };
 export type RotationSource =
   { kind: 'quaternion' | 'vector'; parts: Component[] } | { kind: 'angles'; parts: Component[]; order: string; isFixed: boolean; scale: number };
 
+/** Maximum number of transforms from a frame to its root, as in the gateway. */
+const MAX_DEPTH = 16;
+
 /** An object of the cell. Its pose in its parent frame is constant or read from the control system. */
 export interface Frame {
   frame: string;
@@ -160,7 +163,7 @@ function reportDistance(file: YamlFile, { position, scale }: Frame, path: Path):
   });
 }
 
-/** Reports a frame that is its own ancestor. Each frame of a cycle is reported. The gateway checks frames whose parent changes. */
+/** Reports a frame that is its own ancestor, or too deep below the root. Each frame of a cycle is reported. The gateway checks frames whose parent changes. */
 function reportCycle(file: YamlFile, frames: Frame[], { frame, parents: [parent, ...others] }: Frame, path: Path): void {
   const own = others.indexOf(frame);
   if (own >= 0) return file.report([...path, 'parent', 'of', own + 1], frameMessages.cycle(frame, [frame, frame], WORLD));
@@ -171,4 +174,7 @@ function reportCycle(file: YamlFile, frames: Frame[], { frame, parents: [parent,
     const above: Frame | undefined = others.length > 0 ? undefined : frames.find(f => f.frame === next);
     next = above?.parents.length === 1 ? above.parents[0] : undefined;
   }
+
+  const depth = chain.length - 1;
+  if (depth > MAX_DEPTH) file.report([...path, 'parent'], frameMessages.tooDeep(parent, depth, MAX_DEPTH));
 }

@@ -43,6 +43,8 @@ export const frameMessages = {
     ),
   noAddress: (entry: string) => `missing; add the ${entry} of the variable that contains this number`,
   tooFar: (value: number, metres: number) => wrongValue(value, `this is ${metres} m; allowed: -1000000 to 1000000 m`),
+  tooDeep: (value: unknown, depth: number, most: number) =>
+    wrongValue(value, `the frame is ${depth} transforms below its root; allowed: at most ${most}; use a parent that is nearer to the root`),
   /** @param chain Names of the frames in the cycle: the frame, its parent, and so on, with the frame again at the end. */
   cycle: (value: unknown, chain: string[], world: string) =>
     wrongValue(

@@ -66,6 +66,9 @@ signals:
   - { signal: closed, topic: gripper/closed }
 `;
 
+// Frames f0 to f(count − 1), each with the frame before it as its parent and the first one in the world, before another frame.
+const chainOf = (count, last) => Array.from({ length: count }, (_, i) => `  - { frame: f${i}, parent: ${i ? `f${i - 1}` : 'world'}, position: { unit: m, x: 0, y: 0, z: 0 } }\n`).join('') + last;
+
 const read = text => readConfiguration(temporaryFile('plant.yaml', text), {}, Object.fromEntries(Object.entries(kinds).map(([name, kind]) => [name, kind.check])));
 const linesOf = (text, from, to) => {
   const changed = text.replace(from, to);
@@ -104,6 +107,7 @@ describe('configuration of frames, signals and robots', () => {
     ['TooManyRobots', OPCUA, '  arm2: ur5e\n', Array.from({ length: 17 }, (_, i) => `  r${i}: ur5e\n`).join(''), `line 4: robots: ${configurationMessages.tooMany(18, 16)}`],
     ['OwnParent', OPCUA, 'parent: table', 'parent: part', `line 14: frames[1].parent: ${frameMessages.cycle('part', ['part', 'part'], 'world')}`],
     ['CycleOfFrames', OPCUA, '  - frame: table\n', '  - frame: table\n    parent: part\n', `line 12: frames[0].parent: ${frameMessages.cycle('part', ['table', 'part', 'table'], 'world')}`],
+    ['TooDeep', OPCUA, '  - frame: table\n', chainOf(15, '  - frame: table\n    parent: f14\n'), `line 30: frames[16].parent: ${frameMessages.tooDeep('table', 17, 16)}`],
     ['OnlyOneParentToSelectFrom', OPCUA, 'parent: table', 'parent: { of: [table], node: i=9 }', 'line 14: frames[1].parent.of: value ["table"]; '],
     ['SelectorWithoutNode', OPCUA, 'parent: table', 'parent: { of: [table, world] }', `line 14: frames[1].parent.node: ${frameMessages.noAddress('node')}`],
     ['NoUnit', OPCUA, 'unit: mm, x: 1000', 'x: 1000', 'line 12: frames[0].position.unit: missing; '],
