@@ -39,7 +39,7 @@ sealed class CellFrames(RobotLinks links)
             }
 
             leftOut.Add(owner == null ? LimitBroken(reason, child, message[i].Parent)
-                : new LeftOut(reason, child, CellMessageFaults.Of($"frame {child}", reason), owner));
+                : new LeftOut(reason, child, CellMessageFaults.Of(CellMessageFaults.Named(CellKinds.Frame, child), reason), owner));
             accepted ??= MessageParts.Part(message, index => index < i);
         }
 
@@ -59,11 +59,11 @@ sealed class CellFrames(RobotLinks links)
     }
 
     /// <summary>Removes the frames that form a cycle through a robot, because the robot was described after them.</summary>
-    /// <returns>The sources of the removed frames, and the faults; no source for a frame whose source has ended.</returns>
+    /// <returns>The sources of the removed frames, which may have ended, and the faults.</returns>
     public IReadOnlyList<(HubSource Source, LeftOut Frame)> RemoveCycles()
     {
         var inCycle = _frames.Where(one => _parents.IsInCycle(one.Key))
-            .Select(one => (one.Value.Owner, LimitBroken(DropReason.FrameCycle, one.Key, _parents[one.Key]))).ToArray();
+            .Select(one => (one.Value.Source, LimitBroken(DropReason.FrameCycle, one.Key, _parents[one.Key]))).ToArray();
         foreach (var (_, frame) in inCycle) Remove(frame.Name);
         return inCycle;
     }
@@ -83,7 +83,7 @@ sealed class CellFrames(RobotLinks links)
         if (reason != DropReason.None) return reason;
         if (!_frames.TryGetValue(transform.Child, out var frame)) _frames[transform.Child] = frame = new Frame();
         if (!isStationary && frame.IsStationary) Stationary.Remove(transform.Child);
-        (frame.Owner, frame.IsStationary) = (source, isStationary);
+        (frame.Owner, frame.Source, frame.IsStationary) = (source, source, isStationary);
         return DropReason.None;
     }
 
@@ -105,6 +105,9 @@ sealed class CellFrames(RobotLinks links)
     {
         /// <summary>Source that publishes the frame; null for a stationary frame whose source has ended.</summary>
         public HubSource Owner { get; set; }
+
+        /// <summary>Source of the newest pose.</summary>
+        public HubSource Source { get; set; }
 
         public bool IsStationary { get; set; }
     }

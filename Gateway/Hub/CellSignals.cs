@@ -33,7 +33,7 @@ sealed class CellSignals
             }
 
             var reason = owner == null ? DropReason.TooManySignals : DropReason.SignalTaken;
-            leftOut.Add(new LeftOut(reason, name, CellMessageFaults.Of($"signal {name}", reason), owner));
+            leftOut.Add(new LeftOut(reason, name, CellMessageFaults.Of(CellMessageFaults.Named(CellKinds.Signal, name), reason), owner));
             accepted ??= MessageParts.Part(message, index => index < i);
         }
 

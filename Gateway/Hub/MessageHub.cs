@@ -296,8 +296,7 @@ public sealed class MessageHub
     void RemoveCycles()
     {
         lock (_lock)
-            foreach (var (source, frame) in _frames.RemoveCycles())
-                if (source != null) PartDropped?.Invoke(source, RosTopics.Tf, frame);
+            foreach (var (source, frame) in _frames.RemoveCycles()) PartDropped?.Invoke(source, RosTopics.Tf, frame);
     }
 
     // Returns the first name that belongs to another source; null if there is none. Called under the lock.

@@ -5,7 +5,10 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Descriptions of faults in messages about frames and signals. The name of the frame or signal precedes them.</summary>
 static class CellMessageFaults
 {
-    public static string Frame(string child, string parent) => $"frame {child} with parent {parent}";
+    /// <param name="kind">frame or signal.</param>
+    public static string Named(string kind, string name) => $"{kind} {InputException.OneLine(name, ProtocolLimits.NameLength)}";
+
+    public static string Frame(string child, string parent) => $"{Named("frame", child)} with parent {InputException.OneLine(parent, ProtocolLimits.NameLength)}";
 
     /// <param name="what">The frame or signal.</param>
     public static string Of(string what, DropReason reason) => $"{what} {DropMessages.Of(reason)}";

@@ -4,7 +4,7 @@ namespace Nowpose.Gateway.Messages;
 static class CellReasons
 {
     public const string PosesStopped = "its poses stopped arriving";
-    public const string StampsStopped = "its poses arrive, but none is newer than the one before; set each stamp to the control time of its pose";
+    public const string StampsStopped = "its poses arrive with an unchanged time stamp; set each stamp to the control time of its pose";
 
     public static string ParentMissing(string parent) =>
         $"no source publishes its parent {parent}, and no described robot has a link of this name";

@@ -13,14 +13,6 @@ static class InvalidCellMessage
 {
     static readonly string[] Axes = ["x", "y", "z"], Components = ["x", "y", "z", "w"];
 
-    /// <summary>Gets the name of the frame or signal; empty if it cannot be read or is too long.</summary>
-    public static string NameIn(string body)
-    {
-        var message = Parse(body);
-        var token = message?.SelectToken("transforms[0].child_frame_id") ?? message?.SelectToken("name[0]");
-        return token is { Type: JTokenType.String } && (string)token is { Length: <= ProtocolLimits.NameLength } name ? name : "";
-    }
-
     /// <summary>
     /// Describes the fault, for example "frame box has a rotation with the norm 1.02; it must be 1 within 0.001".
     /// </summary>

@@ -16,13 +16,11 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
 
     /// <summary>Checks the stamps of a message. Leaves out transforms with invalid stamps, unless all stamps of the message are invalid.</summary>
     /// <param name="stamp">The newest valid stamp, or the newest one if none is valid, on C1; zero for a message without a stamp.</param>
-    /// <param name="rule">Names the frame and the rule that its stamp breaks; null if the text of the reason is sufficient.</param>
     /// <returns><see cref="DropReason.None"/> for valid stamps.</returns>
-    public DropReason Judge(RosbridgeMessage message, out ControlTime stamp, out string rule)
+    public DropReason Judge(RosbridgeMessage message, out ControlTime stamp)
     {
-        rule = null;
         stamp = Publications.StampOf(message) ?? default;
-        if (message.Transforms != null) return JudgeTransforms(message, out stamp, out rule);
+        if (message.Transforms != null) return JudgeTransforms(message, out stamp);
         return stamp == default ? DropReason.None : Judge(ref stamp);
     }
 
@@ -82,7 +80,7 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
     }
 
     // Does not convert a zero stamp, which only a stationary frame may have.
-    DropReason JudgeTransforms(RosbridgeMessage message, out ControlTime newest, out string rule)
+    DropReason JudgeTransforms(RosbridgeMessage message, out ControlTime newest)
     {
         var transforms = message.Transforms;
         var (valid, invalid) = (default(ControlTime), default(ControlTime));
@@ -106,10 +104,9 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
 
         var isAnyValid = wrong == null || wrong.Count < transforms.Count;
         newest = isAnyValid ? valid : invalid;
-        rule = isAnyValid ? null : wrong[0].Fault;
-        if (!isAnyValid) return wrong[0].Reason;
         if (wrong == null) return DropReason.None;
         LeftOut.AddRange(wrong);
+        if (!isAnyValid) return wrong[0].Reason;
         message.Transforms = MessageParts.Part(transforms, i => !wrong.Exists(one => one.Name == transforms[i].Child));
         return DropReason.None;
     }

@@ -1,5 +1,4 @@
 using System.Text;
-using Newtonsoft.Json.Linq;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
@@ -11,10 +10,17 @@ namespace Nowpose.Gateway.Rosbridge;
 /// Reads the valid transforms or signals of a message on /tf, /tf_static or /signals that also contains invalid ones, for example a tracker's pose of an
 /// object that it has lost. Not thread-safe.
 /// </summary>
-/// <remarks>Each transform or signal is read as a message of its own, so that the rules are those of <see cref="RosbridgeReader"/>.</remarks>
+/// <remarks>
+/// Each transform or signal is read as a message of its own, so that the rules are those of <see cref="RosbridgeReader"/>. The parts together are not much
+/// longer than the message, so that a large message with many faults needs little time.
+/// </remarks>
 sealed class PartialCellMessage
 {
-    static readonly JsonNames Envelope = new("msg"), Transforms = new("transforms"), Signals = new("header", "name", "value");
+    static readonly JsonNames Envelope = new("msg"), Transforms = new("transforms"), Signals = new("header", "name", "value"),
+        Stamp = new("stamp"), Child = new("child_frame_id");
+
+    /// <summary>Maximum length of a stamp, in bytes. It is repeated for each signal.</summary>
+    const int MaxStampBytes = 256;
 
     readonly RosbridgeReader _reader = new();
 
@@ -29,16 +35,17 @@ sealed class PartialCellMessage
     {
         var isSignal = message.Topic == RosTopics.Signals;
         var parts = utf8.Length > ProtocolLimits.MessageBytes ? [] : isSignal ? SignalsIn(utf8) : TransformsIn(utf8);
-        var names = parts.ConvertAll(InvalidCellMessage.NameIn);
+        var names = parts.ConvertAll(part => part.Name);
+        var kind = CellKinds.Of(message.Topic);
         var (transforms, signals, known) = (new TransformsMessage(), (SignalsMessage)null, new HashSet<string>());
         for (var i = 0; i < parts.Count; i++)
         {
             var isTwice = names[i].Length > 0 && names.FindAll(name => name == names[i]).Count > 1;
             if (isTwice && !known.Add(names[i])) continue;
-            var text = $"{{\"op\":\"publish\",\"topic\":\"{message.Topic}\",\"msg\":{parts[i]}}}";
+            var text = $"{{\"op\":\"publish\",\"topic\":\"{message.Topic}\",\"msg\":{parts[i].Body}}}";
             var isValid = _reader.TryRead(Encoding.UTF8.GetBytes(text), out var part, out var reason) && !isTwice;
             if (isTwice) reason = DropReason.DuplicateName;
-            if (!isValid) leftOut.Add(new LeftOut(reason, names[i], InvalidCellMessage.Describe(parts[i], names[i], CellKinds.Of(message.Topic), reason)));
+            if (!isValid) leftOut.Add(new LeftOut(reason, names[i], InvalidCellMessage.Describe(parts[i].Body, names[i], kind, reason)));
             else if (isSignal) (signals ??= new SignalsMessage(part.Signals.Stamp)).Add(part.Signals[0]);
             else transforms.Add(part.Transforms[0]);
         }
@@ -48,35 +55,62 @@ sealed class PartialCellMessage
         return signals != null || transforms.Count > 0;
     }
 
-    // Returns a body with one transform for each transform of the message.
-    static List<string> TransformsIn(ReadOnlySpan<byte> utf8)
+    // Returns the name of each transform, empty if it is invalid, and the body of a message with only this transform.
+    static List<(string Name, string Body)> TransformsIn(ReadOnlySpan<byte> utf8)
     {
         var json = BodyOf(utf8);
         var seen = 0;
         List<string> elements = [];
         json.BeginObject();
         while (json.NextField(Transforms, ref seen, out _)) elements = Elements(ref json);
-        return json.Fault == DropReason.None && elements.Count <= ProtocolLimits.Frames ? elements.ConvertAll(one => $"{{\"transforms\":[{one}]}}") : [];
+        return json.Fault == DropReason.None && elements.Count <= ProtocolLimits.Frames ? elements.ConvertAll(one => (ChildIn(one), $"{{\"transforms\":[{one}]}}")) : [];
     }
 
-    // Returns a body with one signal for each signal of the message.
-    static List<string> SignalsIn(ReadOnlySpan<byte> utf8)
+    // Returns the name of each signal, empty if it is invalid, and the body of a message with only this signal.
+    static List<(string Name, string Body)> SignalsIn(ReadOnlySpan<byte> utf8)
     {
         var json = BodyOf(utf8);
         var seen = 0;
-        var header = "null";
+        var stamp = "null";
         List<string> names = [], values = [];
         json.BeginObject();
         while (json.NextField(Signals, ref seen, out var field))
         {
-            if (field == 0) header = Text(ref json);
+            if (field == 0) stamp = StampIn(ref json);
             else if (field == 1) names = Elements(ref json);
             else values = Elements(ref json);
         }
 
-        return json.Fault == DropReason.None && names.Count == values.Count && names.Count <= ProtocolLimits.Signals
-            ? [.. names.Select((name, i) => $"{{\"header\":{header},\"name\":[{name}],\"value\":[{values[i]}]}}")] : [];
+        return json.Fault == DropReason.None && names.Count == values.Count && names.Count <= ProtocolLimits.Signals && stamp.Length <= MaxStampBytes
+            ? [.. names.Select((name, i) => (NameIn(name), $"{{\"header\":{{\"stamp\":{stamp}}},\"name\":[{name}],\"value\":[{values[i]}]}}"))] : [];
     }
+
+    static string StampIn(ref JsonUtf8Reader json)
+    {
+        var seen = 0;
+        var stamp = "null";
+        json.BeginObject();
+        while (json.NextField(Stamp, ref seen, out _)) stamp = Text(ref json);
+        return stamp;
+    }
+
+    static string ChildIn(string transform)
+    {
+        var json = new JsonUtf8Reader(Encoding.UTF8.GetBytes(transform), ProtocolLimits.Nesting);
+        var seen = 0;
+        string name = null;
+        json.BeginObject();
+        while (json.NextField(Child, ref seen, out _)) name = NameIn(ref json);
+        return name ?? "";
+    }
+
+    static string NameIn(string element)
+    {
+        var json = new JsonUtf8Reader(Encoding.UTF8.GetBytes(element), ProtocolLimits.Nesting);
+        return NameIn(ref json);
+    }
+
+    static string NameIn(ref JsonUtf8Reader json) => json.Text(out var name) && name.Length <= ProtocolLimits.NameLength ? name : "";
 
     // Returns a reader at the start of the message's body.
     static JsonUtf8Reader BodyOf(ReadOnlySpan<byte> utf8)

@@ -186,19 +186,16 @@ sealed class RosbridgeSession : IDisposable
     {
         var reason = Allowance(message.RobotTopic);
         ControlTime stamp = default;
-        string rule = null;
-        var isAllowed = reason == DropReason.None;
-        if (isAllowed)
-            reason = _publisher.Judge(message, out stamp, out rule);
+        if (reason == DropReason.None && (reason = _publisher.Judge(message, out stamp)) != DropReason.None && _publisher.LeftOut.Count == 0)
+            _publisher.LeftOut.AddRange(Publications.PartsOf(message).Select(part =>
+                new LeftOut(reason, part, CellMessageFaults.Named(CellKinds.Of(message.Topic), part) + ": " + DropMessages.Of(reason))));
         var name = Publications.NameIn(message);
         if (reason == DropReason.None && name != null && !IsOwn(name))
             reason = DropReason.NotAllowed;
         if (reason != DropReason.None)
         {
-            foreach (var part in isAllowed ? Publications.PartsOf(message) : []) _source.ReportDropped(message.Topic, new LeftOut(reason, part, rule ?? DropMessages.Of(reason)));
-            _replies.Drop(message, reason, rule: rule);
+            DropWhole(message, reason);
             if (reason == DropReason.StampInFuture) _publisher.AddStamp(message, stamp, true);
-            _replies.DropParts(message, _publisher.LeftOut);
             return;
         }
 
@@ -211,15 +208,16 @@ sealed class RosbridgeSession : IDisposable
         _replies.DropParts(message, _publisher.LeftOut);
     }
 
-    // Publishes the valid transforms or signals of a message that also contains invalid ones. Without a valid one, the message is one drop.
+    // Publishes the valid transforms or signals of a message that also contains invalid ones.
     void PublishValidParts(RosbridgeMessage message, DropReason reason)
     {
-        if (_partial.TryRead(_text.Span, message, _publisher.LeftOut))
-        {
-            Publish(message);
-            return;
-        }
+        if (_partial.TryRead(_text.Span, message, _publisher.LeftOut)) Publish(message);
+        else DropWhole(message, reason);
+    }
 
+    // Reports a message that is not published at all. It is one drop, although several transforms or signals may be invalid.
+    void DropWhole(RosbridgeMessage message, DropReason reason)
+    {
         foreach (var part in _publisher.LeftOut) _source.ReportDropped(message.Topic, part);
         _replies.Drop(message, reason, rule: _publisher.LeftOut.Find(part => part.Reason == reason).Fault);
         _publisher.LeftOut.Clear();

@@ -71,7 +71,7 @@ sealed class GatewayStatus : IDisposable
         Events = events;
         _conditions = new Conditions(options, clock, _diagnostics, _refusals, _cellReports, _cell, limits, recorder);
         hub.Refused += Refuse;
-        hub.PartDropped += Refuse;
+        hub.PartDropped += _cell.Refuse;
         hub.Left += _diagnostics.Remove;
         hub.SampleDropped += _joints.Refuse;
         hub.SourceLeft += _joints.Leave;
@@ -87,7 +87,7 @@ sealed class GatewayStatus : IDisposable
         _version = hub.OpenSource();
         _version.PublishVersion(Version);
         _signals = new SignalStatusTopic(hub, clock, options.Time.GetUtcNow);
-        _watch = new StatusWatch(_conditions, events, _joints, new JointStatusTopic(hub, clock, options.Time), plant, options.Time, log);
+        _watch = new StatusWatch(_conditions, events, _joints, new JointStatusTopic(hub, clock, options.Time), ReportSignals, plant, options.Time, log);
     }
 
     public static string Version => NowposeVersion.Text;
@@ -109,7 +109,7 @@ sealed class GatewayStatus : IDisposable
         _signals.Dispose();
         _version.Dispose();
         _hub.Refused -= Refuse;
-        _hub.PartDropped -= Refuse;
+        _hub.PartDropped -= _cell.Refuse;
         _hub.Left -= _diagnostics.Remove;
         _hub.SampleDropped -= _joints.Refuse;
         _hub.SourceLeft -= _joints.Leave;
@@ -159,10 +159,7 @@ sealed class GatewayStatus : IDisposable
             _joints.Add(message.Source, message.Joints, age);
         }
         else if (message.Content is TransformsMessage frames) _cell.Add(message.Source, frames, message.Topic == RosTopics.TfStatic);
-        else if (message.Content is SignalsMessage signals)
-        {
-            if (_cell.Add(message.Source, signals)) ReportSignals();
-        }
+        else if (message.Content is SignalsMessage signals) _cell.Add(message.Source, signals);
         else if (message.Content is DiagnosticsMessage diagnostics)
         {
             _diagnostics.Add(diagnostics);
@@ -179,8 +176,9 @@ sealed class GatewayStatus : IDisposable
         ReportSignals();
     }
 
-    void ReportSignals() =>
-        _signals.Report([.. _cellReports.Troubled(AdapterReport.SignalPrefix), .. _cell.RefusedSignals()], _options.Time.GetUtcNow());
+    // Under the hub's lock, so that no older list replaces a newer one.
+    void ReportSignals() => _hub.Exclusively(() =>
+        _signals.Report([.. _cellReports.Troubled(AdapterReport.SignalPrefix), .. _cell.RefusedSignals()], _options.Time.GetUtcNow()));
 
     void Refuse(HubSource source, string kind, string name, HubSource owner)
     {
@@ -188,11 +186,6 @@ sealed class GatewayStatus : IDisposable
         _refusals.Add(source, kind, name, owner);
     }
 
-    void Refuse(HubSource source, string topic, LeftOut part)
-    {
-        _cell.Refuse(source, topic, part);
-        if (topic == RosTopics.Signals) ReportSignals();
-    }
 
     static JointView Of(JointStatus joint) => new(
         joint.Name, joint.Source, joint.Word, UtcText.Of(joint.Since), joint.Age is { } age ? Math.Round(age.TotalSeconds, 3) : null, joint.RateHz,

@@ -58,7 +58,7 @@ public sealed partial class MessageCatalogueTests
         ["AppearanceMessages"] = ["NoMaterial", "NotFadeable"],
         ["BaseMessages"] = ["FollowsMarker", "Lost", "MovedLabel", "NotLocated"],
         ["CalibrationMessages"] = ["Of"],
-        ["CellMessageFaults"] = ["ChildTwice", "Frame", "Has", "NoName", "Of", "OwnParent", "StampZero", "Twice"],
+        ["CellMessageFaults"] = ["ChildTwice", "Frame", "Has", "Named", "NoName", "Of", "OwnParent", "StampZero", "Twice"],
         ["ComponentMessages"] = ["GripperWithoutJoint", "Of"],
         ["ConditionMessages"] = ["PlaceOfOpenXr", "PlaceOfQuality", "PlaceOfReprojection"],
         ["DeviceMessages"] =

@@ -266,13 +266,73 @@ public class PlayedSignalTests : PlayedParts
         jaw.enabled = false;
         Run(0.1);
         Assert.That(IsHatched(moved), Is.False, "a disabled part follows no signal");
+    }
 
-        static bool IsHatched(Renderer renderer)
-        {
-            var block = new MaterialPropertyBlock();
-            renderer.GetPropertyBlock(block);
-            return block.GetFloat(Shader.PropertyToID("_Hatch")) > 0;
-        }
+    [Test]
+    public void ActuatedPart_OnAnother_LooksDifferentIfEitherSignalIsNotCurrent()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var appearance = rig.gameObject.AddComponent<PoseAppearance>();
+        var slide = Below<ActuatedPart>("slide", rig.transform);
+        var jaw = Below<ActuatedPart>("jaw", slide.transform).With("_wayMetres", new Vector3(0, 0, 1));
+        var box = Below<TrackedObject>("box", jaw.transform);
+        var (moved, shown) = (Rendering.PlayedAppearance.Part("moved", jaw.transform), Rendering.PlayedAppearance.Part("shown", box.transform));
+        void Send(double t) => SendPose("world", "box", t, Along(t));
+        appearance.Refresh();
+        Run(1, Send);
+        SendSignal("jaw", _cell.Now - 1, 1);
+        Run(0.5, Send);
+        Assert.That((IsHatched(moved), IsHatched(shown), appearance.Look.Label), Is.EqualTo((true, false, "signal not current")), "the slide has no value");
+
+        SendSignal("slide", _cell.Now - 1, 1);
+        Run(0.5, Send);
+        Assert.That((IsHatched(moved), appearance.Look.Label), Is.EqualTo((false, "")));
+
+        jaw.enabled = false;
+        jaw.enabled = true;
+        var frames = 0;
+        Run(0.1, Send, () => { if (frames++ > 0) Assert.That(jaw.Share, Is.EqualTo(1), "from the first frame on, because its signal changed long ago"); });
+    }
+
+    static bool IsHatched(Renderer renderer)
+    {
+        var block = new MaterialPropertyBlock();
+        renderer.GetPropertyBlock(block);
+        return block.GetFloat(Shader.PropertyToID("_Hatch")) > 0;
+    }
+
+    [Test]
+    public void Rig_ListenerEndsTheSession_TheRobotDoesNotLookCurrent()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var grip = Below<GripByReach>("grip", rig.transform);
+        var appearance = rig.gameObject.AddComponent<PoseAppearance>();
+        var part = Rendering.PlayedAppearance.Part("part", rig.transform);
+        Below<TrackedObject>("box", rig.transform);
+        appearance.Refresh();
+        Run(1);
+        Assert.That(IsHatched(part), Is.False);
+
+        rig.Posed += () => _session.enabled = false;
+        Run(0.1);
+
+        Assert.That((_session.Session, IsHatched(part), grip.Fault), Is.EqualTo(((CompensationSession)null, true, grip.Fault)));
+        Assert.That(_cell.Player.Logs.Where(log => log.Exception != null), Is.Empty);
+    }
+
+    [Test]
+    public void PlannedPath_RobotNoLongerKnown_IsHidden()
+    {
+        var (_, path, line) = NewPath();
+        Run(1);
+        SendPlan(_cell.Now, 6);
+        Run(0.2);
+        Assert.That(line.enabled, Is.True);
+
+        _session.RobotAsset = null;
+        Run(0.5);
+
+        Assert.That((_session.Robot, line.enabled, path.DrawnSeconds), Is.EqualTo(((RobotModel)null, false, 0f)));
     }
 
     [Test]
@@ -285,6 +345,7 @@ public class PlayedSignalTests : PlayedParts
 
         Run(1, t => SendPose("world", "box", t, Along(t)), () => AssertAt(box.transform, _session.transform, Along(_cell.Now + Visu), 1e-3));
 
+        Assert.That(box.GetComponent<PoseAppearance>().Look.IsHatched, Is.False, "the tracked object itself is shown correctly");
         Assert.That(part.Fault, Is.EqualTo("the tracked or stationary object on the same object moves it; put the actuated part on a child object"));
         Assert.That(_cell.Player.Logs.Count(log => log.Type == LogType.Error && log.Message.Contains("put the actuated part on a child object")), Is.EqualTo(1));
     }

@@ -21,7 +21,10 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
     /// <summary>Maximum number of frames, and of signals, known only from refused messages.</summary>
     internal const int MaxRefused = 64;
 
-    /// <summary>Time without a newer pose after which a tracked frame is stale.</summary>
+    /// <summary>Time for which a tracked frame stays refused after its last invalid pose.</summary>
+    internal static readonly TimeSpan RefusedFor = TimeSpan.FromSeconds(10);
+
+    /// <summary>Time without a pose with another time stamp after which a tracked frame is stale.</summary>
     static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(1);
 
     static readonly string RefusedState = JointDataStates.Of(JointDataState.Refused);
@@ -37,33 +40,30 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
             for (var i = 0; i < message.Count; i++)
             {
                 if (!TryGet(_frames, message[i].Child, ProtocolLimits.Frames, frame => !frame.HasAny || IsSilent(frame), out var frame)) continue;
-                (frame.Source, frame.IsStationary, frame.Parent) = (source, isStationary, message[i].Parent);
                 frame.ArrivedAt = time.GetTimestamp();
-                if (!frame.HasAny || isStationary || message[i].Stamp > frame.Stamp) (frame.Stamp, frame.SeenAt) = (message[i].Stamp, frame.ArrivedAt);
+                if (!frame.HasAny || isStationary || message[i].Stamp != frame.Stamp || frame.Source != source) (frame.Stamp, frame.SeenAt) = (message[i].Stamp, frame.ArrivedAt);
+                (frame.Source, frame.IsStationary, frame.Parent) = (source, isStationary, message[i].Parent);
                 (frame.HasLeft, frame.HasAny) = (false, true);
                 frame.Refusal = null;
             }
     }
 
     /// <summary>Records a publication on /signals.</summary>
-    /// <returns>Whether the message ends a refusal.</returns>
-    public bool Add(HubSource source, SignalsMessage message)
+    public void Add(HubSource source, SignalsMessage message)
     {
-        var isRefusalOver = false;
         lock (_gate)
             for (var i = 0; i < message.Count; i++)
             {
                 if (!TryGet(_signals, message[i].Name, ProtocolLimits.Signals, signal => signal.IsEnded || !signal.HasAny, out var signal)) continue;
                 if (signal.Value != message[i].Value) (signal.Value, signal.Since) = (message[i].Value, message.Stamp);
                 (signal.Source, signal.IsEnded, signal.HasLeft, signal.HasAny) = (source, false, false, true);
-                isRefusalOver |= signal.Refusal != null;
                 signal.Refusal = null;
             }
-
-        return isRefusalOver;
     }
 
-    /// <summary>Records that a frame or signal was dropped because of its content.</summary>
+    /// <summary>
+    /// Records that a frame or signal was dropped because of its content. Has no effect on one that is known from another source.
+    /// </summary>
     /// <param name="topic">Topic of the message.</param>
     public void Refuse(HubSource source, string topic, LeftOut part)
     {
@@ -216,9 +216,10 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
         foreach (var (name, _) in all.Where(one => isOver(one.Value)).ToArray()) all.Remove(name);
     }
 
-    // A tracked frame is refused only if no valid pose arrives, because its next pose follows soon.
+    // A tracked frame is refused only if no valid pose arrives, because its next pose follows soon. The refusal lasts for some time, so that a slow source
+    // does not change the state with each message.
     bool IsRefused(FrameEntry frame) => frame.Refusal is { } refusal
-        && (frame.IsStationary ? frame.HasAny || !IsOver(refusal.At) : (!frame.HasAny || IsSilent(frame)) && time.GetElapsedTime(refusal.At) < JointBoard.StaleAfter);
+        && (frame.IsStationary ? frame.HasAny || !IsOver(refusal.At) : (!frame.HasAny || IsSilent(frame)) && time.GetElapsedTime(refusal.At) < RefusedFor);
 
     bool IsSilent(FrameEntry frame) => !frame.IsStationary && time.GetElapsedTime(frame.SeenAt) > MaxSilence;
 
@@ -245,7 +246,8 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
             all.Add(name, entry = new T());
         }
 
-        if (!entry.HasAny) entry.Source = source;
+        if (entry.HasAny && entry.Source != source) return null;
+        entry.Source = source;
         entry.Refusal = entry.Refusal == null ? refusal : refusal with { Since = entry.Refusal.Since };
         return entry;
     }

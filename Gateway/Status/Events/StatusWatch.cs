@@ -4,7 +4,7 @@ using Nowpose.Gateway.Status.Joints;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Checks for faults five times per second, and updates the list of events and the joint status for headsets.</summary>
+/// <summary>Checks for faults five times per second, and updates the list of events and the lists of joints and signals for headsets.</summary>
 sealed class StatusWatch : IDisposable
 {
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(0.2);
@@ -13,15 +13,17 @@ sealed class StatusWatch : IDisposable
     readonly EventList _events;
     readonly JointBoard _joints;
     readonly JointStatusTopic _topic;
+    readonly Action _reportSignals;
     readonly ClockSteps _steps;
     readonly GuardedTask _look;
     readonly ITimer _timer;
     bool _isDisposed;
 
+    /// <param name="reportSignals">Updates the list of signals.</param>
     public StatusWatch(
-        Conditions conditions, EventList events, JointBoard joints, JointStatusTopic topic, PlantClocks plant, TimeProvider time, Action<string> log)
+        Conditions conditions, EventList events, JointBoard joints, JointStatusTopic topic, Action reportSignals, PlantClocks plant, TimeProvider time, Action<string> log)
     {
-        (_conditions, _events, _joints, _topic, _steps) = (conditions, events, joints, topic, new ClockSteps(plant, events));
+        (_conditions, _events, _joints, _topic, _reportSignals, _steps) = (conditions, events, joints, topic, reportSignals, new ClockSteps(plant, events));
         _look = new GuardedTask(LookNow, EventTexts.NotUpdated, log);
         _timer = time.CreateTimer(_ => Look(), null, Interval, Interval);
     }
@@ -42,6 +44,7 @@ sealed class StatusWatch : IDisposable
         var joints = _joints.Read();
         _events.Update(_conditions.Read(joints));
         _topic.Publish(joints);
+        _reportSignals();
         _steps.Look();
     }
 }

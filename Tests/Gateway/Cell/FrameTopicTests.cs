@@ -205,6 +205,7 @@ public class FrameTopicTests
 
         await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.TfStatic));
         Assert.That(new[] { await NextFramesAsync(), await NextFramesAsync() }, Is.EqualTo(new[] { "table=0", "lid=0" }));
+        Assert.That(_gateway.Hub.Links.RootOf("arm1/tool0"), Is.EqualTo("arm1/base"));
         await SendAsync(TfStatic(Frame("box", "arm1/tool0")));
         await _source.SendAsync(TfStatic(Frame("arm1/base", "box")));
         await _source.ExpectErrorAsync("FrameCycle");

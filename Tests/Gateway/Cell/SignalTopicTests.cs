@@ -193,6 +193,34 @@ public class SignalTopicTests
         Assert.That(_gateway.Drops.Total, Is.EqualTo(1));
     }
 
+    // The names look like dates, which a JSON library may convert.
+    [Test]
+    public async Task Publish_SameSignalTwice_OmitsBoth()
+    {
+        await _headset.SubscribeAsync(RosTopics.Signals);
+
+        await _source.SendAsync(SignalsText(("2024-01-01T00:00:00", 1), ("a", 2), ("2024-01-01T00:00:00", 3)));
+
+        await _source.ExpectErrorAsync("signal 2024-01-01T00:00:00 occurs twice (DuplicateName)");
+        Assert.That((await _headset.ReceiveAsync()).Signals.Text(), Is.EqualTo("a=2"));
+    }
+
+    [Test]
+    public void TryRead_LongHeaderAndManyInvalidSignals_NeedsLittleMemory()
+    {
+        var text = SignalsText([.. Enumerable.Range(0, 256).Select(i => ("s" + i, 1.0))]).Replace("1.0", "null")
+            .Replace("\"header\":{", "\"header\":{\"unknown\":[" + string.Join(',', Enumerable.Repeat(0, 25_000)) + "],");
+        var utf8 = System.Text.Encoding.UTF8.GetBytes(text);
+        var leftOut = new List<Nowpose.Gateway.Hub.LeftOut>();
+        new RosbridgeReader().TryRead(utf8, out var message, out _);
+        var before = GC.GetAllocatedBytesForCurrentThread();
+
+        var isAny = new Nowpose.Gateway.Rosbridge.PartialCellMessage().TryRead(utf8, message, leftOut);
+
+        Assert.That((isAny, leftOut.Count), Is.EqualTo((false, 256)));
+        Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.LessThan(20_000_000));
+    }
+
     [Test]
     public async Task SignalStatus_NewestValueRefused_ContainsTheSignalUntilItsNextValidValue()
     {

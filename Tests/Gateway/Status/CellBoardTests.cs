@@ -118,9 +118,9 @@ public class CellBoardTests
             new FrameView("box", null, "gateway", "refused", null, "the gateway drops the samples of gateway: is wrong (NotFinite)") { Since = start },
         }));
 
-        _time.Advance(JointBoard.StaleAfter);
+        _time.Advance(CellBoard.RefusedFor);
 
-        Assert.That(_board.Frames(At(7)), Is.Empty);
+        Assert.That(_board.Frames(At(15)), Is.Empty);
     }
 
     [Test]
@@ -136,7 +136,7 @@ public class CellBoardTests
         Refuse(RosTopics.Tf, "box");
         Assert.That(States(), Is.EqualTo(new[] { ("box", "refused"), ("table", "refused") }));
 
-        _time.Advance(TimeSpan.FromSeconds(2));
+        _time.Advance(CellBoard.RefusedFor);
         _board.Add(_source, Pose("table", 5), isStationary: true);
         Assert.That(States(), Is.EqualTo(new[] { ("box", "stale"), ("table", "stationary") }));
 
@@ -157,7 +157,7 @@ public class CellBoardTests
         }));
         Assert.That(_board.RefusedSignals().Select(one => one.Name), Is.EqualTo(new[] { "grip", "lamp" }));
 
-        Assert.That(_board.Add(_source, new SignalsMessage(At(9), new SignalValue("grip", 1), new SignalValue("lamp", 1))), Is.True);
+        _board.Add(_source, new SignalsMessage(At(9), new SignalValue("grip", 1), new SignalValue("lamp", 1)));
 
         Assert.That(_board.Signals(At(9)).Select(signal => signal.State), Is.EqualTo(new[] { "live", "live" }));
         Assert.That(_board.RefusedSignals(), Is.Empty);
@@ -197,9 +197,22 @@ public class CellBoardTests
         var frame = _board.Frames(At(7)).Single();
         Assert.That((frame.State, frame.Reason), Is.EqualTo(("stale", CellReasons.StampsStopped)));
 
-        _board.Add(_source, Pose("box", 7), isStationary: false);
+        _board.Add(_source, Pose("box", 4), isStationary: false);
 
-        Assert.That(_board.Frames(At(7)).Single().State, Is.EqualTo("live"));
+        Assert.That(_board.Frames(At(7)).Single().State, Is.EqualTo("live"), "also if the clock of the source went back");
+    }
+
+    [Test]
+    public void FramesAndSignals_InvalidMessagesOfAnotherSource_DoNotRefuseThem()
+    {
+        _board.Add(_source, Pose("table", 5), isStationary: true);
+        _board.Add(_source, new SignalsMessage(At(5), new SignalValue("grip", 1)));
+        var other = new MessageHub().OpenSource();
+
+        _board.Refuse(other, RosTopics.TfStatic, new LeftOut(DropReason.NotFinite, "table", "is wrong"));
+        _board.Refuse(other, RosTopics.Signals, new LeftOut(DropReason.NotFinite, "grip", "is wrong"));
+
+        Assert.That((_board.Frames(At(5)).Single().State, _board.Signals(At(5)).Single().State), Is.EqualTo(("stationary", "live")));
     }
 
     [Test]

@@ -75,6 +75,7 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
+            _follower.Update(frame);
             if (frame.DisplayTime is ControlTime displayTime) Move((float)_stroke.At(displayTime));
         }
 

@@ -98,7 +98,7 @@ namespace Nowpose.Unity
             Drop();
             _followed = _session.Session;
             _robot = _source.Robot;
-            if (_robot == null) return;
+            if (_robot == null || _followed == null) return;
             var link = string.IsNullOrEmpty(_link) ? _robot.Robot.ToolLink.Name : _link;
             var index = _robot.Robot.IndexOfLink(link);
             if (index < 0)

@@ -275,6 +275,7 @@ namespace Nowpose.Unity
             if (Session == null) return;
             Session.Dispose();
             Session = null;
+            Movers.Stop();
             _display.Follow(null);
             Frame = null;
             Hidden?.Invoke();
@@ -314,7 +315,9 @@ namespace Nowpose.Unity
             if (Session != session) return null;
             _statistics.Expire();
             if (Robot != null) Frame = frame;
+            // A listener of a rig may end the session, too.
             Movers.Move(frame);
+            if (Session != session) return null;
             Computed?.Invoke(frame);
             if (Session != session) return null;
             if (Robot != null) Shown?.Invoke(frame);

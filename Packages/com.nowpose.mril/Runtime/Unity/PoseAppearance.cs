@@ -41,7 +41,7 @@ namespace Nowpose.Unity
         readonly List<Renderer> _found = new List<Renderer>();
         readonly Dictionary<Renderer, PosePart> _parts = new Dictionary<Renderer, PosePart>();
         readonly List<PoseCarrier> _carriers = new List<PoseCarrier>();
-        // The actuated parts that move renderers, with their faults when they were last drawn.
+        // The actuated parts that move renderers, with their faults when they were last drawn; null for no fault.
         readonly Dictionary<ActuatedPart, string> _actuated = new Dictionary<ActuatedPart, string>();
         readonly List<ActuatedPart> _changed = new List<ActuatedPart>();
         MrilSession _source;
@@ -142,7 +142,7 @@ namespace Nowpose.Unity
                 if (!_parts.TryGetValue(each, out var part)) _parts.Add(each, part = new PosePart(each, _block, _materials));
                 part.Take();
                 Follow(part.Carrier);
-                if (part.Actuated != null) _actuated[part.Actuated] = FaultOf(part.Actuated);
+                foreach (var actuated in part.Actuated) _actuated[actuated] = FaultOf(actuated);
                 if (part.HasUnsuitableMaterial) Report(part.UnsuitableMaterial, each);
             }
             Draw();
@@ -190,6 +190,8 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
+            // Another listener may have ended the session.
+            if (_source.Session == null) return;
             var hasChanged = StateIn(frame) != _pose;
             foreach (var carrier in _carriers) hasChanged |= carrier.HasChanged();
             hasChanged |= UpdateActuated();
@@ -222,7 +224,7 @@ namespace Nowpose.Unity
             foreach (var part in _parts.Values)
             {
                 if (!_pose.HasValue) part.ShowNoSession(_opacity);
-                else part.Draw(part.Actuated is object && _actuated[part.Actuated] is string fault ? WithSignal(look, fault) : look, _opacity);
+                else part.Draw(SignalFaultOf(part) is string fault ? WithSignal(look, fault) : look, _opacity);
             }
             SetLabel(Look.Label);
         }
@@ -230,6 +232,13 @@ namespace Nowpose.Unity
         // A part whose signal is not current may be at the wrong end of its stroke, so it is striped like a pose that is not current.
         static PoseLook WithSignal(PoseLook look, string fault) =>
             look.Also(ObjectMessages.SignalNotCurrent, fault, PoseLook.Of(PoseState.Held).Fade);
+
+        string SignalFaultOf(PosePart part)
+        {
+            foreach (var actuated in part.Actuated)
+                if (_actuated[actuated] is string fault) return fault;
+            return null;
+        }
 
         bool UpdateActuated()
         {

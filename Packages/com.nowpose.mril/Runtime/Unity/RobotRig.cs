@@ -65,7 +65,10 @@ namespace Nowpose.Unity
         public string RobotNamespace => _robotNamespace ?? "";
 
         /// <summary>The robot in the session of the last frame; null while it is unknown or the rig is disabled.</summary>
-        internal SessionRobot Robot => _source != null ? _robot.Robot : null;
+        internal SessionRobot Robot => _source != null && !IsRobotUnknown ? _robot.Robot : null;
+
+        // The session's own robot may be unknown while objects and other robots are shown.
+        bool IsRobotUnknown => RobotNamespace.Length == 0 && _source.Robot == null;
 
         /// <summary>Reason why the robot's pose is not current, in one line; null if it is current.</summary>
         internal string Fault => _source == null ? StatusMessages.NoSession : _robot.Fault;
@@ -163,8 +166,7 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
-            // The session's own robot may still be unknown, while objects and other robots are shown.
-            if (RobotNamespace.Length == 0 && _source.Robot == null) return;
+            if (IsRobotUnknown) return;
             var shown = _robot.FrameIn(_source.Session, frame);
             FollowRobot();
             if (shown == null || !IsFollowing) return;

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Prediction.Samples;
 using Nowpose.Protocol;
 
 namespace Nowpose.Signals
@@ -15,7 +16,7 @@ namespace Nowpose.Signals
         // Changes in the order of their stamps, oldest first. The first change is the visible change if _isVisible is true.
         readonly Change[] _changes = new Change[Capacity];
         readonly LateValues _late = new LateValues();
-        // Newest stamp that was not later than its arrival.
+        // Newest time for which an ordinary value is known or may still arrive: the newest stamp, without announced changes.
         ControlTime? _newestSample;
         int _count;
         bool _isVisible;
@@ -50,15 +51,18 @@ namespace Nowpose.Signals
         /// <param name="arrival">Control time of the arrival; null if unknown.</param>
         public DropReason Add(ControlTime stamp, double value, ControlTime? arrival = null)
         {
-            if (stamp > arrival) return Place(stamp, value);
-            // If all stamps so far were later than their arrival, the clock of the source is ahead, and going back makes its values late.
-            var newest = _newestSample ?? Newest;
-            if (_late.Add(stamp, value, newest))
+            if (stamp > arrival)
+            {
+                // The ordinary values that follow may be late by a normal delay. If they are older, the clock of the source went back.
+                if (!(arrival.Value - ClockTicks.Span(ArrivalOrder.MaxDelay) <= _newestSample)) _newestSample = arrival.Value - ClockTicks.Span(ArrivalOrder.MaxDelay);
+                return Place(stamp, value);
+            }
+            if (_late.Add(stamp, value, _newestSample))
             {
                 RestartWithLateValues();
                 return DropReason.None;
             }
-            if (!(stamp < newest)) _newestSample = stamp;
+            if (!(stamp <= _newestSample)) _newestSample = stamp;
             return Place(stamp, value);
         }
 

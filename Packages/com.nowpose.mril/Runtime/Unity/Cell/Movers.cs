@@ -13,7 +13,7 @@ namespace Nowpose.Unity.Cell
     {
         readonly List<Mover> _movers = new List<Mover>();
         Mover[] _order = Array.Empty<Mover>();
-        bool _isChanged;
+        bool _isChanged, _isStopped;
 
         /// <param name="component">The component whose object is moved.</param>
         /// <param name="move">Moves the object to its place in a frame.</param>
@@ -32,16 +32,28 @@ namespace Nowpose.Unity.Cell
 
         public void Move(DisplayFrame frame)
         {
+            _isStopped = false;
             if (_isChanged || !IsInOrder()) Arrange();
             // A component that a listener has added in the meantime moves from the next frame on.
             foreach (var mover in _order)
+            {
+                if (_isStopped) return;
                 if (!mover.IsRemoved) mover.Move(frame);
+            }
         }
+
+        /// <summary>Ends the present call of <see cref="Move"/>, because the session of its frame has ended.</summary>
+        public void Stop() => _isStopped = true;
 
         bool IsInOrder()
         {
-            for (var i = 1; i < _order.Length; i++)
-                if (_order[i - 1].Depth > _order[i].Depth) return false;
+            var above = 0;
+            foreach (var mover in _order)
+            {
+                var depth = mover.Depth;
+                if (depth < above) return false;
+                above = depth;
+            }
             return true;
         }
 

@@ -26,7 +26,7 @@ namespace Nowpose.Unity.Cell
             _changed = changed;
             _restarted = restarted;
             _title = "signal " + name;
-            _source.Computed += Show;
+            _source.Computed += Update;
             _source.Parts.Add(this);
         }
 
@@ -59,11 +59,12 @@ namespace Nowpose.Unity.Cell
         public void Leave()
         {
             _source.Parts.Remove(this);
-            _source.Computed -= Show;
+            _source.Computed -= Update;
             Follow(null);
         }
 
-        void Show(DisplayFrame frame)
+        /// <summary>Follows a new session of the component. Called in each frame; a component that moves before the other listeners calls it earlier.</summary>
+        public void Update(DisplayFrame frame)
         {
             if (_source.Session != _session) Follow(_source.Session);
         }

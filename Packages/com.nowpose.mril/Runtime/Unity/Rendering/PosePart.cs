@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Nowpose.Unity.Cell;
 using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
@@ -35,8 +36,10 @@ namespace Nowpose.Unity.Rendering
         /// <summary>The rig or gripper that moves the part, or the one that moved it and was destroyed; null if there is none.</summary>
         public PoseCarrier Carrier { get; private set; }
 
-        /// <summary>The nearest actuated part above the renderer; null if there is none.</summary>
-        public ActuatedPart Actuated { get; private set; }
+        /// <summary>
+        /// The actuated parts above the renderer that move it: those below the nearest object of the cell, which has its own place.
+        /// </summary>
+        public List<ActuatedPart> Actuated { get; } = new List<ActuatedPart>();
 
         /// <summary>Whether one of the part's materials cannot mark a pose as not current.</summary>
         public bool HasUnsuitableMaterial => _material.Means == PoseMeans.None;
@@ -56,7 +59,9 @@ namespace Nowpose.Unity.Rendering
         public void Take()
         {
             Carrier = PoseCarrier.Of(_renderer.transform, Carrier);
-            Actuated = _renderer.GetComponentInParent<ActuatedPart>(true);
+            Actuated.Clear();
+            for (var at = _renderer.transform; at != null && !at.TryGetComponent<ICellObject>(out _); at = at.parent)
+                if (at.TryGetComponent<ActuatedPart>(out var actuated)) Actuated.Add(actuated);
             if (!_isSubstituted) _own = null;
             Examine();
             if (_isTaken) return;

@@ -65,6 +65,19 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
+        public void Add_ClockSlightlyAheadThenBack_RestartsTheSignal()
+        {
+            var signal = new SignalTrack("grip");
+            signal.Add(At(9.9), 0, At(9.95));
+            for (var k = 0; k < 100; k++) signal.Add(At(10 + 0.1 * k), 0, At(9.985 + 0.1 * k));
+            signal.Next(At(20));
+
+            for (var k = 0; k < 10; k++) signal.Add(At(15 + 0.1 * k), 1, At(20.005 + 0.1 * k));
+
+            Assert.That((signal.Next(At(21)), signal.Value), Is.EqualTo((true, 1.0)));
+        }
+
+        [Test]
         public void Add_ClockOfASourceThatIsAheadGoesBack_RestartsTheSignal()
         {
             var signal = new SignalTrack("grip");
