@@ -8,7 +8,7 @@ namespace Nowpose.Gateway.Hub;
 public sealed class MessageHub
 {
     readonly Lock _lock = new();
-    readonly Dictionary<(string Topic, string Name), HubSource> _owners = [];
+    readonly RobotOwners _owners = new();
     readonly Subscribers _subscribers = new();
     readonly Dictionary<(HubSource Source, string Topic), HubMessage> _newest = [];
     // Keyed by topic, including the robot's namespace.
@@ -222,23 +222,22 @@ public sealed class MessageHub
         lock (_lock)
         {
             var topic = RobotTopic.NameOf(robot, kind);
-            if (FindTaken(source, topic, names) is { } taken)
+            if (_owners.FindTaken(source, topic, names) is { } taken)
             {
-                var owner = _owners[(topic, taken)];
+                var owner = _owners[topic, taken];
                 if (kind == RosTopics.JointStates) Refused?.Invoke(source, CellKinds.Joint, RobotTopic.Qualified(robot, taken), owner);
                 return new Refusal(DropReason.JointTaken, taken, owner);
             }
 
             if (Use(source, robot, kind) is { } refusal) return refusal;
-            foreach (var name in names)
-                _owners[(topic, name)] = source;
+            _owners.Take(source, topic, names);
             return null;
         }
     }
 
     internal bool IsFree(HubSource source, string robot, string[] names)
     {
-        lock (_lock) return FindTaken(source, RobotTopic.NameOf(robot, RosTopics.JointStates), names) == null;
+        lock (_lock) return _owners.FindTaken(source, RobotTopic.NameOf(robot, RosTopics.JointStates), names) == null;
     }
 
     /// <summary>Gets the other source that owns a frame or signal; null if there is none.</summary>
@@ -258,9 +257,9 @@ public sealed class MessageHub
         lock (_lock)
         {
             // The hub would have refused even a valid sample, so the fault does not concern the joints of the other source.
-            if (FindTaken(source, topic, names) is { } taken)
+            if (_owners.FindTaken(source, topic, names) is { } taken)
             {
-                Refused?.Invoke(source, CellKinds.Joint, RobotTopic.Qualified(robot, taken), _owners[(topic, taken)]);
+                Refused?.Invoke(source, CellKinds.Joint, RobotTopic.Qualified(robot, taken), _owners[topic, taken]);
                 return;
             }
         }
@@ -282,9 +281,7 @@ public sealed class MessageHub
     {
         lock (_lock)
         {
-            var owned = _owners.Where(entry => entry.Value == source && (topic == null || entry.Key.Topic == topic));
-            foreach (var entry in owned.ToList())
-                _owners.Remove(entry.Key);
+            _owners.Release(source, topic);
             foreach (var kept in _newest.Keys.Where(kept => kept.Source == source && (topic == null || kept.Topic == topic)).ToList())
                 _newest.Remove(kept);
             if (topic is null or RosTopics.Tf or RosTopics.TfStatic) _frames.Release(source, topic);
@@ -298,10 +295,6 @@ public sealed class MessageHub
         lock (_lock)
             foreach (var (source, frame) in _frames.RemoveCycles()) PartDropped?.Invoke(source, RosTopics.Tf, frame);
     }
-
-    // Returns the first name that belongs to another source; null if there is none. Called under the lock.
-    string FindTaken(HubSource source, string topic, string[] names) =>
-        Array.Find(names, name => _owners.TryGetValue((topic, name), out var owner) && owner != source);
 
     // Called under the lock.
     IEnumerable<HubMessage> Kept(string topic)
