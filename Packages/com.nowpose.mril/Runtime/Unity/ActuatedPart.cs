@@ -55,7 +55,7 @@ namespace Nowpose.Unity
             _stroke = new ActuatedStroke(0, 1, _strokeMs / 1000.0);
             if (GetComponent<ICellObject>() is object)
             {
-                ConsoleLog.Fail(this, ObjectMessages.TwoMovers(name));
+                ConsoleLog.Fail(this, ComponentMessages.Of("actuated part", name, ObjectMessages.OtherMover));
                 return;
             }
             _follower = SignalFollower.Of(this, _session, "actuated part", Signal, Take, restarted: Take);

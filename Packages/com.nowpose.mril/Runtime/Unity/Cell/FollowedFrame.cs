@@ -81,7 +81,7 @@ namespace Nowpose.Unity.Cell
             var source = component.RequiredSession(assigned, kind);
             if (source == null) return null;
             var followed = new FollowedFrame(source, CellPlace.WorldOf(component, source), name, isGhost, missing);
-            if (followed._invalid != null) ConsoleLog.Fail(component, $"{kind} '{component.name}': {followed._invalid}");
+            if (followed._invalid != null) ConsoleLog.Fail(component, ComponentMessages.Of(kind, component.name, followed._invalid));
             return followed;
         }
 

@@ -13,9 +13,6 @@ namespace Nowpose.Unity.Messages
         public const string SignalNotCurrent = "signal not current";
         public const string RobotUnknown = "its robot is unknown";
 
-        public static string TwoMovers(string component) =>
-            $"actuated part '{component}': a tracked or stationary object on the same object moves it; put the actuated part on a child object";
-
         /// <param name="frame">An invalid name.</param>
         public static string InvalidFrame(string frame) =>
             $"the frame '{InputException.OneLine(frame, 32)}' is not a valid name; allowed: 1 to {ProtocolLimits.NameLength} characters, not "
