@@ -28,18 +28,18 @@ namespace Nowpose.Frames
         /// <param name="limits">Horizon cap and maximum gap. An object has no position limits.</param>
         /// <param name="blend">See <see cref="Predictors.Create(string, PredictionLimits, double)"/>.</param>
         /// <param name="shared">
-        /// Result of <see cref="VectorMixture.NewForecasters"/>, for all objects of a cell. Objects in one message have the same sample times, so the
+        /// Result of <see cref="VectorForecasts.NewForecasters"/>, for all objects of a cell. Objects in one message have the same sample times, so the
         /// weights are then computed once per message. Null to create forecasters for this object only.
         /// </param>
         /// <exception cref="InputException">The name is unknown.</exception>
         public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0, PositionWeights[] shared = null)
         {
-            var mixed = predictor == Predictors.Default ? shared ?? VectorMixture.NewForecasters() : null;
+            var mixed = predictor == Predictors.Default ? shared ?? VectorForecasts.NewForecasters() : null;
             VectorForecaster Create(BodyPart part) => mixed != null ? new VectorMixture(part, mixed, limits)
                 : (VectorForecaster)new VectorPolynomial(part, predictor == "gp" ? new GaussianProcess() : (PositionWeights)Predictors.Polynomial(predictor));
             _interpolates = mixed != null || predictor == "gp";
             _forecaster = Create(BodyPart.Position);
-            var kept = mixed != null ? VectorMixture.SamplesOf(mixed) : _forecaster.Samples;
+            var kept = mixed != null ? VectorForecasts.SamplesOf(mixed) : _forecaster.Samples;
             _samples = new BodySamples(Math.Max(kept, VectorBlend.Samples), _interpolates, limits);
             _position = new VectorPredictor(BodyPart.Position, _samples, _forecaster, blend);
             _angles = new VectorPredictor(BodyPart.Angles, _samples, Create(BodyPart.Angles), blend);

@@ -64,10 +64,10 @@ namespace Nowpose.Frames
         /// <summary>Maximum difference from the first vector that counts as rounding, in m or rad. A vector that never changes needs no forecast.</summary>
         const double Rounding = 1e-9;
 
-        const int Components = 3, Hold = 0, Line = 1, First = 2;
+        const int Components = 3, Hold = VectorForecasts.Hold, Line = VectorForecasts.Line;
 
         readonly BodyPart _part;
-        readonly PositionWeights[] _forecasters;
+        readonly VectorForecasts _forecasts;
         readonly MixtureWeights _weights;
         readonly double[] _prior, _errors;
         readonly RepeatedVector _repeated;
@@ -82,55 +82,30 @@ namespace Nowpose.Frames
         readonly double[] _section = new double[Components * ForecastTable.Points];
         readonly int _points;
 
-        // The newest samples relative to the newest one, and the speed of the line.
-        readonly Vector3D[] _vectors;
-        Vector3D _lineSpeed;
-
-        // One bit per forecaster that has enough samples of the present motion. A line replaces the others.
-        uint _usable;
-
         Vector3D _first, _newest, _speed;
         double _newestTime, _intervalBefore, _lineUntil;
         int _steadySamples;
         bool _hasChanged, _wasSteady;
 
-        /// <param name="forecasters">Result of <see cref="NewForecasters"/>. Objects that are sampled at the same times may use it in turn.</param>
+        /// <param name="forecasters">
+        /// Result of <see cref="VectorForecasts.NewForecasters"/>. Objects that are sampled at the same times may use it in turn.
+        /// </param>
         /// <param name="limits">Horizon cap and maximum gap.</param>
         public VectorMixture(BodyPart part, PositionWeights[] forecasters, PredictionLimits limits)
         {
-            (_part, _forecasters) = (part, forecasters);
-            _prior = new double[First + forecasters.Length];
-            (_prior[Line], _prior[First]) = (Predictors.LinePrior, 1 - Predictors.LinePrior);
+            (_part, _forecasts) = (part, new VectorForecasts(part, forecasters));
+            _prior = _forecasts.Prior();
             _errors = new double[_prior.Length];
             _weights = new MixtureWeights(Regularisation, _prior);
             _repeated = new RepeatedVector(limits);
             _waiting = new RecyclingQueue<Expected>(Capacity, () => new Expected(_prior.Length));
             _points = ForecastTable.PointsUpTo(limits.HorizonCap);
-            _vectors = new Vector3D[SamplesOf(forecasters)];
             Forget();
         }
 
         public override double Span => ForecastTable.Span;
 
         public override int Samples => 2;
-
-        /// <summary>
-        /// Creates the forecasters of a mixture in addition to hold and line. The Gaussian process has the rest of the prior. Polynomials with a history
-        /// longer than their degree are least-squares fits, which reduce noise.
-        /// </summary>
-        public static PositionWeights[] NewForecasters() => new PositionWeights[]
-        {
-            new GaussianProcess(), new PolynomialWeights(2, 2), new PolynomialWeights(3, 3), new PolynomialWeights(2, 4), new PolynomialWeights(2, 9),
-            new PolynomialWeights(1, 9)
-        };
-
-        /// <summary>Returns the number of newest samples that the forecasters use.</summary>
-        public static int SamplesOf(PositionWeights[] forecasters)
-        {
-            var samples = 0;
-            foreach (var forecaster in forecasters) samples = Math.Max(samples, forecaster.Samples);
-            return samples;
-        }
 
         public override bool Solve(BodySamples samples)
         {
@@ -140,7 +115,7 @@ namespace Nowpose.Frames
             if (_hasChanged)
             {
                 if (samples.IsNewest) Learn(samples, vector);
-                else Prepare(samples);
+                else _forecasts.Prepare(samples, _changePoints);
                 FillSection();
             }
             else if (samples.IsNewest)
@@ -191,7 +166,7 @@ namespace Nowpose.Frames
             (_newestTime, _newest) = (time, vector);
             _repeated.Add(vector, time, samples.Timing.MeanInterval);
             UpdateSpeed(samples);
-            Prepare(samples);
+            _forecasts.Prepare(samples, _changePoints);
             if (samples.Timing.ConnectedSamples >= MinScored) Expect(horizon, interval);
         }
 
@@ -209,31 +184,6 @@ namespace Nowpose.Frames
             _intervalBefore = interval;
         }
 
-        // Prepares the forecasts from the newest samples.
-        void Prepare(BodySamples samples)
-        {
-            var (history, connected) = (samples.History, samples.Timing.ConnectedSamples);
-            var ofOneMotion = Math.Min(connected, _changePoints.SamplesSince);
-            for (var age = 1; age < Math.Min(ofOneMotion, _vectors.Length); age++) _vectors[age] = history[age][_part] - history[0][_part];
-            var isAfterStop = ofOneMotion == 1 && !_changePoints.SpeedIncreased;
-            _lineSpeed = connected < 2 ? default
-                : (history[0][_part] - history[1][_part]) * ((isAfterStop ? MixedForecasters.SpeedRatioAfterStop : 1) / samples.Timing.Interval);
-            _usable = 0;
-            for (var i = 0; i < _forecasters.Length; i++)
-                if (_forecasters[i].Samples <= ofOneMotion && _forecasters[i].Update(history, _forecasters[i].Samples)) _usable |= 1u << i;
-        }
-
-        // Returns a forecast relative to the newest sample.
-        Vector3D Forecast(int index, double ahead, in TableTime time)
-        {
-            if (index == Hold) return default;
-            if (index == Line || (_usable & 1u << index - First) == 0) return _lineSpeed * ahead;
-            var (table, samples, sum) = (_forecasters[index - First].Table, _forecasters[index - First].Samples, default(Vector3D));
-            // The vector of the newest sample is zero.
-            for (var j = 1; j < samples; j++) sum += _vectors[j] * time.Read(table, j, samples);
-            return sum;
-        }
-
         // The weights that result from noise at rest are unsuitable for a first move. After one horizon, they include the errors of this move.
         bool IsFirstMove(double interval, double horizon, in Vector3D vector)
         {
@@ -247,12 +197,12 @@ namespace Nowpose.Frames
             expected.Due = _newestTime + horizon;
             for (var i = 0; i < _prior.Length; i++)
             {
-                var forecast = Forecast(i, horizon, time);
+                var forecast = _forecasts.At(i, horizon, time);
                 expected.Forecasts[i] = _newest + forecast;
                 sum += forecast * _weights.Values[i];
             }
             (expected.Mixture, expected.Repeated) = (_newest + sum, _repeated.ForecastFor(expected.Due));
-            _distance.Add(interval, (sum - _lineSpeed * horizon).Length);
+            _distance.Add(interval, (sum - _forecasts.LineSpeed * horizon).Length);
         }
 
         void FillSection()
@@ -264,8 +214,8 @@ namespace Nowpose.Frames
             var max = _scatter.Scatters && !isLine ? MaxDisplacement * Math.Sqrt(Components * _weights.MeanSquare(Hold)) : double.PositiveInfinity;
             for (int point = 1, place = Components; point < _points; point++, place += Components)
             {
-                var line = _lineSpeed * (point * ForecastTable.Step);
-                var sum = factor > 0 ? MixtureAt(point, line) * factor + line * (1 - factor) : line;
+                var line = _forecasts.LineSpeed * (point * ForecastTable.Step);
+                var sum = factor > 0 ? _forecasts.MixtureAt(point, line, _weights.Values) * factor + line * (1 - factor) : line;
                 var length = sum.Length;
                 if (!double.IsFinite(length))
                 {
@@ -276,29 +226,6 @@ namespace Nowpose.Frames
                 if (length > max) sum *= max / length;
                 (_section[place], _section[place + 1], _section[place + 2]) = (sum.X, sum.Y, sum.Z);
             }
-        }
-
-        // Adds the weights of all forecasters per sample before it multiplies them by the vectors.
-        Vector3D MixtureAt(int point, in Vector3D line)
-        {
-            Span<double> weights = stackalloc double[_vectors.Length];
-            var ofLine = _weights.Values[Line];
-            for (var i = 0; i < _forecasters.Length; i++)
-            {
-                var weight = _weights.Values[First + i];
-                if (weight == 0) continue;
-                if ((_usable & 1u << i) == 0)
-                {
-                    ofLine += weight;
-                    continue;
-                }
-                var (table, samples) = (_forecasters[i].Table, _forecasters[i].Samples);
-                for (int j = 1, at = point * samples + 1; j < samples; j++, at++) weights[j] += weight * table[at];
-            }
-            var sum = line * ofLine;
-            for (var j = 1; j < weights.Length; j++)
-                if (weights[j] != 0) sum += _vectors[j] * weights[j];
-            return sum;
         }
 
         // The truth at the time of a forecast is interpolated between the two newest samples.

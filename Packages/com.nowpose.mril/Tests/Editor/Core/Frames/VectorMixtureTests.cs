@@ -109,7 +109,7 @@ namespace Nowpose.Tests.Core.Frames
         [Test]
         public void At_SharedForecasters_EqualsOwnForecasters()
         {
-            var shared = VectorMixture.NewForecasters();
+            var shared = VectorForecasts.NewForecasters();
             var objects = new BodyPredictor[4];
             for (var i = 0; i < objects.Length; i++) objects[i] = new BodyPredictor("adaptive", new PredictionLimits(), shared: i < 2 ? shared : null);
             for (var k = 0; k < 300; k++)
