@@ -26,6 +26,7 @@ namespace Nowpose.Session
         readonly ClockSynchroniser _synchroniser;
         readonly DisplayClock _displayClock = new DisplayClock();
         readonly Subscriptions _subscriptions = new Subscriptions();
+        readonly SessionCell _cell;
         readonly SessionRobot _main;
         readonly CurrentShare _currentShare = new CurrentShare();
         readonly SessionMeasurements _measurements;
@@ -48,10 +49,7 @@ namespace Nowpose.Session
             Settings = settings;
             _display = new SessionDisplay(settings, _gate);
             _synchroniser = new ClockSynchroniser(settings.CreateClockEstimator(), settings.Clock);
-            Frames = new SessionFrames(settings.Prediction, _subscriptions, Drops);
-            Signals = new SessionSignals(_subscriptions, Drops);
-            Grips = new SessionGrips(Signals);
-            Robots = new SessionRobots(settings, _latency, Drops, Frames, _subscriptions, _gate);
+            _cell = new SessionCell(settings, _latency, Drops, _subscriptions, _gate);
             _main = Robots.Add(settings.RobotNamespace, robot);
             _measurements = new SessionMeasurements(_synchroniser, _latency, _display, _main.Frame, _main.Hindcast);
             Listener = new SessionListener(this, clock);
@@ -62,16 +60,16 @@ namespace Nowpose.Session
         public RobotModel Robot => _main.Robot;
 
         /// <summary>All robots of the cell; <see cref="Robot"/> is the first.</summary>
-        internal SessionRobots Robots { get; }
+        internal SessionRobots Robots => _cell.Robots;
 
         /// <summary>Coordinate frames of the objects in the cell. Use them only on the thread of <see cref="Tick"/>.</summary>
-        internal SessionFrames Frames { get; }
+        internal SessionFrames Frames => _cell.Frames;
 
         /// <summary>Signals of the cell. Use them only on the thread of <see cref="Tick"/>.</summary>
-        internal SessionSignals Signals { get; }
+        internal SessionSignals Signals => _cell.Signals;
 
         /// <summary>Grippers that grip objects within their reach. Use them only on the thread of <see cref="Tick"/>.</summary>
-        internal SessionGrips Grips { get; }
+        internal SessionGrips Grips => _cell.Grips;
 
         /// <summary>Receives messages from the network or from a simulation. Thread-safe.</summary>
         internal IRosbridgeListener Listener { get; }
@@ -219,22 +217,11 @@ namespace Nowpose.Session
                 Robots.Take(clock);
                 var displayTime = _display.Selector.LightOf(start, isComparable: isLast && _display.RenderTimes.State != RangeState.Outside);
                 var onControlClock = clock.IsKnown ? clock.ToControl(displayTime) : (ControlTime?)null;
-                Show(new DisplayMoment(start, onControlClock, clock, Settings.Clock.Trusts(clock), _display.Selector, _display.RenderTimes));
+                _cell.Show(new DisplayMoment(start, onControlClock, clock, Settings.Clock.Trusts(clock), _display.Selector, _display.RenderTimes));
                 if (isLast) _currentShare.Add(start, _main.IsCurrent);
                 Ticked?.Invoke(_main.Frame);
                 return _main.Frame;
             }
-        }
-
-        void Show(in DisplayMoment moment)
-        {
-            Robots.Show(moment);
-            Frames.Take(moment);
-            Signals.Show(moment);
-            // A gripper takes an object in the frame in which its signal's change is visible.
-            Grips.Decide(moment);
-            Frames.Show(moment);
-            Robots.PlaceRoots();
         }
 
         /// <summary>
@@ -306,10 +293,7 @@ namespace Nowpose.Session
         void Restart(HeadsetTime now, in ClockModel clock)
         {
             _latency.Reset();
-            Grips.Settle();
-            Robots.Restart();
-            Frames.Restart();
-            Signals.Table.Restart();
+            _cell.Restart();
             Restarted?.Invoke(now, clock);
         }
     }

@@ -1,0 +1,53 @@
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+
+namespace Nowpose.Session.Cell
+{
+    /// <summary>
+    /// Everything that a session shows of the cell: robots, objects, signals, and grippers that grip within their reach. Computes them in the order in
+    /// which they depend on each other.
+    /// </summary>
+    sealed class SessionCell
+    {
+        /// <param name="latency">Statistics of L_app, updated with each sample.</param>
+        /// <param name="drops">Counts of dropped messages.</param>
+        /// <param name="gate">Lock of the session.</param>
+        public SessionCell(SessionSettings settings, ApplicationLatency latency, DropCounters drops, Subscriptions subscriptions, object gate)
+        {
+            Frames = new SessionFrames(settings.Prediction, subscriptions, drops);
+            Signals = new SessionSignals(subscriptions, drops);
+            Grips = new SessionGrips(Signals);
+            Robots = new SessionRobots(settings, latency, drops, Frames, subscriptions, gate);
+        }
+
+        public SessionRobots Robots { get; }
+
+        public SessionFrames Frames { get; }
+
+        public SessionSignals Signals { get; }
+
+        public SessionGrips Grips { get; }
+
+        /// <summary>Computes everything for the display time of a frame.</summary>
+        public void Show(in DisplayMoment moment)
+        {
+            Robots.Show(moment);
+            Frames.Take(moment);
+            Signals.Show(moment);
+            // A gripper takes an object in the frame in which its signal's change is visible.
+            Grips.Decide(moment);
+            Frames.Show(moment);
+            Robots.PlaceRoots();
+        }
+
+        /// <summary>Discards all samples after the control clock stepped or became known. Open grips are decided first from the old samples.</summary>
+        public void Restart()
+        {
+            Grips.Settle();
+            Robots.Restart();
+            Frames.Restart();
+            Signals.Table.Restart();
+        }
+    }
+}
