@@ -54,9 +54,6 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Called when the arm is held, because its samples are too old or too few.")]
         UnityEvent _onStale = new UnityEvent();
 
-        // Replaces the robot until the gateway has described it. This model has no joints and is not shown.
-        static readonly RobotModel NoRobot = UrdfReader.Read("<robot name='none'><link name='no robot'/></robot>", "no robot");
-
         readonly SessionWatch _watch = new SessionWatch();
         readonly FrameStatistics _statistics = new FrameStatistics();
 
@@ -165,6 +162,9 @@ namespace Nowpose.Unity
         /// </summary>
         public bool IsBeforeRender => _beforeRender != null && _beforeRender.IsNow;
 
+        /// <summary>Returns the state of the pose of <see cref="Robot"/> in a frame.</summary>
+        internal PoseState StateIn(DisplayFrame frame) => Robot == null ? PoseState.Incomplete : frame.State;
+
         /// <summary>
         /// Starts to connect to the gateway and returns without delay. Also connects after each pause, and reconnects when the connection is lost.
         /// </summary>
@@ -245,7 +245,7 @@ namespace Nowpose.Unity
             try
             {
                 _used = _given ?? ReadSettings();
-                robot = _robot != null ? ReadRobot() : _description.Robot;
+                robot = _description.ModelOf(_robot, Robot);
             }
             catch (InputException fault)
             {
@@ -255,7 +255,7 @@ namespace Nowpose.Unity
             }
             Problem = null;
             _clock = _nextClock;
-            Session = new CompensationSession(_used, robot ?? NoRobot, _clock, Transport.Create);
+            Session = new CompensationSession(_used, robot ?? DescriptionWatch.NoRobot, _clock, Transport.Create);
             _display.Follow(Session);
             _device.Begin(Session);
             if (_isWanted) Session.Connect();
@@ -284,9 +284,6 @@ namespace Nowpose.Unity
         SessionSettings ReadSettings() => _settings != null
             ? _settings.ToSettings()
             : throw new InputException(ComponentMessages.NoSettings(name));
-
-        // Returns the same object for the same URDF, so rigs stay bound to the robot after a restart.
-        RobotModel ReadRobot() => Robot?.SourceHash == UrdfHash.Of(_robot.Urdf) ? Robot : _robot.Read();
 
         void Notify(SessionChange change)
         {

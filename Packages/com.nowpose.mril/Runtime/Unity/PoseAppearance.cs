@@ -41,9 +41,7 @@ namespace Nowpose.Unity
         readonly List<Renderer> _found = new List<Renderer>();
         readonly Dictionary<Renderer, PosePart> _parts = new Dictionary<Renderer, PosePart>();
         readonly List<PoseCarrier> _carriers = new List<PoseCarrier>();
-        // The actuated parts that move renderers, with their faults when they were last drawn; null for no fault.
-        readonly Dictionary<ActuatedPart, string> _actuated = new Dictionary<ActuatedPart, string>();
-        readonly List<ActuatedPart> _changed = new List<ActuatedPart>();
+        readonly ActuatedFaults _actuated = new ActuatedFaults();
         MrilSession _source;
         RobotRig _rig;
         ICellObject _object;
@@ -76,10 +74,7 @@ namespace Nowpose.Unity
             get
             {
                 var look = LookOfPose;
-                if (!_pose.HasValue || !look.IsDrawn) return look;
-                foreach (var actuated in _actuated)
-                    if (actuated.Value != null) return WithSignal(look, actuated.Value);
-                return look;
+                return _pose.HasValue && look.IsDrawn ? WithSignal(look, _actuated.First) : look;
             }
         }
 
@@ -142,7 +137,7 @@ namespace Nowpose.Unity
                 if (!_parts.TryGetValue(each, out var part)) _parts.Add(each, part = new PosePart(each, _block, _materials));
                 part.Take();
                 Follow(part.Carrier);
-                foreach (var actuated in part.Actuated) _actuated[actuated] = FaultOf(actuated);
+                _actuated.Add(part.Actuated);
                 if (part.HasUnsuitableMaterial) Report(part.UnsuitableMaterial, each);
             }
             Draw();
@@ -194,7 +189,7 @@ namespace Nowpose.Unity
             if (_source.Session == null) return;
             var hasChanged = StateIn(frame) != _pose;
             foreach (var carrier in _carriers) hasChanged |= carrier.HasChanged();
-            hasChanged |= UpdateActuated();
+            hasChanged |= _actuated.Update();
             var known = BaseLook.Of(_anchor);
             hasChanged |= !known.IsSameAs(_base);
             _base = known;
@@ -210,7 +205,7 @@ namespace Nowpose.Unity
         }
 
         PoseState StateIn(DisplayFrame frame) => _object != null ? _object.State : _rig != null ? _rig.StateIn(frame)
-            : _source.Robot == null ? PoseState.Incomplete : frame.State;
+            : _source.StateIn(frame);
 
         void ShowNoSession()
         {
@@ -224,33 +219,14 @@ namespace Nowpose.Unity
             foreach (var part in _parts.Values)
             {
                 if (!_pose.HasValue) part.ShowNoSession(_opacity);
-                else part.Draw(SignalFaultOf(part) is string fault ? WithSignal(look, fault) : look, _opacity);
+                else part.Draw(WithSignal(look, _actuated.Of(part)), _opacity);
             }
             SetLabel(Look.Label);
         }
 
         // A part whose signal is not current may be at the wrong end of its stroke, so it is striped like a pose that is not current.
-        static PoseLook WithSignal(PoseLook look, string fault) =>
-            look.Also(ObjectMessages.SignalNotCurrent, fault, PoseLook.Of(PoseState.Held).Fade);
-
-        string SignalFaultOf(PosePart part)
-        {
-            foreach (var actuated in part.Actuated)
-                if (_actuated[actuated] is string fault) return fault;
-            return null;
-        }
-
-        bool UpdateActuated()
-        {
-            _changed.Clear();
-            foreach (var known in _actuated)
-                if (FaultOf(known.Key) != known.Value) _changed.Add(known.Key);
-            foreach (var part in _changed) _actuated[part] = FaultOf(part);
-            return _changed.Count > 0;
-        }
-
-        // A disabled part stays at the start of its stroke on purpose, and a destroyed one no longer moves anything.
-        static string FaultOf(ActuatedPart part) => part != null && part.isActiveAndEnabled ? part.Fault : null;
+        static PoseLook WithSignal(PoseLook look, string fault) => fault == null ? look
+            : look.Also(ObjectMessages.SignalNotCurrent, fault, PoseLook.Of(PoseState.Held).Fade);
 
         /// <summary>The first active carrier (rig before gripper) that does not follow the session; null if all follow.</summary>
         PoseCarrier Unmoved

@@ -60,8 +60,8 @@ namespace Nowpose.Unity.Cell
         /// <summary>Returns the state of the robot's pose in a frame of the session.</summary>
         public PoseState StateIn(DisplayFrame frame)
         {
-            if (!IsOwn) return _robot == null ? PoseState.Incomplete : _robot.Frame.State;
-            return _source.Robot == null ? PoseState.Incomplete : frame.State;
+            if (IsOwn) return _source.StateIn(frame);
+            return _robot == null ? PoseState.Incomplete : _robot.Frame.State;
         }
 
         /// <summary>Finds the robot in the session, or adds it, and returns its display frame.</summary>

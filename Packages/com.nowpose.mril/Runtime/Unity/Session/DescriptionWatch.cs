@@ -4,15 +4,33 @@ using Nowpose.Unity.Messages;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Reports each robot description from the gateway once. The gateway sends the same description after each reconnection.</summary>
+    /// <summary>
+    /// Determines the robot of a session, from an asset or from the gateway's description. Reports each description from the gateway once, because the
+    /// gateway sends the same description after each reconnection.
+    /// </summary>
     struct DescriptionWatch
     {
+        /// <summary>Replaces the robot until the gateway has described it. This model has no joints and is not shown.</summary>
+        public static readonly RobotModel NoRobot = UrdfReader.Read("<robot name='none'><link name='no robot'/></robot>", "no robot");
+
         RobotModel _newest;
         UrdfHash _reported;
         string _fault;
 
         /// <summary>The robot as described by the gateway; null before the first description, and if an asset describes the robot.</summary>
         public RobotModel Robot { get; private set; }
+
+        /// <summary>Returns the robot for the next session; null while it is unknown.</summary>
+        /// <param name="asset">Asset that describes the robot in place of the gateway; null if there is none.</param>
+        /// <param name="shown">
+        /// Robot of the previous session; null while it is unknown. It is returned again for the same URDF, so that rigs stay bound to it.
+        /// </param>
+        /// <exception cref="InputException">The asset's URDF is invalid.</exception>
+        public RobotModel ModelOf(RobotDescriptionAsset asset, RobotModel shown)
+        {
+            if (asset == null) return Robot;
+            return shown?.SourceHash == UrdfHash.Of(asset.Urdf) ? shown : asset.Read();
+        }
 
         /// <summary>Processes the newest description that the session has received.</summary>
         /// <param name="shown">The robot of the session; null while it is unknown.</param>
