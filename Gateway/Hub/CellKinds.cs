@@ -9,6 +9,11 @@ static class CellKinds
     public const string Frame = "frame";
     public const string Signal = "signal";
 
-    /// <param name="topic">/tf, /tf_static or /signals.</param>
-    public static string Of(string topic) => topic == RosTopics.Signals ? Signal : Frame;
+    /// <param name="topic">/tf, /tf_static or /signals; any other topic is a topic of joints.</param>
+    public static string Of(string topic) => topic switch
+    {
+        RosTopics.Signals => Signal,
+        RosTopics.Tf or RosTopics.TfStatic => Frame,
+        _ => Joint,
+    };
 }

@@ -30,6 +30,9 @@ public sealed class HubSource : IDisposable
     /// <summary>Name used in messages, with the address if the client has not named itself.</summary>
     internal string Title => Name == Unnamed && Address != null ? $"{Name} {Address}" : Name;
 
+    /// <summary>Whether the source has ended.</summary>
+    internal bool IsEnded { get; private set; }
+
     /// <summary>Publishes to all subscribers, unless a joint of the message belongs to another source.</summary>
     /// <param name="receivedAt">Count of <see cref="Stopwatch"/> at which the last byte of the message was read; null for the current time.</param>
     /// <returns>The name of the joint that belongs to another source; null if the message was published.</returns>
@@ -143,7 +146,11 @@ public sealed class HubSource : IDisposable
         _hub.Release(this, topic);
     }
 
-    public void Dispose() => Release(null);
+    public void Dispose()
+    {
+        IsEnded = true;
+        Release(null);
+    }
 
     /// <summary>Gets the cell-wide names of a robot's joints. Returns the same array for a robot without a namespace.</summary>
     internal static string[] InCell(string robot, string[] names) =>

@@ -43,7 +43,7 @@ public sealed class MessageHub
     public ForwardingTimes Forwarding { get; } = new();
 
     /// <summary>
-    /// Raised when a joint, frame or signal of a source is refused because another source owns it, with the source, the kind, the name and the owner.
+    /// Raised when a joint, frame or signal of a source is refused because another source owns it, with the source, the topic, the name and the owner.
     /// Called under the hub's lock.
     /// </summary>
     internal event Action<HubSource, string, string, HubSource> Refused;
@@ -225,7 +225,7 @@ public sealed class MessageHub
             if (_owners.FindTaken(source, topic, names) is { } taken)
             {
                 var owner = _owners[topic, taken];
-                if (kind == RosTopics.JointStates) Refused?.Invoke(source, CellKinds.Joint, RobotTopic.Qualified(robot, taken), owner);
+                if (kind == RosTopics.JointStates) Refused?.Invoke(source, kind, RobotTopic.Qualified(robot, taken), owner);
                 return new Refusal(DropReason.JointTaken, taken, owner);
             }
 
@@ -259,7 +259,7 @@ public sealed class MessageHub
             // The hub would have refused even a valid sample, so the fault does not concern the joints of the other source.
             if (_owners.FindTaken(source, topic, names) is { } taken)
             {
-                Refused?.Invoke(source, CellKinds.Joint, RobotTopic.Qualified(robot, taken), _owners[topic, taken]);
+                Refused?.Invoke(source, RosTopics.JointStates, RobotTopic.Qualified(robot, taken), _owners[topic, taken]);
                 return;
             }
         }
@@ -271,8 +271,7 @@ public sealed class MessageHub
     {
         lock (_lock)
         {
-            var kind = CellKinds.Of(topic);
-            if ((part.Owner ?? OtherOwner(source, kind, part.Name)) is { } owner) Refused?.Invoke(source, kind, part.Name, owner);
+            if ((part.Owner ?? OtherOwner(source, CellKinds.Of(topic), part.Name)) is { } owner) Refused?.Invoke(source, topic, part.Name, owner);
             else PartDropped?.Invoke(source, topic, part);
         }
     }

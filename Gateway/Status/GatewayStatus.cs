@@ -180,12 +180,11 @@ sealed class GatewayStatus : IDisposable
     void ReportSignals() => _hub.Exclusively(() =>
         _signals.Report([.. _cellReports.Troubled(AdapterReport.SignalPrefix), .. _cell.RefusedSignals()], _options.Time.GetUtcNow()));
 
-    void Refuse(HubSource source, string kind, string name, HubSource owner)
+    void Refuse(HubSource source, string topic, string name, HubSource owner)
     {
-        if (kind == CellKinds.Joint) _joints.Refuse(source, name, owner);
-        _refusals.Add(source, kind, name, owner);
+        if (topic == RosTopics.JointStates) _joints.Refuse(source, name, owner);
+        _refusals.Add(source, topic, name, owner);
     }
-
 
     static JointView Of(JointStatus joint) => new(
         joint.Name, joint.Source, joint.Word, UtcText.Of(joint.Since), joint.Age is { } age ? Math.Round(age.TotalSeconds, 3) : null, joint.RateHz,

@@ -18,7 +18,9 @@ namespace Nowpose.Gateway.Status.Cell;
 /// <param name="rootOfLink">Returns the root link of the described robot to which a link belongs; null for a frame that is not a link.</param>
 sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, string> rootOfLink = null)
 {
-    /// <summary>Maximum number of frames, and of signals, known only from refused messages.</summary>
+    /// <summary>
+    /// Maximum number of frames, and of signals, known only from refused messages. They are listed in addition to the maximum number of published ones.
+    /// </summary>
     internal const int MaxRefused = 64;
 
     /// <summary>Time for which a tracked frame stays refused after its last invalid pose.</summary>
@@ -39,7 +41,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
         lock (_gate)
             for (var i = 0; i < message.Count; i++)
             {
-                if (!TryGet(_frames, message[i].Child, ProtocolLimits.Frames, frame => !frame.HasAny || IsSilent(frame), out var frame)) continue;
+                if (!TryGet(_frames, message[i].Child, ProtocolLimits.Frames, IsSilent, out var frame)) continue;
                 frame.ArrivedAt = time.GetTimestamp();
                 if (!frame.HasAny || isStationary || message[i].Stamp != frame.Stamp || frame.Source != source) (frame.Stamp, frame.SeenAt) = (message[i].Stamp, frame.ArrivedAt);
                 (frame.Source, frame.IsStationary, frame.Parent) = (source, isStationary, message[i].Parent);
@@ -54,7 +56,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
         lock (_gate)
             for (var i = 0; i < message.Count; i++)
             {
-                if (!TryGet(_signals, message[i].Name, ProtocolLimits.Signals, signal => signal.IsEnded || !signal.HasAny, out var signal)) continue;
+                if (!TryGet(_signals, message[i].Name, ProtocolLimits.Signals, signal => signal.IsEnded, out var signal)) continue;
                 if (signal.Value != message[i].Value) (signal.Value, signal.Since) = (message[i].Value, message.Stamp);
                 (signal.Source, signal.IsEnded, signal.HasLeft, signal.HasAny) = (source, false, false, true);
                 signal.Refusal = null;
@@ -225,14 +227,18 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
 
     static double Seconds(TimeSpan age) => Math.Round(age.TotalSeconds, 3);
 
-    // Finds or adds an entry. At the limit, a new entry replaces one without a source.
+    // Finds or adds the entry of a published frame or signal. At the maximum number of published ones, a new entry replaces one without a source.
     static bool TryGet<T>(SortedDictionary<string, T> all, string name, int limit, Predicate<T> isEnded, out T found)
-        where T : new()
+        where T : CellEntry, new()
     {
-        if (all.TryGetValue(name, out found)) return true;
-        if (all.Count >= limit && all.FirstOrDefault(one => isEnded(one.Value)).Key is { } ended) all.Remove(ended);
-        if (all.Count >= limit) return false;
-        all.Add(name, found = new T());
+        if (all.TryGetValue(name, out found) && found.HasAny) return true;
+        if (all.Values.Count(one => one.HasAny) >= limit)
+        {
+            if (all.FirstOrDefault(one => one.Value.HasAny && isEnded(one.Value)).Key is not { } ended) return false;
+            all.Remove(ended);
+        }
+
+        if (found == null) all.Add(name, found = new T());
         return true;
     }
 
@@ -242,7 +248,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
     {
         if (!all.TryGetValue(name, out var entry))
         {
-            if (all.Count >= ProtocolLimits.Frames || all.Values.Count(one => !one.HasAny) >= MaxRefused) return null;
+            if (all.Values.Count(one => !one.HasAny) >= MaxRefused) return null;
             all.Add(name, entry = new T());
         }
 

@@ -164,7 +164,7 @@ public class CellBoardTests
     }
 
     [Test]
-    public void FramesAndSignals_ManyRefusedNames_AreBoundedAndReplacedByPublishedOnes()
+    public void FramesAndSignals_ManyRefusedNames_AreBoundedAndListedBesideTheMaximumOfPublishedOnes()
     {
         for (var i = 0; i < 1000; i++)
         {
@@ -181,8 +181,26 @@ public class CellBoardTests
             _board.Add(_source, new SignalsMessage(At(5), new SignalValue($"s{i}", 1)));
         }
 
-        Assert.That(_board.Frames(At(5)).Select(frame => frame.State), Is.All.EqualTo("live").And.Exactly(ProtocolLimits.Frames).Items);
-        Assert.That(_board.Signals(At(5)).Select(signal => signal.State), Is.All.EqualTo("live").And.Exactly(ProtocolLimits.Signals).Items);
+        Assert.That(_board.Frames(At(5)).Count(frame => frame.State == "live"), Is.EqualTo(ProtocolLimits.Frames));
+        Assert.That(_board.Signals(At(5)).Count(signal => signal.State == "live"), Is.EqualTo(ProtocolLimits.Signals));
+        Assert.That(_board.Frames(At(5)).Count(frame => frame.State == "refused"), Is.EqualTo(CellBoard.MaxRefused));
+        Assert.That(_board.Signals(At(5)).Count(signal => signal.State == "refused"), Is.EqualTo(CellBoard.MaxRefused));
+    }
+
+    [Test]
+    public void FramesAndSignals_OneMoreThanTheMaximum_IsListedAsRefused()
+    {
+        for (var i = 0; i < ProtocolLimits.Frames; i++)
+        {
+            _board.Add(_source, Pose($"f{i}", 5), isStationary: false);
+            _board.Add(_source, new SignalsMessage(At(5), new SignalValue($"s{i}", 1)));
+        }
+
+        Refuse(RosTopics.Tf, "more");
+        Refuse(RosTopics.Signals, "more");
+
+        Assert.That(_board.Frames(At(5)).Single(frame => frame.State != "live").Name, Is.EqualTo("more"));
+        Assert.That(_board.Signals(At(5)).Single(signal => signal.State != "live").Name, Is.EqualTo("more"));
     }
 
     [Test]

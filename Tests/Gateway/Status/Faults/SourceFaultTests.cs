@@ -1,7 +1,10 @@
 using System.Net;
+using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Plants;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using NUnit.Framework;
+using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
 
@@ -100,6 +103,34 @@ public class SourceFaultTests
         await _gateway.BeginsAsync("source", "copy of joint a");
         _gateway.Time.Advance(TimeSpan.FromSeconds(6));
         await _gateway.EndsAsync("source", "copy of joint a");
+    }
+
+    // Stationary frames and signals are sent only once, so a refusal must stay visible although no further message is refused.
+    [TestCase("signal grip", true)]
+    [TestCase("signal grip", false)]
+    [TestCase("frame fixture", true)]
+    [TestCase("frame fixture", false)]
+    public async Task SecondSource_OfASignalOrStationaryFrame_AddsAnEventUntilOneOfTheSourcesEnds(string part, bool isFirstToEnd)
+    {
+        await _gateway.StartAsync();
+        var isSignal = part == "signal grip";
+        var leftOut = new List<LeftOut>();
+        bool Send(HubSource source) => isSignal ? source.Publish(new SignalsMessage(Gateways.Start, new SignalValue("grip", 1)), leftOut)
+            : source.Publish(new TransformsMessage(Frame("fixture")), isStationary: true, leftOut);
+        using HubSource first = _gateway.Server.Hub.OpenSource(), second = _gateway.Server.Hub.OpenSource();
+        second.Name = "copy";
+
+        Assert.That((Send(first), Send(second)), Is.EqualTo((true, false)));
+        second.ReportDropped(isSignal ? RosTopics.Signals : RosTopics.TfStatic, leftOut.Single());
+
+        await _gateway.BeginsAsync("source", "copy of " + part);
+        _gateway.Time.Advance(TimeSpan.FromMinutes(10));
+        var status = (await _gateway.StateAsync()).GetProperty("status").GetProperty("text").GetString();
+        Assert.That(status, Does.Contain($"source copy is refused for {part}"));
+
+        (isFirstToEnd ? first : second).Dispose();
+
+        await _gateway.EndsAsync("source", "copy of " + part);
     }
 
     [Test]
