@@ -1,3 +1,5 @@
+import { refusalMessages } from '../messages/values';
+import type { Refusal } from '../samples/stampRule';
 import { type Nanoseconds, toRosTime } from '../times';
 import type { Quaternion } from './rotation';
 
@@ -8,13 +10,13 @@ export const SIGNALS = '/signals';
 /** Maximum number of transforms in a message. With names of 128 characters of 3 bytes, such a message is shorter than 64 KiB. */
 export const MAX_TRANSFORMS = 48;
 
-/** Maximum magnitude of a coordinate in m. The gateway drops a message with a larger one, and with it the other frames in the message. */
-export const MAX_COORDINATE = 1e6;
+/** Maximum magnitude of a coordinate in m. The gateway leaves out a frame with a larger one. */
+const MAX_COORDINATE = 1e6;
 
-/** Names the first coordinate of a position in m that is too large; null if there is none. */
-export function tooFar(position: readonly number[]): { axis: string; metres: number } | null {
+/** Refuses a position in m that has a coordinate that is too large; null if it has none. */
+export function tooFar(position: readonly number[]): Refusal | null {
   const index = position.findIndex(metres => !(Math.abs(metres) <= MAX_COORDINATE));
-  return index < 0 ? null : { axis: 'xyz'[index], metres: position[index] };
+  return index < 0 ? null : { reason: 'too-far', text: refusalMessages.tooFar('xyz'[index], position[index]) };
 }
 
 /** The pose of a frame in its parent frame: position in m, rotation as a unit quaternion. */

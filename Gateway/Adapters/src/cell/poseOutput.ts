@@ -266,7 +266,7 @@ function poseOf(
   if (turned === null) return { reason: 'not-unit', text: refusalMessages.quaternion(Math.hypot(...parts)) };
   const metres = place.map(value => value * scale);
   const far = tooFar(metres);
-  if (far !== null) return { reason: 'too-far', text: refusalMessages.tooFar(far.axis, far.metres) };
+  if (far !== null) return far;
   return { frame, parent: parents[choice], position: metres, rotation: turned };
 }
 

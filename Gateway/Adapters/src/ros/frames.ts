@@ -8,7 +8,6 @@ import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
 import { malformedMessages } from '../messages/broker';
 import { rosMessages } from '../messages/ros';
-import { refusalMessages } from '../messages/values';
 
 /** A frame of the cell and its name in ROS. */
 export interface RosFrame {
@@ -129,7 +128,7 @@ export class RosFrames {
     }
     const far = tooFar(position);
     if (far !== null) {
-      this.status.refuse('too-far', frame, refusalMessages.tooFar(far.axis, far.metres), this.status.frames);
+      this.status.refuse(far.reason, frame, far.text, this.status.frames);
       return [];
     }
     return [{ index, pose: { frame, parent: this.#parentOf(parent), position, rotation: quaternion }, stamp: ofRosTime(header?.stamp) }];
