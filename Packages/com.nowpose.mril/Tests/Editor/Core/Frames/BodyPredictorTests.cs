@@ -336,6 +336,65 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(kind, Is.EqualTo(PredictionKind.Predicted));
         }
 
+        // The sizes and intervals of jumps that an object cannot make by moving.
+        [TestCase(0.02, 0.05, 0)]
+        [TestCase(0.05, 0.1, 0)]
+        [TestCase(0.1, 0.4, 0)]
+        [TestCase(0.02, 0, 0.3)]
+        [TestCase(0.05, 0, 0.5)]
+        [TestCase(0.1, 0, 1.5)]
+        public void Add_ObjectJumps_IsHeldAtTheNewPoseUntilTheNextSample(double interval, double metres, double radians)
+        {
+            PoseSample Motion(int i) => new PoseSample(
+                i * interval, new Vector3D(i >= 100 ? metres : 0, 0.1, 0), UnitQuaternion.Exp(new Vector3D(0, 0, i >= 100 ? radians : 0)));
+            var predictor = new BodyPredictor("adaptive", new PredictionLimits());
+            for (var i = 0; i <= 100; i++) predictor.Add(Motion(i), (i - 1) * interval + 0.1);
+
+            AssertPose(predictor.At(100 * interval + 0.1, out var kind), PoseOf(Motion(100)), 1e-9);
+            Assert.That(kind, Is.EqualTo(PredictionKind.Held));
+
+            predictor.Add(Motion(101), 100 * interval + 0.1);
+
+            AssertPose(predictor.At(101 * interval + 0.1, out kind), PoseOf(Motion(101)), 1e-9);
+            Assert.That(kind, Is.EqualTo(PredictionKind.Predicted));
+        }
+
+        // One of a hundred samples is wrong, as of a marker that a camera sees at a flat angle.
+        [TestCase(0.02)]
+        [TestCase(0.05)]
+        public void At_OutliersOfATracker_AreNotPredictedAsAMotion(double interval)
+        {
+            var random = new Random(5);
+            var predictor = new BodyPredictor("adaptive", new PredictionLimits());
+            var furthest = 0.0;
+            for (var i = 0; i < 1000; i++)
+            {
+                var outlier = i > 50 && i % 100 == 0 ? 0.1 + 0.1 * random.NextDouble() : 0;
+                predictor.Add(new PoseSample(i * interval, new Vector3D(outlier + 3e-4 * random.NextDouble(), 0, 0), UnitQuaternion.Identity), (i - 1) * interval + 0.1);
+                if (i > 20) furthest = Math.Max(furthest, Math.Abs(predictor.At(i * interval + 0.1).X));
+            }
+
+            Assert.That(furthest, Is.LessThan(0.21), "seed 5; not beyond the largest outlier");
+        }
+
+        // A person shakes the object by 12 cm two and a half times a second: its accelerations reach 30 m/s² and 115 rad/s².
+        [Test]
+        public void At_ShakenObject_IsPredicted()
+        {
+            PoseSample Motion(double t) => new PoseSample(
+                t, new Vector3D(0.12 * Math.Sin(15.7 * t), 0.08 * Math.Sin(19.5 * t), 0), UnitQuaternion.Exp(new Vector3D(0, 0, 0.6 * Math.Sin(13.8 * t))));
+            var predictor = new BodyPredictor("adaptive", new PredictionLimits());
+            var held = 0;
+            for (var i = 0; i < 400; i++)
+            {
+                predictor.Add(Motion(i * Interval), (i - 1) * Interval + 0.1);
+                predictor.At(i * Interval + 0.1, out var kind);
+                if (i > 20 && kind == PredictionKind.Held) held++;
+            }
+
+            Assert.That(held, Is.LessThan(12), "3 % of the samples");
+        }
+
         // A car at 25 m/s that passes a camera, and a test flight: fast, but not moved elsewhere.
         [TestCase(25, 0)]
         [TestCase(0, 15)]
