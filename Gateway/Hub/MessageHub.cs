@@ -11,8 +11,6 @@ public sealed class MessageHub
     readonly RobotOwners _owners = new();
     readonly Subscribers _subscribers = new();
     readonly Dictionary<(HubSource Source, string Topic), HubMessage> _newest = [];
-    // Keyed by topic, including the robot's namespace.
-    readonly Dictionary<string, HubMessage> _descriptions = [];
     readonly RobotRegistry _robots = new();
     readonly CellFrames _frames;
     readonly CellSignals _signals = new();
@@ -69,7 +67,7 @@ public sealed class MessageHub
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     internal string DescriptionOf(string robot)
     {
-        lock (_lock) return (string)_descriptions.GetValueOrDefault(RobotTopic.NameOf(robot, RosTopics.RobotDescription))?.Content;
+        lock (_lock) return (string)_robots.DescriptionOn(RobotTopic.NameOf(robot, RosTopics.RobotDescription))?.Content;
     }
 
     /// <summary>Whether the hub has the description of at least one robot.</summary>
@@ -77,7 +75,7 @@ public sealed class MessageHub
     {
         get
         {
-            lock (_lock) return _descriptions.Count > 0;
+            lock (_lock) return _robots.IsAnyDescribed;
         }
     }
 
@@ -179,7 +177,7 @@ public sealed class MessageHub
         // Under the lock, so that a new subscriber receives the message exactly once, either as the kept message or as a new one.
         lock (_lock)
         {
-            _descriptions[message.Topic] = message;
+            _robots.Describe(message);
             Links.Describe(message.Robot, (string)message.Content);
             Publish(message);
         }
@@ -204,12 +202,7 @@ public sealed class MessageHub
         lock (_lock)
         {
             var hasRoom = _robots.TryUse(robot, source, RobotTopic.NameOf(robot, kind), out var removed);
-            if (removed != null)
-            {
-                _descriptions.Remove(RobotTopic.NameOf(removed, RosTopics.RobotDescription));
-                Links.Remove(removed);
-            }
-
+            if (removed != null) Links.Remove(removed);
             return hasRoom ? null : new Refusal(DropReason.TooManyRobots, $"robot {robot}");
         }
     }
@@ -285,7 +278,7 @@ public sealed class MessageHub
                 _newest.Remove(kept);
             if (topic is null or RosTopics.Tf or RosTopics.TfStatic) _frames.Release(source, topic);
             if (topic is null or RosTopics.Signals && _signals.Release(source) is { Count: > 0 } ended) SignalsEnded?.Invoke(source, ended);
-            _robots.Release(source, topic, robot => _descriptions.ContainsKey(RobotTopic.NameOf(robot, RosTopics.RobotDescription)));
+            _robots.Release(source, topic);
         }
     }
 
@@ -299,7 +292,7 @@ public sealed class MessageHub
     IEnumerable<HubMessage> Kept(string topic)
     {
         if (IsLatched(topic)) return ReadLatched(topic, () => 0);
-        return _descriptions.TryGetValue(topic, out var description)
+        return _robots.DescriptionOn(topic) is { } description
             ? [description] : [.. _newest.Values.Where(message => message.Topic == topic)];
     }
 }

@@ -1,6 +1,5 @@
 using System.Collections.Immutable;
 using System.Diagnostics;
-using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
@@ -43,8 +42,7 @@ public sealed class Recorder : IAsyncDisposable
     // Files that the next file has replaced, but that a publisher may still be using.
     readonly List<RecordedFile> _retired = [];
     readonly List<Task> _ending = [];
-    // Paths of the files that were started. A file appears on the disk later, because its writing thread creates it.
-    readonly HashSet<string> _begun = [];
+    readonly RecordingPaths _paths;
     readonly Timer _timer;
     volatile RecordedFile _file;
     volatile bool _isWanted;
@@ -62,6 +60,7 @@ public sealed class Recorder : IAsyncDisposable
     {
         _maxBytes = maxBytes;
         _options = options;
+        _paths = new RecordingPaths(options.Recordings, options.Cell);
         _hub = hub;
         _plant = plant;
         _traffic = new RecordedTraffic(clock, plant, drops);
@@ -240,13 +239,13 @@ public sealed class Recorder : IAsyncDisposable
         var robots = _robots;
         foreach (var robot in robots.Values) _ = robot.Model;
         var now = _options.Time.GetUtcNow().UtcDateTime;
-        return (now, FreePath(now), robots);
+        return (now, _paths.Free(now), robots);
     }
 
     void Begin((DateTime Now, string Path, ImmutableSortedDictionary<string, DescribedRobot> Robots) next)
     {
         // Chooses another path if another thread has started a file with this path in the meantime.
-        if (!_begun.Add(next.Path)) _begun.Add((next = Prepare()).Path);
+        if (!_paths.TryTake(next.Path)) _paths.TryTake((next = Prepare()).Path);
         _traffic.Begin();
         var file = new RecordedFile(next.Path, _open, _options.Cell, next.Robots, next.Now);
         _file = file;
@@ -268,9 +267,9 @@ public sealed class Recorder : IAsyncDisposable
     void Settle(RecordedFile file)
     {
         if (file.Problem != null && !file.IsDeleted) _log(file.Problem);
+        _paths.Release(file.Path);
         lock (_gate)
         {
-            _begun.Remove(file.Path);
             if (!_retired.Remove(file)) return;
             _linesBefore += file.Records;
             _lostBefore += file.Lost;
@@ -282,23 +281,4 @@ public sealed class Recorder : IAsyncDisposable
         file.Stop();
         _ending.Add(file.Ended);
     }
-
-    // Appends a number if the name is in use, by an earlier recording in the same second or by another gateway.
-    string FreePath(DateTime now)
-    {
-        var name = $"{Safe(_options.Cell) ?? "gateway"}-{now.ToString("yyyyMMdd'T'HHmmss'Z'", CultureInfo.InvariantCulture)}";
-        for (var number = 1; ; number++)
-        {
-            var path = System.IO.Path.Combine(_options.Recordings, number == 1 ? $"{name}.jsonl" : $"{name}-{number}.jsonl");
-            if (!IsBegun(path) && !File.Exists(path)) return path;
-        }
-    }
-
-    bool IsBegun(string path)
-    {
-        lock (_gate) return _begun.Contains(path);
-    }
-
-    static string Safe(string cell) =>
-        string.IsNullOrWhiteSpace(cell) ? null : new string([.. cell.Select(c => char.IsAsciiLetterOrDigit(c) || c is '-' or '_' ? c : '_').Take(40)]);
 }
