@@ -1,7 +1,7 @@
 // Tests in virtual time how silent nodes are read, for each way in which servers treat a deleted node.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { DataType, DataValue, StatusCodes, Variant } from 'node-opcua-client';
+import { DataType, DataValue, StatusCodes, Variant } from './opcua/library.mjs';
 import { parts } from './parts.mjs';
 import { messages } from './messages.mjs';
 

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { DataType, DataValue, Variant, VariantArrayType } from 'node-opcua-client';
+import { DataType, DataValue, Variant, VariantArrayType } from './library.mjs';
 import { parts } from '../parts.mjs';
 
 const { ofDate, sourceStamp, timeIn, TimeVariable } = await parts('opcua/stamps', 'opcua/timeVariable');

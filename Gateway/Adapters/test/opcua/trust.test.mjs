@@ -3,7 +3,7 @@ import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, utimesSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, describe, it } from 'node:test';
-import { OPCUAClient, StatusCodes } from 'node-opcua-client';
+import { OPCUAClient, StatusCodes } from './library.mjs';
 import { parts } from '../parts.mjs';
 import { temporaryFolder } from '../temporary.mjs';
 import { identity } from './identity.mjs';

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { DataType, DataValue, StatusCodes, Variant, VariantArrayType } from 'node-opcua-client';
+import { DataType, DataValue, StatusCodes, Variant, VariantArrayType } from './library.mjs';
 import { parts } from '../parts.mjs';
 
 const { statusRefusal, valueOf, isOverflown } = await parts('opcua/nodeValues');

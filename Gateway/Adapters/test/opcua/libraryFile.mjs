@@ -1,0 +1,33 @@
+// node-opcua in one file, without the self-test that generates a key at each start. Loading it takes a fifth of the processor time of loading the
+// packages. The file is created once and kept in dist.
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { adapters } from '../program.mjs';
+
+// The names that the tests and the tested modules import.
+const contents = `
+export { AttributeIds, crypto_utils, DataChangeFilter, DataChangeTrigger, DataType, DataValue, MessageSecurityMode, OPCUAClient, SecurityPolicy,
+  setWarningLogger, StatusCodes, TimestampsToReturn, UserTokenType, Variant, VariantArrayType } from 'node-opcua-client';
+export { MonitoredItem, OPCUAServer, Subscription } from 'node-opcua-server';
+`;
+
+/** Returns the URL of the file. */
+export async function libraryFile() {
+  const packages = readFileSync(join(adapters, 'package-lock.json'));
+  const version = createHash('sha256').update(packages).update(contents).digest('hex').slice(0, 16);
+  const folder = join(adapters, 'dist'), path = join(folder, `test-opcua-${version}.mjs`);
+  if (!existsSync(path)) {
+    const [{ build }, { requireForBundle, withoutTrial }] = await Promise.all([import('esbuild'), import('../../loading.mjs')]);
+    const { outputFiles } = await build({
+      stdin: { contents, resolveDir: adapters }, bundle: true, write: false, platform: 'node', format: 'esm', target: 'node20',
+      plugins: [withoutTrial], external: ['proper-lockfile', 'bufferutil', 'utf-8-validate'], banner: { js: requireForBundle },
+    });
+    mkdirSync(folder, { recursive: true });
+    // Renames the complete file, because test files run at the same time.
+    writeFileSync(`${path}.${process.pid}.tmp`, outputFiles[0].text);
+    renameSync(`${path}.${process.pid}.tmp`, path);
+  }
+  return pathToFileURL(path).href;
+}
