@@ -17,7 +17,7 @@ static class PaperScene
 {
     public const double VisuMs = 40;
 
-    const int PicturesPerLoad = 5;
+    const int PicturesPerLoad = 3;
 
     static readonly YoubotSwing Swing = new(isCold: true);
 
