@@ -146,7 +146,8 @@ namespace Nowpose.Frames
             var (position, angles) = isBlended ? (_position.At(displayed, place), _angles.At(displayed, place)) : default;
             if (!_samples.Add(sample, displayed)) return;
             _isSolved = _position.Solve(_interpolates);
-            _angles.Solve(_interpolates);
+            // If the position jumps, the object is elsewhere. A tracker may confuse two rotations although the position is right.
+            _angles.Solve(_interpolates, _position.HasJumped);
             if (!isBlended) return;
             place = PlaceOf(displayed);
             _position.Blend(displayed, position, place, before);
@@ -172,7 +173,9 @@ namespace Nowpose.Frames
                 var start = history.StartOf(Math.Min(connected, _forecaster.Samples));
                 if (ahead < start) return new SectionPlace(PredictionKind.Held, start);
             }
-            return new SectionPlace(ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted, ahead);
+            if (ahead <= 0) return new SectionPlace(PredictionKind.Interpolated, ahead);
+            // One part may jump while the other moves on.
+            return new SectionPlace(_position.HasJumped || _angles.HasJumped ? PredictionKind.Held : PredictionKind.Predicted, ahead);
         }
 
         static RigidTransform PoseOf(in UnitQuaternion rotation, in Vector3D position) => rotation.At(position.X, position.Y, position.Z);

@@ -11,19 +11,9 @@ namespace Nowpose.Frames
     /// <remarks>Allocates nothing after construction.</remarks>
     sealed class BodySamples
     {
-        /// <summary>
-        /// Minimum jump of the position in m and maximum acceleration in m/s², see <see cref="JumpDetector"/>. With 10 m/s², the errors of vehicles that
-        /// start at once are 5 % larger.
-        /// </summary>
-        const double MinJump = 0.03, MaxAcceleration = 30;
-
-        /// <summary>The same for the rotation, in rad and rad/s².</summary>
-        const double MinTurn = 0.1, MaxAngularAcceleration = 100;
-
         // Null if stamps are not corrected and samples are not thinned.
         readonly StampCorrection _stamps;
         double _newestOrder;
-        JumpDetector _positionJumps = new JumpDetector(MinJump, MaxAcceleration), _angleJumps = new JumpDetector(MinTurn, MaxAngularAcceleration);
 
         /// <param name="capacity">Number of samples to keep.</param>
         /// <param name="prepares">Whether stamps are corrected and samples less than 5.5 ms apart are left out. The paper's polynomials need neither.</param>
@@ -56,7 +46,7 @@ namespace Nowpose.Frames
         public bool IsNewer(in BodySample sample) => sample.Order > _newestOrder;
 
         /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
-        /// <returns>Whether the history has changed. After a jump, the object has a new history.</returns>
+        /// <returns>Whether the history has changed.</returns>
         public bool Add(in BodySample sample, double displayed)
         {
             var isNewest = IsNewer(sample);
@@ -64,7 +54,6 @@ namespace Nowpose.Frames
             if (isNewest) (_newestOrder, Newest) = (sample.Order, sample);
             var (before, ahead) = (History.NewestTime, time - History.NewestTime);
             if (_stamps != null && isNewest && ahead < SampleBuffer.MinInterval && ahead > 0) return false;
-            if (_stamps != null && isNewest && HasJumped(sample, ahead)) History.Clear();
             if (!History.Add(new BodySample(time, sample.Position, sample.Angles, _stamps == null ? sample.Order : time))) return false;
             IsNewest = History.NewestTime > before;
             Timing.Add(History, IsNewest, displayed);
@@ -78,19 +67,6 @@ namespace Nowpose.Frames
             _stamps?.Reset();
             _newestOrder = double.NegativeInfinity;
             Newest = default;
-            _positionJumps.Clear();
-            _angleJumps.Clear();
-        }
-
-        bool HasJumped(in BodySample sample, double interval)
-        {
-            if (IsEmpty) return false;
-            // The stamps of two close samples may be inaccurate.
-            var seconds = Math.Max(interval, Timing.MeanInterval);
-            var hasMoved = _positionJumps.Add(sample.Position - History[0].Position, seconds);
-            var hasTurned = _angleJumps.Add(sample.Angles - History[0].Angles, seconds);
-            // The first interval has no velocity to compare with.
-            return Timing.MeanInterval > 0 && (hasMoved || hasTurned);
         }
 
         double Corrected(in BodySample sample, bool isNewest)

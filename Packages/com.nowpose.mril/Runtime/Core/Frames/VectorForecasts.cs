@@ -29,7 +29,7 @@ namespace Nowpose.Frames
             _vectors = new Vector3D[SamplesOf(forecasters)];
         }
 
-        /// <summary>Velocity of the line, m/s or rad/s. It is zero for a single sample and reduced after an abrupt stop.</summary>
+        /// <summary>Velocity of the line, m/s or rad/s. It is zero for a single sample and after a jump, and reduced after an abrupt stop.</summary>
         public Vector3D LineSpeed { get; private set; }
 
         /// <summary>
@@ -60,13 +60,14 @@ namespace Nowpose.Frames
 
         /// <summary>Prepares the forecasts from the newest samples of one motion.</summary>
         /// <param name="changePoints">Abrupt changes of the motion. Samples before the newest change are left out.</param>
-        public void Prepare(BodySamples samples, ChangePointDetector changePoints)
+        /// <param name="hasJumped">Whether the newest sample is at another place, so that the velocity there is unknown.</param>
+        public void Prepare(BodySamples samples, ChangePointDetector changePoints, bool hasJumped)
         {
             var (history, connected) = (samples.History, samples.Timing.ConnectedSamples);
             var ofOneMotion = Math.Min(connected, changePoints.SamplesSince);
             for (var age = 1; age < Math.Min(ofOneMotion, _vectors.Length); age++) _vectors[age] = history[age][_part] - history[0][_part];
             var isAfterStop = ofOneMotion == 1 && !changePoints.SpeedIncreased;
-            LineSpeed = connected < 2 ? default
+            LineSpeed = connected < 2 || hasJumped ? default
                 : (history[0][_part] - history[1][_part]) * ((isAfterStop ? MixedForecasters.SpeedRatioAfterStop : 1) / samples.Timing.Interval);
             _usable = 0;
             for (var i = 0; i < _forecasters.Length; i++)

@@ -49,6 +49,12 @@ namespace Nowpose.Frames
         /// </summary>
         const double SteadyRatio = 1e-6;
 
+        /// <summary>
+        /// Maximum distance of a repetition from a sample that it explains, relative to the displacement of the sample. A fast motion that repeats is no
+        /// jump.
+        /// </summary>
+        const double MaxRepeatedRatio = 0.5;
+
         /// <summary>Maximum interval in which samples are interpolated to score a forecast, s.</summary>
         const double MaxInterval = 0.3;
 
@@ -73,6 +79,7 @@ namespace Nowpose.Frames
         readonly RepeatedVector _repeated;
         readonly ChangePointDetector _changePoints = new ChangePointDetector();
         readonly ScatterDetector _scatter = new ScatterDetector();
+        readonly JumpDetector _jumps;
         readonly DistanceLimit _distance = new DistanceLimit(Mixer.TimeConstant);
 
         // Forecasts that wait for a sample at or after their time.
@@ -94,6 +101,7 @@ namespace Nowpose.Frames
         public VectorMixture(BodyPart part, PositionWeights[] forecasters, PredictionLimits limits)
         {
             (_part, _forecasts) = (part, new VectorForecasts(part, forecasters));
+            _jumps = new JumpDetector(part);
             _prior = _forecasts.Prior();
             _errors = new double[_prior.Length];
             _weights = new MixtureWeights(Regularisation, _prior);
@@ -107,15 +115,18 @@ namespace Nowpose.Frames
 
         public override int Samples => 2;
 
-        public override bool Solve(BodySamples samples)
+        public override bool HasJumped => _jumps.HasJumped;
+
+        public override bool Solve(BodySamples samples, bool isElsewhere)
         {
             var vector = samples.History[0][_part];
             if (double.IsNegativeInfinity(_newestTime)) _first = vector;
+            if (samples.IsNewest) DetectJump(samples, vector, isElsewhere);
             _hasChanged |= Math.Max(Math.Max(Math.Abs(vector.X - _first.X), Math.Abs(vector.Y - _first.Y)), Math.Abs(vector.Z - _first.Z)) > Rounding;
             if (_hasChanged)
             {
                 if (samples.IsNewest) Learn(samples, vector);
-                else _forecasts.Prepare(samples, _changePoints);
+                else _forecasts.Prepare(samples, _changePoints, HasJumped);
                 FillSection();
             }
             else if (samples.IsNewest)
@@ -128,7 +139,7 @@ namespace Nowpose.Frames
 
         public override Vector3D At(double ahead)
         {
-            if (_repeated.IsUsed) return _repeated.At(_newestTime + ahead) - _newest;
+            if (_repeated.IsUsed && !HasJumped) return _repeated.At(_newestTime + ahead) - _newest;
             var time = new TableTime(ahead);
             return new Vector3D(time.Read(_section, 0, Components), time.Read(_section, 1, Components), time.Read(_section, 2, Components));
         }
@@ -145,6 +156,7 @@ namespace Nowpose.Frames
             _repeated.Reset();
             Array.Clear(_section, 0, _section.Length);
             _newestTime = _lineUntil = double.NegativeInfinity;
+            _jumps.Clear();
             _intervalBefore = _steadySamples = 0;
             _speed = _newest = default;
             _hasChanged = _wasSteady = false;
@@ -154,8 +166,8 @@ namespace Nowpose.Frames
         {
             var (time, horizon) = (samples.History.NewestTime, samples.Timing.Horizon);
             var interval = time - _newestTime;
-            // After a gap, or if the object was moved elsewhere, earlier forecasts are wrong for a reason that no forecaster can know.
-            if (samples.Timing.ConnectedSamples == 1)
+            // After a gap or a jump, earlier forecasts are wrong for a reason that no forecaster can know.
+            if (samples.Timing.ConnectedSamples == 1 || HasJumped)
             {
                 _waiting.Clear();
                 _scatter.Clear();
@@ -166,12 +178,30 @@ namespace Nowpose.Frames
             (_newestTime, _newest) = (time, vector);
             _repeated.Add(vector, time, samples.Timing.MeanInterval);
             UpdateSpeed(samples);
-            _forecasts.Prepare(samples, _changePoints);
-            if (samples.Timing.ConnectedSamples >= MinScored) Expect(horizon, interval);
+            _forecasts.Prepare(samples, _changePoints, HasJumped);
+            if (Math.Min(samples.Timing.ConnectedSamples, _jumps.SamplesSince) >= MinScored) Expect(horizon, interval);
+        }
+
+        void DetectJump(BodySamples samples, in Vector3D vector, bool isElsewhere)
+        {
+            if (samples.Timing.ConnectedSamples < 2)
+            {
+                _jumps.Clear();
+                return;
+            }
+            var (time, displacement) = (samples.History.NewestTime, vector - _newest);
+            // The stamps of two close samples may be inaccurate.
+            _jumps.Add(displacement, Math.Max(time - _newestTime, samples.Timing.MeanInterval), isElsewhere);
+            if (HasJumped && _repeated.IsUsed && (_repeated.At(time) - vector).Length < MaxRepeatedRatio * displacement.Length) _jumps.Dismiss();
         }
 
         void UpdateSpeed(BodySamples samples)
         {
+            if (HasJumped)
+            {
+                _changePoints.AddJump();
+                return;
+            }
             var (history, interval, before) = (samples.History, samples.Timing.Interval, _speed);
             if (history.Count > 1) _speed = (history[0][_part] - history[1][_part]) * (1 / interval);
             var speeds = new SpeedChange(_speed.Length, before.Length, (_speed - before).Length, _speed.Dot(before));

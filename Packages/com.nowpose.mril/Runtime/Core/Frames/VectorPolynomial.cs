@@ -22,7 +22,7 @@ namespace Nowpose.Frames
 
         public override int Samples => _weights.Samples;
 
-        public override bool Solve(BodySamples samples)
+        public override bool Solve(BodySamples samples, bool isElsewhere)
         {
             var count = Math.Min(samples.Timing.ConnectedSamples, Samples);
             if (count < _weights.MinSamples || !_weights.Update(samples.History, count)) return false;

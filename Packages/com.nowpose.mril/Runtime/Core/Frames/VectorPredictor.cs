@@ -28,13 +28,17 @@ namespace Nowpose.Frames
 
         /// <summary>Fits the forecaster to the newest samples.</summary>
         /// <param name="interpolates">Whether the vector is interpolated up to the newest sample, so that its forecast must start there.</param>
+        /// <inheritdoc cref="VectorForecaster.Solve" path="/param[@name='isElsewhere']"/>
         /// <returns>See <see cref="VectorForecaster.Solve"/>.</returns>
-        public bool Solve(bool interpolates)
+        public bool Solve(bool interpolates, bool isElsewhere = false)
         {
-            var isSolved = _forecaster.Solve(_samples);
+            var isSolved = _forecaster.Solve(_samples, isElsewhere);
             _jump = isSolved && interpolates ? _forecaster.At(0) : default;
             return isSolved;
         }
+
+        /// <inheritdoc cref="VectorForecaster.HasJumped"/>
+        public bool HasJumped => _forecaster.HasJumped;
 
         /// <inheritdoc cref="SectionBlend.IsNeeded"/>
         public bool IsBlendNeeded(double displayed) => _blend.IsNeeded(displayed);

@@ -91,6 +91,9 @@ namespace Nowpose.Prediction.Forecasting
             MaxSpeed = Math.Max(MaxSpeed * forgettingFactor, speeds.Newest);
         }
 
+        /// <summary>Adds a sample at a place that has no connection with the samples before it.</summary>
+        public void AddJump() => (SamplesSince, SpeedIncreased, Count) = (1, false, Count + 1);
+
         /// <summary>Leaves out all samples except the newest ones.</summary>
         /// <param name="samples">Number of samples to use.</param>
         public void KeepNewest(int samples) => SamplesSince = Math.Min(SamplesSince, samples);
