@@ -1,4 +1,5 @@
 using Nowpose.Motion;
+using Nowpose.Simulation;
 
 namespace Nowpose.Studies;
 
@@ -82,11 +83,11 @@ public static class Motions
         for (var i = 0; i < cycles; i++)
             foreach (var (target, dwell, limits) in cycle)
             {
-                var share = 1 + variation.SpeedShare * Normal(random);
+                var share = 1 + variation.SpeedShare * random.NextNormal();
                 sequence.MoveTo(
-                    target + variation.TargetMm * Normal(random), limits.Velocity * share, limits.Acceleration * share * share,
+                    target + variation.TargetMm * random.NextNormal(), limits.Velocity * share, limits.Acceleration * share * share,
                     limits.Jerk * share * share * share);
-                sequence.Dwell(Math.Max(0.02, dwell + variation.DwellSeconds * Normal(random)));
+                sequence.Dwell(Math.Max(0.02, dwell + variation.DwellSeconds * random.NextNormal()));
             }
         return sequence.Motion("repeating cycles");
     }
@@ -151,9 +152,6 @@ public static class Motions
     }
 
     static double Between(Random random, double low, double high) => low + (high - low) * random.NextDouble();
-
-    static double Normal(Random random) =>
-        Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
 
     readonly record struct Limits(double Velocity, double Acceleration, double Jerk);
 }

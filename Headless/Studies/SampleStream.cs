@@ -1,4 +1,5 @@
 using Nowpose.Prediction;
+using Nowpose.Simulation;
 
 namespace Nowpose.Studies;
 
@@ -32,8 +33,8 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
         var stamp = _firstSample + index * settings.SamplingInterval + settings.StampedJitter * Uniform();
         var time = stamp + settings.SamplingJitter * Uniform();
         var stated = stamp + settings.StampError * Uniform();
-        var noise = settings.Noise * Normal();
-        var delay = Math.Min(settings.DelayMaximum, settings.DelayMedian * Math.Exp(Normal()));
+        var noise = settings.Noise * random.NextNormal();
+        var delay = Math.Min(settings.DelayMaximum, settings.DelayMedian * Math.Exp(random.NextNormal()));
         _newestArrival = Math.Max(_newestArrival, time + settings.Latency);
         if (random.NextDouble() < settings.Loss) return;
         var sample = new JointSample(
@@ -43,6 +44,4 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
     }
 
     double Uniform() => 2 * random.NextDouble() - 1;
-
-    double Normal() => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
 }

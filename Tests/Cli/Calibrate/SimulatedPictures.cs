@@ -35,13 +35,10 @@ sealed class SimulatedPictures
                 taken++;
                 var visuMs = random.NextDouble() < Misread
                     ? -100 + 400 * random.NextDouble()
-                    : frame.Visualisation.TotalMilliseconds + NoiseMs * Normal(random);
+                    : frame.Visualisation.TotalMilliseconds + NoiseMs * random.NextNormal();
                 pairs.Add(new LatencyPair(frame.RenderTime.TotalMilliseconds, visuMs));
             }
         // Pictures can be in any order.
         return pairs.OrderBy(_ => random.Next()).ToArray();
     }
-
-    static double Normal(Random random) =>
-        Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
 }

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
+using Nowpose.Simulation;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
@@ -28,13 +29,12 @@ public class SineVerbTests : CalibrationFolder
             var random = new Random(Seed);
             double phase = random.NextDouble(), taken = random.NextDouble();
             double Place(double t) => Amplitude * Math.Sin(2 * Math.PI * (t / Period + phase));
-            double Noise() => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
             yield return "t_s,robot_px,hologram_px";
             for (var i = 0; i < Seconds * Fps; i++)
             {
                 double t = i / Fps, shown = t - LagMs / 1000, interval = SamplingMs / 1000;
                 if (interval > 0) shown = (Math.Floor(shown / interval + taken) - taken) * interval;
-                yield return string.Create(CultureInfo.InvariantCulture, $"{t:0.######},{640 + Place(t) + Noise():0.###},{500 + Scale * Place(shown) + Noise():0.###}");
+                yield return string.Create(CultureInfo.InvariantCulture, $"{t:0.######},{640 + Place(t) + random.NextNormal():0.###},{500 + Scale * Place(shown) + random.NextNormal():0.###}");
             }
         }
     }

@@ -3,6 +3,7 @@ using Microsoft.MixedReality.OpenXR.ARSubsystems;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using Nowpose.OpenXR;
+using Nowpose.Simulation;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
@@ -90,7 +91,7 @@ public sealed class AnchoredCellTests
         });
     }
 
-    float Noise() => 0.001f * (float)Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * (float)Math.Cos(2 * Math.PI * _random.NextDouble());
+    float Noise() => 0.001f * (float)_random.NextNormal();
 
     void Run(double seconds, bool isSeen)
     {

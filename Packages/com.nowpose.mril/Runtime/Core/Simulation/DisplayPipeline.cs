@@ -59,7 +59,7 @@ namespace Nowpose.Simulation
 
         double Slowness()
         {
-            var normal = Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
+            var normal = _random.NextNormal();
             var slowness = Math.Max(0.1, 1 + _settings.Scatter * normal);
             return _random.NextDouble() < _settings.SpikeChance ? slowness * (1.5 + _random.NextDouble()) : slowness;
         }

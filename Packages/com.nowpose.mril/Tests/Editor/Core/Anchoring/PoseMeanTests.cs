@@ -2,6 +2,7 @@ using System;
 using Nowpose.Anchoring;
 using Nowpose.Anchoring.Fitting;
 using Nowpose.Kinematics;
+using Nowpose.Simulation;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring
@@ -29,7 +30,7 @@ namespace Nowpose.Tests.Core.Anchoring
             * PoseNumbers.Turn(radians * Normal(), radians * Normal(), radians * Normal())
                 .MovedTo(metres * Normal(), metres * Normal(), metres * Normal());
 
-        double Normal() => Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
+        double Normal() => _random.NextNormal();
 
         PoseMean Mean() => PoseMean.Of(_window, _window.Count, new PoseMeanSpace());
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
+using Nowpose.Simulation;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
@@ -144,6 +145,6 @@ namespace Nowpose.Tests.Core.Anchoring
             return PoseNumbers.Turn(r * Normal(), r * Normal(), r * Normal()).MovedTo(m * Normal(), m * Normal(), m * Normal());
         }
 
-        double Normal() => Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
+        double Normal() => _random.NextNormal();
     }
 }

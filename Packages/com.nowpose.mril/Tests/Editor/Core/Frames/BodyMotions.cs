@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Frames;
+using Nowpose.Simulation;
 
 namespace Nowpose.Tests.Core.Frames
 {
@@ -140,8 +141,8 @@ namespace Nowpose.Tests.Core.Frames
         public static PoseSample NoisyHeading(double t)
         {
             var random = new Random(76 + (int)Math.Round(t * 1000));
-            var scatter = new Vector3D(0.001 * Normal(random), 0.001 * Normal(random), 0);
-            return new PoseSample(t, Velocity * t + scatter, UnitQuaternion.Exp(new Vector3D(0, 0, 0.0017 * Normal(random))));
+            var scatter = new Vector3D(0.001 * random.NextNormal(), 0.001 * random.NextNormal(), 0);
+            return new PoseSample(t, Velocity * t + scatter, UnitQuaternion.Exp(new Vector3D(0, 0, 0.0017 * random.NextNormal())));
         }
 
         /// <summary>An object on a turntable whose angular velocity jumps, within one sample, to zero or back, every 3.3 s.</summary>
@@ -164,7 +165,7 @@ namespace Nowpose.Tests.Core.Frames
             var sample = motion(t);
             // The noise depends only on the time, so that each call for a time returns the same sample.
             var random = new Random(seed + (int)Math.Round(t * 1000));
-            Vector3D Vector(double deviation) => new Vector3D(deviation * Normal(random), deviation * Normal(random), deviation * Normal(random));
+            Vector3D Vector(double deviation) => new Vector3D(deviation * random.NextNormal(), deviation * random.NextNormal(), deviation * random.NextNormal());
             var position = sample.Position + Vector(0.001);
             var rotation = sample.Rotation * UnitQuaternion.Exp(Vector(0.0017));
             return new PoseSample(t, position, random.Next(3) == 0 ? Negated(rotation) : rotation);
@@ -175,8 +176,6 @@ namespace Nowpose.Tests.Core.Frames
             var pose = body.At(time);
             return new Vector3D(pose.X, pose.Y, pose.Z);
         }
-
-        static double Normal(Random random) => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
 
         public static UnitQuaternion Negated(in UnitQuaternion q)
         {

@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Frames;
+using Nowpose.Simulation;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Frames
@@ -56,7 +57,7 @@ namespace Nowpose.Tests.Core.Frames
             var (detector, random, left) = (new ScatterDetector(), new Random(13), 0);
             for (var k = 0; k < 20000; k++)
             {
-                detector.Add(new Vector3D(0, 0, 0.001 * Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(6.2832 * random.NextDouble())));
+                detector.Add(new Vector3D(0, 0, 0.001 * random.NextNormal()));
                 if (detector.HasLeft) left++;
             }
 

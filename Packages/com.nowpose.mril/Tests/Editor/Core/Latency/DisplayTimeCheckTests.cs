@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Latency;
 using Nowpose.Latency.DisplayTime;
+using Nowpose.Simulation;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Latency
@@ -28,7 +29,7 @@ namespace Nowpose.Tests.Core.Latency
             var before = _check.IsInconsistent;
             for (var i = 0; i < count; i++)
             {
-                var scatter = Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
+                var scatter = _random.NextNormal();
                 var outlier = _random.NextDouble() < outlierChance ? 16.7 : 0;
                 _check.Add(HeadsetTime.FromSeconds(_start + _frame++ / 60.0), Lengths.Ms(differenceMs + scatter + outlier));
                 if (_check.IsInconsistent != before) return i + 1;

@@ -1,8 +1,9 @@
 using System;
 using Nowpose.Latency;
 using Nowpose.Latency.Calibration;
-using NUnit.Framework;
 using Nowpose.Messages;
+using Nowpose.Simulation;
+using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Latency.Calibration
 {
@@ -30,7 +31,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
             const int runs = 400, repeats = 6;
             var random = new Random(11);
             double sumOfSquares = 0, spread = 0;
-            double Mark(double mm) => mm + eyeMm * Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+            double Mark(double mm) => mm + eyeMm * random.NextNormal();
             for (var run = 0; run < runs; run++)
             {
                 var nudge = new NudgeCalibration(400, 40);

@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         public double GpuMs(double seconds, int vertices) => _gpu.Next(vertices).RenderTime.TotalMilliseconds;
 
         /// <summary>Returns a random number of the standard normal distribution.</summary>
-        public double Normal() => Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
+        public double Normal() => _random.NextNormal();
 
         /// <param name="renderMs">
         /// Function that returns the render time in ms, given the seconds since the sweep began and the number of vertices; null for a frame

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Prediction;
+using Nowpose.Simulation;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Prediction.Samples
@@ -225,7 +226,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             var arrivals = new List<(double At, double Stamp)>();
             for (var i = 0; i < 10_000; i++)
             {
-                var normal = Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+                var normal = random.NextNormal();
                 arrivals.Add((i * interval + Math.Min(0.120, 0.012 * Math.Exp(normal)), i * interval));
             }
             var late = 0;

@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
+using Nowpose.Simulation;
 using Nowpose.Tests.Core.Frames;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Session.Cell.GripScene;
@@ -49,8 +50,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         public void GripperOpens_NoiseInOneComponent_ObjectStaysWhereItWasReleased([Values(1, 2, 3)] int seed)
         {
             var random = new Random(seed);
-            double Normal() => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
-            var cell = Released(_ => At(1 + 0.001 * Normal(), 0));
+            var cell = Released(_ => At(1 + 0.001 * random.NextNormal(), 0));
             var released = Find(cell, "box").World;
 
             Until(cell, Open + 60, _ => Assert.That(Distance(Find(cell, "box").World, released), Is.LessThan(1e-9), "seed " + seed));
