@@ -16,4 +16,7 @@ static class CellKinds
         RosTopics.Tf or RosTopics.TfStatic => Frame,
         _ => Joint,
     };
+
+    /// <summary>Whether a topic is latched per name: new subscribers receive the newest value of each frame or signal.</summary>
+    public static bool IsLatched(string topic) => topic is RosTopics.TfStatic or RosTopics.Signals;
 }

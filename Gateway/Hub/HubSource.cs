@@ -124,7 +124,11 @@ public sealed class HubSource : IDisposable
 
     /// <summary>Whether a frame or signal does not belong to another source.</summary>
     /// <param name="kind"><see cref="CellKinds.Frame"/> or <see cref="CellKinds.Signal"/>.</param>
-    internal bool MayPublishPart(string kind, string name) => _hub.OtherOwner(this, kind, name) == null;
+    internal bool MayPublishPart(string kind, string name) => OtherOwner(kind, name) == null;
+
+    /// <summary>Gets the other source that owns a frame or signal; null if there is none.</summary>
+    /// <inheritdoc cref="MayPublishPart" path="/param"/>
+    internal HubSource OtherOwner(string kind, string name) => _hub.OtherOwner(this, kind, name);
 
     /// <summary>Reports a sample that was dropped because of its content.</summary>
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>

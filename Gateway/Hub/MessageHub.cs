@@ -60,6 +60,9 @@ public sealed class MessageHub
     /// <summary>Raised with the name of a client that has closed its connection normally.</summary>
     internal event Action<string> Left;
 
+    /// <summary>Raised when a source no longer publishes on a topic, except when it ends. Called under the hub's lock.</summary>
+    internal event Action<HubSource, string> TopicReleased;
+
     /// <summary>Raised when a source ends normally: it has closed its connection or unadvertised its joint states.</summary>
     internal event Action<HubSource> SourceLeft;
 
@@ -123,9 +126,6 @@ public sealed class MessageHub
     /// <summary>Subscribes to one topic of all robots that have a namespace. Kept messages are not passed.</summary>
     /// <param name="kind">/joint_states, /joint_trajectory or /robot_description.</param>
     internal IDisposable SubscribeToRobots(string kind, Action<HubMessage> receive) => SubscribeToNew(Subscribers.OfAllRobots(kind), receive);
-
-    /// <summary>Whether a topic is latched per name: <see cref="ReadLatched"/> returns the newest value of each frame or signal.</summary>
-    internal static bool IsLatched(string topic) => topic is RosTopics.TfStatic or RosTopics.Signals;
 
     /// <summary>
     /// Gets the current values of a latched topic, in the order of publication. No message is published on the topic during the call.
@@ -274,6 +274,7 @@ public sealed class MessageHub
         lock (_lock)
         {
             _owners.Release(source, topic);
+            if (topic != null) TopicReleased?.Invoke(source, topic);
             foreach (var kept in _newest.Keys.Where(kept => kept.Source == source && (topic == null || kept.Topic == topic)).ToList())
                 _newest.Remove(kept);
             if (topic is null or RosTopics.Tf or RosTopics.TfStatic) _frames.Release(source, topic);
@@ -291,7 +292,7 @@ public sealed class MessageHub
     // Called under the lock.
     IEnumerable<HubMessage> Kept(string topic)
     {
-        if (IsLatched(topic)) return ReadLatched(topic, () => 0);
+        if (CellKinds.IsLatched(topic)) return ReadLatched(topic, () => 0);
         return _robots.DescriptionOn(topic) is { } description
             ? [description] : [.. _newest.Values.Where(message => message.Topic == topic)];
     }

@@ -31,7 +31,7 @@ sealed class Subscription : IDisposable
         _lost = () => drops.Count(terms.ThrottleMs > 0 ? DropReason.None : DropReason.SlowReader);
         var bounds = new BoundedChannelOptions(QueueOf(topic, terms, standardQueue)) { FullMode = BoundedChannelFullMode.DropOldest, SingleReader = true };
         _times = RobotTopic.Parse(topic).Kind == RosTopics.JointStates && terms.ThrottleMs == 0 ? hub.Forwarding : null;
-        if (MessageHub.IsLatched(topic))
+        if (CellKinds.IsLatched(topic))
         {
             _queue = Channel.CreateBounded<HubMessage>(bounds, message => _latched.Lose(message));
             _latched = new LatchedQueue(hub, topic, _queue, _lost);

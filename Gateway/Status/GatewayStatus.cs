@@ -71,6 +71,7 @@ sealed class GatewayStatus : IDisposable
         Events = events;
         _conditions = new Conditions(options, clock, _diagnostics, _refusals, _cellReports, _cell, limits, recorder);
         hub.Refused += Refuse;
+        hub.TopicReleased += _refusals.Remove;
         hub.PartDropped += _cell.Refuse;
         hub.Left += _diagnostics.Remove;
         hub.SampleDropped += _joints.Refuse;
@@ -109,6 +110,7 @@ sealed class GatewayStatus : IDisposable
         _signals.Dispose();
         _version.Dispose();
         _hub.Refused -= Refuse;
+        _hub.TopicReleased -= _refusals.Remove;
         _hub.PartDropped -= _cell.Refuse;
         _hub.Left -= _diagnostics.Remove;
         _hub.SampleDropped -= _joints.Refuse;

@@ -15,8 +15,9 @@ export { MonitoredItem, OPCUAServer, Subscription } from 'node-opcua-server';
 
 /** Returns the URL of the file. */
 export async function libraryFile() {
-  const packages = readFileSync(join(adapters, 'package-lock.json'));
-  const version = createHash('sha256').update(packages).update(contents).digest('hex').slice(0, 16);
+  const hash = createHash('sha256').update(contents);
+  for (const file of ['package-lock.json', 'loading.mjs']) hash.update(readFileSync(join(adapters, file)));
+  const version = hash.digest('hex').slice(0, 16);
   const folder = join(adapters, 'dist'), path = join(folder, `test-opcua-${version}.mjs`);
   if (!existsSync(path)) {
     const [{ build }, { requireForBundle, withoutTrial }] = await Promise.all([import('esbuild'), import('../../loading.mjs')]);

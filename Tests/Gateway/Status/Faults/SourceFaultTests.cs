@@ -106,11 +106,13 @@ public class SourceFaultTests
     }
 
     // Stationary frames and signals are sent only once, so a refusal must stay visible although no further message is refused.
-    [TestCase("signal grip", true)]
-    [TestCase("signal grip", false)]
-    [TestCase("frame fixture", true)]
-    [TestCase("frame fixture", false)]
-    public async Task SecondSource_OfASignalOrStationaryFrame_AddsAnEventUntilOneOfTheSourcesEnds(string part, bool isFirstToEnd)
+    [TestCase("signal grip", "first ends")]
+    [TestCase("signal grip", "second ends")]
+    [TestCase("signal grip", "second unadvertises")]
+    [TestCase("frame fixture", "first ends")]
+    [TestCase("frame fixture", "second ends")]
+    [TestCase("frame fixture", "second unadvertises")]
+    public async Task SecondSource_OfASignalOrStationaryFrame_AddsAnEventUntilOneOfTheSourcesLeaves(string part, string end)
     {
         await _gateway.StartAsync();
         var isSignal = part == "signal grip";
@@ -121,16 +123,42 @@ public class SourceFaultTests
         second.Name = "copy";
 
         Assert.That((Send(first), Send(second)), Is.EqualTo((true, false)));
-        second.ReportDropped(isSignal ? RosTopics.Signals : RosTopics.TfStatic, leftOut.Single());
+        var topic = isSignal ? RosTopics.Signals : RosTopics.TfStatic;
+        second.ReportDropped(topic, leftOut.Single());
 
         await _gateway.BeginsAsync("source", "copy of " + part);
         _gateway.Time.Advance(TimeSpan.FromMinutes(10));
         var status = (await _gateway.StateAsync()).GetProperty("status").GetProperty("text").GetString();
         Assert.That(status, Does.Contain($"source copy is refused for {part}"));
 
-        (isFirstToEnd ? first : second).Dispose();
+        if (end == "second unadvertises") second.Release(topic);
+        else (end == "first ends" ? first : second).Dispose();
 
         await _gateway.EndsAsync("source", "copy of " + part);
+    }
+
+    [Test]
+    public async Task SecondSource_OfASignalOfAnOwnerThatChanges_NamesThePresentOwner()
+    {
+        await _gateway.StartAsync();
+        var leftOut = new List<LeftOut>();
+        HubSource Source(string name)
+        {
+            var source = _gateway.Server.Hub.OpenSource();
+            source.Name = name;
+            source.Publish(new SignalsMessage(Gateways.Start, new SignalValue("grip", 1)), leftOut);
+            return source;
+        }
+        var first = Source("plc");
+        using var second = Source("copy");
+        second.ReportDropped(RosTopics.Signals, leftOut.Single());
+        await _gateway.BeginsAsync("source", "copy of signal grip");
+
+        first.Dispose();
+        using var third = Source("new plc");
+        _gateway.Time.Advance(TimeSpan.FromMinutes(1));
+
+        Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("text").GetString(), Does.Contain("the source new plc already publishes this signal"));
     }
 
     [Test]
