@@ -42,14 +42,6 @@ namespace Nowpose.Frames
         const int MinScored = 3;
 
         /// <summary>
-        /// Maximum change of a constant velocity, relative to the maximum recent speed. While the velocity is constant, the samples before it are left
-        /// out: without noise, a conveyor or turntable that is switched on moves at full speed at once, and a fit across the start would overshoot.
-        /// Without this rule, turntables with abrupt starts had up to 1.3 times the error of the line. With 1e-3, the errors on such motions are the same,
-        /// but workpieces of a UR5, whose smooth moves are almost uniform at times, have up to 3.5 % larger errors.
-        /// </summary>
-        const double SteadyRatio = 1e-6;
-
-        /// <summary>
         /// Maximum distance of a repetition from a sample that it explains, relative to the displacement of the sample. A fast motion that repeats is no
         /// jump.
         /// </summary>
@@ -77,7 +69,7 @@ namespace Nowpose.Frames
         readonly MixtureWeights _weights;
         readonly double[] _prior, _errors;
         readonly RepeatedVector _repeated;
-        readonly ChangePointDetector _changePoints = new ChangePointDetector();
+        readonly VectorChangePoints _changePoints;
         readonly ScatterDetector _scatter = new ScatterDetector();
         readonly JumpDetector _jumps;
         readonly DistanceLimit _distance = new DistanceLimit(Mixer.TimeConstant);
@@ -89,10 +81,9 @@ namespace Nowpose.Frames
         readonly double[] _section = new double[Components * ForecastTable.Points];
         readonly int _points;
 
-        Vector3D _first, _newest, _speed;
-        double _newestTime, _intervalBefore, _lineUntil;
-        int _steadySamples;
-        bool _hasChanged, _wasSteady;
+        Vector3D _first, _newest;
+        double _newestTime, _lineUntil;
+        bool _hasChanged;
 
         /// <param name="forecasters">
         /// Result of <see cref="VectorForecasts.NewForecasters"/>. Objects that are sampled at the same times may use it in turn.
@@ -102,6 +93,7 @@ namespace Nowpose.Frames
         {
             (_part, _forecasts) = (part, new VectorForecasts(part, forecasters));
             _jumps = new JumpDetector(part);
+            _changePoints = new VectorChangePoints(part);
             _prior = _forecasts.Prior();
             _errors = new double[_prior.Length];
             _weights = new MixtureWeights(Regularisation, _prior);
@@ -126,13 +118,13 @@ namespace Nowpose.Frames
             if (_hasChanged)
             {
                 if (samples.IsNewest) Learn(samples, vector);
-                else _forecasts.Prepare(samples, _changePoints, HasJumped);
+                else _forecasts.Prepare(samples, _changePoints.Detector, HasJumped);
                 FillSection();
             }
             else if (samples.IsNewest)
             {
                 (_newestTime, _newest) = (samples.History.NewestTime, vector);
-                UpdateSpeed(samples);
+                _changePoints.Add(samples, HasJumped);
             }
             return samples.Timing.ConnectedSamples >= 2;
         }
@@ -157,9 +149,8 @@ namespace Nowpose.Frames
             Array.Clear(_section, 0, _section.Length);
             _newestTime = _lineUntil = double.NegativeInfinity;
             _jumps.Clear();
-            _intervalBefore = _steadySamples = 0;
-            _speed = _newest = default;
-            _hasChanged = _wasSteady = false;
+            _newest = default;
+            _hasChanged = false;
         }
 
         void Learn(BodySamples samples, in Vector3D vector)
@@ -177,8 +168,8 @@ namespace Nowpose.Frames
             if (_scatter.HasLeft && IsFirstMove(interval, horizon, vector)) _lineUntil = time + horizon + interval;
             (_newestTime, _newest) = (time, vector);
             _repeated.Add(vector, time, samples.Timing.MeanInterval);
-            UpdateSpeed(samples);
-            _forecasts.Prepare(samples, _changePoints, HasJumped);
+            _changePoints.Add(samples, HasJumped);
+            _forecasts.Prepare(samples, _changePoints.Detector, HasJumped);
             if (Math.Min(samples.Timing.ConnectedSamples, _jumps.SamplesSince) >= MinScored) Expect(horizon, interval);
         }
 
@@ -193,25 +184,6 @@ namespace Nowpose.Frames
             // The stamps of two close samples may be inaccurate.
             _jumps.Add(displacement, Math.Max(time - _newestTime, samples.Timing.MeanInterval), isElsewhere);
             if (HasJumped && _repeated.IsUsed && (_repeated.At(time) - vector).Length < MaxRepeatedRatio * displacement.Length) _jumps.Dismiss();
-        }
-
-        void UpdateSpeed(BodySamples samples)
-        {
-            if (HasJumped)
-            {
-                _changePoints.AddJump();
-                return;
-            }
-            var (history, interval, before) = (samples.History, samples.Timing.Interval, _speed);
-            if (history.Count > 1) _speed = (history[0][_part] - history[1][_part]) * (1 / interval);
-            var speeds = new SpeedChange(_speed.Length, before.Length, (_speed - before).Length, _speed.Dot(before));
-            // An abrupt change within an interval shows in the velocity of two intervals.
-            var wasSteady = _steadySamples > 0 || _wasSteady;
-            _wasSteady = _steadySamples > 0;
-            _steadySamples = speeds.Change <= SteadyRatio * _changePoints.MaxSpeed ? _steadySamples + 1 : 0;
-            _changePoints.Add(history.Count, interval, _intervalBefore, speeds, wasSteady);
-            if (_steadySamples > 0) _changePoints.KeepNewest(_steadySamples + 2);
-            _intervalBefore = interval;
         }
 
         // The weights that result from noise at rest are unsuitable for a first move. After one horizon, they include the errors of this move.
