@@ -51,7 +51,7 @@ namespace Nowpose.Frames
         /// <summary>Whether the newest sample is a jump.</summary>
         public bool HasJumped => SamplesSince == 1;
 
-        /// <summary>Adds a sample. The first displacement is no jump, because the velocity before it is unknown.</summary>
+        /// <summary>Adds a sample. The first displacement is not a jump, because the velocity before it is unknown.</summary>
         /// <param name="displacement">Displacement in the interval before the sample.</param>
         /// <param name="interval">Length of the interval, in s.</param>
         /// <param name="isElsewhere">

@@ -42,8 +42,8 @@ namespace Nowpose.Frames
         const int MinScored = 3;
 
         /// <summary>
-        /// Maximum distance of a repetition from a sample that it explains, relative to the displacement of the sample. A fast motion that repeats is no
-        /// jump.
+        /// Maximum distance of a repetition from a sample that it explains, relative to the displacement of the sample. A fast motion that repeats is not
+        /// a jump.
         /// </summary>
         const double MaxRepeatedRatio = 0.5;
 
