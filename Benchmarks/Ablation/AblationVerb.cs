@@ -11,9 +11,10 @@ static class AblationVerb
 {
     static readonly PredictionParts[] Parts =
     [
-        PredictionParts.Repetition, PredictionParts.Profiles, PredictionParts.Process, PredictionParts.Quadratic, PredictionParts.Cubic, PredictionParts.Reported,
-        PredictionParts.ChangePoints, PredictionParts.RestWeights, PredictionParts.FirstMoves,
-        PredictionParts.OutlierThreshold, PredictionParts.StampCorrection, PredictionParts.Thinning, PredictionParts.Interpolation,
+        PredictionParts.Repetition, PredictionParts.Profiles, PredictionParts.Process, PredictionParts.Quadratic, PredictionParts.Cubic,
+        PredictionParts.QuadraticOfFive, PredictionParts.CubicOfSix, PredictionParts.QuadraticOfTen, PredictionParts.Reported,
+        PredictionParts.ChangePoints, PredictionParts.Scatter, PredictionParts.DistanceLimit, PredictionParts.StampCorrection, PredictionParts.Thinning,
+        PredictionParts.Interpolation,
     ];
 
     public static Task<int> RunAsync(string[] args)
@@ -65,7 +66,7 @@ static class AblationVerb
 
     static double[] Fixed(AblationGroup group, string name) => group.Errors(() => Predictors.Create(name, PredictionLimits.Unlimited));
 
-    static JointPredictor Without(PredictionParts part) => Predictors.Adaptive(PredictionLimits.Unlimited, PredictionParts.All & ~part);
+    static JointPredictor Without(PredictionParts part) => Predictors.Adaptive(PredictionLimits.Unlimited, PredictionParts.Joint & ~part);
 
     static string Cell(double[] errors, double[] whole)
     {

@@ -10,20 +10,16 @@ sealed class PolynomialFit : Forecaster
 {
     const int Degree = 2;
 
-    double _newest;
     double[] _coefficients = [0];
 
     public override int Samples => Degree + 1;
 
     public override bool Solve(MotionState motion)
     {
-        var ages = Enumerable.Range(0, Math.Min(Samples, motion.Samples.Count)).ToArray();
-        var times = ages.Select(age => motion.Samples[age].Time - motion.Samples.NewestTime).ToArray();
-        var positions = ages.Select(age => motion.Samples[age].Position).ToArray();
-        _coefficients = Fit.Polynomial(times, positions, ages.Length - 1);
-        _newest = motion.Samples[0].Position;
+        var count = Math.Min(Samples, motion.Count);
+        _coefficients = Fit.Polynomial(motion.Times[..count], motion.Displacements[..count], count - 1);
         return true;
     }
 
-    public override double At(double ahead) => Polynomial.Evaluate(ahead, _coefficients) - _newest;
+    public override double At(double ahead, int component) => Polynomial.Evaluate(ahead, _coefficients);
 }

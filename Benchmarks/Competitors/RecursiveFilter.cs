@@ -16,14 +16,14 @@ abstract class RecursiveFilter : Forecaster
     public override bool Solve(MotionState motion)
     {
         if (!motion.IsNewest) return true;
-        var position = motion.Samples[0].Position;
-        if (_hasStarted) Update(motion.Interval, position);
+        var position = motion.Newest[0];
+        if (_hasStarted) Update(motion.Timing.Interval, position);
         else Start(position);
         Newest = position;
         return _hasStarted = true;
     }
 
-    public override double At(double ahead) => PositionAt(ahead) - Newest;
+    public override double At(double ahead, int component) => PositionAt(ahead) - Newest;
 
     public override void Reset() => _hasStarted = false;
 

@@ -93,7 +93,7 @@ public class AdaptiveAccuracyTests
     public void Adaptive_NonRepeatingMotion_TemplatesDoNotIncreaseTheError(double samplingMs, double latencyMs)
     {
         static JointPredictor WithoutTemplate() => Predictors.Adaptive(
-            PredictionLimits.Unlimited, PredictionParts.All & ~PredictionParts.Repetition);
+            PredictionLimits.Unlimited, PredictionParts.Joint & ~PredictionParts.Repetition);
         foreach (var motionOf in new Func<int, AxisMotion>[] { s => Motions.FastMoves(s), s => Motions.GentleMoves(s), s => Motions.Waves(s) })
             Assert.That(
                 Ratio(motionOf, At(samplingMs, latencyMs)) / Ratio(motionOf, At(samplingMs, latencyMs), WithoutTemplate),

@@ -1,62 +1,52 @@
 using System;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
-using Nowpose.Prediction.Forecasting;
-using Nowpose.Prediction.Samples;
+using Nowpose.Prediction.Mixing;
 
 namespace Nowpose.Frames
 {
     /// <summary>Predicts the pose of one tracked frame in its parent at times near its newest samples, usually ahead of them.</summary>
     /// <remarks>
-    /// The position and the angles of <see cref="RotationHistory"/> are two vectors with the same sample times. Samples are put into order and prepared
-    /// once per pose (<see cref="ArrivalOrder{TSample}"/>, <see cref="BodySamples"/>); then each vector has a section as a joint has one
-    /// (<see cref="VectorPredictor"/>). Times and order of samples have the same meaning as in <see cref="JointPredictor"/>. Not thread-safe. Allocates
-    /// nothing after construction.
+    /// The position and the angles of <see cref="RotationHistory"/> are two motions with the same sample times. Each has sections as a joint has
+    /// (<see cref="SampledSections{TSample}"/>). Times and order of samples have the same meaning as in <see cref="JointPredictor"/>. Not thread-safe.
+    /// Allocates nothing after construction.
     /// </remarks>
     sealed class BodyPredictor
     {
+        const int Position = 0, Angles = 1, Parts = 2, Components = 3;
+
         readonly RotationHistory _rotations = new RotationHistory();
-        readonly ArrivalOrder<BodySample> _arrivals = new ArrivalOrder<BodySample>(isEndless: false);
-        readonly BodySamples _samples;
-        readonly VectorForecaster _forecaster;
-        readonly VectorPredictor _position, _angles;
+        readonly SampledSections<BodySample> _sections;
+        readonly SectionBlend[] _blends = new SectionBlend[Parts];
         readonly double _horizonCap;
-        readonly bool _interpolates;
-        bool _isSolved, _restsBeforeSecondSample;
+        bool _restsBeforeSecondSample;
 
         /// <param name="predictor">A name that <see cref="Predictors.Create(string, PredictionLimits, double)"/> accepts.</param>
         /// <param name="limits">Horizon cap and maximum gap. An object has no position limits.</param>
         /// <param name="blend">See <see cref="Predictors.Create(string, PredictionLimits, double)"/>.</param>
         /// <param name="shared">
-        /// Result of <see cref="VectorForecasts.NewForecasters"/>, for all objects of a cell. Objects in one message have the same sample times, so the
-        /// weights are then computed once per message. Null to create forecasters for this object only.
+        /// Forecasters for all objects of a cell. Objects in one message have the same sample times, so the weights are then computed once per message.
+        /// Null to create forecasters for this object only.
         /// </param>
         /// <exception cref="InputException">The name is unknown.</exception>
-        public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0, PositionWeights[] shared = null)
+        public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0, SharedForecasters shared = null)
         {
-            var mixed = predictor == Predictors.Default ? shared ?? VectorForecasts.NewForecasters() : null;
-            VectorForecaster Create(BodyPart part) => mixed != null ? new VectorMixture(part, mixed, limits)
-                : (VectorForecaster)new VectorPolynomial(part, predictor == "gp" ? new GaussianProcess() : (PositionWeights)Predictors.Polynomial(predictor));
-            _interpolates = mixed != null || predictor == "gp";
-            _forecaster = Create(BodyPart.Position);
-            var kept = mixed != null ? VectorForecasts.SamplesOf(mixed) : _forecaster.Samples;
-            _samples = new BodySamples(Math.Max(kept, VectorBlend.Samples), _interpolates, limits);
-            _position = new VectorPredictor(BodyPart.Position, _samples, _forecaster, blend);
-            _angles = new VectorPredictor(BodyPart.Angles, _samples, Create(BodyPart.Angles), blend);
+            _sections = Predictors.OfAnObject<BodySample>(predictor, limits, shared ?? new SharedForecasters());
+            for (var part = 0; part < Parts; part++) _blends[part] = new SectionBlend(Components, blend);
             _horizonCap = limits.HorizonCap;
         }
 
         /// <summary>Pose of the newest sample, which a display without compensation shows; the identity before the first sample.</summary>
-        public RigidTransform Hold => PoseOf(_rotations.Newest, _samples.Newest.Position);
+        public RigidTransform Hold => PoseOf(_rotations.Newest, _sections.Newest.Position);
 
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first sample.</summary>
-        public double NewestTime => _samples.NewestTime;
+        public double NewestTime => _sections.NewestStamp;
 
         /// <summary>Mean time from the newest sample to the display time, in s.</summary>
-        public double Horizon => _samples.Timing.Horizon;
+        public double Horizon => _sections.Timing.Horizon;
 
         /// <inheritdoc cref="JointPredictor.Restarts"/>
-        public int Restarts => _arrivals.Restarts;
+        public int Restarts => _sections.Restarts;
 
         /// <summary>
         /// Adds a sample. Samples may be added in any order. If any coordinate shows that the clock of the samples went back, a new history starts with
@@ -66,7 +56,7 @@ namespace Nowpose.Frames
         /// <returns>See <see cref="JointPredictor.Add"/>.</returns>
         public DropReason Add(in PoseSample sample, double displayed = double.NaN)
         {
-            if (sample.Time > NewestTime) _restsBeforeSecondSample &= _samples.IsEmpty;
+            if (sample.Time > NewestTime) _restsBeforeSecondSample &= _sections.IsEmpty;
             var restarts = Restarts;
             var reason = Order(sample);
             if (Restarts != restarts)
@@ -74,7 +64,7 @@ namespace Nowpose.Frames
                 Reset();
                 reason = Order(sample);
             }
-            foreach (ref readonly var ready in _arrivals.Ready) Use(ready, displayed);
+            foreach (ref readonly var ready in _sections.Ready) Use(ready, displayed);
             return reason;
         }
 
@@ -87,18 +77,18 @@ namespace Nowpose.Frames
         /// <param name="kind">Origin of the pose; <see cref="PredictionKind.None"/> before the first sample.</param>
         public RigidTransform At(double time, out PredictionKind kind)
         {
-            var place = PlaceOf(time);
+            var place = _sections.PlaceOf(time);
             kind = place.Kind;
             if (kind == PredictionKind.None) return RigidTransform.Identity;
             if (kind == PredictionKind.Held && _restsBeforeSecondSample && time - NewestTime <= _horizonCap) kind = PredictionKind.Predicted;
-            return PoseOf(_rotations.RotationOf(_angles.At(time, place), time), _position.At(time, place));
+            return PoseOf(_rotations.RotationOf(At(Angles, time, place), time), At(Position, time, place));
         }
 
         /// <summary>Returns <see cref="Hold"/>. Use it while the display time is unknown.</summary>
         /// <param name="kind"><see cref="PredictionKind.Held"/>, or <see cref="PredictionKind.None"/> before the first sample.</param>
         public RigidTransform Newest(out PredictionKind kind)
         {
-            kind = _samples.IsEmpty ? PredictionKind.None : PredictionKind.Held;
+            kind = _sections.IsEmpty ? PredictionKind.None : PredictionKind.Held;
             return Hold;
         }
 
@@ -116,66 +106,43 @@ namespace Nowpose.Frames
         public void Reset()
         {
             _restsBeforeSecondSample = false;
-            _arrivals.Clear();
             _rotations.Clear();
-            Restart();
+            _sections.Reset();
+            foreach (var blend in _blends) blend.Reset();
         }
 
-        void Restart()
-        {
-            _samples.Clear();
-            _position.Reset();
-            _angles.Reset();
-            _isSolved = false;
-        }
-
-        DropReason Order(in PoseSample sample)
-        {
-            var body = new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order);
-            return _arrivals.Add(body, _samples.IsNewer(body) ? double.NegativeInfinity : _samples.History.Oldest);
-        }
+        DropReason Order(in PoseSample sample) =>
+            _sections.Order(new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order));
 
         void Use(in BodySample sample, double displayed)
         {
             // Products of such displacements can overflow. If the sample is the newest, a new history starts with it; otherwise it is ignored.
-            var isNear = (sample.Position - _samples.Newest.Position).Length < JointSample.MaxMagnitude;
-            if (!isNear && !_samples.IsNewer(sample)) return;
-            if (!isNear) Restart();
-            var (isBlended, before) = (_position.IsBlendNeeded(displayed) && !_samples.IsEmpty, NewestTime);
-            var place = isBlended ? PlaceOf(displayed) : default;
-            var (position, angles) = isBlended ? (_position.At(displayed, place), _angles.At(displayed, place)) : default;
-            if (!_samples.Add(sample, displayed)) return;
-            _isSolved = _position.Solve(_interpolates);
-            // If the position jumps, the object is elsewhere. A tracker may confuse two rotations although the position is right.
-            _angles.Solve(_interpolates, _position.HasJumped);
-            if (!isBlended) return;
-            place = PlaceOf(displayed);
-            _position.Blend(displayed, position, place, before);
-            _angles.Blend(displayed, angles, place, before);
+            if (!((sample.Position - _sections.Newest.Position).Length < JointSample.MaxMagnitude))
+            {
+                if (!_sections.IsNewer(sample)) return;
+                _sections.Restart();
+                foreach (var blend in _blends) blend.Reset();
+            }
+            var (isBlended, before) = (_blends[Position].IsNeeded(displayed) && !_sections.IsEmpty, NewestTime);
+            Span<double> shown = stackalloc double[Parts * Components], section = stackalloc double[Components];
+            var place = _sections.PlaceOf(displayed);
+            for (var i = 0; i < shown.Length && isBlended; i++) shown[i] = At(i / Components, i % Components, displayed, place);
+            if (!_sections.Add(sample, displayed) || !isBlended) return;
+            place = _sections.PlaceOf(displayed);
+            for (var part = 0; part < Parts; part++)
+            {
+                for (var c = 0; c < Components; c++) section[c] = _sections.At(place, part, c);
+                _blends[part].Replace(displayed, before);
+                _blends[part].Start(displayed, shown.Slice(part * Components, Components), section, _sections.MotionOf(part));
+            }
         }
 
-        // The same cases as for a joint.
-        SectionPlace PlaceOf(double time)
+        Vector3D At(int part, double time, in SectionPlace place) => new Vector3D(At(part, 0, time, place), At(part, 1, time, place), At(part, 2, time, place));
+
+        double At(int part, int component, double time, in SectionPlace place)
         {
-            if (_samples.IsEmpty) return new SectionPlace(PredictionKind.None, double.NaN);
-            var (history, connected, ahead) = (_samples.History, _samples.Timing.ConnectedSamples, time - _samples.History.NewestTime);
-            if (_interpolates && ahead <= 0 && connected > 1)
-            {
-                var start = history[connected - 1].Time - history.NewestTime;
-                return ahead < start ? new SectionPlace(PredictionKind.Held, start, isOnCurve: true)
-                    : new SectionPlace(PredictionKind.Interpolated, ahead, isOnCurve: true);
-            }
-            if (!_isSolved || double.IsNaN(time)) return new SectionPlace(PredictionKind.Held, double.NaN);
-            var furthest = Math.Min(_horizonCap, _forecaster.Span);
-            if (ahead > furthest) return new SectionPlace(PredictionKind.Held, furthest);
-            if (ahead < 0 && !double.IsPositiveInfinity(_horizonCap))
-            {
-                var start = history.StartOf(Math.Min(connected, _forecaster.Samples));
-                if (ahead < start) return new SectionPlace(PredictionKind.Held, start);
-            }
-            if (ahead <= 0) return new SectionPlace(PredictionKind.Interpolated, ahead);
-            // One part may jump while the other moves on.
-            return new SectionPlace(_position.HasJumped || _angles.HasJumped ? PredictionKind.Held : PredictionKind.Predicted, ahead);
+            var position = _sections.At(place, part, component);
+            return double.IsNaN(time) ? position : position + _blends[part].RemainderAt(time, component);
         }
 
         static RigidTransform PoseOf(in UnitQuaternion rotation, in Vector3D position) => rotation.At(position.X, position.Y, position.Z);

@@ -3,7 +3,7 @@ using Nowpose.Prediction.Samples;
 namespace Nowpose.Frames
 {
     /// <summary>One pose of a tracked frame as six coordinates: the position, m, and the angles of <see cref="RotationHistory"/>, rad.</summary>
-    readonly struct BodySample : ISample
+    readonly struct BodySample : ISample<BodySample>
     {
         /// <summary>Number of components: three of the position, followed by three angles.</summary>
         public const int Coordinates = 6;
@@ -26,16 +26,12 @@ namespace Nowpose.Frames
 
         public int Components => Coordinates;
 
+        double ISample.Velocity => double.NaN;
+
+        double ISample.Acceleration => double.NaN;
+
         public double this[int component] => component < 3 ? Position[component] : Angles[component - 3];
 
-        /// <summary>Returns the position or the angles.</summary>
-        public Vector3D this[BodyPart part] => part == BodyPart.Position ? Position : Angles;
-    }
-
-    /// <summary>The two vectors of a pose.</summary>
-    enum BodyPart
-    {
-        Position,
-        Angles
+        public BodySample At(double time, double order) => new BodySample(time, Position, Angles, order);
     }
 }

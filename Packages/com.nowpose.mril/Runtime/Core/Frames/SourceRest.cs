@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Kinematics;
+using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Frames
 {
@@ -25,8 +26,9 @@ namespace Nowpose.Frames
         /// </summary>
         const int MinConsecutive = 2;
 
-        readonly ScatterDetector _positions = new ScatterDetector();
-        readonly ScatterDetector _rotations = new ScatterDetector();
+        readonly ScatterDetector _positions = new ScatterDetector(components: 3);
+        readonly ScatterDetector _rotations = new ScatterDetector(components: 3);
+        readonly double[] _vector = new double[3];
         RigidTransform _rest, _first;
         bool _isFirst;
         double _metres, _radians;
@@ -55,8 +57,14 @@ namespace Nowpose.Frames
         {
             if (_isFirst) _first = pose;
             _isFirst = false;
-            _positions.Add(new Vector3D(pose.X, pose.Y, pose.Z));
-            _rotations.Add(UnitQuaternion.Of(_first.Inverse * pose).Log());
+            Add(_positions, new Vector3D(pose.X, pose.Y, pose.Z));
+            Add(_rotations, UnitQuaternion.Of(_first.Inverse * pose).Log());
+        }
+
+        void Add(ScatterDetector detector, in Vector3D vector)
+        {
+            (_vector[0], _vector[1], _vector[2]) = (vector.X, vector.Y, vector.Z);
+            detector.Add(_vector);
         }
 
         /// <summary>

@@ -5,7 +5,7 @@ using Nowpose.Prediction.Samples;
 namespace Nowpose.Prediction
 {
     /// <summary>One joint's position with the control system's stamp.</summary>
-    public readonly struct JointSample : ISample
+    public readonly struct JointSample : ISample<JointSample>
     {
         /// <summary>Minimum difference of two stamps, in s: closer stamps count as equal, because a speed between them has no meaning.</summary>
         internal const double SameSeconds = 1e-6;
@@ -56,6 +56,8 @@ namespace Nowpose.Prediction
         int ISample.Components => 1;
 
         double ISample.this[int component] => Position;
+
+        JointSample ISample<JointSample>.At(double time, double order) => new JointSample(time, Position, order, Velocity, Acceleration);
 
         internal static bool IsSameTime(double one, double other) => Math.Abs(one - other) < SameSeconds;
     }

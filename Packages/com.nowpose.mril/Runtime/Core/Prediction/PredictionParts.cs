@@ -21,35 +21,56 @@ namespace Nowpose.Prediction
         /// <summary>All parts that prepare samples; the paper's polynomials use none of them.</summary>
         Samples = StampCorrection | Thinning | Interpolation,
 
-        /// <summary>The quadratic through five samples.</summary>
+        /// <summary>The quadratic through three samples.</summary>
         Quadratic = 8,
 
+        /// <summary>The cubic through four samples.</summary>
         Cubic = 16,
 
-        /// <summary>The Gaussian process.</summary>
-        Process = 32,
+        /// <summary>Least-squares fits: a quadratic to five and to ten samples, a cubic to six and a line to ten.</summary>
+        QuadraticOfFive = 32,
 
-        /// <summary>The parabola from reported velocity and acceleration, or through three samples if they are not reported.</summary>
-        Reported = 64,
+        /// <inheritdoc cref="QuadraticOfFive"/>
+        QuadraticOfTen = 64,
+
+        /// <inheritdoc cref="QuadraticOfFive"/>
+        CubicOfSix = 128,
+
+        /// <inheritdoc cref="QuadraticOfFive"/>
+        LineOfTen = 256,
+
+        /// <summary>The Gaussian process.</summary>
+        Process = 512,
+
+        /// <summary>The parabola from reported velocity and acceleration, instead of the quadratic through three samples.</summary>
+        Reported = 1024,
 
         /// <summary>Template matching with the motion of the last two minutes.</summary>
-        Repetition = 128,
+        Repetition = 2048,
 
         /// <summary>S-curve profiles if the drive's limits are known.</summary>
-        Profiles = 256,
+        Profiles = 4096,
 
         /// <summary>Ignores samples before a change point.</summary>
-        ChangePoints = 512,
+        ChangePoints = 8192,
 
-        /// <summary>Uses separate weights at rest.</summary>
-        RestWeights = 1024,
+        /// <summary>Limits forecasts while samples only scatter, and starts the first move after that as a line.</summary>
+        Scatter = 16384,
 
-        /// <summary>Limits errors by an outlier threshold.</summary>
-        OutlierThreshold = 2048,
+        /// <summary>Limits the distance of a forecast from the line.</summary>
+        DistanceLimit = 32768,
 
-        /// <summary>A first move, which is much faster than the previous motion, starts with a line and continues with the prior weights.</summary>
-        FirstMoves = 4096,
+        /// <summary>Detects positions that jump.</summary>
+        Jumps = 65536,
 
-        All = Samples | Quadratic | Cubic | Process | Reported | Repetition | Profiles | ChangePoints | RestWeights | OutlierThreshold | FirstMoves
+        /// <summary>The parts for joints and objects.</summary>
+        Common = Samples | Quadratic | Cubic | QuadraticOfFive | CubicOfSix | QuadraticOfTen | Process | Repetition | ChangePoints | Scatter | DistanceLimit
+            | Jumps,
+
+        /// <summary>All parts for a joint.</summary>
+        Joint = Common | Reported | Profiles,
+
+        /// <summary>All parts for an object, whose tracker may be noisy.</summary>
+        Object = Common | LineOfTen
     }
 }

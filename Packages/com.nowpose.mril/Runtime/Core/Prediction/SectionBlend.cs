@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Messages;
+using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Prediction
 {
@@ -7,7 +8,7 @@ namespace Nowpose.Prediction
     /// Keeps the displayed value continuous when a new section replaces the previous one: their difference at the last display time, the residual, is
     /// added to the new section and decays exponentially.
     /// </summary>
-    /// <remarks>The caller stores the residual, which is a position for a joint and a vector for an object.</remarks>
+    /// <remarks>Allocates nothing after construction.</remarks>
     sealed class SectionBlend
     {
         /// <summary>
@@ -24,18 +25,21 @@ namespace Nowpose.Prediction
         const double MaxResidualRatio = 4;
 
         readonly double _maxTimeConstant;
+        readonly double[] _residual;
         double _from, _timeConstant;
+        bool _isActive;
 
         // Last display time, and the time of the newest sample of the section that was displayed at this time.
         double _lastDisplayed, _displayedSection;
 
+        /// <param name="components">Number of components of the displayed value.</param>
         /// <param name="blend">Maximum time constant of the decay, in s. 0 means no blending: the displayed value jumps.</param>
         /// <exception cref="ArgumentOutOfRangeException">The time constant is negative or not finite.</exception>
-        public SectionBlend(double blend)
+        public SectionBlend(int components, double blend)
         {
             if (!(blend >= 0) || double.IsPositiveInfinity(blend))
                 throw new ArgumentOutOfRangeException(nameof(blend), blend, PredictionMessages.NegativeSeconds);
-            _maxTimeConstant = blend;
+            (_maxTimeConstant, _residual) = (blend, new double[components]);
             Reset();
         }
 
@@ -57,20 +61,28 @@ namespace Nowpose.Prediction
 
         /// <summary>Starts the decay at the last display time.</summary>
         /// <param name="displayed">See <see cref="IsNeeded"/>.</param>
-        /// <param name="residual">Magnitude of the residual.</param>
-        /// <param name="maxSpeed">Maximum speed so far, per second.</param>
-        /// <param name="interval">Sampling interval, in s.</param>
-        /// <returns>False if the new section must be shown at once.</returns>
-        public bool TryStart(double displayed, double residual, double maxSpeed, double interval)
+        /// <param name="shown">Value that was displayed at that time, which includes the remainder of the previous residual.</param>
+        /// <param name="section">Value of the new section at that time.</param>
+        /// <param name="motion">The motion after the sample.</param>
+        public void Start(double displayed, ReadOnlySpan<double> shown, ReadOnlySpan<double> section, MotionState motion)
         {
-            (_from, _timeConstant) = (displayed, TimeConstant(interval));
-            return _timeConstant > 0 && residual <= MaxResidualRatio * maxSpeed * (displayed - _displayedSection);
+            (_from, _timeConstant) = (displayed, TimeConstant(motion.Timing.MeanInterval));
+            var squares = 0.0;
+            for (var c = 0; c < _residual.Length; c++)
+            {
+                _residual[c] = shown[c] - section[c];
+                squares += _residual[c] * _residual[c];
+            }
+            _isActive = _timeConstant > 0 && Math.Sqrt(squares) <= MaxResidualRatio * motion.MaxSpeed * (displayed - _displayedSection);
         }
 
-        /// <summary>Returns the remaining part of the residual at a given time, 0 to 1.</summary>
-        public double RemainderAt(double time) => Math.Exp(-Math.Abs(time - _from) / _timeConstant);
+        /// <summary>Ends the decay: the section is displayed as it is.</summary>
+        public void Stop() => _isActive = false;
+
+        /// <summary>Returns the remainder of the residual that is added to the section at a given time.</summary>
+        public double RemainderAt(double time, int component) => _isActive ? _residual[component] * Math.Exp(-Math.Abs(time - _from) / _timeConstant) : 0;
 
         /// <summary>Discards the displayed section.</summary>
-        public void Reset() => (_lastDisplayed, _displayedSection) = (double.NaN, double.NegativeInfinity);
+        public void Reset() => (_lastDisplayed, _displayedSection, _isActive) = (double.NaN, double.NegativeInfinity, false);
     }
 }

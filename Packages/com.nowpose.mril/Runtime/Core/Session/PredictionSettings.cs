@@ -95,7 +95,7 @@ namespace Nowpose.Session
         /// <summary>Returns a function that creates a predictor for one object. The objects of a cell share their forecasters.</summary>
         internal Func<BodyPredictor> BodiesOfACell()
         {
-            var shared = VectorForecasts.NewForecasters();
+            var shared = new SharedForecasters();
             // An object has no limits.
             return () => new BodyPredictor(Predictor, LimitsOf(JointLimits.None), IsHold ? 0 : ClockTicks.Seconds(Blend), shared);
         }

@@ -14,13 +14,6 @@ namespace Nowpose.Prediction.Candidates
     sealed class CandidateGate
     {
         /// <summary>
-        /// Forgetting factor of a joint's gate per scored forecast that was made in motion. The sums have the weight of about seven forecasts, so the
-        /// gate closes within a few samples after a repetition ends. With a time constant of 0.5 s, the displayed tool of the virtual cell left a
-        /// gripped workpiece by up to 2.3 mm.
-        /// </summary>
-        const double JointForgettingFactor = 0.85;
-
-        /// <summary>
         /// Time constant of the forgetting factor at a standstill, in s. Few forecasts of starts are scored, so a false start would otherwise prevent
         /// the use of a candidate for many cycles. With 2 s, the error of a repeated cycle of the virtual cell is 2.5 times as large.
         /// </summary>
@@ -30,18 +23,17 @@ namespace Nowpose.Prediction.Candidates
         /// Minimum mean square error of the mixture, relative to the mean square displacement. If the mixture is more accurate, a candidate cannot
         /// improve the forecast visibly, but can spoil it.
         /// </summary>
-        const double MinMixtureRatio = 1e-4;
+        const double MinMixtureRatio = 1e-5;
 
         /// <summary>
-        /// Minimum number of scored forecasts before the candidate may replace the mixture, because a few forecasts may be correct by chance. With
-        /// 12, the errors of simulated motions are 1.5 % larger, and those of recordings 0.1 % smaller.
+        /// Minimum number of scored forecasts before the candidate may replace the mixture, because a few forecasts may be correct by chance. With 6,
+        /// the errors change by at most 0.1 %.
         /// </summary>
-        const int MinScores = 6;
+        const int MinScores = 3;
 
         /// <summary>
         /// Minimum squared displacement to score, relative to the recent maximum. Smaller displacements are not scored, because every
-        /// forecast is correct at rest. With the threshold of <see cref="RestDetector"/> instead, the errors on recordings are 0.6 %
-        /// larger.
+        /// forecast is correct at rest.
         /// </summary>
         const double MinSquareRatio = 1e-4;
 
@@ -62,11 +54,10 @@ namespace Nowpose.Prediction.Candidates
         /// </param>
         /// <param name="maxStillErrorRatio">The same for forecasts from a standstill.</param>
         /// <param name="timeConstant">
-        /// Time constant of the forgetting in motion, in s; 0 for a factor of 0.85 per scored forecast, as for joints. A pause without scores counts
-        /// as at most one time constant, so that the errors of the last motion are not forgotten before the next. Otherwise, conveyors that are
-        /// switched at random times have up to 1.2 times the error of a line.
+        /// Time constant of the forgetting in motion, in s. A pause without scores counts as at most one time constant, so that the errors of the last
+        /// motion are not forgotten before the next. Otherwise, conveyors that are switched at random times have up to 1.2 times the error of a line.
         /// </param>
-        public CandidateGate(double maxErrorRatio, double maxStillErrorRatio, double timeConstant = 0)
+        public CandidateGate(double maxErrorRatio, double maxStillErrorRatio, double timeConstant)
         {
             (_maxErrorRatio, _maxStillErrorRatio) = (maxErrorRatio, maxStillErrorRatio);
             _timeConstant = timeConstant;
@@ -103,7 +94,7 @@ namespace Nowpose.Prediction.Candidates
             ref var record = ref wasStill ? ref _still : ref _moving;
             var elapsed = time - record.Time;
             var forgettingFactor = record.Scores == 0 ? 0 : wasStill ? Math.Exp(-elapsed / StillTimeConstant)
-                : _timeConstant == 0 ? JointForgettingFactor : Math.Exp(-Math.Min(elapsed / _timeConstant, 1));
+                : Math.Exp(-Math.Min(elapsed / _timeConstant, 1));
             record.Candidate = forgettingFactor * record.Candidate + error * error;
             record.Mixture = forgettingFactor * record.Mixture + mixture * mixture;
             record.Displacement = forgettingFactor * record.Displacement + displacement * displacement;

@@ -68,21 +68,20 @@ namespace Nowpose.Prediction.Candidates
         /// <returns>False if the motion does not match a profile.</returns>
         public override bool Solve(MotionState motion)
         {
-            if (!motion.IsNewest) return _isKnown;
-            (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples[0].Position);
-            (_stillDistance, _tolerance) = (RestRatio * motion.Rest.Standstill.Distance, ToleranceRatio * motion.Rest.Standstill.MaxDisplacement);
-            if (motion.ConnectedSamples < 2)
+            (_newestTime, _newestPosition) = (motion.NewestTime, motion.Newest[0]);
+            (_stillDistance, _tolerance) = (RestRatio * motion.Standstill.Distance, ToleranceRatio * motion.Standstill.MaxDisplacement);
+            if (motion.Count < 2)
             {
                 Rest(_newestPosition);
                 return _isKnown;
             }
             if (IsResting(motion)) Rest(_newestPosition);
-            else if (_direction == 0) StartMove(motion.Samples[1].Time);
-            else if (_isKnown) ContinueMove(motion.Samples[1]);
+            else if (_direction == 0) StartMove(motion.PreviousTime);
+            else if (_isKnown) ContinueMove(motion);
             return _isKnown;
         }
 
-        public override double At(double ahead) =>
+        public override double At(double ahead, int component) =>
             _direction == 0 ? 0 : _restPosition + _direction * _move.PositionAt(_newestTime + ahead - _start) - _newestPosition;
 
         public override void Reset()
@@ -91,9 +90,9 @@ namespace Nowpose.Prediction.Candidates
             _isKnown = false;
         }
 
-        bool IsResting(MotionState motion) => motion.Samples.Count > 2
-            && Math.Abs(_newestPosition - motion.Samples[1].Position) <= _stillDistance
-            && Math.Abs(motion.Samples[1].Position - motion.Samples[2].Position) <= _stillDistance;
+        bool IsResting(MotionState motion) => motion.Count > 2
+            && Math.Abs(motion.Displacements[1]) <= _stillDistance
+            && Math.Abs(motion.Displacements[1] - motion.Displacements[2]) <= _stillDistance;
 
         void Rest(double position)
         {
@@ -115,7 +114,7 @@ namespace Nowpose.Prediction.Candidates
             _isKnown = _start > timeBefore - MinLag;
         }
 
-        void ContinueMove(in JointSample before)
+        void ContinueMove(MotionState motion)
         {
             var elapsed = _newestTime - _start;
             var displacement = _direction * (_newestPosition - _restPosition);
@@ -123,21 +122,18 @@ namespace Nowpose.Prediction.Candidates
             {
                 // The next move has begun after a dwell too short to be detected.
                 Rest(End);
-                StartMove(before.Time);
+                StartMove(motion.PreviousTime);
                 return;
             }
             var lag = displacement > 0 ? elapsed - TimeTo(displacement) : double.PositiveInfinity;
             if (!_hasBraked && Math.Abs(lag) <= MinLag) _start += lag;
-            else _isKnown = lag > 0 && TryFindStroke(displacement, elapsed) && LiesOnMove(before);
+            else _isKnown = lag > 0 && TryFindStroke(displacement, elapsed) && LiesOnMove(motion.PreviousTime, motion.Previous[0]);
         }
 
         double End => _restPosition + _direction * _move.PositionAt(_move.Duration);
 
-        bool LiesOnMove(in JointSample sample)
-        {
-            var expected = _restPosition + _direction * _move.PositionAt(sample.Time - _start);
-            return Math.Abs(sample.Position - expected) <= _tolerance;
-        }
+        bool LiesOnMove(double time, double position) =>
+            Math.Abs(position - _restPosition - _direction * _move.PositionAt(time - _start)) <= _tolerance;
 
         // A longer stroke means a larger displacement at this time, until all strokes are equal.
         bool TryFindStroke(double displacement, double elapsed)

@@ -7,38 +7,48 @@ namespace Nowpose.Prediction.Candidates
     /// Forecasts that the present motion continues in the same way as an earlier, similar motion, for machines that repeat their motion.
     /// </summary>
     /// <remarks>
-    /// Without a similar motion (<see cref="TemplateMatcher"/>), it has no forecast. A <see cref="CandidateGate"/> decides whether the forecast is
-    /// used.
+    /// An object repeats a motion in all components together. One search for all components takes half the time of three searches, and finds
+    /// repetitions in which one component moves after another more reliably. It finds none if only some of the components repeat, as on a pallet with
+    /// many places. Without a similar motion (<see cref="TemplateMatcher"/>), there is no forecast.
     /// </remarks>
     sealed class TemplateForecaster : Forecaster
     {
         readonly TemplateMatcher _matcher;
+        readonly double[] _newest;
         double _newestTime;
-        double _newestPosition;
 
         /// <inheritdoc cref="TemplateMatcher(int, double, double)"/>
-        public TemplateForecaster(double maximumGap, double matchInterval) => _matcher = new TemplateMatcher(1, maximumGap, matchInterval);
+        public TemplateForecaster(int components, double maximumGap, double matchInterval)
+        {
+            _matcher = new TemplateMatcher(components, maximumGap, matchInterval);
+            _newest = new double[components];
+        }
 
         public override int Samples => 2;
 
         /// <returns>False if the history contains no similar motion.</returns>
         public override bool Solve(MotionState motion)
         {
-            // An overtaken sample is too late for the history.
-            if (motion.IsNewest)
-            {
-                (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples[0].Position);
-                Span<double> position = stackalloc[] { _newestPosition };
-                _matcher.Add(_newestTime, position, motion.MeanInterval, motion.Rest.Standstill);
-            }
+            _newestTime = motion.NewestTime;
+            Array.Copy(motion.Newest, _newest, _newest.Length);
+            _matcher.Add(_newestTime, _newest, motion.Timing.MeanInterval, motion.Standstill);
             return _matcher.HasMatch;
         }
 
-        public override double At(double ahead)
+        public override double At(double ahead, int component)
         {
-            Span<double> position = stackalloc double[1];
+            Span<double> position = stackalloc double[_newest.Length];
             _matcher.At(_newestTime + ahead, position);
-            return position[0] - _newestPosition;
+            return position[component] - _newest[component];
+        }
+
+        public override void Fill(double[] table, int start, int points, int components)
+        {
+            for (int point = 0, i = start; point < points; point++, i += components)
+            {
+                _matcher.At(_newestTime + point * ForecastTable.Step, table.AsSpan(i, components));
+                for (var c = 0; c < components; c++) table[i + c] -= _newest[c];
+            }
         }
 
         public override void Reset() => _matcher.Reset();

@@ -33,7 +33,7 @@ namespace Nowpose.Prediction.Forecasting
             return _mean.Solve(motion);
         }
 
-        public override double At(double ahead) => _mean.At(ahead);
+        public override double At(double ahead, int component) => _mean.At(ahead, component);
 
         /// <returns>NaN before the first comparison of a forecast with a sample.</returns>
         public override double DeviationAt(double ahead) =>
@@ -49,22 +49,25 @@ namespace Nowpose.Prediction.Forecasting
         void Learn(MotionState motion)
         {
             var age = AgeAtHorizon(motion);
-            if (age == 0 || !_mean.Solve(motion.Samples, Samples, age)) return;
-            var (newest, then) = (motion.Samples[0], motion.Samples[age]);
-            var ahead = newest.Time - then.Time;
-            var error = newest.Position - then.Position - _mean.At(ahead);
-            var square = error * error / _process.VarianceAt(ahead);
+            if (age == 0 || !_mean.Solve(motion, Samples, age)) return;
+            var (ahead, squares) = (-motion.Times[age], 0.0);
+            for (var c = 0; c < motion.Components; c++)
+            {
+                var error = -motion.Displacements[age * motion.Components + c] - _mean.At(ahead, c);
+                squares += error * error;
+            }
+            var square = squares / (motion.Components * _process.VarianceAt(ahead));
             if (!double.IsFinite(square)) return;
             // The first errors are averaged without weights.
-            var gain = Math.Max(1 - Math.Exp(-motion.Interval / ErrorTimeConstant), 1.0 / ++_errors);
+            var gain = Math.Max(1 - Math.Exp(-motion.Timing.Interval / ErrorTimeConstant), 1.0 / ++_errors);
             _variance += gain * (square - _variance);
         }
 
         // Returns the age of the sample that is nearest to one horizon before the newest sample; 0 if too few samples precede it.
         int AgeAtHorizon(MotionState motion)
         {
-            double Distance(int age) => Math.Abs(motion.Samples[0].Time - motion.Samples[age].Time - motion.Horizon);
-            var oldest = motion.ConnectedSamples - Samples;
+            double Distance(int age) => Math.Abs(motion.Times[age] + motion.Timing.Horizon);
+            var oldest = motion.Count - Samples;
             if (oldest < 1) return 0;
             var best = 1;
             while (best < oldest && Distance(best + 1) < Distance(best)) best++;

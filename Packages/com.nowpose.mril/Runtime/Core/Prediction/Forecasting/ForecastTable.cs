@@ -2,7 +2,10 @@ using System;
 
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Limits forecast tables and defines their form: positions 0, 50 … 500 ms after the newest sample, relative to its position.</summary>
+    /// <summary>
+    /// Limits forecast tables and defines their form: positions 0, 50 … 500 ms after the newest sample, relative to its position. The components of a
+    /// point are adjacent.
+    /// </summary>
     static class ForecastTable
     {
         /// <summary>Number of points: they reach 0.5 s, which exceeds the default horizon cap of 0.3 s.</summary>
@@ -20,24 +23,23 @@ namespace Nowpose.Prediction.Forecasting
         /// <param name="horizonCap">Maximum time that is displayed, in s.</param>
         public static int PointsUpTo(double horizonCap) => (int)Math.Min(Points, Math.Ceiling(horizonCap / Step) + 3);
 
-        /// <summary>Limits a forecast to the drive's maximum speed and maximum acceleration.</summary>
-        /// <param name="table">Contains the table from <paramref name="start"/> on, which is changed in place.</param>
+        /// <summary>Limits the forecast of a joint to the drive's maximum speed and maximum acceleration.</summary>
+        /// <param name="table">Table with one component, which is changed in place.</param>
         /// <param name="points">Number of points of the table that are used.</param>
         /// <param name="speed">Mean speed over the interval before the newest sample.</param>
         /// <param name="interval">Interval before the newest sample, in s.</param>
-        public static void Limit(double[] table, int start, int points, double speed, double interval, PredictionLimits limits)
+        public static void Limit(double[] table, int points, double speed, double interval, PredictionLimits limits)
         {
             if (double.IsInfinity(limits.Velocity) && double.IsInfinity(limits.Acceleration)) return;
             // If the observed speed exceeds the limit, the observed speed applies, because URDFs can be wrong.
             var max = Math.Max(limits.Velocity, Math.Abs(speed));
-            var wanted = table[start];
-            for (var cell = 1; cell < points; cell++)
+            var wanted = table[0];
+            for (var i = 1; i < points; i++)
             {
-                var i = start + cell;
                 var displacement = table[i] - wanted;
                 wanted = table[i];
                 // The mean speed is the speed at the middle of the last interval, and the speed in a cell is the speed at the middle of the cell.
-                var change = limits.Acceleration * (interval / 2 + (cell - 0.5) * Step);
+                var change = limits.Acceleration * (interval / 2 + (i - 0.5) * Step);
                 var slowest = Math.Max(-max, speed - change);
                 var fastest = Math.Min(max, speed + change);
                 table[i] = table[i - 1] + Math.Min(Math.Max(displacement, slowest * Step), fastest * Step);
@@ -79,19 +81,14 @@ namespace Nowpose.Prediction.Forecasting
             }
         }
 
-        /// <summary>Returns a position of a table.</summary>
-        public double Read(double[] table) =>
-            _weightBefore * table[_before] + _weight * table[_cell] + _weightNext * table[_cell + 1] + _weightAfter * table[_after];
-
-        /// <inheritdoc cref="Read(float[], int, int)"/>
-        public double Read(double[] tables, int table, int count) =>
-            _weightBefore * tables[_before * count + table] + _weight * tables[_cell * count + table]
-            + _weightNext * tables[(_cell + 1) * count + table] + _weightAfter * tables[_after * count + table];
-
-        /// <summary>Returns a position of one of several tables that are stored point by point.</summary>
-        /// <param name="count">Number of tables.</param>
-        public double Read(float[] tables, int table, int count) =>
-            _weightBefore * tables[_before * count + table] + _weight * tables[_cell * count + table]
-            + _weightNext * tables[(_cell + 1) * count + table] + _weightAfter * tables[_after * count + table];
+        /// <summary>Returns one component of a position.</summary>
+        /// <param name="table">Array that contains the table from index <paramref name="start"/> on.</param>
+        /// <param name="components">Number of components of a point.</param>
+        public double Read(double[] table, int start, int component, int components)
+        {
+            var origin = start + component;
+            return _weightBefore * table[origin + _before * components] + _weight * table[origin + _cell * components]
+                + _weightNext * table[origin + (_cell + 1) * components] + _weightAfter * table[origin + _after * components];
+        }
     }
 }

@@ -1,6 +1,6 @@
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Forecasts a joint's position from its newest samples. Allocates nothing after construction. Not thread-safe.</summary>
+    /// <summary>Forecasts a motion from its newest samples. Allocates nothing after construction. Not thread-safe.</summary>
     abstract class Forecaster
     {
         /// <summary>
@@ -12,24 +12,28 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Maximum time of a forecast after the newest sample, in s; infinite without a maximum.</summary>
         public virtual double Span => double.PositiveInfinity;
 
+        /// <summary>Whether the newest sample is a jump, so that the velocity there is unknown.</summary>
+        public virtual bool HasJumped => false;
+
         /// <summary>Fits the forecaster to the newest samples.</summary>
         /// <returns>Whether the forecaster can forecast from these samples.</returns>
         public abstract bool Solve(MotionState motion);
 
-        /// <summary>Returns the forecast position relative to the position of the newest sample, from the last solve.</summary>
-        /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
-        public abstract double At(double ahead);
+        /// <summary>Returns a component of the forecast position relative to the position of the newest sample, from the last solve.</summary>
+        /// <param name="ahead">Seconds after the newest sample, 0 or more; for the paper's polynomials any time.</param>
+        public abstract double At(double ahead, int component);
 
-        /// <summary>Returns the standard deviation of the position, in the samples' unit; NaN if it is unknown.</summary>
+        /// <summary>Returns the standard deviation of a component, in the samples' unit; NaN if it is unknown.</summary>
         /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
         public virtual double DeviationAt(double ahead) => double.NaN;
 
-        /// <summary>Fills the array of a <see cref="ForecastTable"/> with forecasts from the last solve.</summary>
-        /// <param name="table">Array that receives the forecasts from index <paramref name="start"/> on.</param>
+        /// <summary>Fills the points of a <see cref="ForecastTable"/> with forecasts from the last solve.</summary>
+        /// <param name="table">Array that receives the forecasts from index <paramref name="start"/> on; the components of a point are adjacent.</param>
         /// <param name="points">Number of points to fill.</param>
-        public virtual void Fill(double[] table, int start, int points)
+        public virtual void Fill(double[] table, int start, int points, int components)
         {
-            for (var i = 0; i < points; i++) table[start + i] = At(i * ForecastTable.Step);
+            for (var point = 0; point < points; point++)
+                for (var c = 0; c < components; c++) table[start++] = At(point * ForecastTable.Step, c);
         }
 
         /// <summary>Discards all learned state.</summary>

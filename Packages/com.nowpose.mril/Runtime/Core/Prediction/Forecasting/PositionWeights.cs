@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Forecasting
 {
@@ -52,15 +51,15 @@ namespace Nowpose.Prediction.Forecasting
         protected double[] Times { get; }
 
         /// <summary>Solves for the times of the newest samples, unless they are the same as before.</summary>
-        /// <param name="samples">History with at least <paramref name="age"/> + <paramref name="count"/> samples.</param>
+        /// <param name="times">Times of at least <paramref name="age"/> + <paramref name="count"/> samples in s, the newest first.</param>
         /// <param name="count">Number of samples to use, <see cref="MinSamples"/> to <see cref="Samples"/>.</param>
         /// <param name="age">Number of newer samples, which are ignored.</param>
         /// <returns>Whether these times determine the weights.</returns>
-        public bool Update<TSample>(SampleHistory<TSample> samples, int count, int age = 0) where TSample : struct, ISample
+        public bool Update(double[] times, int count, int age = 0)
         {
-            if (count == Count && HasTimes(samples, age)) return _isSolved;
+            if (count == Count && HasTimes(times, age)) return _isSolved;
             Count = count;
-            for (var i = 0; i < count; i++) Times[i] = samples[age + i].Time - samples[age].Time;
+            for (var i = 0; i < count; i++) Times[i] = times[age + i] - times[age];
             _isTableFilled = false;
             return _isSolved = Solve();
         }
@@ -70,11 +69,10 @@ namespace Nowpose.Prediction.Forecasting
         /// <param name="weights">Receives the weights from index <paramref name="start"/> on.</param>
         public abstract void At(double ahead, double[] weights, int start);
 
-        bool HasTimes<TSample>(SampleHistory<TSample> samples, int age) where TSample : struct, ISample
+        bool HasTimes(double[] times, int age)
         {
-            var newest = samples[age].Time;
             for (var i = 0; i < Count; i++)
-                if (!(Math.Abs(samples[age + i].Time - newest - Times[i]) <= SameSeconds)) return false;
+                if (!(Math.Abs(times[age + i] - times[age] - Times[i]) <= SameSeconds)) return false;
             return true;
         }
 

@@ -30,6 +30,12 @@ namespace Nowpose.Prediction.Mixing
         const double PriorSamples = 5;
 
         /// <summary>
+        /// Maximum difference of two gradients that count as equal, relative to the mean square of the best forecast. Each step makes two gradients equal,
+        /// and several forecasts may be the same line. Rounding must not decide between them, because a replay would then differ from its session.
+        /// </summary>
+        const double SameRatio = 1e-8;
+
+        /// <summary>
         /// Positive: threshold below which weights and evidence count as zero, because they may be rounding errors. Tiny: its square, the threshold
         /// for squares, which prevents divisions by zero.
         /// </summary>
@@ -42,6 +48,10 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _products;
         readonly int _weighted;
 
+        readonly double[] _savedProducts, _savedValues;
+        double _savedEvidence;
+        bool _isSaved;
+
         /// <param name="regularisation">λ relative to the minimum mean square among the forecasts.</param>
         /// <param name="prior">The weights without evidence, one per forecast.</param>
         public MixtureWeights(double regularisation, double[] prior)
@@ -51,6 +61,7 @@ namespace Nowpose.Prediction.Mixing
             _weighted = _count * _count;
             _products = new double[_weighted + _count];
             Values = (double[])prior.Clone();
+            (_savedProducts, _savedValues) = (new double[_products.Length], new double[_count]);
         }
 
         /// <summary>The weights, one per forecast.</summary>
@@ -93,18 +104,38 @@ namespace Nowpose.Prediction.Mixing
             Span<double> gradient = stackalloc double[_count];
             for (var i = 0; i < gradient.Length; i++) gradient[i] = _products[_weighted + i] + lambda * (Values[i] - prior[i]);
             for (var step = 0; step < Steps; step++)
-                if (!(MoveBestPair(gradient, lambda) > MinGain * min)) return;
+                if (!(MoveBestPair(gradient, lambda, SameRatio * min) > MinGain * min)) return;
+        }
+
+        /// <summary>Stores all errors and weights, so that <see cref="Restore"/> can undo what is learned from an unconfirmed sample.</summary>
+        public void Save()
+        {
+            Array.Copy(_products, _savedProducts, _products.Length);
+            Array.Copy(Values, _savedValues, _count);
+            _savedEvidence = Evidence;
+            _isSaved = true;
+        }
+
+        /// <summary>Restores the stored errors and weights, if there are any.</summary>
+        public void Restore()
+        {
+            if (!_isSaved) return;
+            Array.Copy(_savedProducts, _products, _products.Length);
+            Array.Copy(_savedValues, Values, _count);
+            Evidence = _savedEvidence;
+            _isSaved = false;
         }
 
         public void Reset(double[] prior)
         {
+            _isSaved = false;
             Array.Clear(_products, 0, _products.Length);
             Array.Copy(prior, Values, _count);
             Evidence = 0;
         }
 
         // Moves weight from the forecast with the largest gradient to the one with the smallest. Returns the reduction of the cost.
-        double MoveBestPair(Span<double> gradient, double lambda)
+        double MoveBestPair(Span<double> gradient, double lambda, double same)
         {
             var (products, values) = (_products, Values);
             int to = 0, from = -1;
@@ -112,8 +143,9 @@ namespace Nowpose.Prediction.Mixing
             for (var i = 0; i < gradient.Length; i++)
             {
                 var slope = gradient[i];
-                if (slope < least) (to, least) = (i, slope);
-                if (slope > largest && values[i] > Positive) (from, largest) = (i, slope);
+                if (slope < least - same || (slope <= least + same && values[i] < values[to])) (to, least) = (i, Math.Min(slope, least));
+                if (values[i] > Positive && (slope > largest + same || (slope >= largest - same && values[i] > values[from])))
+                    (from, largest) = (i, Math.Max(slope, largest));
             }
             var difference = largest - least;
             if (from < 0 || !(difference > 0)) return 0;

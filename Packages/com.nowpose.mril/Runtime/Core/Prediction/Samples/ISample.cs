@@ -14,5 +14,18 @@ namespace Nowpose.Prediction.Samples
 
         /// <summary>One component, in rad or m.</summary>
         double this[int component] { get; }
+
+        /// <summary>Velocity reported by the source, per second; NaN if it is not reported.</summary>
+        double Velocity { get; }
+
+        /// <summary>Acceleration reported by the source, per second squared; NaN if it is not reported.</summary>
+        double Acceleration { get; }
+    }
+
+    /// <summary>A sample whose stamp can be corrected.</summary>
+    interface ISample<TSample> : ISample
+    {
+        /// <summary>Returns the same sample with another stamp and sort key.</summary>
+        TSample At(double time, double order);
     }
 }

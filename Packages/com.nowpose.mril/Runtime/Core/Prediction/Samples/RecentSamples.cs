@@ -137,7 +137,7 @@ namespace Nowpose.Prediction.Samples
 
         double Newest(int age, int component) => Position((_next - 1 - age + Capacity) % Capacity, component);
 
-        double Difference(double a, double b) => _isEndless ? a - b - SampleBuffer.WholeTurns(a - b) : a - b;
+        double Difference(double a, double b) => _isEndless ? a - b - JointPredictor.WholeTurns(a - b) : a - b;
 
         // Index of the nearest sample strictly before (direction -1) or after (1); -1 if there is none.
         int Neighbour(double order, int direction)

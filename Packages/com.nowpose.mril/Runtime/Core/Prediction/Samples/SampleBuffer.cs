@@ -3,90 +3,81 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// Prepares one joint's samples: unwraps angles, corrects stamps, thins the samples, sorts them, and drops duplicates.
+    /// Prepares the samples of a joint or an object: corrects stamps, thins the samples, sorts them, and drops duplicates. All components have the same
+    /// times, so this is done once per sample.
     /// </summary>
     /// <remarks>Allocates nothing after construction.</remarks>
-    sealed class SampleBuffer
+    sealed class SampleBuffer<TSample> where TSample : struct, ISample<TSample>
     {
-        /// <summary>One turn, in rad.</summary>
-        const double Turn = 2 * Math.PI;
-
         /// <summary>
         /// Minimum interval in s; closer samples are left out unless they were overtaken, so rates up to 180 Hz are used completely. Samples a
         /// millisecond apart do not improve forecasts over a tenth of a second, and windows of few samples would contain mainly their noise.
         /// </summary>
-        public const double MinInterval = 0.0055;
+        const double MinInterval = 0.0055;
 
-        readonly bool _isEndless;
-        readonly bool _thins;
+        // Null if stamps are not corrected.
         readonly StampCorrection _stamps;
+        readonly bool _thins;
         double _newestOrder;
-        double _unwrapped;
 
         /// <param name="capacity">Number of samples to keep.</param>
-        /// <param name="isEndless">Whether positions are angles in rad that may wrap from π to −π.</param>
-        /// <param name="corrects">Whether stamps of a periodic source are corrected.</param>
-        /// <param name="thins">Whether samples less than 5.5 ms apart are left out.</param>
-        public SampleBuffer(int capacity, bool isEndless, bool corrects, bool thins)
+        /// <param name="parts">Whether stamps of a periodic source are corrected, and whether samples less than 5.5 ms apart are left out.</param>
+        public SampleBuffer(int capacity, PredictionParts parts, PredictionLimits limits)
         {
-            History = new SampleHistory<JointSample>(capacity);
-            _isEndless = isEndless;
-            _thins = thins;
-            _stamps = corrects ? new StampCorrection(components: 1) : null;
+            History = new SampleHistory<TSample>(capacity);
+            Timing = new SampleTiming(limits);
+            _stamps = (parts & PredictionParts.StampCorrection) != 0 ? new StampCorrection(default(TSample).Components) : null;
+            _thins = (parts & PredictionParts.Thinning) != 0;
             Clear();
         }
 
-        /// <summary>The samples for forecasts.</summary>
-        public SampleHistory<JointSample> History { get; }
+        /// <summary>The samples for forecasts, with corrected stamps.</summary>
+        public SampleHistory<TSample> History { get; }
 
-        /// <summary>
-        /// Position of the newest sample, which a display without prediction shows even if the sample is left out; 0 before the first sample.
-        /// </summary>
-        public double NewestPosition { get; private set; }
+        public SampleTiming Timing { get; }
+
+        /// <summary>The newest sample, even if it is left out; <c>default</c> before the first.</summary>
+        public TSample Newest { get; private set; }
 
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first.</summary>
-        public double NewestStamp { get; private set; }
+        public double NewestStamp => double.IsNegativeInfinity(_newestOrder) ? _newestOrder : Newest.Time;
 
-        /// <summary>Whole turns that unwrapping added to the newest position, in rad.</summary>
-        public double Shift { get; private set; }
+        /// <summary>Whether the last added sample is newer than all previous samples; otherwise it was overtaken.</summary>
+        public bool IsNewest { get; private set; }
 
         /// <summary>Returns whether a sample is newer than all previous samples.</summary>
-        public bool IsNewer(in JointSample sample) => sample.Order > _newestOrder;
+        public bool IsNewer(in TSample sample) => sample.Order > _newestOrder;
 
+        /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
         /// <returns>Whether the history has changed.</returns>
-        public bool Add(in JointSample sample)
+        public bool Add(in TSample sample, double displayed)
         {
-            var isNewest = IsNewer(sample);
-            var position = Unwrapped(sample);
-            Span<double> component = stackalloc[] { position };
-            var time = _stamps == null ? sample.Time : _stamps.Correct(sample.Time, component, isNewest);
+            var isNewer = IsNewer(sample);
+            var time = _stamps == null ? sample.Time : Corrected(sample, isNewer);
             // The order decides, because the corrected stamp of the newest sample may precede the corrected stamp of the previous sample.
-            if (isNewest)
-            {
-                (_newestOrder, _unwrapped) = (sample.Order, position);
-                (NewestStamp, NewestPosition, Shift) = (sample.Time, sample.Position, position - sample.Position);
-            }
-            if (_thins && isNewest && time - History.NewestTime < MinInterval && time > History.NewestTime) return false;
-            var order = _stamps == null ? sample.Order : time;
-            return History.Add(new JointSample(time, position, order, sample.Velocity, sample.Acceleration));
+            if (isNewer) (_newestOrder, Newest) = (sample.Order, sample);
+            var before = History.NewestTime;
+            if (_thins && isNewer && time > before && time - before < MinInterval) return false;
+            if (!History.Add(sample.At(time, _stamps == null ? sample.Order : time))) return false;
+            IsNewest = History.NewestTime > before;
+            Timing.Add(History, IsNewest, displayed);
+            return true;
         }
 
         public void Clear()
         {
             History.Clear();
+            Timing.Reset();
             _stamps?.Reset();
-            _newestOrder = NewestStamp = double.NegativeInfinity;
-            NewestPosition = _unwrapped = Shift = 0;
+            _newestOrder = double.NegativeInfinity;
+            Newest = default;
         }
 
-        /// <summary>Returns the whole turns nearest to an angle, in rad.</summary>
-        public static double WholeTurns(double angle) => Turn * Math.Round(angle / Turn);
-
-        // Assumes the shorter way round between two samples more than half a turn apart.
-        double Unwrapped(in JointSample sample)
+        double Corrected(in TSample sample, bool isNewer)
         {
-            if (!_isEndless || double.IsNegativeInfinity(_newestOrder)) return sample.Position;
-            return sample.Position + WholeTurns(_unwrapped - sample.Position);
+            Span<double> components = stackalloc double[sample.Components];
+            for (var c = 0; c < components.Length; c++) components[c] = sample[c];
+            return _stamps.Correct(sample.Time, components, isNewer);
         }
     }
 }

@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Prediction
         [Test]
         public void At_SamplesFasterThanTheLimit_AreFollowed()
         {
-            var predictor = Predictors.Adaptive(With(velocity: 0.1), MixerTests.WithoutRepetition);
+            var predictor = Predictors.Adaptive(With(velocity: 0.1), MixtureTests.WithoutRepetition);
             for (var k = 0; k < 40; k++) predictor.Add(k * Interval, 2 * k * Interval);
 
             Assert.That(predictor.At(39 * Interval + 0.1).Position, Is.EqualTo(2 * (39 * Interval + 0.1)).Within(0.01));
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Prediction
                 horizonCap: double.PositiveInfinity, maximumGap: double.PositiveInfinity, velocity: velocity, acceleration: acceleration);
 
         // Returns a predictor with samples of a joint that accelerates at 1 rad/s² for one second.
-        static JointPredictor Fed(PredictionLimits limits) => Predictors.Adaptive(limits, MixerTests.WithoutRepetition)
+        static JointPredictor Fed(PredictionLimits limits) => Predictors.Adaptive(limits, MixtureTests.WithoutRepetition)
             .Fed(Enumerable.Range(0, 21).Select(k => k * Interval), t => 0.5 * t * t);
     }
 }

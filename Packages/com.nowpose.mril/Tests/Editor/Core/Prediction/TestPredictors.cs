@@ -26,12 +26,12 @@ namespace Nowpose.Tests.Core.Prediction
         /// <summary>Returns the state of a motion after its samples, which are in the order of their times.</summary>
         public static MotionState Motion(double[] times, double[] positions)
         {
-            var history = new SampleHistory<JointSample>(times.Length);
-            var motion = new MotionState(history, PredictionLimits.Unlimited);
+            var buffer = new SampleBuffer<JointSample>(times.Length, PredictionParts.None, PredictionLimits.Unlimited);
+            var motion = new MotionState(1, 0, times.Length, buffer.Timing);
             for (var i = 0; i < times.Length; i++)
             {
-                history.Add(new JointSample(times[i], positions[i]));
-                motion.Add(isNewest: true, displayed: double.NaN);
+                buffer.Add(new JointSample(times[i], positions[i]), displayed: double.NaN);
+                motion.Take(buffer);
             }
             return motion;
         }

@@ -23,9 +23,9 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         public void CreateGate()
         {
             _candidate = new Oracle();
-            _gate = new CandidateGate(0.3, 0.09);
-            _gated = Of(Mixer((_candidate, _gate)));
-            _mixture = Of(Mixer());
+            _gate = new CandidateGate(0.3, 0.09, 0.3);
+            _gated = Of(Mixture(new Candidate(1, _candidate, _gate)));
+            _mixture = Of(Mixture());
         }
 
         [Test]
@@ -87,7 +87,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         [Test]
         public void ErrorRatio_TwoAccurateCandidates_IsSmallerForTheBetter()
         {
-            var worse = new CandidateGate(0.3, 0.09);
+            var worse = new CandidateGate(0.3, 0.09, 0.3);
             for (var i = 0; i < 20; i++)
             {
                 _gate.Score(0.1, 1, 1, wasStill: false, time: 0);
@@ -139,9 +139,9 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
         static double Truth(double t) => Math.Sin(3 * t);
 
-        // Returns a mixer of hold and a straight line.
-        static Mixer Mixer(params (Forecaster, CandidateGate)[] candidates) => new Mixer(
-            PredictionLimits.Unlimited, PredictionParts.All, new MixedForecasters(Array.Empty<MixedForecaster>(), usesChangePoints: true), candidates);
+        // Returns a mixture of hold and a straight line.
+        static Mixture Mixture(params Candidate[] candidates) => new Mixture(
+            1, PredictionLimits.Unlimited, PredictionParts.Joint, new MixedForecasters(1, Array.Empty<MixedForecaster>()), candidates, new JumpDetector());
 
         void Feed(int from, int to)
         {
@@ -165,11 +165,11 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
             public override bool Solve(MotionState motion)
             {
-                (_newest, _position) = (motion.Samples.NewestTime, motion.Samples[0].Position);
+                (_newest, _position) = (motion.NewestTime, motion.Newest[0]);
                 return !IsSilent;
             }
 
-            public override double At(double ahead) => (double.IsNaN(Rest) ? Truth(_newest + ahead) : Rest) + Error - _position;
+            public override double At(double ahead, int component) => (double.IsNaN(Rest) ? Truth(_newest + ahead) : Rest) + Error - _position;
         }
     }
 }

@@ -1,4 +1,6 @@
+using Nowpose.Prediction;
 using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Samples;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Prediction.Forecasting
@@ -7,13 +9,17 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
     {
         const double Interval = 0.05;
 
+        // Feeds a first sample, and one sample per speed.
         static ChangePointDetector After(params double[] speeds)
         {
-            var (detector, before) = (new ChangePointDetector(), 0.0);
-            for (var k = 0; k < speeds.Length; k++)
+            var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
+            var (detector, motion, position) = (new ChangePointDetector(components: 1), new MotionState(1, 0, 8, buffer.Timing), 0.0);
+            for (var k = 0; k <= speeds.Length; k++)
             {
-                detector.Add(k + 2, Interval, Interval, new SpeedChange(speeds[k], before));
-                before = speeds[k];
+                if (k > 0) position += speeds[k - 1] * Interval;
+                buffer.Add(new JointSample(k * Interval, position), displayed: double.NaN);
+                motion.Take(buffer);
+                detector.Add(motion);
             }
             return detector;
         }
@@ -29,12 +35,12 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
 
         [Test]
         public void Add_NextSampleConfirmsTheStart_UsesAllSamples() =>
-            Assert.That(After(0.01, -0.01, 1, 1).SamplesSince, Is.EqualTo(5));
+            Assert.That(After(0.01, -0.01, 1, 1.1).SamplesSince, Is.EqualTo(5));
 
         [Test]
         public void Add_FasterMotionAfterAReversal_IsNotAStart()
         {
-            var detector = After(-0.5, -0.5, -0.5, 1, 1);
+            var detector = After(-0.5, -0.4, -0.5, 1, 1.1);
 
             Assert.That((detector.SamplesSince, detector.SpeedIncreased), Is.EqualTo((2, false)));
         }
@@ -54,23 +60,32 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         // A smooth start from rest has displacements of 1 and 7 or more in its first two intervals.
         [TestCase(0.5, 1)]
         [TestCase(0.8, 5)]
-        public void Add_StartFromRestWithoutNoise_UsesEarlierSamplesOnlyIfItIsSmooth(double second, int expected)
-        {
-            var detector = After(0, 0);
-            detector.Add(4, Interval, Interval, new SpeedChange(0.1, 0), wasSteady: true);
-            detector.Add(5, Interval, Interval, new SpeedChange(second, 0.1), wasSteady: true);
+        public void Add_StartFromRestWithoutNoise_UsesEarlierSamplesOnlyIfItIsSmooth(double second, int expected) =>
+            Assert.That(After(0, 0, 0.1, second).SamplesSince, Is.EqualTo(expected));
 
-            Assert.That(detector.SamplesSince, Is.EqualTo(expected));
+        // A stop within an interval shows in two intervals.
+        [TestCase(0.3)]
+        [TestCase(0)]
+        public void Add_StopAsFastAsAnEarlierStart_IsAChangePointAfterAConstantVelocity(double rest)
+        {
+            Assert.That(After(0, 1, 1, 1, rest, 0).SamplesSince, Is.LessThanOrEqualTo(2));
+            Assert.That(After(0, 1, 1.01, 1.02, rest, 0).SamplesSince, Is.GreaterThan(2), "without a constant velocity");
         }
 
-        [TestCase(false, 6)]
-        [TestCase(true, 1)]
-        public void Add_StopAsFastAsAnEarlierStart_IsAChangePointOnlyAfterAConstantVelocity(bool wasSteady, int expected)
+        [Test]
+        public void AddJump_ConstantVelocity_IsTheOnlyChangePoint()
         {
-            var detector = After(0, 1, 1, 1);
-            detector.Add(6, Interval, Interval, new SpeedChange(0, 1), wasSteady);
+            var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
+            var (detector, motion) = (new ChangePointDetector(components: 1), new MotionState(1, 0, 8, buffer.Timing));
+            for (var k = 0; k < 8; k++)
+            {
+                buffer.Add(new JointSample(k * Interval, 0.01 * k + (k < 5 ? 0 : 3)), displayed: double.NaN);
+                motion.Take(buffer);
+                if (k == 5) detector.AddJump();
+                else detector.Add(motion);
+            }
 
-            Assert.That(detector.SamplesSince, Is.EqualTo(expected));
+            Assert.That(detector.SamplesSince, Is.EqualTo(3));
         }
     }
 }

@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
                     var mean = star * k.Solve(y);
                     var deviation = Math.Sqrt(variance * Math.Max(Kernel(ahead, ahead) - star * k.Solve(star), 0));
 
-                    Assert.That(forecaster.At(ahead), Is.EqualTo(mean).Within(1e-5 * (1 + Math.Abs(mean))), "seed " + seed + ", " + ahead + " s");
+                    Assert.That(forecaster.At(ahead, 0), Is.EqualTo(mean).Within(1e-5 * (1 + Math.Abs(mean))), "seed " + seed + ", " + ahead + " s");
                     Assert.That(Math.Sqrt(variance * process.VarianceAt(ahead)), Is.EqualTo(deviation).Within(1e-3 * deviation + 1e-4), "seed " + seed + ", " + ahead + " s");
                 }
             }
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
             var times = Enumerable.Range(0, 5).Select(i => i * interval).ToArray();
             forecaster.Solve(TestPredictors.Motion(times, times.Select(t => 3 - t).ToArray()));
 
-            foreach (var ahead in Aheads.Where(a => a <= 0.25)) Assert.That(forecaster.At(ahead), Is.EqualTo(-ahead).Within(1e-4));
+            foreach (var ahead in Aheads.Where(a => a <= 0.25)) Assert.That(forecaster.At(ahead, 0), Is.EqualTo(-ahead).Within(1e-4));
         }
 
         [Test]
@@ -67,10 +67,10 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
             var forecaster = new LinearForecaster(new GaussianProcess(), stopsAtReversal: true);
             forecaster.Solve(TestPredictors.Motion(times, times.Select(t => 1 - Math.Pow(0.25 - t, 2)).ToArray()));
             var table = new double[ForecastTable.Points];
-            forecaster.Fill(table, 0, table.Length);
+            forecaster.Fill(table, 0, table.Length, components: 1);
 
-            Assert.That(forecaster.At(0.4), Is.LessThan(0));
-            Assert.That(table[1], Is.EqualTo(forecaster.At(ForecastTable.Step)).Within(1e-9));
+            Assert.That(forecaster.At(0.4, 0), Is.LessThan(0));
+            Assert.That(table[1], Is.EqualTo(forecaster.At(ForecastTable.Step, 0)).Within(1e-9));
             Assert.That(table[8], Is.EqualTo(table[4]).And.GreaterThan(0));
         }
 
@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         {
             var process = new GaussianProcess();
             var times = Enumerable.Range(0, 5).Select(i => i * 0.05).ToArray();
-            process.Update(TestPredictors.Motion(times, times.Select(t => Math.Sin(8 * t)).ToArray()).Samples, times.Length);
+            process.Update(TestPredictors.Motion(times, times.Select(t => Math.Sin(8 * t)).ToArray()).Times, times.Length);
 
             Assert.That(Aheads.Select(process.VarianceAt), Is.Ordered);
             Assert.That(process.VarianceAt(0), Is.LessThan(4e-6));

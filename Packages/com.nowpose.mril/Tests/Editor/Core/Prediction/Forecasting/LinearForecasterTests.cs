@@ -14,10 +14,10 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
             var forecaster = new LinearForecaster(weights);
             forecaster.Solve(Motion(seed: 1, weights.Samples));
             var table = new double[ForecastTable.Points + 1];
-            forecaster.Fill(table, 1, ForecastTable.Points);
+            forecaster.Fill(table, 1, ForecastTable.Points, components: 1);
 
             for (var i = 0; i < ForecastTable.Points; i++)
-                Assert.That(table[i + 1], Is.EqualTo(forecaster.At(i * ForecastTable.Step)).Within(1e-12), "point " + i);
+                Assert.That(table[i + 1], Is.EqualTo(forecaster.At(i * ForecastTable.Step, 0)).Within(1e-12), "point " + i);
         }
 
         [TestCase("quadratic")]
@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         {
             var (forecaster, table) = (new LinearForecaster(weights, stopsAtReversal: true), new double[ForecastTable.Points]);
             Assert.That(forecaster.Solve(motion));
-            forecaster.Fill(table, 0, table.Length);
+            forecaster.Fill(table, 0, table.Length, components: 1);
             return table;
         }
 

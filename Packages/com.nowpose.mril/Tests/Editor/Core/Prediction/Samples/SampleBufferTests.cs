@@ -12,15 +12,15 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [TestCase(0.002, 34)]
         public void Add_FastSource_ThinsTheHistory(double interval, int expected)
         {
-            var buffer = new SampleBuffer(200, isEndless: false, corrects: false, thins: true);
+            var buffer = new SampleBuffer<JointSample>(200, PredictionParts.Thinning, PredictionLimits.Unlimited);
             var changes = 0;
             for (var k = 0; k < 100; k++)
             {
-                if (buffer.Add(new JointSample(k * interval, k))) changes++;
+                if (buffer.Add(new JointSample(k * interval, k), displayed: double.NaN)) changes++;
             }
 
             Assert.That(buffer.History.Count, Is.EqualTo(expected).And.EqualTo(changes));
-            Assert.That(buffer.NewestPosition, Is.EqualTo(99));
+            Assert.That(buffer.Newest.Position, Is.EqualTo(99));
             Assert.That(buffer.NewestStamp, Is.EqualTo(99 * interval));
         }
 
@@ -29,27 +29,16 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         public void Add_ScatteredStamps_KeepsTheNewestUnchanged()
         {
             var random = new Random(21);
-            var buffer = new SampleBuffer(24, isEndless: false, corrects: true, thins: true);
+            var buffer = new SampleBuffer<JointSample>(24, PredictionParts.Samples, PredictionLimits.Unlimited);
             for (var k = 0; k < 300; k++)
             {
                 var stamp = k * 0.05 + 0.01 * (2 * random.NextDouble() - 1);
-                buffer.Add(new JointSample(stamp, Math.Sin(k), k * 0.05));
-                Assert.That((buffer.NewestStamp, buffer.NewestPosition), Is.EqualTo((stamp, Math.Sin(k))), "seed 21");
+                buffer.Add(new JointSample(stamp, Math.Sin(k), k * 0.05), displayed: double.NaN);
+                Assert.That((buffer.NewestStamp, buffer.Newest.Position), Is.EqualTo((stamp, Math.Sin(k))), "seed 21");
             }
 
-            buffer.Add(new JointSample(298.5 * 0.05, 5, 298.5 * 0.05));
-            Assert.That(buffer.NewestPosition, Is.EqualTo(Math.Sin(299)), "overtaken");
-        }
-
-        [Test]
-        public void Add_AngleWrapsAtPi_UnwrapsByWholeTurns()
-        {
-            var buffer = new SampleBuffer(4, isEndless: true, corrects: false, thins: false);
-            foreach (var (time, position) in new[] { (0.0, 3.0), (0.1, -3.0), (0.2, -2.7) }) buffer.Add(new JointSample(time, position));
-
-            Assert.That(buffer.History[0].Position, Is.EqualTo(2 * Math.PI - 2.7).Within(1e-12));
-            Assert.That(buffer.Shift, Is.EqualTo(2 * Math.PI).Within(1e-12));
-            Assert.That(buffer.NewestPosition, Is.EqualTo(-2.7));
+            buffer.Add(new JointSample(298.5 * 0.05, 5, 298.5 * 0.05), displayed: double.NaN);
+            Assert.That(buffer.Newest.Position, Is.EqualTo(Math.Sin(299)), "overtaken");
         }
 
         [TestCase(0.001)]

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Prediction;
-using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Samples;
 using NUnit.Framework;
 
@@ -38,14 +37,14 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         public void ConnectedSamples_GapsAndLateSamples_CountsTheNewestWithoutGap()
         {
             var (history, random, time) = (new SampleHistory<JointSample>(8), new Random(3), 0.0);
-            var motion = new MotionState(history, new PredictionLimits(maximumGap: MaximumGap));
+            var timing = new SampleTiming(new PredictionLimits(maximumGap: MaximumGap));
             for (var i = 0; i < 300; i++)
             {
                 var isNewest = i == 0 || random.Next(5) > 0;
                 if (isNewest) time += random.Next(4) > 0 ? 0.1 : 0.9;
-                if (history.Add(new JointSample(isNewest ? time : time - random.NextDouble(), 0))) motion.Add(isNewest, displayed: double.NaN);
+                if (history.Add(new JointSample(isNewest ? time : time - random.NextDouble(), 0))) timing.Add(history, isNewest, displayed: double.NaN);
 
-                Assert.That(motion.ConnectedSamples, Is.EqualTo(history.CountWithoutGap(MaximumGap)), "sample " + i);
+                Assert.That(timing.ConnectedSamples, Is.EqualTo(history.CountWithoutGap(MaximumGap)), "sample " + i);
             }
         }
     }

@@ -2,11 +2,12 @@ using System;
 using Nowpose.Anchoring;
 using Nowpose.Frames;
 using Nowpose.Prediction;
+using Nowpose.Prediction.Mixing;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Frames
 {
-    public class VectorMixtureTests
+    public class BodyMixtureTests
     {
         const double Interval = 0.05, Latency = 0.1;
 
@@ -109,7 +110,7 @@ namespace Nowpose.Tests.Core.Frames
         [Test]
         public void At_SharedForecasters_EqualsOwnForecasters()
         {
-            var shared = VectorForecasts.NewForecasters();
+            var shared = new SharedForecasters();
             var objects = new BodyPredictor[4];
             for (var i = 0; i < objects.Length; i++) objects[i] = new BodyPredictor("adaptive", new PredictionLimits(), shared: i < 2 ? shared : null);
             for (var k = 0; k < 300; k++)

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Frames
+namespace Nowpose.Prediction.Mixing
 {
     /// <summary>Limits the distance of forecasts from the line through the two newest samples.</summary>
     /// <remarks>

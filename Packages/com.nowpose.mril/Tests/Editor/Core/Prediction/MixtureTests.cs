@@ -6,9 +6,9 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Prediction
 {
-    public class MixerTests
+    public class MixtureTests
     {
-        internal const PredictionParts WithoutRepetition = PredictionParts.All & ~PredictionParts.Repetition;
+        internal const PredictionParts WithoutRepetition = PredictionParts.Joint & ~PredictionParts.Repetition;
 
         const double Interval = 0.05;
 
@@ -126,7 +126,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Reset_AfterSamples_EqualsANewMixer()
+        public void Reset_AfterSamples_EqualsANewMixture()
         {
             var used = Fed(300, t => Math.Sin(5 * t));
             used.Reset();

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Frames
 {
-    public class VectorPolynomialTests
+    public class BodyPolynomialTests
     {
         static Vector3D Motion(double t) => new Vector3D(Math.Sin(3 * t), 1e3 + 0.2 * t * t * t, -5);
 

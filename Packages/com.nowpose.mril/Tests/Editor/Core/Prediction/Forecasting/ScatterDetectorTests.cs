@@ -1,16 +1,20 @@
 using System;
 using Nowpose.Frames;
+using Nowpose.Prediction.Forecasting;
 using Nowpose.Simulation;
+using Nowpose.Tests.Core.Frames;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Core.Frames
+namespace Nowpose.Tests.Core.Prediction.Forecasting
 {
     public class ScatterDetectorTests
     {
+        static void Add(ScatterDetector detector, in Vector3D position) => detector.Add(new[] { position.X, position.Y, position.Z });
+
         static bool Scatters(Func<double, PoseSample> motion, int samples, double interval)
         {
-            var detector = new ScatterDetector();
-            for (var k = 0; k < samples; k++) detector.Add(motion(k * interval).Position);
+            var detector = new ScatterDetector(components: 3);
+            for (var k = 0; k < samples; k++) Add(detector, motion(k * interval).Position);
             return detector.Scatters;
         }
 
@@ -32,11 +36,11 @@ namespace Nowpose.Tests.Core.Frames
         public void HasLeft_NoiseThenMotion_IsTrueForTheMotionOnly()
         {
             var rest = BodyMotions.WithNoise(BodyMotions.Rest, seed: 12);
-            var detector = new ScatterDetector();
+            var detector = new ScatterDetector(components: 3);
             var left = 0;
             for (var k = 0; k < 2000; k++)
             {
-                detector.Add(rest(0.02 * k).Position);
+                Add(detector, rest(0.02 * k).Position);
                 if (detector.HasLeft) left++;
             }
             Assert.That(left, Is.Zero, "at rest");
@@ -44,7 +48,7 @@ namespace Nowpose.Tests.Core.Frames
             // 0.4 m/s, noise 1 mm.
             for (var k = 0; k < 3; k++)
             {
-                detector.Add(rest(40 + 0.05 * k).Position + new Vector3D(0.02 * (k + 1), 0, 0));
+                Add(detector, rest(40 + 0.05 * k).Position + new Vector3D(0.02 * (k + 1), 0, 0));
                 if (detector.HasLeft) left++;
             }
 
@@ -54,10 +58,10 @@ namespace Nowpose.Tests.Core.Frames
         [Test]
         public void HasLeft_NoiseInOneComponent_IsTrueForFewerThanOneIn5000Samples()
         {
-            var (detector, random, left) = (new ScatterDetector(), new Random(13), 0);
+            var (detector, random, left) = (new ScatterDetector(components: 3), new Random(13), 0);
             for (var k = 0; k < 20000; k++)
             {
-                detector.Add(new Vector3D(0, 0, 0.001 * random.NextNormal()));
+                Add(detector, new Vector3D(0, 0, 0.001 * random.NextNormal()));
                 if (detector.HasLeft) left++;
             }
 
@@ -72,10 +76,10 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase(40, true)]
         public void HasLeft_LargeStepBeforeASample_IsTrueOnlyIfTheSampleIsFarAway(double position, bool expected)
         {
-            var detector = new ScatterDetector();
-            foreach (var x in new[] { 0, 0.3, 0, -0.3, 0, 0.3, 0, 1.2 }) detector.Add(new Vector3D(x, 0, 0));
+            var detector = new ScatterDetector(components: 3);
+            foreach (var x in new[] { 0, 0.3, 0, -0.3, 0, 0.3, 0, 1.2 }) Add(detector, new Vector3D(x, 0, 0));
 
-            detector.Add(new Vector3D(position, 0, 0));
+            Add(detector, new Vector3D(position, 0, 0));
 
             Assert.That(detector.HasLeft, Is.EqualTo(expected));
         }
@@ -84,13 +88,13 @@ namespace Nowpose.Tests.Core.Frames
         public void Noise_AtRest_IsTheMeanDistanceOfConsecutiveSamplesUntilAMotion()
         {
             var rest = BodyMotions.WithNoise(BodyMotions.Rest, seed: 13);
-            var detector = new ScatterDetector();
-            for (var k = 0; k < 100; k++) detector.Add(rest(0.05 * k).Position);
+            var detector = new ScatterDetector(components: 3);
+            for (var k = 0; k < 100; k++) Add(detector, rest(0.05 * k).Position);
 
             // √2 · 1 mm in each of three components: the mean length of the difference is 2.26 mm.
             Assert.That(detector.Noise, Is.EqualTo(2.26e-3).Within(0.6e-3));
 
-            for (var k = 100; k < 120; k++) detector.Add(rest(0.05 * k).Position + new Vector3D(0.02 * (k - 99), 0, 0));
+            for (var k = 100; k < 120; k++) Add(detector, rest(0.05 * k).Position + new Vector3D(0.02 * (k - 99), 0, 0));
             Assert.That(detector.Noise, Is.Zero);
         }
 

@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Frames
 {
-    public class RepeatedVectorTests
+    public class RepeatedBodyTests
     {
         const double Interval = 0.05, Latency = 0.1;
 

@@ -1,7 +1,7 @@
-using Nowpose.Frames;
+using Nowpose.Prediction.Mixing;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Core.Frames
+namespace Nowpose.Tests.Core.Prediction
 {
     public class DistanceLimitTests
     {

@@ -1,0 +1,43 @@
+using System;
+
+namespace Nowpose.Prediction.Forecasting
+{
+    /// <summary>
+    /// Forecasts a joint by the Taylor series of the velocity and acceleration that the control system reports, and by another forecaster while nothing is
+    /// reported. The series is constant after its vertex, because drives stop far more often than they reverse.
+    /// </summary>
+    sealed class ReportedForecaster : Forecaster
+    {
+        readonly Forecaster _otherwise;
+        double _speed, _bend, _stop;
+        bool _isReported;
+
+        public ReportedForecaster(Forecaster otherwise) => _otherwise = otherwise;
+
+        public override int Samples => _otherwise.Samples;
+
+        public override bool Solve(MotionState motion)
+        {
+            _isReported = !double.IsNaN(motion.ReportedVelocity);
+            if (!_isReported) return _otherwise.Solve(motion);
+            _speed = motion.ReportedVelocity;
+            // Without an acceleration, the mean speed in the last interval determines the second derivative.
+            _bend = double.IsNaN(motion.ReportedAcceleration) ? (_speed - motion.Velocity[0]) / motion.Timing.Interval : motion.ReportedAcceleration / 2;
+            _stop = _speed * _bend < 0 ? -_speed / (2 * _bend) : double.PositiveInfinity;
+            return true;
+        }
+
+        public override double At(double ahead, int component)
+        {
+            if (!_isReported) return _otherwise.At(ahead, component);
+            var x = Math.Min(ahead, _stop);
+            return x * (_speed + _bend * x);
+        }
+
+        public override void Fill(double[] table, int start, int points, int components)
+        {
+            if (_isReported) base.Fill(table, start, points, components);
+            else _otherwise.Fill(table, start, points, components);
+        }
+    }
+}

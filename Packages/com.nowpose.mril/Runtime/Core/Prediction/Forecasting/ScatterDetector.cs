@@ -1,0 +1,110 @@
+using System;
+
+namespace Nowpose.Prediction.Forecasting
+{
+    /// <summary>Detects samples that only scatter about a position, such as the samples of a noisy tracker or encoder at rest.</summary>
+    /// <remarks>
+    /// For white noise, the mean second difference is √3 times the mean first difference, and the samples make no progress; a smooth motion has small
+    /// second differences, even at a reversal. Allocates nothing after construction.
+    /// </remarks>
+    sealed class ScatterDetector
+    {
+        /// <summary>Window: number of newest samples that are examined. MinSamples: minimum number for a decision.</summary>
+        const int Window = 12, MinSamples = 4;
+
+        /// <summary>
+        /// Limits for samples that scatter. MaxProgress: maximum ratio of progress to path length. MinRoughness: minimum ratio of second to first
+        /// differences. With 0.5 and 1.15, the errors on recordings are 0.6 % larger.
+        /// </summary>
+        const double MaxProgress = 0.35, MinRoughness = 1.3;
+
+        /// <summary>The same while the window is not full, so that the first samples of noise do not look like a motion.</summary>
+        const double MaxFirstProgress = 0.7, MinFirstRoughness = 1;
+
+        /// <summary>
+        /// Minimum distance of the first sample of a motion from the mean of the scattering samples, and from the last of them, relative to
+        /// their mean first difference, in the window or on average. Noise in one component exceeds this limit once in 10 000 samples, noise in two or
+        /// three components not once in four million. With the window's mean alone, which is small by chance at times, it was once in 250 samples in
+        /// one component. The direction of a shorter last step would depend mainly on the noise.
+        /// </summary>
+        const double MinStartRatio = 4;
+
+        /// <summary>Weight of a new window in <see cref="Noise"/>.</summary>
+        const double Smoothing = 1 / 16.0;
+
+        readonly int _components;
+
+        // The newest samples, newest first; the components of a sample are adjacent.
+        readonly double[] _samples;
+        readonly double[] _mean;
+        int _count;
+        int _sinceScatter;
+        double _meanStep;
+
+        /// <param name="components">Number of components of a position.</param>
+        public ScatterDetector(int components)
+        {
+            _components = components;
+            (_samples, _mean) = (new double[Window * components], new double[components]);
+        }
+
+        /// <summary>Whether the newest samples only scatter; false for samples that do not differ.</summary>
+        public bool Scatters { get; private set; }
+
+        /// <summary>Whether a motion starts: the newest sample has left the position about which the previous samples scattered.</summary>
+        public bool HasLeft { get; private set; }
+
+        /// <summary>Mean distance between consecutive samples that only scatter; 0 after a motion, and for samples that do not differ.</summary>
+        public double Noise { get; private set; }
+
+        /// <summary>Adds a sample that is newer than all previous samples.</summary>
+        public void Add(double[] position)
+        {
+            HasLeft = Scatters && DistanceFromScatter(position) > MinStartRatio * Math.Max(_meanStep, Noise);
+            Array.Copy(_samples, 0, _samples, _components, _samples.Length - _components);
+            Array.Copy(position, _samples, _components);
+            _count = Math.Min(_count + 1, Window);
+            Scatters = _count >= MinSamples && IsScatter();
+            _sinceScatter = Scatters ? 0 : _sinceScatter + 1;
+            if (_sinceScatter >= Window) Noise = 0;
+            else if (Scatters) Noise += (_meanStep - Noise) * (Noise > 0 ? Smoothing : 1);
+        }
+
+        public void Clear()
+        {
+            _count = 0;
+            Scatters = HasLeft = false;
+            Noise = 0;
+        }
+
+        double DistanceFromScatter(double[] position)
+        {
+            Array.Clear(_mean, 0, _components);
+            for (var i = 0; i < _count * _components; i++) _mean[i % _components] += _samples[i] / _count;
+            return Math.Min(Vectors.Distance(position, _mean), Vectors.Distance(position, 0, _samples, 0, _components));
+        }
+
+        bool IsScatter()
+        {
+            double path = 0, bends = 0;
+            for (int i = 0, end = (_count - 1) * _components; i < end; i += _components)
+            {
+                var (squares, bend) = (0.0, 0.0);
+                for (var at = i; at < i + _components; at++)
+                {
+                    var step = _samples[at] - _samples[at + _components];
+                    squares += step * step;
+                    if (i + _components == end) continue;
+                    var difference = step - _samples[at + _components] + _samples[at + 2 * _components];
+                    bend += difference * difference;
+                }
+                path += Math.Sqrt(squares);
+                bends += Math.Sqrt(bend);
+            }
+            _meanStep = path / (_count - 1);
+            var progress = Vectors.Distance(_samples, 0, _samples, (_count - 1) * _components, _components);
+            var (maxProgress, minRoughness) = _count < Window ? (MaxFirstProgress, MinFirstRoughness) : (MaxProgress, MinRoughness);
+            return progress < maxProgress * path && bends / (_count - 2) > minRoughness * _meanStep;
+        }
+    }
+}

@@ -1,0 +1,171 @@
+using System;
+using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Samples;
+
+namespace Nowpose.Prediction
+{
+    /// <summary>
+    /// The way from samples to sections, which is the same for a joint and an object: orders and prepares the samples, solves a forecaster for each of their
+    /// motions, and reads the curve through the samples or the forecast after them.
+    /// </summary>
+    /// <remarks>A joint has one motion; an object has two, its position and its angles. Allocates nothing after construction. Not thread-safe.</remarks>
+    sealed class SampledSections<TSample> where TSample : struct, ISample<TSample>
+    {
+        readonly PredictionLimits _limits;
+        readonly ArrivalOrder<TSample> _arrivals;
+        readonly SampleBuffer<TSample> _buffer;
+        readonly Forecaster[] _forecasters;
+        readonly MotionState[] _motions;
+        readonly int _components;
+        readonly bool _interpolates;
+        bool _isSolved;
+
+        /// <param name="forecasters">One forecaster per motion, each of this joint or object only. The motions have equally many components.</param>
+        /// <param name="kept">Number of samples to keep.</param>
+        /// <param name="parts">
+        /// Parts of the pipeline to use. Without interpolation, the forecaster is also used before the newest sample, as in the paper.
+        /// </param>
+        public SampledSections(Forecaster[] forecasters, int kept, PredictionParts parts, PredictionLimits limits)
+        {
+            (_forecasters, _limits) = (forecasters, limits);
+            _interpolates = (parts & PredictionParts.Interpolation) != 0;
+            _arrivals = new ArrivalOrder<TSample>(limits.IsEndless);
+            _buffer = new SampleBuffer<TSample>(kept, parts, limits);
+            _components = default(TSample).Components / forecasters.Length;
+            _motions = new MotionState[forecasters.Length];
+            for (var i = 0; i < _motions.Length; i++) _motions[i] = new MotionState(_components, i * _components, kept, _buffer.Timing);
+        }
+
+        /// <summary>Whether no sample has been added.</summary>
+        public bool IsEmpty => double.IsNegativeInfinity(_motions[0].NewestTime);
+
+        /// <summary>The newest sample, even if it is left out; <c>default</c> before the first.</summary>
+        public TSample Newest => _buffer.Newest;
+
+        /// <inheritdoc cref="SampleBuffer{TSample}.NewestStamp"/>
+        public double NewestStamp => _buffer.NewestStamp;
+
+        /// <summary>Corrected time of the newest sample in use, in s; negative infinity before the first.</summary>
+        public double NewestTime => _motions[0].NewestTime;
+
+        public SampleTiming Timing => _buffer.Timing;
+
+        /// <summary>Number of times that the samples showed that their clock went back.</summary>
+        public int Restarts => _arrivals.Restarts;
+
+        /// <summary>Samples to use now (<see cref="ArrivalOrder{TSample}.Ready"/>).</summary>
+        public ReadOnlySpan<TSample> Ready => _arrivals.Ready;
+
+        /// <summary>State of one motion after the newest sample.</summary>
+        public MotionState MotionOf(int index) => _motions[index];
+
+        public bool IsNewer(in TSample sample) => _buffer.IsNewer(sample);
+
+        /// <summary>Puts a received sample into order. It may be ready now or later.</summary>
+        public DropReason Order(in TSample sample) =>
+            // The oldest sample is not in the processor's cache, and only late samples are compared with it.
+            _arrivals.Add(sample, _buffer.IsNewer(sample) ? double.NegativeInfinity : _buffer.History.Oldest);
+
+        /// <summary>Uses a sample that is ready.</summary>
+        /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
+        /// <returns>Whether the section has changed.</returns>
+        public bool Add(in TSample sample, double displayed)
+        {
+            if (!_buffer.Add(sample, displayed)) return false;
+            _isSolved = true;
+            var hasJumped = false;
+            for (var i = 0; i < _motions.Length; i++)
+            {
+                _motions[i].Take(_buffer);
+                // If the position jumps, the object is elsewhere. A tracker may confuse two rotations although the position is right.
+                _motions[i].IsElsewhere = hasJumped;
+                _isSolved &= _forecasters[i].Solve(_motions[i]);
+                hasJumped |= _forecasters[i].HasJumped;
+            }
+            return true;
+        }
+
+        /// <summary>Returns the place of a time in the section. Does not change the state.</summary>
+        public SectionPlace PlaceOf(double time)
+        {
+            if (IsEmpty) return default;
+            var (ahead, connected) = (time - NewestTime, Timing.ConnectedSamples);
+            if (_interpolates && ahead <= 0 && connected > 1)
+            {
+                if (ahead > _motions[0].Times[1]) return new SectionPlace(PredictionKind.Interpolated, ahead, isOnCurve: true);
+                var first = _buffer.History[connected - 1].Time - NewestTime;
+                return ahead < first ? new SectionPlace(PredictionKind.Held, first, isOnCurve: true)
+                    : new SectionPlace(PredictionKind.Interpolated, ahead, isOnCurve: true);
+            }
+            if (!_isSolved || double.IsNaN(time)) return new SectionPlace(PredictionKind.Held, double.NaN);
+            var furthest = Math.Min(_limits.HorizonCap, _forecasters[0].Span);
+            if (ahead > furthest) return new SectionPlace(PredictionKind.Held, furthest);
+            if (double.IsInfinity(ahead)) return new SectionPlace(PredictionKind.Held, double.NaN);
+            // The paper's polynomials are used before their newest sample too. A section is as inaccurate before its oldest sample as it is far beyond
+            // its newest sample, so its value at the oldest sample is held.
+            if (ahead < 0 && !double.IsPositiveInfinity(_limits.HorizonCap))
+            {
+                var start = _buffer.History.StartOf(Math.Min(connected, _forecasters[0].Samples));
+                if (ahead < start) return new SectionPlace(PredictionKind.Held, start);
+            }
+            if (ahead <= 0) return new SectionPlace(PredictionKind.Interpolated, ahead);
+            // One motion of an object may jump while the other continues.
+            foreach (var forecaster in _forecasters)
+                if (forecaster.HasJumped) return new SectionPlace(PredictionKind.Held, ahead);
+            return new SectionPlace(PredictionKind.Predicted, ahead);
+        }
+
+        /// <summary>Returns one component of a motion at a place of the section.</summary>
+        public double At(in SectionPlace place, int motion, int component)
+        {
+            if (place.IsOnCurve)
+                return new SampleCurve<TSample>(_buffer.History, motion * _components + component, Timing.ConnectedSamples).At(NewestTime + place.Ahead);
+            var newest = _motions[motion].Newest[component];
+            if (double.IsNaN(place.Ahead)) return newest;
+            var position = newest + _forecasters[motion].At(place.Ahead, component);
+            // An overflow must not reach a transform.
+            return double.IsFinite(position) ? position : newest;
+        }
+
+        /// <summary>Returns the standard deviation of one component at a given time; NaN where it is unknown.</summary>
+        public double DeviationAt(double time)
+        {
+            var ahead = time - NewestTime;
+            return _isSolved && ahead >= 0 && ahead <= _limits.HorizonCap ? _forecasters[0].DeviationAt(ahead) : double.NaN;
+        }
+
+        /// <summary>Discards all samples and all learned state, but not the order of arrivals.</summary>
+        public void Restart()
+        {
+            _buffer.Clear();
+            _isSolved = false;
+            for (var i = 0; i < _motions.Length; i++)
+            {
+                _motions[i].Reset();
+                _forecasters[i].Reset();
+            }
+        }
+
+        /// <summary>Discards everything.</summary>
+        public void Reset()
+        {
+            _arrivals.Clear();
+            Restart();
+        }
+    }
+
+    /// <summary>Place of a time in a section: on the curve through the samples, or on the forecast. <c>default</c>: there is no sample.</summary>
+    readonly struct SectionPlace
+    {
+        /// <param name="kind">How the position at this time is computed.</param>
+        /// <param name="ahead">Seconds after the newest sample; NaN for the newest sample itself.</param>
+        /// <param name="isOnCurve">Whether the position is interpolated between samples.</param>
+        public SectionPlace(PredictionKind kind, double ahead, bool isOnCurve = false) => (Kind, Ahead, IsOnCurve) = (kind, ahead, isOnCurve);
+
+        public PredictionKind Kind { get; }
+
+        public double Ahead { get; }
+
+        public bool IsOnCurve { get; }
+    }
+}
