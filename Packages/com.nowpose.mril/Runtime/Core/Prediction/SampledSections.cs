@@ -11,6 +11,11 @@ namespace Nowpose.Prediction
     /// <remarks>A joint has one motion; an object has two, its position and its angles. Allocates nothing after construction. Not thread-safe.</remarks>
     sealed class SampledSections<TSample> where TSample : struct, ISample<TSample>
     {
+        /// <summary>
+        /// Time constant with which the jump from the curve to the forecast decays, in s: short compared with any latency that is worth compensating.
+        /// </summary>
+        const double JumpTimeConstant = 0.005;
+
         readonly PredictionLimits _limits;
         readonly ArrivalOrder<TSample> _arrivals;
         readonly SampleBuffer<TSample> _buffer;
@@ -18,6 +23,11 @@ namespace Nowpose.Prediction
         readonly MotionState[] _motions;
         readonly int _components;
         readonly bool _interpolates;
+
+        // Jump from the end of the curve, which is the newest sample, to the forecast at that time, of all components of all motions. It is subtracted
+        // from the forecast and decays.
+        readonly double[] _jumps;
+
         bool _isSolved;
 
         /// <param name="forecasters">One forecaster per motion, each of this joint or object only. The motions have equally many components.</param>
@@ -31,9 +41,11 @@ namespace Nowpose.Prediction
             _interpolates = (parts & PredictionParts.Interpolation) != 0;
             _arrivals = new ArrivalOrder<TSample>(limits.IsEndless);
             _buffer = new SampleBuffer<TSample>(kept, parts, limits);
-            _components = default(TSample).Components / forecasters.Length;
+            _jumps = new double[default(TSample).Components];
+            _components = _jumps.Length / forecasters.Length;
             _motions = new MotionState[forecasters.Length];
-            for (var i = 0; i < _motions.Length; i++) _motions[i] = new MotionState(_components, i * _components, kept, _buffer.Timing);
+            for (var i = 0; i < _motions.Length; i++)
+                _motions[i] = new MotionState(_components, i * _components, Math.Max(2, Math.Min(kept, forecasters[i].MaxSamples)), _buffer.Timing);
         }
 
         /// <summary>Whether no sample has been added.</summary>
@@ -82,6 +94,7 @@ namespace Nowpose.Prediction
                 _isSolved &= _forecasters[i].Solve(_motions[i]);
                 hasJumped |= _forecasters[i].HasJumped;
             }
+            for (var i = 0; i < _jumps.Length; i++) _jumps[i] = _isSolved && _interpolates ? _forecasters[i / _components].At(0, i % _components) : 0;
             return true;
         }
 
@@ -123,6 +136,8 @@ namespace Nowpose.Prediction
             var newest = _motions[motion].Newest[component];
             if (double.IsNaN(place.Ahead)) return newest;
             var position = newest + _forecasters[motion].At(place.Ahead, component);
+            var jump = _jumps[motion * _components + component];
+            if (jump != 0) position -= jump * Math.Exp(-place.Ahead / JumpTimeConstant);
             // An overflow must not reach a transform.
             return double.IsFinite(position) ? position : newest;
         }

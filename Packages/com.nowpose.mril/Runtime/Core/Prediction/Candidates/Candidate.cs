@@ -12,6 +12,7 @@ namespace Nowpose.Prediction.Candidates
         readonly Forecaster _forecaster;
         readonly CandidateGate _gate;
         bool _hasForecast;
+        int _points;
 
         /// <param name="components">Number of components of a position.</param>
         public Candidate(int components, Forecaster forecaster, CandidateGate gate)
@@ -30,6 +31,7 @@ namespace Nowpose.Prediction.Candidates
         /// <param name="points">Number of points of the table that are used.</param>
         public void Add(MotionState motion, int points)
         {
+            _points = points;
             _hasForecast = _forecaster.Solve(motion);
             if (_hasForecast) _forecaster.Fill(Table, 0, points, _components);
             IsUsed = !double.IsInfinity(ErrorRatio(motion.Standstill.Samples > 0));
@@ -41,7 +43,8 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Returns the distance of the forecast made at the previous sample from the newest sample.</summary>
         public double DistanceFrom(MotionState motion)
         {
-            var (time, squares) = (new TableTime(motion.NewestTime - motion.PreviousTime), 0.0);
+            var ahead = Math.Min(motion.NewestTime - motion.PreviousTime, (_points - 2) * ForecastTable.Step);
+            var (time, squares) = (new TableTime(ahead), 0.0);
             for (var c = 0; c < _components; c++)
             {
                 var difference = motion.Previous[c] + time.Read(Table, 0, c, _components) - motion.Newest[c];

@@ -80,9 +80,9 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Scores a forecast against the sample at the forecast time.</summary>
         /// <param name="error">Error of the candidate.</param>
         /// <param name="mixture">
-        /// Error of the mixture, limited by the outlier threshold: a single outlier of the mixture must not favour the candidate.
+        /// Error of the mixture, or of the line if it is smaller: after an abrupt change, an error of the mixture must not favour the candidate.
         /// </param>
-        /// <param name="displacement">The larger of the true and the forecast displacement, limited in the same way.</param>
+        /// <param name="displacement">The larger of the true and the forecast displacement.</param>
         /// <param name="wasStill">Whether the joint stood still when the forecast was made.</param>
         /// <param name="time">Time of the sample, in s; not before that of the previous score.</param>
         public void Score(double error, double mixture, double displacement, bool wasStill, double time)

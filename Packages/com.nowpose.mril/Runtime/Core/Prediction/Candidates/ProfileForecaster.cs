@@ -45,7 +45,7 @@ namespace Nowpose.Prediction.Candidates
         double _start;
         double _direction;
         bool _isKnown;
-        bool _hasBraked;
+        bool _hasBraked, _hasSample;
 
         /// <param name="limits">Velocity, acceleration and jerk must be finite.</param>
         /// <exception cref="ArgumentException">A limit of the drive is unknown.</exception>
@@ -75,6 +75,9 @@ namespace Nowpose.Prediction.Candidates
                 Rest(_newestPosition);
                 return _isKnown;
             }
+            // A joint that has not moved is not forecast, so the rest before the first move is known only from this sample.
+            if (!_hasSample) Rest(motion.Previous[0]);
+            _hasSample = true;
             if (IsResting(motion)) Rest(_newestPosition);
             else if (_direction == 0) StartMove(motion.PreviousTime);
             else if (_isKnown) ContinueMove(motion);
@@ -87,7 +90,7 @@ namespace Nowpose.Prediction.Candidates
         public override void Reset()
         {
             Rest(0);
-            _isKnown = false;
+            _isKnown = _hasSample = false;
         }
 
         bool IsResting(MotionState motion) => motion.Count > 2

@@ -27,6 +27,8 @@ namespace Nowpose.Prediction.Forecasting
 
         public override int Samples => _process.Samples;
 
+        public override int MaxSamples => int.MaxValue;
+
         public override bool Solve(MotionState motion)
         {
             if (motion.IsNewest) Learn(motion);

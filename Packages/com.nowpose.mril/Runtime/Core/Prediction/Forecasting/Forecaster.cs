@@ -9,6 +9,9 @@ namespace Nowpose.Prediction.Forecasting
         /// </summary>
         public abstract int Samples { get; }
 
+        /// <summary>Maximum number of newest samples that a forecast uses.</summary>
+        public virtual int MaxSamples => Samples;
+
         /// <summary>Maximum time of a forecast after the newest sample, in s; infinite without a maximum.</summary>
         public virtual double Span => double.PositiveInfinity;
 

@@ -95,7 +95,7 @@ namespace Nowpose.Prediction.Forecasting
         bool IsReturn(MotionState motion)
         {
             var isReturn = IsUnconfirmed && Math.Abs(motion.Newest[0] - _before) < MaxReturnRatio * Math.Abs(motion.Previous[0] - _before);
-            IsUnconfirmed = !isReturn && motion.Speed > MinSpeedRatio * motion.MaxSpeed;
+            IsUnconfirmed = !isReturn && motion.MaxSpeed > 0 && motion.Speed > MinSpeedRatio * motion.MaxSpeed;
             _before = motion.Previous[0];
             return isReturn;
         }
@@ -103,13 +103,13 @@ namespace Nowpose.Prediction.Forecasting
         // If another part of the pose has jumped, a change is a jump even if an object could make it by moving.
         bool IsJump(MotionState motion, double interval)
         {
-            if (HasJumped && Vectors.Distance(_displacement, _jump) < MaxContinuedRatio * Vectors.Length(_jump)) return false;
             if (!_isKnown) return false;
             var (change, speed) = (Vectors.Distance(_newVelocity, _velocity), Vectors.Length(_newVelocity));
             var limit = Math.Max(_minJump / interval, _maxAcceleration * interval);
             var isJump = change > MinChangeRatio * _meanChange && (motion.IsElsewhere || (speed > limit && change > limit));
             _meanChange += (Math.Min(change, MaxLearnedRatio * limit) - _meanChange) * Smoothing;
-            return isJump;
+            var continues = HasJumped && Vectors.Distance(_displacement, _jump) < MaxContinuedRatio * Vectors.Length(_jump);
+            return isJump && !continues;
         }
     }
 }

@@ -37,12 +37,16 @@ namespace Nowpose.Prediction.Mixing
         {
             (_components, _mixed) = (components, mixed);
             _tables = new double[Start(Count)];
+            foreach (var one in mixed) MaxSamples = Math.Max(MaxSamples, one.Forecaster.MaxSamples);
             _prior = Weights(one => one.Prior);
             _priorWhenReported = Weights(one => one.PriorWhenReported);
         }
 
         /// <summary>Number of forecasts, including hold and line.</summary>
         public int Count => First + _mixed.Length;
+
+        /// <summary>Maximum number of newest samples that a forecast uses; the candidates need three.</summary>
+        public int MaxSamples { get; } = 3;
 
         /// <summary>Returns the weights that apply without evidence: one per forecast, with the sum 1.</summary>
         /// <param name="isReported">Whether the source reports velocity and acceleration.</param>

@@ -65,7 +65,7 @@ namespace Nowpose.Prediction.Mixing
         const double SpeedRatioAfterStop = 0.5;
 
         /// <summary>Maximum interval in which samples are interpolated to score a forecast, s.</summary>
-        const double MaxInterval = 0.3;
+        const double MaxInterval = 0.5;
 
         /// <summary>Errors above this, in m or rad, are not scored: their squares would remain in every mean.</summary>
         const double MaxError = 1e9;
@@ -124,6 +124,8 @@ namespace Nowpose.Prediction.Mixing
         }
 
         public override int Samples => 2;
+
+        public override int MaxSamples => _forecasters.MaxSamples;
 
         public override double Span => ForecastTable.Span;
 
@@ -210,7 +212,8 @@ namespace Nowpose.Prediction.Mixing
 
         void Forecast(MotionState motion)
         {
-            var samples = Uses(PredictionParts.ChangePoints) ? Math.Min(motion.Count, _changePoints.SamplesSince) : motion.Count;
+            var samples = Math.Min(motion.Count, _jumps.SamplesSince);
+            if (Uses(PredictionParts.ChangePoints)) samples = Math.Min(samples, _changePoints.SamplesSince);
             var factor = motion.Count < 2 || HasJumped ? 0 : samples == 1 && !_changePoints.SpeedIncreased ? SpeedRatioAfterStop : 1;
             _forecasters.Fill(motion, samples, factor, _points);
             if (motion.IsNewest && Math.Min(motion.Count, _jumps.SamplesSince) >= MinScored) Expect(motion);

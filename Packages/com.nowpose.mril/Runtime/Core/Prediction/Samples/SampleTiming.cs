@@ -12,10 +12,9 @@ namespace Nowpose.Prediction.Samples
         const double MeanWeight = 0.1;
 
         /// <summary>
-        /// Maximum sampling interval, in s. A longer pause enters the mean interval and the noise tracker with this value. Without this limit, a
-        /// tenth of the pauses of 2 s or more delayed the next detection of rest with noise by 10 to 90 s.
+        /// Maximum sampling interval, in s. A longer pause enters the mean interval with this value.
         /// </summary>
-        public const double MaxInterval = 0.3;
+        const double MaxInterval = 0.3;
 
         /// <summary>Maximum interval that enters the mean, as a multiple of the mean, so that a single gap hardly changes it.</summary>
         const double MaxGapRatio = 3;

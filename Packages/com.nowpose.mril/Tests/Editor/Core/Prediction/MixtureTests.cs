@@ -70,6 +70,41 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(Fed(50, _ => 1.25).At(49 * Interval + 0.2).Position, Is.EqualTo(1.25));
         }
 
+        // An encoder that toggles between two counts before the first motion.
+        [Test]
+        public void At_AlternatingSamples_AreNoJumpsAndStayWithinTheirNoise()
+        {
+            var predictor = Mixed();
+            for (var k = 0; k < 100; k++)
+            {
+                predictor.Add(k * Interval, 1e-3 * (k % 2));
+                var shown = predictor.At(k * Interval + 0.1);
+                if (k < 20) continue;
+
+                Assert.That(shown.Kind, Is.EqualTo(PredictionKind.Predicted), "sample " + k);
+                Assert.That(Math.Abs(shown.Position - 5e-4), Is.LessThan(1.6e-3), "sample " + k);
+            }
+        }
+
+        // Three samples a second are connected, because the default maximum gap is 0.5 s.
+        [Test]
+        public void At_SlowSource_LearnsTheWeights()
+        {
+            var predictor = Mixed();
+            double squares = 0, line = 0;
+            for (var k = 0; k < 200; k++)
+            {
+                double Position(double t) => Math.Sin(0.8 * t);
+                var time = 0.35 * k;
+                predictor.Add(new JointSample(time, Position(time)), time - 0.05);
+                if (k < 50) continue;
+                squares += Math.Pow(predictor.At(time + 0.2).Position - Position(time + 0.2), 2);
+                line += Math.Pow(Position(time) + 0.2 * (Position(time) - Position(time - 0.35)) / 0.35 - Position(time + 0.2), 2);
+            }
+
+            Assert.That(squares, Is.LessThan(0.05 * line));
+        }
+
         [Test]
         public void At_BeforeAndAfterTheFirstSample_IsNoneThenHeld()
         {
