@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
         // The mixture is not asked for a forecast before the first displacement.
         [Test]
-        public void Solve_FirstSampleIsTheStartOfAMove_KnowsTheRestBeforeIt()
+        public void Solve_FirstSampleIsTheStartOfAMove_ReturnsTrue()
         {
             var move = new SevenPhaseProfile(500, 1000, 5000, 50_000);
             var motion = TestPredictors.Motion(new[] { 0, Interval, 2 * Interval }, new[] { 7, 7, 7 + move.PositionAt(0.03) });
