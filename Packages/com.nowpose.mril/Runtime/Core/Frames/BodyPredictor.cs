@@ -125,7 +125,7 @@ namespace Nowpose.Frames
             }
             var (isBlended, before) = (_blends[Position].IsNeeded(displayed) && !_sections.IsEmpty, NewestTime);
             Span<double> shown = stackalloc double[Parts * Components], section = stackalloc double[Components];
-            var place = _sections.PlaceOf(displayed);
+            var place = isBlended ? _sections.PlaceOf(displayed) : default;
             for (var i = 0; i < shown.Length && isBlended; i++) shown[i] = At(i / Components, i % Components, displayed, place);
             if (!_sections.Add(sample, displayed) || !isBlended) return;
             place = _sections.PlaceOf(displayed);

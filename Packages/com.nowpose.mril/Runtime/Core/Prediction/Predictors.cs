@@ -107,7 +107,7 @@ namespace Nowpose.Prediction
             where TSample : struct, ISample<TSample>
         {
             Forecaster Object(double minJump, double maxAcceleration) => Mixture(
-                3, limits, PredictionParts.Object, shared, ObjectGateTimeConstant, ObjectMatchInterval, new JumpDetector(3, minJump, maxAcceleration));
+                3, limits, PredictionParts.Object, shared, ObjectGateTimeConstant, ObjectMatchInterval, new ObjectJumpDetector(3, minJump, maxAcceleration));
             if (name == Default)
                 return new SampledSections<TSample>(
                     new[] { Object(MinJump, MaxAcceleration), Object(MinTurn, MaxAngularAcceleration) }, Kept, PredictionParts.Object, limits);
@@ -141,7 +141,7 @@ namespace Nowpose.Prediction
         internal static JointPredictor Adaptive(
             PredictionLimits limits, PredictionParts parts, SharedForecasters shared = null, double blend = 0, params Forecaster[] more)
         {
-            var mixture = Mixture(1, limits, parts, shared ?? new SharedForecasters(), JointGateTimeConstant, JointMatchInterval, new JumpDetector(), more);
+            var mixture = Mixture(1, limits, parts, shared ?? new SharedForecasters(), JointGateTimeConstant, JointMatchInterval, new JointJumpDetector(), more);
             return new JointPredictor(mixture, Kept, parts, limits, blend);
         }
 

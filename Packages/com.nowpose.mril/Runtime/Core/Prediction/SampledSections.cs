@@ -12,9 +12,9 @@ namespace Nowpose.Prediction
     sealed class SampledSections<TSample> where TSample : struct, ISample<TSample>
     {
         /// <summary>
-        /// Time constant with which the jump from the curve to the forecast decays, in s: short compared with any latency that is worth compensating.
+        /// Time constant with which the offset of the forecast from the end of the curve decays, in s: short compared with any latency that is worth compensating.
         /// </summary>
-        const double JumpTimeConstant = 0.005;
+        const double OffsetTimeConstant = 0.005;
 
         readonly PredictionLimits _limits;
         readonly ArrivalOrder<TSample> _arrivals;
@@ -24,9 +24,8 @@ namespace Nowpose.Prediction
         readonly int _components;
         readonly bool _interpolates;
 
-        // Jump from the end of the curve, which is the newest sample, to the forecast at that time, of all components of all motions. It is subtracted
-        // from the forecast and decays.
-        readonly double[] _jumps;
+        // Offset of the forecast from the newest sample, at which the curve ends, of all components of all motions. It is subtracted and decays.
+        readonly double[] _offsets;
 
         bool _isSolved;
 
@@ -41,8 +40,8 @@ namespace Nowpose.Prediction
             _interpolates = (parts & PredictionParts.Interpolation) != 0;
             _arrivals = new ArrivalOrder<TSample>(limits.IsEndless);
             _buffer = new SampleBuffer<TSample>(kept, parts, limits);
-            _jumps = new double[default(TSample).Components];
-            _components = _jumps.Length / forecasters.Length;
+            _offsets = new double[default(TSample).Components];
+            _components = _offsets.Length / forecasters.Length;
             _motions = new MotionState[forecasters.Length];
             for (var i = 0; i < _motions.Length; i++)
                 _motions[i] = new MotionState(_components, i * _components, Math.Max(2, Math.Min(kept, forecasters[i].MaxSamples)), _buffer.Timing);
@@ -94,7 +93,7 @@ namespace Nowpose.Prediction
                 _isSolved &= _forecasters[i].Solve(_motions[i]);
                 hasJumped |= _forecasters[i].HasJumped;
             }
-            for (var i = 0; i < _jumps.Length; i++) _jumps[i] = _isSolved && _interpolates ? _forecasters[i / _components].At(0, i % _components) : 0;
+            for (var i = 0; i < _offsets.Length; i++) _offsets[i] = _isSolved && _interpolates ? _forecasters[i / _components].At(0, i % _components) : 0;
             return true;
         }
 
@@ -136,8 +135,8 @@ namespace Nowpose.Prediction
             var newest = _motions[motion].Newest[component];
             if (double.IsNaN(place.Ahead)) return newest;
             var position = newest + _forecasters[motion].At(place.Ahead, component);
-            var jump = _jumps[motion * _components + component];
-            if (jump != 0) position -= jump * Math.Exp(-place.Ahead / JumpTimeConstant);
+            var offset = _offsets[motion * _components + component];
+            if (offset != 0) position -= offset * Math.Exp(-place.Ahead / OffsetTimeConstant);
             // An overflow must not reach a transform.
             return double.IsFinite(position) ? position : newest;
         }
@@ -169,7 +168,7 @@ namespace Nowpose.Prediction
         }
     }
 
-    /// <summary>Place of a time in a section: on the curve through the samples, or on the forecast. <c>default</c>: there is no sample.</summary>
+    /// <summary>Place of a time in a section: on the curve through the samples, or on the forecast. <c>default</c> before the first sample.</summary>
     readonly struct SectionPlace
     {
         /// <param name="kind">How the position at this time is computed.</param>

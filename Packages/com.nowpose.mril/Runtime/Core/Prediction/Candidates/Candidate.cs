@@ -12,7 +12,6 @@ namespace Nowpose.Prediction.Candidates
         readonly Forecaster _forecaster;
         readonly CandidateGate _gate;
         bool _hasForecast;
-        int _points;
 
         /// <param name="components">Number of components of a position.</param>
         public Candidate(int components, Forecaster forecaster, CandidateGate gate)
@@ -31,7 +30,6 @@ namespace Nowpose.Prediction.Candidates
         /// <param name="points">Number of points of the table that are used.</param>
         public void Add(MotionState motion, int points)
         {
-            _points = points;
             _hasForecast = _forecaster.Solve(motion);
             if (_hasForecast) _forecaster.Fill(Table, 0, points, _components);
             IsUsed = !double.IsInfinity(ErrorRatio(motion.Standstill.Samples > 0));
@@ -41,9 +39,10 @@ namespace Nowpose.Prediction.Candidates
         public double ErrorRatio(bool isStill) => _hasForecast ? _gate.ErrorRatio(isStill) : double.PositiveInfinity;
 
         /// <summary>Returns the distance of the forecast made at the previous sample from the newest sample.</summary>
-        public double DistanceFrom(MotionState motion)
+        /// <inheritdoc cref="Add" path="/param[@name='points']"/>
+        public double DistanceFrom(MotionState motion, int points)
         {
-            var ahead = Math.Min(motion.NewestTime - motion.PreviousTime, (_points - 2) * ForecastTable.Step);
+            var ahead = Math.Min(motion.NewestTime - motion.PreviousTime, (points - 2) * ForecastTable.Step);
             var (time, squares) = (new TableTime(ahead), 0.0);
             for (var c = 0; c < _components; c++)
             {
@@ -55,7 +54,7 @@ namespace Nowpose.Prediction.Candidates
 
         /// <summary>Computes the forecast position.</summary>
         /// <param name="time">Time after the newest sample.</param>
-        /// <returns>False if there is no forecast.</returns>
+        /// <returns>False without a forecast.</returns>
         public bool TryForecast(in TableTime time, MotionState motion, double[] position)
         {
             for (var c = 0; c < _components && _hasForecast; c++) position[c] = motion.Newest[c] + time.Read(Table, 0, c, _components);

@@ -45,7 +45,7 @@ namespace Nowpose.Prediction.Candidates
         double _start;
         double _direction;
         bool _isKnown;
-        bool _hasBraked, _hasSample;
+        bool _hasBraked;
 
         /// <param name="limits">Velocity, acceleration and jerk must be finite.</param>
         /// <exception cref="ArgumentException">A limit of the drive is unknown.</exception>
@@ -76,8 +76,7 @@ namespace Nowpose.Prediction.Candidates
                 return _isKnown;
             }
             // A joint that has not moved is not forecast, so the rest before the first move is known only from this sample.
-            if (!_hasSample) Rest(motion.Previous[0]);
-            _hasSample = true;
+            if (_direction == 0 && !_isKnown) Rest(motion.Previous[0]);
             if (IsResting(motion)) Rest(_newestPosition);
             else if (_direction == 0) StartMove(motion.PreviousTime);
             else if (_isKnown) ContinueMove(motion);
@@ -90,7 +89,7 @@ namespace Nowpose.Prediction.Candidates
         public override void Reset()
         {
             Rest(0);
-            _isKnown = _hasSample = false;
+            _isKnown = false;
         }
 
         bool IsResting(MotionState motion) => motion.Count > 2

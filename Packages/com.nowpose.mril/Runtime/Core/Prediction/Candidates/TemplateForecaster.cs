@@ -9,7 +9,7 @@ namespace Nowpose.Prediction.Candidates
     /// <remarks>
     /// An object repeats a motion in all components together. One search for all components takes half the time of three searches, and finds
     /// repetitions in which one component moves after another more reliably. It finds none if only some of the components repeat, as on a pallet with
-    /// many places. Without a similar motion (<see cref="TemplateMatcher"/>), there is no forecast.
+    /// many places. It forecasts only if <see cref="TemplateMatcher"/> has found a similar motion.
     /// </remarks>
     sealed class TemplateForecaster : Forecaster
     {

@@ -11,6 +11,10 @@ namespace Nowpose.Prediction.Forecasting
     sealed class MotionState
     {
         readonly int _first, _capacity;
+
+        // Mean velocity in the interval before that of Velocity.
+        double[] _velocityBefore;
+
         Standstill _standstill;
 
         /// <param name="components">Number of components.</param>
@@ -21,7 +25,7 @@ namespace Nowpose.Prediction.Forecasting
         {
             (Components, _first, _capacity, Timing) = (components, first, capacity, timing);
             (Newest, Previous) = (new double[components], new double[components]);
-            (Velocity, VelocityBefore) = (new double[components], new double[components]);
+            (Velocity, _velocityBefore) = (new double[components], new double[components]);
             (Times, Displacements) = (new double[capacity], new double[capacity * components]);
             Reset();
         }
@@ -59,9 +63,6 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Mean velocity in the interval before the newest sample, per second; 0 until there are two samples.</summary>
         public double[] Velocity { get; private set; }
 
-        /// <summary>Mean velocity in the interval before that.</summary>
-        public double[] VelocityBefore { get; private set; }
-
         /// <summary>Magnitude of <see cref="Velocity"/>.</summary>
         public double Speed => Vectors.Length(Velocity);
 
@@ -92,7 +93,7 @@ namespace Nowpose.Prediction.Forecasting
             if (IsNewest)
             {
                 PreviousTime = NewestTime;
-                (Velocity, VelocityBefore) = (VelocityBefore, Velocity);
+                (Velocity, _velocityBefore) = (_velocityBefore, Velocity);
             }
             ref readonly var newest = ref history[0];
             NewestTime = newest.Time;
@@ -118,7 +119,7 @@ namespace Nowpose.Prediction.Forecasting
             NewestTime = PreviousTime = double.NegativeInfinity;
             Array.Clear(Newest, 0, Components);
             Array.Clear(Velocity, 0, Components);
-            Array.Clear(VelocityBefore, 0, Components);
+            Array.Clear(_velocityBefore, 0, Components);
             MaxSpeed = 0;
             _standstill = default;
         }
@@ -134,7 +135,7 @@ namespace Nowpose.Prediction.Forecasting
             }
             for (var c = 0; c < Components; c++) Velocity[c] = (Newest[c] - Previous[c]) / (NewestTime - PreviousTime);
             _standstill.Add(Vectors.Distance(Newest, Previous));
-            if (Vectors.Dot(Velocity, VelocityBefore) > 0) MaxSpeed = Math.Max(MaxSpeed, Math.Min(Speed, Vectors.Length(VelocityBefore)));
+            if (Vectors.Dot(Velocity, _velocityBefore) > 0) MaxSpeed = Math.Max(MaxSpeed, Math.Min(Speed, Vectors.Length(_velocityBefore)));
         }
     }
 }

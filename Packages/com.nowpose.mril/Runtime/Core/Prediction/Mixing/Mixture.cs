@@ -103,7 +103,7 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _section;
 
         double _lineUntil;
-        bool _hasSample, _hasChanged, _wasReported;
+        bool _hasChanged, _wasReported;
 
         /// <param name="limits">Horizon cap, and for a joint the limits of its drive.</param>
         /// <param name="forecasters">Forecasters of the mixture, which other motions may use in turn.</param>
@@ -158,7 +158,7 @@ namespace Nowpose.Prediction.Mixing
             _waiting.Clear();
             Array.Clear(_section, 0, _section.Length);
             _lineUntil = double.NegativeInfinity;
-            _hasSample = _hasChanged = _wasReported = false;
+            _hasChanged = _wasReported = false;
         }
 
         bool Uses(PredictionParts part) => (_parts & part) != 0;
@@ -170,13 +170,12 @@ namespace Nowpose.Prediction.Mixing
             if (!HasJumped) return;
             var max = MaxExplainedRatio * Vectors.Distance(motion.Newest, motion.Previous);
             foreach (var candidate in _candidates)
-                if (candidate.IsUsed && candidate.DistanceFrom(motion) < max) _jumps.Dismiss();
+                if (candidate.IsUsed && candidate.DistanceFrom(motion, _points) < max) _jumps.Dismiss();
         }
 
         void DetectChange(MotionState motion)
         {
-            if (!_hasSample) Array.Copy(motion.Newest, _first, _components);
-            _hasSample = true;
+            if (double.IsNegativeInfinity(motion.PreviousTime)) Array.Copy(motion.Newest, _first, _components);
             for (var c = 0; c < _components; c++) _hasChanged |= Math.Abs(motion.Newest[c] - _first[c]) > Rounding;
         }
 

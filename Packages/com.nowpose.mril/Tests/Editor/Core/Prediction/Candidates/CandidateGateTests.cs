@@ -141,7 +141,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
         // Returns a mixture of hold and a straight line.
         static Mixture Mixture(params Candidate[] candidates) => new Mixture(
-            1, PredictionLimits.Unlimited, PredictionParts.Joint, new MixedForecasters(1, Array.Empty<MixedForecaster>()), candidates, new JumpDetector());
+            1, PredictionLimits.Unlimited, PredictionParts.Joint, new MixedForecasters(1, Array.Empty<MixedForecaster>()), candidates, new JointJumpDetector());
 
         void Feed(int from, int to)
         {

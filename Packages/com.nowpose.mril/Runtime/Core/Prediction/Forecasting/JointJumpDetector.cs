@@ -1,0 +1,37 @@
+using System;
+
+namespace Nowpose.Prediction.Forecasting
+{
+    /// <summary>
+    /// Detects the way back from a wrong sample of a joint. The unit and size of a joint are unknown, so only a sample that was further away than any
+    /// motion so far, and from which the next sample returns, counts as wrong.
+    /// </summary>
+    sealed class JointJumpDetector : JumpDetector
+    {
+        /// <summary>Minimum speed towards a wrong sample, relative to the maximum speed in two consecutive intervals.</summary>
+        const double MinSpeedRatio = 3;
+
+        /// <summary>Maximum distance of the sample after a wrong one from the sample before it, relative to the distance of the wrong one.</summary>
+        const double MaxReturnRatio = 0.25;
+
+        // Position before the newest sample but one.
+        double _before;
+        bool _isUnconfirmed;
+
+        public override bool IsUnconfirmed => _isUnconfirmed;
+
+        public override void Reset()
+        {
+            base.Reset();
+            _isUnconfirmed = false;
+        }
+
+        protected override bool IsJump(MotionState motion)
+        {
+            var isReturn = _isUnconfirmed && Math.Abs(motion.Newest[0] - _before) < MaxReturnRatio * Math.Abs(motion.Previous[0] - _before);
+            _isUnconfirmed = !isReturn && motion.MaxSpeed > 0 && motion.Speed > MinSpeedRatio * motion.MaxSpeed;
+            _before = motion.Previous[0];
+            return isReturn;
+        }
+    }
+}
