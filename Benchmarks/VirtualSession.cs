@@ -48,8 +48,8 @@ sealed class VirtualSession
 
     public static JointPredictor[] CreatePredictors(PredictionSettings prediction)
     {
-        var shared = new SharedForecasters();
-        return [.. SevenJointArm.Model.MovingJoints.Select(joint => prediction.Create(joint.Limits, shared))];
+        var forecasters = Predictors.ForecastersOfJoints();
+        return [.. SevenJointArm.Model.MovingJoints.Select(joint => prediction.Create(joint.Limits, forecasters))];
     }
 
     /// <summary>Creates a session whose default predictor has a full history.</summary>

@@ -38,7 +38,7 @@ public static class Candidates
     public static JointPredictor DoubleExponential(double timeConstant) => By(new DoubleExponential(timeConstant));
 
     static JointPredictor By(Forecaster forecaster) =>
-        new(forecaster, forecaster.Samples, PredictionParts.None, PredictionLimits.Unlimited, blend: 0);
+        new(forecaster, forecaster.RequiredSamples, PredictionParts.None, PredictionLimits.Unlimited, blend: 0);
 
     static Candidate Ours(string name) => new(name, () => Predictors.Create(name, PredictionLimits.Unlimited));
 }

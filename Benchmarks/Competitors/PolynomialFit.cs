@@ -1,5 +1,6 @@
 using MathNet.Numerics;
 using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Benchmarks.Competitors;
 
@@ -12,11 +13,11 @@ sealed class PolynomialFit : Forecaster
 
     double[] _coefficients = [0];
 
-    public override int Samples => Degree + 1;
+    public override int RequiredSamples => Degree + 1;
 
     public override bool Solve(MotionState motion)
     {
-        var count = Math.Min(Samples, motion.Count);
+        var count = Math.Min(RequiredSamples, motion.Count);
         _coefficients = Fit.Polynomial(motion.Times[..count], motion.Displacements[..count], count - 1);
         return true;
     }

@@ -1,4 +1,5 @@
 using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Benchmarks.Competitors;
 
@@ -8,7 +9,7 @@ abstract class RecursiveFilter : Forecaster
     bool _hasStarted;
 
     /// <summary>Number of samples needed: the newest one, and the previous one for the interval.</summary>
-    public override int Samples => 2;
+    public override int RequiredSamples => 2;
 
     /// <summary>Position of the last processed sample. In <see cref="Update"/>, this is the previous sample.</summary>
     protected double Newest { get; private set; }

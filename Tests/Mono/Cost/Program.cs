@@ -106,8 +106,8 @@ namespace Nowpose.Mono.Cost
             /// <returns>Number of garbage collections during the measured samples.</returns>
             public int Run(double interval)
             {
-                var shared = new SharedForecasters();
-                var joints = Enumerable.Range(0, Joints).Select(_ => Predictors.Create(_predictor, new PredictionLimits(), 0.014, shared)).ToArray();
+                var forecasters = Predictors.ForecastersOfJoints();
+                var joints = Enumerable.Range(0, Joints).Select(_ => Predictors.Create(_predictor, new PredictionLimits(), 0.014, forecasters)).ToArray();
                 var displayed = double.NaN;
                 var first = (int)(SecondsSeen / interval);
                 for (var sample = 0; sample < first; sample++) Play(joints, sample * interval, interval, ref displayed, out _, out _);

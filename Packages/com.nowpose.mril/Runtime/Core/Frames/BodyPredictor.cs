@@ -8,7 +8,7 @@ namespace Nowpose.Frames
     /// <summary>Predicts the pose of one tracked frame in its parent at times near its newest samples, usually ahead of them.</summary>
     /// <remarks>
     /// The position and the angles of <see cref="RotationHistory"/> are two motions with the same sample times. Each has sections as a joint has
-    /// (<see cref="SampledSections{TSample}"/>). Times and order of samples have the same meaning as in <see cref="JointPredictor"/>. Not thread-safe.
+    /// (<see cref="PredictionPipeline{TSample}"/>). Times and order of samples have the same meaning as in <see cref="JointPredictor"/>. Not thread-safe.
     /// Allocates nothing after construction.
     /// </remarks>
     sealed class BodyPredictor
@@ -16,7 +16,7 @@ namespace Nowpose.Frames
         const int Position = 0, Angles = 1, Parts = 2, Components = 3;
 
         readonly RotationHistory _rotations = new RotationHistory();
-        readonly SampledSections<BodySample> _sections;
+        readonly PredictionPipeline<BodySample> _pipeline;
         readonly SectionBlend[] _blends = new SectionBlend[Parts];
         readonly double _horizonCap;
         bool _restsBeforeSecondSample;
@@ -24,29 +24,29 @@ namespace Nowpose.Frames
         /// <param name="predictor">A name that <see cref="Predictors.Create(string, PredictionLimits, double)"/> accepts.</param>
         /// <param name="limits">Horizon cap and maximum gap. An object has no position limits.</param>
         /// <param name="blend">See <see cref="Predictors.Create(string, PredictionLimits, double)"/>.</param>
-        /// <param name="shared">
-        /// Forecasters for all objects of a cell. Objects in one message have the same sample times, so the weights are then computed once per message.
-        /// Null to create forecasters for this object only.
+        /// <param name="forecasters">
+        /// <see cref="Predictors.ForecastersOfObjects"/>, for all objects of a cell. Objects in one message have the same sample times, so the weights are
+        /// then computed once per message. Null to create forecasters for this object only.
         /// </param>
         /// <exception cref="InputException">The name is unknown.</exception>
-        public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0, SharedForecasters shared = null)
+        public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0, ForecasterSet forecasters = null)
         {
-            _sections = Predictors.OfAnObject<BodySample>(predictor, limits, shared ?? new SharedForecasters());
+            _pipeline = Predictors.OfAnObject<BodySample>(predictor, limits, forecasters ?? Predictors.ForecastersOfObjects());
             for (var part = 0; part < Parts; part++) _blends[part] = new SectionBlend(Components, blend);
             _horizonCap = limits.HorizonCap;
         }
 
         /// <summary>Pose of the newest sample, which a display without compensation shows; the identity before the first sample.</summary>
-        public RigidTransform Hold => PoseOf(_rotations.Newest, _sections.Newest.Position);
+        public RigidTransform Hold => PoseOf(_rotations.Newest, _pipeline.Newest.Position);
 
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first sample.</summary>
-        public double NewestTime => _sections.NewestStamp;
+        public double NewestTime => _pipeline.NewestStamp;
 
         /// <summary>Mean time from the newest sample to the display time, in s.</summary>
-        public double Horizon => _sections.Timing.Horizon;
+        public double Horizon => _pipeline.Timing.Horizon;
 
         /// <inheritdoc cref="JointPredictor.Restarts"/>
-        public int Restarts => _sections.Restarts;
+        public int Restarts => _pipeline.Restarts;
 
         /// <summary>
         /// Adds a sample. Samples may be added in any order. If any coordinate shows that the clock of the samples went back, a new history starts with
@@ -56,7 +56,7 @@ namespace Nowpose.Frames
         /// <returns>See <see cref="JointPredictor.Add"/>.</returns>
         public DropReason Add(in PoseSample sample, double displayed = double.NaN)
         {
-            if (sample.Time > NewestTime) _restsBeforeSecondSample &= _sections.IsEmpty;
+            if (sample.Time > NewestTime) _restsBeforeSecondSample &= _pipeline.IsEmpty;
             var restarts = Restarts;
             var reason = Order(sample);
             if (Restarts != restarts)
@@ -64,7 +64,7 @@ namespace Nowpose.Frames
                 Reset();
                 reason = Order(sample);
             }
-            foreach (ref readonly var ready in _sections.Ready) Use(ready, displayed);
+            foreach (ref readonly var ready in _pipeline.Ready) Use(ready, displayed);
             return reason;
         }
 
@@ -77,7 +77,7 @@ namespace Nowpose.Frames
         /// <param name="kind">Origin of the pose; <see cref="PredictionKind.None"/> before the first sample.</param>
         public RigidTransform At(double time, out PredictionKind kind)
         {
-            var place = _sections.PlaceOf(time);
+            var place = _pipeline.PlaceOf(time);
             kind = place.Kind;
             if (kind == PredictionKind.None) return RigidTransform.Identity;
             if (kind == PredictionKind.Held && _restsBeforeSecondSample && time - NewestTime <= _horizonCap) kind = PredictionKind.Predicted;
@@ -88,7 +88,7 @@ namespace Nowpose.Frames
         /// <param name="kind"><see cref="PredictionKind.Held"/>, or <see cref="PredictionKind.None"/> before the first sample.</param>
         public RigidTransform Newest(out PredictionKind kind)
         {
-            kind = _sections.IsEmpty ? PredictionKind.None : PredictionKind.Held;
+            kind = _pipeline.IsEmpty ? PredictionKind.None : PredictionKind.Held;
             return Hold;
         }
 
@@ -107,33 +107,33 @@ namespace Nowpose.Frames
         {
             _restsBeforeSecondSample = false;
             _rotations.Clear();
-            _sections.Reset();
+            _pipeline.Reset();
             foreach (var blend in _blends) blend.Reset();
         }
 
         DropReason Order(in PoseSample sample) =>
-            _sections.Order(new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order));
+            _pipeline.Order(new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order));
 
         void Use(in BodySample sample, double displayed)
         {
             // Products of such displacements can overflow. If the sample is the newest, a new history starts with it; otherwise it is ignored.
-            if (!((sample.Position - _sections.Newest.Position).Length < JointSample.MaxMagnitude))
+            if (!((sample.Position - _pipeline.Newest.Position).Length < JointSample.MaxMagnitude))
             {
-                if (!_sections.IsNewer(sample)) return;
-                _sections.Restart();
+                if (!_pipeline.IsNewer(sample)) return;
+                _pipeline.Restart();
                 foreach (var blend in _blends) blend.Reset();
             }
-            var (isBlended, before) = (_blends[Position].IsNeeded(displayed) && !_sections.IsEmpty, NewestTime);
+            var (isBlended, before) = (_blends[Position].IsNeeded(displayed) && !_pipeline.IsEmpty, NewestTime);
             Span<double> shown = stackalloc double[Parts * Components], section = stackalloc double[Components];
-            var place = isBlended ? _sections.PlaceOf(displayed) : default;
+            var place = isBlended ? _pipeline.PlaceOf(displayed) : default;
             for (var i = 0; i < shown.Length && isBlended; i++) shown[i] = At(i / Components, i % Components, displayed, place);
-            if (!_sections.Add(sample, displayed) || !isBlended) return;
-            place = _sections.PlaceOf(displayed);
+            if (!_pipeline.Add(sample, displayed) || !isBlended) return;
+            place = _pipeline.PlaceOf(displayed);
             for (var part = 0; part < Parts; part++)
             {
-                for (var c = 0; c < Components; c++) section[c] = _sections.At(place, part, c);
+                for (var c = 0; c < Components; c++) section[c] = _pipeline.At(place, part, c);
                 _blends[part].Replace(displayed, before);
-                _blends[part].Start(displayed, shown.Slice(part * Components, Components), section, _sections.MotionOf(part));
+                _blends[part].Start(displayed, shown.Slice(part * Components, Components), section, _pipeline.MotionOf(part));
             }
         }
 
@@ -141,7 +141,7 @@ namespace Nowpose.Frames
 
         double At(int part, int component, double time, in SectionPlace place)
         {
-            var position = _sections.At(place, part, component);
+            var position = _pipeline.At(place, part, component);
             return double.IsNaN(time) ? position : position + _blends[part].RemainderAt(time, component);
         }
 

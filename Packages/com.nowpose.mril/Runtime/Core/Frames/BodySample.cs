@@ -26,12 +26,12 @@ namespace Nowpose.Frames
 
         public int Components => Coordinates;
 
-        double ISample.Velocity => double.NaN;
+        double ISample<BodySample>.Velocity => double.NaN;
 
-        double ISample.Acceleration => double.NaN;
+        double ISample<BodySample>.Acceleration => double.NaN;
 
         public double this[int component] => component < 3 ? Position[component] : Angles[component - 3];
 
-        public BodySample At(double time, double order) => new BodySample(time, Position, Angles, order);
+        public BodySample With(double time, double order) => new BodySample(time, Position, Angles, order);
     }
 }

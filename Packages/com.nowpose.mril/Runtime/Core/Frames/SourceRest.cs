@@ -1,6 +1,6 @@
 using System;
 using Nowpose.Kinematics;
-using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Frames
 {

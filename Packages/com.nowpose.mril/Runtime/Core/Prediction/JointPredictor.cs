@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Planning;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction
 {
@@ -18,7 +19,7 @@ namespace Nowpose.Prediction
 
         readonly PredictionLimits _limits;
         readonly SectionBlend _blend;
-        readonly SampledSections<JointSample> _sections;
+        readonly PredictionPipeline<JointSample> _pipeline;
         readonly PlanFollower _plan = new PlanFollower();
 
         // Position of the newest sample, and the whole turns that unwrapping added to it, in rad. The sections have unwrapped positions.
@@ -31,7 +32,7 @@ namespace Nowpose.Prediction
         {
             _limits = limits ?? throw new ArgumentNullException(nameof(limits));
             _blend = new SectionBlend(components: 1, blend);
-            _sections = new SampledSections<JointSample>(new[] { forecaster }, kept, parts, limits);
+            _pipeline = new PredictionPipeline<JointSample>(new[] { forecaster }, kept, parts, limits);
             Reset();
         }
 
@@ -39,19 +40,19 @@ namespace Nowpose.Prediction
         public double Hold => _newest;
 
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first sample.</summary>
-        public double NewestTime => _sections.NewestStamp;
+        public double NewestTime => _pipeline.NewestStamp;
 
         /// <summary>Mean time from the newest sample to the display time, in s; forecasts are weighted for it.</summary>
-        public double Horizon => _sections.Timing.Horizon;
+        public double Horizon => _pipeline.Timing.Horizon;
 
         /// <summary>State of the motion after the newest sample.</summary>
-        internal MotionState Motion => _sections.MotionOf(0);
+        internal MotionState Motion => _pipeline.MotionOf(0);
 
         /// <summary>
         /// Number of times that the samples showed that their clock went back. All earlier samples are then discarded, and the added sample
         /// is the newest.
         /// </summary>
-        public int Restarts => _sections.Restarts;
+        public int Restarts => _pipeline.Restarts;
 
         /// <summary>Adds a sample, and solves again if the used samples have changed. Samples may be added in any order.</summary>
         /// <param name="displayed">
@@ -65,9 +66,9 @@ namespace Nowpose.Prediction
         public DropReason Add(in JointSample sample, double displayed = double.NaN)
         {
             var restarts = Restarts;
-            var reason = _sections.Order(sample);
+            var reason = _pipeline.Order(sample);
             if (Restarts != restarts) Restart();
-            foreach (ref readonly var ready in _sections.Ready) Use(ready, displayed);
+            foreach (ref readonly var ready in _pipeline.Ready) Use(ready, displayed);
             return reason;
         }
 
@@ -90,7 +91,7 @@ namespace Nowpose.Prediction
         /// NaN where it is unknown: for every predictor except <c>gp</c>, before the newest sample, beyond the horizon cap, and before
         /// the first comparison of a forecast with a sample. Plans and blending are not included.
         /// </returns>
-        public double DeviationAt(double time) => _sections.DeviationAt(time);
+        public double DeviationAt(double time) => _pipeline.DeviationAt(time);
 
         /// <summary>Replaces the plan of the control system.</summary>
         /// <param name="path">Null if the plan is cancelled.</param>
@@ -110,7 +111,7 @@ namespace Nowpose.Prediction
         internal bool TryPlan(double time, out double position)
         {
             position = 0;
-            if (_sections.IsEmpty || !_plan.HasPlan || !_plan.IsFollowedAt(time, NewestTime)) return false;
+            if (_pipeline.IsEmpty || !_plan.HasPlan || !_plan.IsFollowedAt(time, NewestTime)) return false;
             position = _limits.Clamp(_plan.At(time)) - _shift;
             return double.IsFinite(position);
         }
@@ -118,7 +119,7 @@ namespace Nowpose.Prediction
         /// <summary>Discards all samples and plans, after a restart of the control system or its clock.</summary>
         public void Reset()
         {
-            _sections.Reset();
+            _pipeline.Reset();
             Restart();
         }
 
@@ -131,14 +132,14 @@ namespace Nowpose.Prediction
 
         void Clear()
         {
-            _sections.Restart();
+            _pipeline.Restart();
             _blend.Stop();
             _newest = _shift = 0;
         }
 
         void Use(in JointSample sample, double displayed)
         {
-            var isNewest = _sections.IsNewer(sample);
+            var isNewest = _pipeline.IsNewer(sample);
             // Products of such displacements can overflow. If the sample is the newest, a new history starts with it; otherwise it is ignored.
             if (!(Math.Abs(sample.Position - Hold) < JointSample.MaxMagnitude))
             {
@@ -146,8 +147,8 @@ namespace Nowpose.Prediction
                 Clear();
             }
             var (shown, before) = (ShownAt(displayed), NewestTime);
-            var turns = _limits.IsEndless && !_sections.IsEmpty ? WholeTurns(_newest + _shift - sample.Position) : 0;
-            var hasChanged = _sections.Add(turns == 0 ? sample : Unwrapped(sample, turns), displayed);
+            var turns = _limits.IsEndless && !_pipeline.IsEmpty ? WholeTurns(_newest + _shift - sample.Position) : 0;
+            var hasChanged = _pipeline.Add(turns == 0 ? sample : Unwrapped(sample, turns), displayed);
             if (isNewest)
             {
                 (_newest, _shift) = (sample.Position, turns);
@@ -195,7 +196,7 @@ namespace Nowpose.Prediction
 
         JointPrediction WithPlan(in JointPrediction section, double time)
         {
-            var timeConstant = _blend.TimeConstant(_sections.Timing.MeanInterval);
+            var timeConstant = _blend.TimeConstant(_pipeline.Timing.MeanInterval);
             var weight = _plan.WeightAt(time, NewestTime, NewestTime + _limits.HorizonCap, timeConstant, out var holds);
             var position = weight > 0 ? section.Position + weight * (_plan.At(time) - section.Position) : section.Position;
             return double.IsFinite(position) ? new JointPrediction(position, holds ? PredictionKind.Planned : section.Kind) : section;
@@ -203,8 +204,8 @@ namespace Nowpose.Prediction
 
         JointPrediction SectionAt(double time)
         {
-            var place = _sections.PlaceOf(time);
-            return place.Kind == PredictionKind.None ? default : new JointPrediction(_sections.At(place, 0, 0), place.Kind);
+            var place = _pipeline.PlaceOf(time);
+            return place.Kind == PredictionKind.None ? default : new JointPrediction(_pipeline.At(place, 0, 0), place.Kind);
         }
 
         /// <summary>Returns the whole turns nearest to an angle, in rad.</summary>

@@ -53,11 +53,11 @@ namespace Nowpose.Prediction
         /// <summary>Acceleration reported by the control system, in rad/s² or m/s²; NaN if it is not reported.</summary>
         public double Acceleration { get; }
 
-        int ISample.Components => 1;
+        int ISample<JointSample>.Components => 1;
 
-        double ISample.this[int component] => Position;
+        double ISample<JointSample>.this[int component] => Position;
 
-        JointSample ISample<JointSample>.At(double time, double order) => new JointSample(time, Position, order, Velocity, Acceleration);
+        JointSample ISample<JointSample>.With(double time, double order) => new JointSample(time, Position, order, Velocity, Acceleration);
 
         internal static bool IsSameTime(double one, double other) => Math.Abs(one - other) < SameSeconds;
     }

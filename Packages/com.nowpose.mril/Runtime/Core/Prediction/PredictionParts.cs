@@ -19,7 +19,7 @@ namespace Nowpose.Prediction
         Interpolation = 4,
 
         /// <summary>All parts that prepare samples; the paper's polynomials use none of them.</summary>
-        Samples = StampCorrection | Thinning | Interpolation,
+        Preparation = StampCorrection | Thinning | Interpolation,
 
         /// <summary>The quadratic through three samples.</summary>
         Quadratic = 8,
@@ -64,7 +64,7 @@ namespace Nowpose.Prediction
         Jumps = 65536,
 
         /// <summary>The parts for joints and objects.</summary>
-        Common = Samples | Quadratic | Cubic | QuadraticOfFive | CubicOfSix | QuadraticOfTen | Process | Repetition | ChangePoints | Scatter | DistanceLimit
+        Common = Preparation | Quadratic | Cubic | QuadraticOfFive | CubicOfSix | QuadraticOfTen | Process | Repetition | ChangePoints | Scatter | DistanceLimit
             | Jumps,
 
         /// <summary>All parts for a joint.</summary>

@@ -6,6 +6,7 @@ using Nowpose.Prediction.Candidates;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Mixing;
 using Nowpose.Prediction.Samples;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction
 {
@@ -89,64 +90,49 @@ namespace Nowpose.Prediction
         /// quick succession. 0 means no blending: the joint jumps.
         /// </param>
         /// <exception cref="InputException">The name is unknown.</exception>
-        public static JointPredictor Create(string name, PredictionLimits limits, double blend = 0) =>
-            Create(name, limits, blend, new SharedForecasters());
+        public static JointPredictor Create(string name, PredictionLimits limits, double blend = 0) => Create(name, limits, blend, ForecastersOfJoints());
 
         /// <inheritdoc cref="Create(string, PredictionLimits, double)"/>
-        /// <param name="shared">Forecasters that this predictor shares with those of the robot's other joints.</param>
-        internal static JointPredictor Create(string name, PredictionLimits limits, double blend, SharedForecasters shared)
+        /// <param name="forecasters"><see cref="ForecastersOfJoints"/>, which this predictor shares with those of the robot's other joints.</param>
+        internal static JointPredictor Create(string name, PredictionLimits limits, double blend, ForecasterSet forecasters)
         {
-            if (name == Default) return Adaptive(limits, PredictionParts.Joint, shared, blend);
-            var forecaster = Named(name, out var kept, out var parts);
+            if (name == Default) return Adaptive(limits, PredictionParts.Joint, forecasters, blend);
+            var forecaster = Named(name, 1, out var kept, out var parts);
             return new JointPredictor(forecaster, kept, parts, limits, blend);
         }
 
-        /// <summary>Creates the sections of an object: its position and its angles, with three components each.</summary>
-        /// <inheritdoc cref="Create(string, PredictionLimits, double, SharedForecasters)"/>
-        internal static SampledSections<TSample> OfAnObject<TSample>(string name, PredictionLimits limits, SharedForecasters shared)
+        /// <summary>Creates the default predictor from its parts; prediction.md lists the benefit of each part.</summary>
+        /// <param name="more">Additional forecasters of the mixture, for experiments.</param>
+        internal static JointPredictor Adaptive(PredictionLimits limits, PredictionParts parts, params Forecaster[] more) =>
+            Adaptive(limits, parts, Forecasters(1, parts, more), blend: 0);
+
+        /// <summary>Creates the pipeline of an object: its position and its angles, with three components each.</summary>
+        /// <param name="forecasters"><see cref="ForecastersOfObjects"/>, which this object shares with the other objects of the cell.</param>
+        /// <inheritdoc cref="Create(string, PredictionLimits, double)"/>
+        internal static PredictionPipeline<TSample> OfAnObject<TSample>(string name, PredictionLimits limits, ForecasterSet forecasters)
             where TSample : struct, ISample<TSample>
         {
-            Forecaster Object(double minJump, double maxAcceleration) => Mixture(
-                3, limits, PredictionParts.Object, shared, ObjectGateTimeConstant, ObjectMatchInterval, new ObjectJumpDetector(3, minJump, maxAcceleration));
             if (name == Default)
-                return new SampledSections<TSample>(
-                    new[] { Object(MinJump, MaxAcceleration), Object(MinTurn, MaxAngularAcceleration) }, Kept, PredictionParts.Object, limits);
-            var forecasters = new[] { Named(name, out var kept, out var parts), Named(name, out _, out _) };
-            return new SampledSections<TSample>(forecasters, kept, parts, limits);
+                return new PredictionPipeline<TSample>(
+                    new Forecaster[] { Object(MinJump, MaxAcceleration), Object(MinTurn, MaxAngularAcceleration) }, Kept, PredictionParts.Object, limits);
+            var named = new[] { Named(name, 3, out var kept, out var parts), Named(name, 3, out _, out _) };
+            return new PredictionPipeline<TSample>(named, kept, parts, limits);
+
+            Mixture Object(double minJump, double maxAcceleration) => MixtureOf(3, limits, PredictionParts.Object, forecasters,
+                ObjectGateTimeConstant, ObjectMatchInterval, new ObjectJumpDetector(3, minJump, maxAcceleration));
         }
 
-        // Creates a predictor other than the default one.
-        static Forecaster Named(string name, out int kept, out PredictionParts parts)
-        {
-            (kept, parts) = (Kept, PredictionParts.Samples);
-            if (name == "gp") return new CalibratedProcess();
-            var weights = Polynomial(name);
-            (kept, parts) = (weights.Samples, PredictionParts.None);
-            return new LinearForecaster(weights);
-        }
+        /// <summary>Creates the forecasters that the predictors of one robot's joints share.</summary>
+        internal static ForecasterSet ForecastersOfJoints() => Forecasters(1, PredictionParts.Joint);
 
-        /// <summary>Creates the weights of a polynomial.</summary>
-        /// <param name="name">One of <see cref="Names"/>, or a polynomial with another history.</param>
-        /// <exception cref="InputException">No polynomial has this name.</exception>
-        static PolynomialWeights Polynomial(string name)
-        {
-            if (!TryReadPolynomial(name, out var degree, out var history))
-                throw new InputException(PredictionMessages.UnknownPredictor(name, string.Join(", ", Names)));
-            return new PolynomialWeights(degree, history);
-        }
+        /// <summary>Creates the forecasters that the objects of one cell share.</summary>
+        internal static ForecasterSet ForecastersOfObjects() => Forecasters(3, PredictionParts.Object);
 
-        /// <summary>Creates the default predictor from its parts; prediction.md lists the benefit of each part.</summary>
-        /// <param name="shared">Forecasters that this predictor shares with those of other joints; null to create its own.</param>
-        /// <param name="more">Additional forecasters of the mixture, for experiments.</param>
-        internal static JointPredictor Adaptive(
-            PredictionLimits limits, PredictionParts parts, SharedForecasters shared = null, double blend = 0, params Forecaster[] more)
-        {
-            var mixture = Mixture(1, limits, parts, shared ?? new SharedForecasters(), JointGateTimeConstant, JointMatchInterval, new JointJumpDetector(), more);
-            return new JointPredictor(mixture, Kept, parts, limits, blend);
-        }
+        static JointPredictor Adaptive(PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters, double blend) => new JointPredictor(
+            MixtureOf(1, limits, parts, forecasters, JointGateTimeConstant, JointMatchInterval, new OutlierReturnDetector()), Kept, parts, limits, blend);
 
-        static Mixture Mixture(int components, PredictionLimits limits, PredictionParts parts, SharedForecasters shared,
-            double gateTimeConstant, double matchInterval, JumpDetector jumps, params Forecaster[] more)
+        static Mixture MixtureOf(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters,
+            double gateTimeConstant, double matchInterval, JumpDetector jumps)
         {
             var candidates = new List<Candidate>();
             if (Has(parts, PredictionParts.Repetition))
@@ -154,29 +140,40 @@ namespace Nowpose.Prediction
                     new CandidateGate(TemplateGate, StartGate, gateTimeConstant)));
             if (Has(parts, PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
                 candidates.Add(new Candidate(components, new ProfileForecaster(limits), new CandidateGate(ProfileGate, ProfileGate, gateTimeConstant)));
-            var forecasters = more.Length > 0 ? Mixed(components, parts, more) : shared.Mixed ??= Mixed(components, parts, more);
             return new Mixture(components, limits, parts, forecasters, candidates.ToArray(), jumps);
         }
 
         // The fits with a history longer than their degree reduce noise. Of the others, the cubic does not stop at a reversal: with such a stop, the
         // errors on swings are up to 1.7 times as large.
-        static MixedForecasters Mixed(int components, PredictionParts parts, Forecaster[] more)
+        static ForecasterSet Forecasters(int components, PredictionParts parts, params Forecaster[] more)
         {
             var forecasters = new List<MixedForecaster>();
+            Add(PredictionParts.Process, new GaussianProcess(stopsAtReversal: true), 1 - LinePrior, 1 - ReportedPrior);
+            var quadratic = new PolynomialForecaster(2, 2, stopsAtReversal: true);
+            Add(PredictionParts.Quadratic, Has(parts, PredictionParts.Reported) ? new ReportedForecaster(quadratic) : (Forecaster)quadratic, 0, ReportedPrior);
+            Add(PredictionParts.Cubic, new PolynomialForecaster(3, 3));
+            Add(PredictionParts.QuadraticOfFive, new PolynomialForecaster(2, 4));
+            Add(PredictionParts.CubicOfSix, new PolynomialForecaster(3, 5));
+            Add(PredictionParts.QuadraticOfTen, new PolynomialForecaster(2, 9));
+            Add(PredictionParts.LineOfTen, new PolynomialForecaster(1, 9));
+            foreach (var forecaster in more) forecasters.Add(new MixedForecaster(forecaster));
+            return new ForecasterSet(components, forecasters.ToArray());
+
             void Add(PredictionParts part, Forecaster forecaster, double prior = 0, double priorWhenReported = 0)
             {
                 if (Has(parts, part)) forecasters.Add(new MixedForecaster(forecaster, prior, priorWhenReported));
             }
-            Add(PredictionParts.Process, new LinearForecaster(new GaussianProcess(), stopsAtReversal: true), 1 - LinePrior, 1 - ReportedPrior);
-            var quadratic = new LinearForecaster(new PolynomialWeights(2, 2), stopsAtReversal: true);
-            Add(PredictionParts.Quadratic, Has(parts, PredictionParts.Reported) ? new ReportedForecaster(quadratic) : (Forecaster)quadratic, 0, ReportedPrior);
-            Add(PredictionParts.Cubic, new LinearForecaster(new PolynomialWeights(3, 3)));
-            Add(PredictionParts.QuadraticOfFive, new LinearForecaster(new PolynomialWeights(2, 4)));
-            Add(PredictionParts.CubicOfSix, new LinearForecaster(new PolynomialWeights(3, 5)));
-            Add(PredictionParts.QuadraticOfTen, new LinearForecaster(new PolynomialWeights(2, 9)));
-            Add(PredictionParts.LineOfTen, new LinearForecaster(new PolynomialWeights(1, 9)));
-            foreach (var forecaster in more) forecasters.Add(new MixedForecaster(forecaster));
-            return new MixedForecasters(components, forecasters.ToArray());
+        }
+
+        // Creates the forecaster of a predictor other than the default one.
+        static Forecaster Named(string name, int components, out int kept, out PredictionParts parts)
+        {
+            (kept, parts) = (Kept, PredictionParts.Preparation);
+            if (name == "gp") return new CalibratedProcess(components);
+            if (!TryReadPolynomial(name, out var degree, out var history))
+                throw new InputException(PredictionMessages.UnknownPredictor(name, string.Join(", ", Names)));
+            (kept, parts) = (history + 1, PredictionParts.None);
+            return new PolynomialForecaster(degree, history);
         }
 
         static bool Has(PredictionParts parts, PredictionParts part) => (parts & part) != 0;
@@ -189,7 +186,7 @@ namespace Nowpose.Prediction
             if (mark < 0) return degree >= 0;
             return degree > 0
                 && int.TryParse(name.AsSpan(mark + HistoryMark.Length), NumberStyles.None, CultureInfo.InvariantCulture, out history)
-                && history >= degree && history <= PolynomialWeights.MaxHistory;
+                && history >= degree && history <= PolynomialForecaster.MaxHistory;
         }
     }
 }

@@ -1,6 +1,6 @@
 using System;
 using Nowpose.Messages;
-using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction
 {

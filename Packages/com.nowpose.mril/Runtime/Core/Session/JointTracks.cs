@@ -28,8 +28,8 @@ namespace Nowpose.Session
             _robot = robot;
             var count = robot.MovingJoints.Count;
             _joints = new JointPredictor[count];
-            var shared = new SharedForecasters();
-            for (var i = 0; i < count; i++) _joints[i] = settings.Create(BoundsOf(robot.MovingJoints[i], settings), shared);
+            var forecasters = Predictors.ForecastersOfJoints();
+            for (var i = 0; i < count; i++) _joints[i] = settings.Create(BoundsOf(robot.MovingJoints[i], settings), forecasters);
             _positions = new double[count];
             _held = new double[count];
             _kinds = new PredictionKind[count];

@@ -85,19 +85,19 @@ namespace Nowpose.Session
 
         /// <summary>Creates a predictor for one joint with the given limits.</summary>
         /// <param name="limits">Result of <see cref="Bounded"/>.</param>
-        public JointPredictor Create(in JointLimits limits) => Create(limits, new SharedForecasters());
+        public JointPredictor Create(in JointLimits limits) => Create(limits, Predictors.ForecastersOfJoints());
 
         /// <inheritdoc cref="Create(in JointLimits)"/>
-        /// <param name="shared">Weights that the predictors of one robot's joints share.</param>
-        internal JointPredictor Create(in JointLimits limits, SharedForecasters shared) =>
-            Predictors.Create(Predictor, LimitsOf(limits), IsHold ? 0 : ClockTicks.Seconds(Blend), shared);
+        /// <param name="forecasters"><see cref="Predictors.ForecastersOfJoints"/>, which the predictors of one robot's joints share.</param>
+        internal JointPredictor Create(in JointLimits limits, ForecasterSet forecasters) =>
+            Predictors.Create(Predictor, LimitsOf(limits), IsHold ? 0 : ClockTicks.Seconds(Blend), forecasters);
 
         /// <summary>Returns a function that creates a predictor for one object. The objects of a cell share their forecasters.</summary>
         internal Func<BodyPredictor> BodiesOfACell()
         {
-            var shared = new SharedForecasters();
+            var forecasters = Predictors.ForecastersOfObjects();
             // An object has no limits.
-            return () => new BodyPredictor(Predictor, LimitsOf(JointLimits.None), IsHold ? 0 : ClockTicks.Seconds(Blend), shared);
+            return () => new BodyPredictor(Predictor, LimitsOf(JointLimits.None), IsHold ? 0 : ClockTicks.Seconds(Blend), forecasters);
         }
 
         /// <summary>Combines a joint's limits with the limits of these settings.</summary>

@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Candidates
 {

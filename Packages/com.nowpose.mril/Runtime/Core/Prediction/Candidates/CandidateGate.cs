@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Prediction.Candidates
 {

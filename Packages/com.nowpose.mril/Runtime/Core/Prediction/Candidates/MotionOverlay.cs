@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Candidates
 {

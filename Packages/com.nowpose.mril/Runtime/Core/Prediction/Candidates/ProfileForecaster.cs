@@ -2,6 +2,7 @@ using System;
 using Nowpose.Messages;
 using Nowpose.Motion;
 using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Candidates
 {
@@ -59,7 +60,7 @@ namespace Nowpose.Prediction.Candidates
             Reset();
         }
 
-        public override int Samples => 1;
+        public override int RequiredSamples => 1;
 
         /// <summary>Returns whether the limits are sufficient for this forecaster.</summary>
         public static bool HasLimits(PredictionLimits limits) =>

@@ -1,56 +1,262 @@
 using System;
 using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Samples;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Candidates
 {
     /// <summary>
-    /// Forecasts that the present motion continues in the same way as an earlier, similar motion, for machines that repeat their motion.
+    /// Template matching: forecasts that the present motion continues in the same way as earlier, similar motions, for machines that repeat their motion.
     /// </summary>
     /// <remarks>
-    /// An object repeats a motion in all components together. One search for all components takes half the time of three searches, and finds
-    /// repetitions in which one component moves after another more reliably. It finds none if only some of the components repeat, as on a pallet with
-    /// many places. It forecasts only if <see cref="TemplateMatcher"/> has found a similar motion.
+    /// Compares the newest samples with the history at the lags of greatest similarity, refines each lag to the best fit, and averages the
+    /// continuations of the best three, weighted by their fit. An object repeats a motion in all components together. One search for all components takes
+    /// half the time of three searches, and finds repetitions in which one component moves after another more reliably. It finds none if only some of the
+    /// components repeat, as on a pallet with many places.
     /// </remarks>
     sealed class TemplateForecaster : Forecaster
     {
-        readonly TemplateMatcher _matcher;
-        readonly double[] _newest;
-        double _newestTime;
+        /// <summary>
+        /// Duration of the newest motion that is compared with the history, in s. Within a shorter window, a straight line matches many positions; a
+        /// longer window includes more of the preceding rest, whose duration varies.
+        /// </summary>
+        const double Window = 0.4;
 
-        /// <inheritdoc cref="TemplateMatcher(int, double, double)"/>
+        /// <summary>Maximum number of samples in the window.</summary>
+        const int MaxCompared = 24;
+
+        /// <summary>Minimum number of sampling intervals before the history starts. Their running mean then determines the grid step.</summary>
+        const int MinIntervals = 8;
+
+        /// <summary>Minimum grid step, in s: the capacity of the history then covers the maximum lag of two minutes.</summary>
+        const double MinStep = 0.02;
+
+        /// <summary>
+        /// Minimum number of samples in motion to compare: with fewer, the starts of different moves look the same, and only the duration of the
+        /// rest before the moves would determine the match.
+        /// </summary>
+        const int MinMoving = 2;
+
+        /// <summary>
+        /// Maximum number of samples at a standstill for which a search is made. In a longer standstill, all parts of the history at rest are equal,
+        /// so the matches would drift; their lags determine when the next move starts.
+        /// </summary>
+        const int MaxStill = 2;
+
+        /// <summary>
+        /// Maximum gap in the history, in s, even if the limits allow a longer one: the motion in a longer gap cannot be interpolated.
+        /// </summary>
+        const double MaxGap = 2;
+
+        /// <summary>
+        /// Maximum change of the sampling interval, as a factor; a larger change starts a new history. Twice the interval exceeds it. A lost sample
+        /// does not, because a gap changes the mean interval by at most a factor of 1.2 (<see cref="SampleTiming"/>).
+        /// </summary>
+        const double MaxIntervalRatio = 1.6;
+
+        readonly int _components;
+        readonly double _maximumGap;
+        readonly double _matchInterval;
+        readonly MotionHistory _history;
+        readonly LagSearch _search;
+        readonly MotionOverlay _overlay;
+
+        // The newest samples, newest first; the components of a position are adjacent.
+        readonly double[] _times = new double[MaxCompared];
+        readonly double[] _positions;
+        int _samples;
+
+        readonly int[] _found = new int[LagSearch.Kept];
+        readonly double[] _refined = new double[LagSearch.Kept];
+        readonly double[] _lags = new double[LagSearch.Kept];
+        readonly double[] _errors = new double[LagSearch.Kept];
+        readonly double[] _weights = new double[LagSearch.Kept];
+        readonly double[] _offsets;
+        double _interval;
+        int _matches;
+        int _turn;
+        double _matchedAt;
+
+        /// <param name="components">Number of components of a position.</param>
+        /// <param name="maximumGap">Maximum gap between two samples, in s; a longer gap restarts the history.</param>
+        /// <param name="matchInterval">
+        /// Minimum interval between two comparisons with the history, in s; samples between them keep the last matches.
+        /// </param>
         public TemplateForecaster(int components, double maximumGap, double matchInterval)
         {
-            _matcher = new TemplateMatcher(components, maximumGap, matchInterval);
-            _newest = new double[components];
+            _components = components;
+            _maximumGap = Math.Min(maximumGap, MaxGap);
+            _matchInterval = matchInterval;
+            _history = new MotionHistory(components);
+            _overlay = new MotionOverlay(_history);
+            _search = new LagSearch(_history);
+            _positions = new double[MaxCompared * components];
+            _offsets = new double[LagSearch.Kept * components];
+            Reset();
         }
 
-        public override int Samples => 2;
+        public override int RequiredSamples => 2;
 
         /// <returns>False if the history contains no similar motion.</returns>
         public override bool Solve(MotionState motion)
         {
-            _newestTime = motion.NewestTime;
-            Array.Copy(motion.Newest, _newest, _newest.Length);
-            _matcher.Add(_newestTime, _newest, motion.Timing.MeanInterval, motion.Standstill);
-            return _matcher.HasMatch;
+            var (time, meanInterval) = (motion.NewestTime, motion.Timing.MeanInterval);
+            if (_samples > 0 && time - _times[0] > _maximumGap) Reset();
+            var before = _matches;
+            _matches = 0;
+            Keep(time, motion.Newest);
+            if (_interval == 0) Begin(meanInterval);
+            else if (meanInterval > MaxIntervalRatio * _interval || meanInterval * MaxIntervalRatio < _interval)
+            {
+                // A single gap does not change the mean interval enough to restart.
+                Reset();
+                Keep(time, motion.Newest);
+            }
+            else
+            {
+                _history.Add(time, motion.Newest);
+                _search.Update(MinLag);
+                var isSoon = time - _matchedAt < _matchInterval;
+                if (before > 0 && (isSoon || motion.Standstill.Samples > MaxStill)) KeepMatches(before);
+                else Match(motion.Standstill.Distance);
+            }
+            return _matches > 0;
         }
 
         public override double At(double ahead, int component)
         {
-            Span<double> position = stackalloc double[_newest.Length];
-            _matcher.At(_newestTime + ahead, position);
-            return position[component] - _newest[component];
+            Span<double> position = stackalloc double[_components];
+            FillPosition(ahead, position);
+            return position[component];
         }
 
         public override void Fill(double[] table, int start, int points, int components)
         {
-            for (int point = 0, i = start; point < points; point++, i += components)
-            {
-                _matcher.At(_newestTime + point * ForecastTable.Step, table.AsSpan(i, components));
-                for (var c = 0; c < components; c++) table[i + c] -= _newest[c];
-            }
+            for (var point = 0; point < points; point++) FillPosition(point * ForecastTable.Step, table.AsSpan(start + point * components, components));
         }
 
-        public override void Reset() => _matcher.Reset();
+        public override void Reset()
+        {
+            _interval = 0;
+            _history.Start(0);
+            _search.Start();
+            Array.Clear(_found, 0, _found.Length);
+            _matches = _samples = 0;
+        }
+
+        // Computes the continuation, relative to the newest sample.
+        void FillPosition(double ahead, Span<double> position)
+        {
+            position.Clear();
+            var index = _history.IndexOf(_times[0] + ahead);
+            for (var i = 0; i < _matches; i++)
+            {
+                var weight = _weights[i];
+                if (weight == 0) continue;
+                _history.AddTo(position, index - _lags[i], weight);
+                for (var c = 0; c < _components; c++) position[c] += weight * _offsets[i * _components + c];
+            }
+            for (var c = 0; c < _components; c++) position[c] -= _positions[c];
+        }
+
+        // At a smaller lag, the history does not cover the continuation.
+        int MinLag => (int)Math.Ceiling(ForecastTable.Span / _history.Step) + MotionHistory.Margin;
+
+        void Keep(double time, ReadOnlySpan<double> position)
+        {
+            _samples = Math.Min(_samples + 1, MaxCompared);
+            Array.Copy(_times, 0, _times, 1, _samples - 1);
+            Array.Copy(_positions, 0, _positions, _components, (_samples - 1) * _components);
+            _times[0] = time;
+            position.CopyTo(_positions);
+        }
+
+        // Keeps the matches between two searches and during a standstill.
+        void KeepMatches(int matches)
+        {
+            for (var i = 0; i < matches; i++)
+                if (!HasContinuation(_lags[i])) return;
+            _matches = matches;
+        }
+
+        // The grid step is a multiple of the sampling interval, so that samples lie on grid points and need no interpolation.
+        void Begin(double interval)
+        {
+            if (_samples <= MinIntervals) return;
+            _interval = interval;
+            _history.Start(_interval * Math.Ceiling(MinStep / _interval - MotionHistory.Rounding));
+            _search.Start();
+            for (var i = MinIntervals; i >= 0; i--) _history.Add(_times[i], _positions.AsSpan(i * _components, _components));
+        }
+
+        void Match(double stillDistance)
+        {
+            _matchedAt = _times[0];
+            _overlay.Take(_times, _positions, SamplesInWindow(stillDistance));
+            _turn = (_turn + 1) % LagSearch.Kept;
+            var min = double.PositiveInfinity;
+            for (var i = 0; i < _search.Count; i++)
+            {
+                MoveTo(i, _search.Lags[i]);
+                // Matches keep their refined lags; one of them is refined again per search.
+                if (_found[i] != _search.Lags[i] || i == _turn)
+                    (_found[i], _refined[i]) = (_search.Lags[i], _overlay.Find(_search.Lags[i], MinLag));
+                if (!_overlay.Compare(_refined[i]) || !HasContinuation(_refined[i])) continue;
+                _lags[_matches] = _refined[i];
+                _errors[_matches] = _overlay.MeanSquare;
+                // The offset of the newest samples from the history is assumed to stay the same.
+                Array.Copy(_overlay.Offsets, 0, _offsets, _matches * _components, _components);
+                min = Math.Min(min, _errors[_matches++]);
+            }
+            Weigh(min);
+        }
+
+        // Moves the match of a lag to its new place among the best lags.
+        void MoveTo(int place, int lag)
+        {
+            // The first call of Array.IndexOf would allocate a comparer.
+            var i = place;
+            while (i < _found.Length && _found[i] != lag) i++;
+            if (i == _found.Length) return;
+            (_found[place], _found[i]) = (_found[i], _found[place]);
+            (_refined[place], _refined[i]) = (_refined[i], _refined[place]);
+        }
+
+        bool HasContinuation(double lag) => _history.Covers(_history.IndexOf(_times[0]) - lag)
+            && _history.Covers(_history.IndexOf(_times[0] + ForecastTable.Span) - lag);
+
+        // In motion, only the samples since the start of the motion are compared, because the duration of the preceding rest varies.
+        int SamplesInWindow(double stillDistance)
+        {
+            var full = 1;
+            while (full < _samples && _times[0] - _times[full] <= Window) full++;
+            var moving = 0;
+            while (moving + 1 < full && Displacement(moving) > stillDistance) moving++;
+            return moving < MinMoving ? full : Math.Min(full, moving + 2);
+        }
+
+        double Displacement(int age)
+        {
+            var squares = 0.0;
+            for (int i = age * _components, end = i + _components; i < end; i++)
+            {
+                var displacement = _positions[i] - _positions[i + _components];
+                squares += displacement * displacement;
+            }
+            return Math.Sqrt(squares);
+        }
+
+        void Weigh(double min)
+        {
+            var total = 0.0;
+            for (var i = 0; i < _matches; i++)
+            {
+                // The addend prevents a division of zero by zero after an exact match.
+                var ratio = _errors[i] / (min + 1e-300) + 1;
+                _weights[i] = 1 / (ratio * ratio);
+                total += _weights[i];
+            }
+            for (var i = 0; i < _matches; i++) _weights[i] /= total;
+        }
     }
 }

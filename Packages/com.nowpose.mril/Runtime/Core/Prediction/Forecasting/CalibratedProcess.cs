@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Forecasting
 {
@@ -18,24 +19,33 @@ namespace Nowpose.Prediction.Forecasting
         /// </summary>
         const double ErrorTimeConstant = 3;
 
+        /// <summary>
+        /// Time constant with which the distance of the mean from the newest sample decays, in s: short compared with any latency that is worth
+        /// compensating. The mean does not pass through noisy samples, and the displayed position must not jump there.
+        /// </summary>
+        const double OffsetTimeConstant = 0.005;
+
         readonly GaussianProcess _process = new GaussianProcess();
-        readonly LinearForecaster _mean;
+        readonly double[] _offsets;
         int _errors;
         double _variance;
 
-        public CalibratedProcess() => _mean = new LinearForecaster(_process);
+        public CalibratedProcess(int components) => _offsets = new double[components];
 
-        public override int Samples => _process.Samples;
+        public override int RequiredSamples => _process.RequiredSamples;
 
         public override int MaxSamples => int.MaxValue;
 
         public override bool Solve(MotionState motion)
         {
             if (motion.IsNewest) Learn(motion);
-            return _mean.Solve(motion);
+            if (!_process.Solve(motion)) return false;
+            for (var c = 0; c < _offsets.Length; c++) _offsets[c] = _process.At(0, c);
+            return true;
         }
 
-        public override double At(double ahead, int component) => _mean.At(ahead, component);
+        public override double At(double ahead, int component) =>
+            _process.At(ahead, component) - _offsets[component] * Math.Exp(-ahead / OffsetTimeConstant);
 
         /// <returns>NaN before the first comparison of a forecast with a sample.</returns>
         public override double DeviationAt(double ahead) =>
@@ -51,11 +61,11 @@ namespace Nowpose.Prediction.Forecasting
         void Learn(MotionState motion)
         {
             var age = AgeAtHorizon(motion);
-            if (age == 0 || !_mean.Solve(motion, Samples, age)) return;
+            if (age == 0 || !_process.Solve(motion, RequiredSamples, age)) return;
             var (ahead, squares) = (-motion.Times[age], 0.0);
             for (var c = 0; c < motion.Components; c++)
             {
-                var error = -motion.Displacements[age * motion.Components + c] - _mean.At(ahead, c);
+                var error = -motion.Displacements[age * motion.Components + c] - _process.At(ahead, c);
                 squares += error * error;
             }
             var square = squares / (motion.Components * _process.VarianceAt(ahead));
@@ -69,7 +79,7 @@ namespace Nowpose.Prediction.Forecasting
         int AgeAtHorizon(MotionState motion)
         {
             double Distance(int age) => Math.Abs(motion.Times[age] + motion.Timing.Horizon);
-            var oldest = motion.Count - Samples;
+            var oldest = motion.Count - RequiredSamples;
             if (oldest < 1) return 0;
             var best = 1;
             while (best < oldest && Distance(best + 1) < Distance(best)) best++;

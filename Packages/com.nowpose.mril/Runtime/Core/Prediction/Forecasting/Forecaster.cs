@@ -1,3 +1,5 @@
+using Nowpose.Prediction.State;
+
 namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>Forecasts a motion from its newest samples. Allocates nothing after construction. Not thread-safe.</summary>
@@ -7,10 +9,10 @@ namespace Nowpose.Prediction.Forecasting
         /// Number of newest samples that a forecast needs. A mixture uses the forecaster only while this number of samples, and at least three,
         /// belong to one motion. A forecaster that uses more samples than this number extrapolates across change points.
         /// </summary>
-        public abstract int Samples { get; }
+        public abstract int RequiredSamples { get; }
 
         /// <summary>Maximum number of newest samples that a forecast uses.</summary>
-        public virtual int MaxSamples => Samples;
+        public virtual int MaxSamples => RequiredSamples;
 
         /// <summary>Maximum time of a forecast after the newest sample, in s; infinite without a maximum.</summary>
         public virtual double Span => double.PositiveInfinity;

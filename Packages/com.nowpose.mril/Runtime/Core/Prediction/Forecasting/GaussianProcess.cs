@@ -11,7 +11,7 @@ namespace Nowpose.Prediction.Forecasting
     /// linear trend of large variance. The mean at a given time is the weighted sum of the samples' positions with the weights K⁻¹k, where K is the
     /// covariance of the samples and k their covariance with the position at that time (Eq. 2.25 there). Intervals may be uneven.
     /// </remarks>
-    sealed class GaussianProcess : PositionWeights
+    sealed class GaussianProcess : WeightedSumForecaster
     {
         /// <summary>
         /// l, in s: the correlation length of the motion. Among the values from 0.4 to 2 s, this one is best for moves without noise. With 0.4 s, the
@@ -44,7 +44,8 @@ namespace Nowpose.Prediction.Forecasting
         readonly double[] _covariance = new double[Newest];
         readonly double[] _matrix = new double[Newest * Newest];
 
-        public GaussianProcess() : base(Newest) { }
+        /// <param name="stopsAtReversal">See <see cref="WeightedSumForecaster"/>.</param>
+        public GaussianProcess(bool stopsAtReversal = false) : base(Newest, stopsAtReversal) { }
 
         /// <summary>Returns the variance of the position, relative to the variance of the motion about its trend.</summary>
         /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
@@ -57,13 +58,13 @@ namespace Nowpose.Prediction.Forecasting
             return Math.Max(variance, 0);
         }
 
-        public override void At(double ahead, double[] weights, int start)
+        protected override void FillWeights(double ahead, double[] weights, int start)
         {
             FillCovariance(ahead, weights, start);
             Cholesky.Solve(_matrix, weights, start, Newest);
         }
 
-        protected override bool Solve()
+        protected override bool SolveWeights()
         {
             // The exponentials of samples this far apart are zero to rounding.
             if (-Times[Newest - 1] * PerSecond > MaxSpan) return false;

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Forecasting
 {
@@ -14,7 +15,7 @@ namespace Nowpose.Prediction.Forecasting
 
         public ReportedForecaster(Forecaster otherwise) => _otherwise = otherwise;
 
-        public override int Samples => _otherwise.Samples;
+        public override int RequiredSamples => _otherwise.RequiredSamples;
 
         public override bool Solve(MotionState motion)
         {

@@ -24,12 +24,6 @@ namespace Nowpose.Prediction.Mixing
         const double MinGain = 1e-4;
 
         /// <summary>
-        /// Number of samples whose evidence has the same weight as the prior, so that the errors of the first samples alone do not determine the
-        /// weights.
-        /// </summary>
-        const double PriorSamples = 5;
-
-        /// <summary>
         /// Maximum difference of two gradients that count as equal, relative to the mean square of the best forecast. Each step makes two gradients equal,
         /// and several forecasts may be the same line. Rounding must not decide between them, because a replay would then differ from its session.
         /// </summary>
@@ -48,6 +42,7 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _products;
         readonly int _weighted;
 
+        // Copies of both, from before a sample that may be wrong.
         readonly double[] _savedProducts, _savedValues;
         double _savedEvidence;
         bool _isSaved;
@@ -93,27 +88,29 @@ namespace Nowpose.Prediction.Mixing
 
         /// <summary>Solves for the weights.</summary>
         /// <param name="prior">Weights towards which the solution is regularised.</param>
-        /// <param name="gain">One minus the forgetting factor of one sample.</param>
-        public void Solve(double[] prior, double gain)
+        /// <param name="priorEvidence">
+        /// Evidence (<see cref="Evidence"/>) at which the regularisation is twice the final one, so that the errors of the first samples alone do not
+        /// determine the weights.
+        /// </param>
+        public void Solve(double[] prior, double priorEvidence)
         {
             var min = double.PositiveInfinity;
             for (var i = 0; i < _weighted; i += _count + 1)
                 if (_products[i] < min) min = _products[i];
             min += Tiny;
-            var lambda = _regularisation * min * (1 + PriorSamples * gain / Math.Max(Evidence, Positive));
+            var lambda = _regularisation * min * (1 + priorEvidence / Math.Max(Evidence, Positive));
             Span<double> gradient = stackalloc double[_count];
             for (var i = 0; i < gradient.Length; i++) gradient[i] = _products[_weighted + i] + lambda * (Values[i] - prior[i]);
             for (var step = 0; step < Steps; step++)
                 if (!(MoveBestPair(gradient, lambda, SameRatio * min) > MinGain * min)) return;
         }
 
-        /// <summary>Stores all errors and weights, so that <see cref="Restore"/> can undo what is learned from an unconfirmed sample.</summary>
+        /// <summary>Stores all errors and weights, so that <see cref="Restore"/> can undo what is learned from a sample that may be wrong.</summary>
         public void Save()
         {
             Array.Copy(_products, _savedProducts, _products.Length);
             Array.Copy(Values, _savedValues, _count);
-            _savedEvidence = Evidence;
-            _isSaved = true;
+            (_savedEvidence, _isSaved) = (Evidence, true);
         }
 
         /// <summary>Restores the stored errors and weights, if there are any.</summary>
@@ -122,8 +119,7 @@ namespace Nowpose.Prediction.Mixing
             if (!_isSaved) return;
             Array.Copy(_savedProducts, _products, _products.Length);
             Array.Copy(_savedValues, Values, _count);
-            Evidence = _savedEvidence;
-            _isSaved = false;
+            (Evidence, _isSaved) = (_savedEvidence, false);
         }
 
         public void Reset(double[] prior)

@@ -21,7 +21,7 @@ namespace Nowpose.Prediction.Planning
         /// </summary>
         const double Settling = 0.1;
 
-        readonly PlanDelay _delay = new PlanDelay();
+        readonly PlanFilter _delay = new PlanFilter();
         ActivePlan _current, _next;
         int _agreements = AgreementsToReturn;
 

@@ -26,7 +26,7 @@ namespace Nowpose.Prediction.Samples
     /// sample that is not newer than the last waiting sample, shows that they were overtaken, and they are inserted. If their number, or positions
     /// that contradict the other samples, show that the clock went back, the history restarts with them. Allocates nothing after construction.
     /// </remarks>
-    sealed class ArrivalOrder<TSample> where TSample : struct, ISample
+    sealed class ArrivalOrder<TSample> where TSample : struct, ISample<TSample>
     {
         /// <summary>
         /// Number of consecutive late samples that is sufficient if the neighbouring samples show that the joint was elsewhere, or if the samples are

@@ -1,7 +1,7 @@
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>A sample with its stamp: the position of a joint, or the pose of an object with several components.</summary>
-    interface ISample
+    interface ISample<TSample>
     {
         /// <summary>Stamp t_k, which may be wrong, in s.</summary>
         double Time { get; }
@@ -20,12 +20,8 @@ namespace Nowpose.Prediction.Samples
 
         /// <summary>Acceleration reported by the source, per second squared; NaN if it is not reported.</summary>
         double Acceleration { get; }
-    }
 
-    /// <summary>A sample whose stamp can be corrected.</summary>
-    interface ISample<TSample> : ISample
-    {
-        /// <summary>Returns the same sample with another stamp and sort key.</summary>
-        TSample At(double time, double order);
+        /// <summary>Returns the same sample with a corrected stamp and sort key.</summary>
+        TSample With(double time, double order);
     }
 }

@@ -6,7 +6,7 @@ namespace Nowpose.Prediction.Samples
     /// Keeps the recent samples of a joint or an object, to recognise a repeated sample and a sample that contradicts its neighbours. Allocates
     /// nothing after construction.
     /// </summary>
-    sealed class RecentSamples<TSample> where TSample : struct, ISample
+    sealed class RecentSamples<TSample> where TSample : struct, ISample<TSample>
     {
         /// <summary>
         /// Number of samples kept: a quarter of a second at 1 kHz, the maximum delay of a late sample (<see cref="ArrivalOrder.MaxDelay"/>).

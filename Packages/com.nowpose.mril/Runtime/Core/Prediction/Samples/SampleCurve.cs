@@ -10,7 +10,7 @@ namespace Nowpose.Prediction.Samples
     /// limit applies only where samples rise or fall monotonically: at a turning point it would flatten the curve between the samples. Stores no
     /// results: each call uses the samples around the requested time.
     /// </remarks>
-    readonly struct SampleCurve<TSample> where TSample : struct, ISample
+    readonly struct SampleCurve<TSample> where TSample : struct, ISample<TSample>
     {
         /// <summary>A cubic with end slopes within three times the secant's is monotone (Fritsch &amp; Carlson).</summary>
         const double MaxSlope = 3;
@@ -23,9 +23,6 @@ namespace Nowpose.Prediction.Samples
         /// <param name="count">Number of newest samples, at least two; their times differ.</param>
         public SampleCurve(SampleHistory<TSample> samples, int component, int count) =>
             (_samples, _component, _count) = (samples, component, count);
-
-        /// <summary>Time of the oldest sample of the curve, s.</summary>
-        public double Start => _samples[_count - 1].Time;
 
         /// <param name="time">Time between the oldest and the newest sample.</param>
         public double At(double time)

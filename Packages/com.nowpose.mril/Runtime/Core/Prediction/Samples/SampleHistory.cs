@@ -4,7 +4,7 @@ using System.Runtime.CompilerServices;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>Keeps the newest samples of one joint or one object, sorted by time; index 0 is the newest.</summary>
-    sealed class SampleHistory<TSample> where TSample : struct, ISample
+    sealed class SampleHistory<TSample> where TSample : struct, ISample<TSample>
     {
         readonly int _capacity;
 

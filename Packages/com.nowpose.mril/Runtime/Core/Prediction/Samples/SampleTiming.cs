@@ -57,7 +57,7 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Updates the intervals after a sample has been added to the history.</summary>
         /// <param name="isNewest">False if newer samples have overtaken the sample.</param>
         /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
-        public void Add<TSample>(SampleHistory<TSample> samples, bool isNewest, double displayed) where TSample : struct, ISample
+        public void Add<TSample>(SampleHistory<TSample> samples, bool isNewest, double displayed) where TSample : struct, ISample<TSample>
         {
             if (!isNewest) ConnectedSamples = samples.CountWithoutGap(_maximumGap);
             else ConnectedSamples = samples.HasGap(0, _maximumGap) ? 1 : Math.Min(ConnectedSamples + 1, samples.Count);

@@ -110,9 +110,9 @@ namespace Nowpose.Tests.Core.Frames
         [Test]
         public void At_SharedForecasters_EqualsOwnForecasters()
         {
-            var shared = new SharedForecasters();
+            var shared = Predictors.ForecastersOfObjects();
             var objects = new BodyPredictor[4];
-            for (var i = 0; i < objects.Length; i++) objects[i] = new BodyPredictor("adaptive", new PredictionLimits(), shared: i < 2 ? shared : null);
+            for (var i = 0; i < objects.Length; i++) objects[i] = new BodyPredictor("adaptive", new PredictionLimits(), forecasters: i < 2 ? shared : null);
             for (var k = 0; k < 300; k++)
                 for (var i = 0; i < objects.Length; i++)
                 {

@@ -1,7 +1,8 @@
 using System;
+using NUnit.Framework;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Forecasting;
-using NUnit.Framework;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Tests.Core.Prediction
 {
@@ -15,7 +16,7 @@ namespace Nowpose.Tests.Core.Prediction
 
             MotionState _motion;
 
-            public override int Samples => 2;
+            public override int RequiredSamples => 2;
 
             public override bool Solve(MotionState motion)
             {
@@ -40,7 +41,7 @@ namespace Nowpose.Tests.Core.Prediction
         static double Coasting(params Forecaster[] more)
         {
             const double interval = 0.1, ahead = 0.2;
-            var predictor = Predictors.Adaptive(PredictionLimits.Unlimited, PredictionParts.Joint & ~PredictionParts.Repetition, more: more);
+            var predictor = Predictors.Adaptive(PredictionLimits.Unlimited, PredictionParts.Joint & ~PredictionParts.Repetition, more);
             var sum = 0.0;
             for (var i = 0; i < 1200; i++)
             {

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Samples;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Tests.Core.Prediction
 {

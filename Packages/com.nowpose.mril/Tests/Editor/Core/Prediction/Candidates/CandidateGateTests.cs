@@ -1,9 +1,10 @@
 using System;
+using NUnit.Framework;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Candidates;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Mixing;
-using NUnit.Framework;
+using Nowpose.Prediction.State;
 using static Nowpose.Tests.Core.Prediction.TestPredictors;
 
 namespace Nowpose.Tests.Core.Prediction.Candidates
@@ -141,7 +142,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
         // Returns a mixture of hold and a straight line.
         static Mixture Mixture(params Candidate[] candidates) => new Mixture(
-            1, PredictionLimits.Unlimited, PredictionParts.Joint, new MixedForecasters(1, Array.Empty<MixedForecaster>()), candidates, new JointJumpDetector());
+            1, PredictionLimits.Unlimited, PredictionParts.Joint, new ForecasterSet(1), candidates, new OutlierReturnDetector());
 
         void Feed(int from, int to)
         {
@@ -161,7 +162,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             public double Error { get; set; }
             public bool IsSilent { get; set; }
             public double Rest { get; set; } = double.NaN;
-            public override int Samples => 1;
+            public override int RequiredSamples => 1;
 
             public override bool Solve(MotionState motion)
             {

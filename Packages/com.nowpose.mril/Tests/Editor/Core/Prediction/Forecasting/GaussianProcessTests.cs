@@ -28,8 +28,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
                 var random = new Random(seed);
                 var positions = times.Select(t => Math.Sin(4 * t + seed) + 0.01 * random.NextDouble()).ToArray();
                 var process = new GaussianProcess();
-                var forecaster = new LinearForecaster(process);
-                Assert.That(forecaster.Solve(TestPredictors.Motion(times.Select(t => epoch + t).ToArray(), positions)));
+                Assert.That(process.Solve(TestPredictors.Motion(times.Select(t => epoch + t).ToArray(), positions)));
 
                 // Rasmussen & Williams 2006, Eqs. 2.25 and 2.26. The variance of the motion is estimated from the samples.
                 var newest = times.Last();
@@ -42,7 +41,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
                     var mean = star * k.Solve(y);
                     var deviation = Math.Sqrt(variance * Math.Max(Kernel(ahead, ahead) - star * k.Solve(star), 0));
 
-                    Assert.That(forecaster.At(ahead, 0), Is.EqualTo(mean).Within(1e-5 * (1 + Math.Abs(mean))), "seed " + seed + ", " + ahead + " s");
+                    Assert.That(process.At(ahead, 0), Is.EqualTo(mean).Within(1e-5 * (1 + Math.Abs(mean))), "seed " + seed + ", " + ahead + " s");
                     Assert.That(Math.Sqrt(variance * process.VarianceAt(ahead)), Is.EqualTo(deviation).Within(1e-3 * deviation + 1e-4), "seed " + seed + ", " + ahead + " s");
                 }
             }
@@ -53,34 +52,34 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         [TestCase(0.1)]
         public void At_ConstantVelocity_IsExact(double interval)
         {
-            var forecaster = new LinearForecaster(new GaussianProcess());
+            var process = new GaussianProcess();
             var times = Enumerable.Range(0, 5).Select(i => i * interval).ToArray();
-            forecaster.Solve(TestPredictors.Motion(times, times.Select(t => 3 - t).ToArray()));
+            process.Solve(TestPredictors.Motion(times, times.Select(t => 3 - t).ToArray()));
 
-            foreach (var ahead in Aheads.Where(a => a <= 0.25)) Assert.That(forecaster.At(ahead, 0), Is.EqualTo(-ahead).Within(1e-4));
+            foreach (var ahead in Aheads.Where(a => a <= 0.25)) Assert.That(process.At(ahead, 0), Is.EqualTo(-ahead).Within(1e-4));
         }
 
         [Test]
         public void Fill_MotionReverses_StopsAtTheReversal()
         {
             var times = Enumerable.Range(0, 5).Select(i => i * 0.05).ToArray();
-            var forecaster = new LinearForecaster(new GaussianProcess(), stopsAtReversal: true);
-            forecaster.Solve(TestPredictors.Motion(times, times.Select(t => 1 - Math.Pow(0.25 - t, 2)).ToArray()));
+            var process = new GaussianProcess(stopsAtReversal: true);
+            process.Solve(TestPredictors.Motion(times, times.Select(t => 1 - Math.Pow(0.25 - t, 2)).ToArray()));
             var table = new double[ForecastTable.Points];
-            forecaster.Fill(table, 0, table.Length, components: 1);
+            process.Fill(table, 0, table.Length, components: 1);
 
-            Assert.That(forecaster.At(0.4, 0), Is.LessThan(0));
-            Assert.That(table[1], Is.EqualTo(forecaster.At(ForecastTable.Step, 0)).Within(1e-9));
+            Assert.That(process.At(0.4, 0), Is.LessThan(0));
+            Assert.That(table[1], Is.EqualTo(process.At(ForecastTable.Step, 0)).Within(1e-9));
             Assert.That(table[8], Is.EqualTo(table[4]).And.GreaterThan(0));
         }
 
         [Test]
         public void Solve_TooFewSamplesOrTooLargeGap_ReturnsFalse()
         {
-            var forecaster = new LinearForecaster(new GaussianProcess());
+            var process = new GaussianProcess();
 
-            Assert.That(forecaster.Solve(TestPredictors.Motion(new[] { 0, 0.1, 0.2, 0.3 }, new double[4])), Is.False);
-            Assert.That(forecaster.Solve(TestPredictors.Motion(new[] { 0, 0.1, 0.2, 0.3, 100 }, new double[5])), Is.False);
+            Assert.That(process.Solve(TestPredictors.Motion(new[] { 0, 0.1, 0.2, 0.3 }, new double[4])), Is.False);
+            Assert.That(process.Solve(TestPredictors.Motion(new[] { 0, 0.1, 0.2, 0.3, 100 }, new double[5])), Is.False);
         }
 
         [Test]
@@ -88,7 +87,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         {
             var process = new GaussianProcess();
             var times = Enumerable.Range(0, 5).Select(i => i * 0.05).ToArray();
-            process.Update(TestPredictors.Motion(times, times.Select(t => Math.Sin(8 * t)).ToArray()).Times, times.Length);
+            process.Solve(TestPredictors.Motion(times, times.Select(t => Math.Sin(8 * t)).ToArray()));
 
             Assert.That(Aheads.Select(process.VarianceAt), Is.Ordered);
             Assert.That(process.VarianceAt(0), Is.LessThan(4e-6));

@@ -11,7 +11,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         static readonly double[] Times = { 10, 10.05, 10.09, 10.16, 10.2, 10.24, 10.31, 10.35 };
 
         static JointPredictor New(int degree = 2, int history = 2, PredictionLimits limits = null) =>
-            TestPredictors.Of(new LinearForecaster(new PolynomialWeights(degree, history)), limits, PredictionParts.Interpolation);
+            TestPredictors.Of(new PolynomialForecaster(degree, history), limits, PredictionParts.Interpolation);
 
         static JointPredictor Of(Func<double, double> position, int history = 2, PredictionLimits limits = null) =>
             New(2, history, limits).Fed(Times, position);

@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         public void Add_ScatteredStamps_KeepsTheNewestUnchanged()
         {
             var random = new Random(21);
-            var buffer = new SampleBuffer<JointSample>(24, PredictionParts.Samples, PredictionLimits.Unlimited);
+            var buffer = new SampleBuffer<JointSample>(24, PredictionParts.Preparation, PredictionLimits.Unlimited);
             for (var k = 0; k < 300; k++)
             {
                 var stamp = k * 0.05 + 0.01 * (2 * random.NextDouble() - 1);

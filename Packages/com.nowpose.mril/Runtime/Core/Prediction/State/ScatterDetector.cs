@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Prediction.Forecasting
+namespace Nowpose.Prediction.State
 {
     /// <summary>Detects samples that only scatter about a position, such as the samples of a noisy tracker or encoder at rest.</summary>
     /// <remarks>

@@ -1,11 +1,14 @@
 using System;
-using Nowpose.Prediction.Candidates;
-using Nowpose.Prediction.Forecasting;
 using NUnit.Framework;
+using Nowpose.Frames;
+using Nowpose.Prediction;
+using Nowpose.Prediction.Candidates;
+using Nowpose.Prediction.Samples;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Tests.Core.Prediction.Candidates
 {
-    public class TemplateMatcherTests
+    public class TemplateComponentsTests
     {
         const double Interval = 0.05, Ahead = 0.12;
 
@@ -45,12 +48,12 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
                 among.Add();
                 var ahead = alone.Time + Ahead;
 
-                Assert.That(among.Matcher.HasMatch, Is.EqualTo(alone.Matcher.HasMatch));
-                if (!alone.Matcher.HasMatch) continue;
+                Assert.That(among.HasMatch, Is.EqualTo(alone.HasMatch));
+                if (!alone.HasMatch) continue;
                 Assert.That(among.At(ahead)[1], Is.EqualTo(alone.At(ahead)[0]).Within(1e-12));
                 Assert.That(among.At(ahead)[0], Is.EqualTo(4).Within(1e-12));
             }
-            Assert.That(alone.Matcher.HasMatch);
+            Assert.That(alone.HasMatch);
         }
 
         [Test]
@@ -64,18 +67,17 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             }
 
             double[] expected = one.At(one.Time + Ahead), actual = other.At(one.Time + Ahead);
-            Assert.That(one.Matcher.HasMatch);
+            Assert.That(one.HasMatch);
             Assert.That(actual, Is.EqualTo(new[] { expected[2], expected[0], expected[1] }).Within(1e-6));
         }
 
         [Test]
-        public void At_WithoutASimilarMotion_IsZero()
+        public void Solve_WithoutASimilarMotion_ReturnsFalse()
         {
             var fed = new Fed(Portal);
             for (var i = 0; i < 12; i++) fed.Add();
 
-            Assert.That(fed.Matcher.HasMatch, Is.False);
-            Assert.That(fed.At(fed.Time), Is.EqualTo(new double[3]));
+            Assert.That(fed.HasMatch, Is.False);
         }
 
         // Moves by 1 in 0.4 s, starting at a given time in the cycle, and back in the second half of the cycle.
@@ -91,37 +93,43 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             return u * u * u * (10 + u * (6 * u - 15));
         }
 
-        // A matcher and the motion that it is fed.
+        // A forecaster, and the motion of up to three components that it is fed.
         sealed class Fed
         {
-            readonly Func<double, double>[] _motion;
-            Standstill _standstill;
+            readonly Func<double, double>[] _components;
+            readonly SampleBuffer<BodySample> _buffer = new SampleBuffer<BodySample>(8, PredictionParts.None, PredictionLimits.Unlimited);
+            readonly TemplateForecaster _forecaster;
+            readonly MotionState _motion;
             int _samples;
 
-            public Fed(params Func<double, double>[] motion) =>
-                (_motion, Matcher) = (motion, new TemplateMatcher(motion.Length, maximumGap: 1, matchInterval: 0));
+            public Fed(params Func<double, double>[] components)
+            {
+                _components = components;
+                _forecaster = new TemplateForecaster(components.Length, maximumGap: 1, matchInterval: 0);
+                _motion = new MotionState(components.Length, 0, 8, _buffer.Timing);
+            }
 
-            public TemplateMatcher Matcher { get; }
+            public bool HasMatch { get; private set; }
 
             /// <summary>Time of the newest sample.</summary>
             public double Time { get; private set; }
 
-            public double[] Truth(double time) => Array.ConvertAll(_motion, component => component(time));
+            public double[] Truth(double time) => Array.ConvertAll(_components, component => component(time));
 
             public void Add()
             {
-                var (previous, time) = (Truth(Time), _samples++ * Interval);
-                var position = Truth(time);
-                var squares = 0.0;
-                for (var c = 0; c < position.Length; c++) squares += Math.Pow(position[c] - previous[c], 2);
-                _standstill.Add(Math.Sqrt(squares));
-                Matcher.Add(Time = time, position, Interval, _standstill);
+                Time = _samples++ * Interval;
+                var position = Truth(Time);
+                Array.Resize(ref position, 3);
+                _buffer.Add(new BodySample(Time, new Vector3D(position[0], position[1], position[2]), default, Time), displayed: double.NaN);
+                _motion.Take(_buffer);
+                HasMatch = _forecaster.Solve(_motion);
             }
 
             public double[] At(double time)
             {
-                var position = new double[_motion.Length];
-                Matcher.At(time, position);
+                var position = new double[_components.Length];
+                for (var c = 0; c < position.Length; c++) position[c] = _motion.Newest[c] + _forecaster.At(time - Time, c);
                 return position;
             }
         }

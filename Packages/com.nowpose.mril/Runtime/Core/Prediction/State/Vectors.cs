@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Prediction.Forecasting
+namespace Nowpose.Prediction.State
 {
     /// <summary>Lengths and products of positions with any number of components.</summary>
     static class Vectors

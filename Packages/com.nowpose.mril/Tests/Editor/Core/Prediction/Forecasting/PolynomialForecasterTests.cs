@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Prediction.Forecasting
 {
-    public class PolynomialWeightsTests
+    public class PolynomialForecasterTests
     {
         static readonly double[] UnevenTimes = { 0.013, 0.05, 0.112, 0.149, 0.21, 0.247, 0.301 };
 
@@ -141,7 +141,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         [TestCase(2, 101)]
         public void Constructor_DegreeOrHistoryOutOfRange_IsRefused(int degree, int history)
         {
-            Assert.Throws<ArgumentOutOfRangeException>(() => new PolynomialWeights(degree, history).ToString());
+            Assert.Throws<ArgumentOutOfRangeException>(() => new PolynomialForecaster(degree, history).ToString());
         }
 
         static double[] Times(Random random, int count, double shortest, double longest)

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Prediction.Forecasting
+namespace Nowpose.Prediction.State
 {
     /// <summary>
     /// Detects that an object was elsewhere at once: a workpiece that reappears at the start of its conveyor, or an outlier of a tracker.

@@ -1,11 +1,11 @@
 using System;
+using NUnit.Framework;
 using Nowpose.Frames;
-using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.State;
 using Nowpose.Simulation;
 using Nowpose.Tests.Core.Frames;
-using NUnit.Framework;
 
-namespace Nowpose.Tests.Core.Prediction.Forecasting
+namespace Nowpose.Tests.Core.Prediction.State
 {
     public class ScatterDetectorTests
     {

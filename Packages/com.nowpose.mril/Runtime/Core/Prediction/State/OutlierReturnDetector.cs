@@ -1,12 +1,12 @@
 using System;
 
-namespace Nowpose.Prediction.Forecasting
+namespace Nowpose.Prediction.State
 {
     /// <summary>
     /// Detects the way back from a wrong sample of a joint. The unit and size of a joint are unknown, so only a sample that was further away than any
     /// motion so far, and from which the next sample returns, counts as wrong.
     /// </summary>
-    sealed class JointJumpDetector : JumpDetector
+    sealed class OutlierReturnDetector : JumpDetector
     {
         /// <summary>Minimum speed towards a wrong sample, relative to the maximum speed in two consecutive intervals.</summary>
         const double MinSpeedRatio = 3;

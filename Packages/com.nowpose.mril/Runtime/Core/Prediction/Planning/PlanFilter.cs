@@ -7,7 +7,7 @@ namespace Nowpose.Prediction.Planning
     /// Position of the joint = plan(t − delay) + offset. A Kalman filter estimates both values together, because each sample shows only
     /// their combined effect. The delay has an effect only while the plan moves. Its initial standard deviation is 0.1 s; the first moves reduce it.
     /// </remarks>
-    sealed class PlanDelay
+    sealed class PlanFilter
     {
         /// <summary>
         /// Standard deviation of an unknown delay, s. With <see cref="MaxStandardErrors"/>, delays of up to about 0.5 s are accepted at first.

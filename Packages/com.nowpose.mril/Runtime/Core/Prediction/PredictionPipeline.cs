@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Samples;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction
 {
@@ -9,13 +10,8 @@ namespace Nowpose.Prediction
     /// motions, and reads the curve through the samples or the forecast after them.
     /// </summary>
     /// <remarks>A joint has one motion; an object has two, its position and its angles. Allocates nothing after construction. Not thread-safe.</remarks>
-    sealed class SampledSections<TSample> where TSample : struct, ISample<TSample>
+    sealed class PredictionPipeline<TSample> where TSample : struct, ISample<TSample>
     {
-        /// <summary>
-        /// Time constant with which the offset of the forecast from the end of the curve decays, in s: short compared with any latency that is worth compensating.
-        /// </summary>
-        const double OffsetTimeConstant = 0.005;
-
         readonly PredictionLimits _limits;
         readonly ArrivalOrder<TSample> _arrivals;
         readonly SampleBuffer<TSample> _buffer;
@@ -24,9 +20,6 @@ namespace Nowpose.Prediction
         readonly int _components;
         readonly bool _interpolates;
 
-        // Offset of the forecast from the newest sample, at which the curve ends, of all components of all motions. It is subtracted and decays.
-        readonly double[] _offsets;
-
         bool _isSolved;
 
         /// <param name="forecasters">One forecaster per motion, each of this joint or object only. The motions have equally many components.</param>
@@ -34,14 +27,13 @@ namespace Nowpose.Prediction
         /// <param name="parts">
         /// Parts of the pipeline to use. Without interpolation, the forecaster is also used before the newest sample, as in the paper.
         /// </param>
-        public SampledSections(Forecaster[] forecasters, int kept, PredictionParts parts, PredictionLimits limits)
+        public PredictionPipeline(Forecaster[] forecasters, int kept, PredictionParts parts, PredictionLimits limits)
         {
             (_forecasters, _limits) = (forecasters, limits);
             _interpolates = (parts & PredictionParts.Interpolation) != 0;
             _arrivals = new ArrivalOrder<TSample>(limits.IsEndless);
             _buffer = new SampleBuffer<TSample>(kept, parts, limits);
-            _offsets = new double[default(TSample).Components];
-            _components = _offsets.Length / forecasters.Length;
+            _components = default(TSample).Components / forecasters.Length;
             _motions = new MotionState[forecasters.Length];
             for (var i = 0; i < _motions.Length; i++)
                 _motions[i] = new MotionState(_components, i * _components, Math.Max(2, Math.Min(kept, forecasters[i].MaxSamples)), _buffer.Timing);
@@ -93,7 +85,6 @@ namespace Nowpose.Prediction
                 _isSolved &= _forecasters[i].Solve(_motions[i]);
                 hasJumped |= _forecasters[i].HasJumped;
             }
-            for (var i = 0; i < _offsets.Length; i++) _offsets[i] = _isSolved && _interpolates ? _forecasters[i / _components].At(0, i % _components) : 0;
             return true;
         }
 
@@ -117,7 +108,7 @@ namespace Nowpose.Prediction
             // its newest sample, so its value at the oldest sample is held.
             if (ahead < 0 && !double.IsPositiveInfinity(_limits.HorizonCap))
             {
-                var start = _buffer.History.StartOf(Math.Min(connected, _forecasters[0].Samples));
+                var start = _buffer.History.StartOf(Math.Min(connected, _forecasters[0].RequiredSamples));
                 if (ahead < start) return new SectionPlace(PredictionKind.Held, start);
             }
             if (ahead <= 0) return new SectionPlace(PredictionKind.Interpolated, ahead);
@@ -135,8 +126,6 @@ namespace Nowpose.Prediction
             var newest = _motions[motion].Newest[component];
             if (double.IsNaN(place.Ahead)) return newest;
             var position = newest + _forecasters[motion].At(place.Ahead, component);
-            var offset = _offsets[motion * _components + component];
-            if (offset != 0) position -= offset * Math.Exp(-place.Ahead / OffsetTimeConstant);
             // An overflow must not reach a transform.
             return double.IsFinite(position) ? position : newest;
         }

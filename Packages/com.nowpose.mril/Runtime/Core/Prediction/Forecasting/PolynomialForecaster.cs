@@ -3,14 +3,14 @@ using Nowpose.Messages;
 
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Weights of the polynomial of Schnierle &amp; Röck 2022, Eq. (8): interpolating for h = n, least squares for h &gt; n.</summary>
+    /// <summary>Forecasts by the polynomial of Schnierle &amp; Röck 2022, Eq. (8): interpolating for h = n, least squares for h &gt; n.</summary>
     /// <remarks>
-    /// For an interpolating polynomial, they are Lagrange's polynomials, the most accurate form for clustered times. For least squares, the weight of
+    /// For an interpolating polynomial, the weights are Lagrange's polynomials, the most accurate form for clustered times. For least squares, the weight of
     /// sample j at time x is the sum of φ(x) φ(t_j) / |φ|² over polynomials φ that are orthogonal on the sample times (Forsythe 1957); unlike normal
     /// equations, this does not square the condition number. For fewer than h + 1 samples, or coinciding times, the degree is the highest that the
     /// samples determine.
     /// </remarks>
-    sealed class PolynomialWeights : PositionWeights
+    sealed class PolynomialForecaster : WeightedSumForecaster
     {
         /// <summary>Maximum h: limits memory and time per sample. At 100 Hz, the polynomial spans one second.</summary>
         public const int MaxHistory = 100;
@@ -57,25 +57,26 @@ namespace Nowpose.Prediction.Forecasting
 
         /// <param name="degree">n, 0 to 3.</param>
         /// <param name="history">h, the number of samples used in addition to the newest one; n to 100.</param>
+        /// <param name="stopsAtReversal">See <see cref="WeightedSumForecaster"/>.</param>
         /// <exception cref="ArgumentOutOfRangeException">Degree or history is outside its range.</exception>
-        public PolynomialWeights(int degree, int history) : base(Checked(degree, history) + 1)
+        public PolynomialForecaster(int degree, int history, bool stopsAtReversal = false) : base(Checked(degree, history) + 1, stopsAtReversal)
         {
             _maxDegree = degree;
             (_values, _coefficients) = (new double[degree + 1][], new double[degree + 1][]);
-            for (var k = 0; k <= degree; k++) (_values[k], _coefficients[k]) = (new double[Samples], new double[k]);
+            for (var k = 0; k <= degree; k++) (_values[k], _coefficients[k]) = (new double[RequiredSamples], new double[k]);
             (_norms, _valuesAtTime, _denominators) = (new double[degree + 1], new double[degree + 1], new double[degree + 1]);
         }
 
-        public override int MinSamples => 1;
+        protected override int MinSamples => 1;
 
-        public override void At(double ahead, double[] weights, int start)
+        protected override void FillWeights(double ahead, double[] weights, int start)
         {
             if (_interpolates) Interpolate(ahead, weights, start);
             else Project(ahead, weights, start);
         }
 
         /// <returns>False if the degree is 0 or the times determine no velocity.</returns>
-        protected override bool Solve()
+        protected override bool SolveWeights()
         {
             _interpolates = Count - 1 <= _maxDegree && AreDistinct();
             _degree = _interpolates ? Count - 1 : 0;

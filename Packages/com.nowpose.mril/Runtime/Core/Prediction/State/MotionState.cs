@@ -1,7 +1,7 @@
 using System;
 using Nowpose.Prediction.Samples;
 
-namespace Nowpose.Prediction.Forecasting
+namespace Nowpose.Prediction.State
 {
     /// <summary>
     /// The newest samples of a motion relative to the newest one, its velocity, and whether it stands still: the input of all forecasters. A joint's
@@ -136,6 +136,37 @@ namespace Nowpose.Prediction.Forecasting
             for (var c = 0; c < Components; c++) Velocity[c] = (Newest[c] - Previous[c]) / (NewestTime - PreviousTime);
             _standstill.Add(Vectors.Distance(Newest, Previous));
             if (Vectors.Dot(Velocity, _velocityBefore) > 0) MaxSpeed = Math.Max(MaxSpeed, Math.Min(Speed, Vectors.Length(_velocityBefore)));
+        }
+    }
+
+    /// <summary>Detects a standstill without noise: two samples that differ by at most a thousandth of the recent maximum.</summary>
+    struct Standstill
+    {
+        /// <summary>
+        /// Maximum displacement between two samples at a standstill, relative to the recent maximum. With half or twice this value, the errors change
+        /// by at most 0.2 %.
+        /// </summary>
+        const double StillRatio = 1e-3;
+
+        /// <summary>
+        /// Forgetting factor of the maximum displacement per sample: 1/e after 500 samples. With 0.995 or 0.999, the errors change by at most 0.1 %.
+        /// </summary>
+        const double MaxForgettingFactor = 0.998;
+
+        /// <summary>Number of consecutive newest samples at a standstill.</summary>
+        public int Samples { get; private set; }
+
+        /// <summary>Recent maximum displacement between two samples, in the samples' unit.</summary>
+        public double MaxDisplacement { get; private set; }
+
+        /// <summary>Maximum displacement between two samples at a standstill, in the samples' unit.</summary>
+        public double Distance => StillRatio * MaxDisplacement;
+
+        /// <param name="displacement">Distance of the newest sample from the previous one.</param>
+        public void Add(double displacement)
+        {
+            MaxDisplacement = Math.Max(MaxForgettingFactor * MaxDisplacement, displacement);
+            Samples = displacement <= Distance ? Samples + 1 : 0;
         }
     }
 }

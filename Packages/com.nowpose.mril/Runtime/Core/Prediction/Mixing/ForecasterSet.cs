@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Mixing
 {
@@ -19,8 +20,11 @@ namespace Nowpose.Prediction.Mixing
     }
 
     /// <summary>The forecasters of a mixture: hold, whose table is zero, a line, and others. Fills their tables after a sample.</summary>
-    /// <remarks>Several motions use them in turn if no forecaster keeps a state from sample to sample (<see cref="SharedForecasters"/>).</remarks>
-    sealed class MixedForecasters
+    /// <remarks>
+    /// The joints of one robot, or the objects of one cell, use the same set in turn, because its forecasters keep no state from sample to sample. Their
+    /// weights are then computed once per message, and their memory stays in the processor's cache. Not thread-safe.
+    /// </remarks>
+    sealed class ForecasterSet
     {
         public const int Hold = 0, Line = 1;
 
@@ -33,7 +37,7 @@ namespace Nowpose.Prediction.Mixing
 
         /// <param name="components">Number of components of the motions.</param>
         /// <param name="mixed">Forecasters in addition to hold and line. The prior weight of the line is one minus the weights of the others.</param>
-        public MixedForecasters(int components, MixedForecaster[] mixed)
+        public ForecasterSet(int components, params MixedForecaster[] mixed)
         {
             (_components, _mixed) = (components, mixed);
             _tables = new double[Start(Count)];
@@ -52,11 +56,6 @@ namespace Nowpose.Prediction.Mixing
         /// <param name="isReported">Whether the source reports velocity and acceleration.</param>
         public double[] Prior(bool isReported) => isReported ? _priorWhenReported : _prior;
 
-        public void Reset()
-        {
-            foreach (var one in _mixed) one.Forecaster.Reset();
-        }
-
         /// <summary>Fills the tables of all forecasts. They are valid until the next sample of any motion.</summary>
         /// <param name="samples">Number of newest samples that belong to one motion.</param>
         /// <param name="lineFactor">Factor by which the line multiplies the velocity in the last interval.</param>
@@ -69,7 +68,7 @@ namespace Nowpose.Prediction.Mixing
             {
                 var forecaster = _mixed[i - First].Forecaster;
                 // With two samples all forecasts are the same line. They must not differ by rounding, which would decide between equal errors.
-                if (samples > 2 && samples >= forecaster.Samples && forecaster.Solve(motion)) forecaster.Fill(_tables, Start(i), points, _components);
+                if (samples > 2 && samples >= forecaster.RequiredSamples && forecaster.Solve(motion)) forecaster.Fill(_tables, Start(i), points, _components);
                 else Array.Copy(_tables, Start(Line), _tables, Start(i), points * _components);
             }
         }

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Prediction.Forecasting
+namespace Nowpose.Prediction.State
 {
     /// <summary>
     /// Detects that the displacement in the newest interval is not a velocity, because the joint or object is elsewhere at once. Allocates nothing after

@@ -1,7 +1,6 @@
 using System;
-using Nowpose.Prediction.Mixing;
 
-namespace Nowpose.Prediction.Forecasting
+namespace Nowpose.Prediction.State
 {
     /// <summary>Detects change points: samples at which a motion breaks off, so that earlier samples do not predict later ones.</summary>
     /// <remarks>
@@ -51,15 +50,21 @@ namespace Nowpose.Prediction.Forecasting
         /// </summary>
         const double SteadyRatio = 1e-6;
 
-        // Velocity at the previous sample that was not a jump.
-        readonly double[] _before;
+        readonly double _timeConstant;
 
+        // Velocity at the previous sample that was not a jump, and at the last one that was also confirmed.
+        readonly double[] _before, _confirmed;
+
+        // Acceleration and speed of the newest sample, which raise the maxima when the sample is confirmed.
+        double _acceleration, _speed;
         double _maxAcceleration, _maxSpeed, _intervalBefore;
         int _samples, _steadySamples;
         bool _wasSteady;
 
         /// <param name="components">Number of components of the motion.</param>
-        public ChangePointDetector(int components) => _before = new double[components];
+        /// <param name="timeConstant">Time constant of the decay of the maxima, in s.</param>
+        public ChangePointDetector(int components, double timeConstant) =>
+            (_before, _confirmed, _timeConstant) = (new double[components], new double[components], timeConstant);
 
         /// <summary>
         /// Number of samples since the newest change point, including the sample at which it was detected; the number of all samples after an
@@ -74,13 +79,16 @@ namespace Nowpose.Prediction.Forecasting
         public bool IsSteady => _steadySamples > 0;
 
         /// <summary>Adds the newest sample of a motion.</summary>
-        public void Add(MotionState motion)
+        /// <param name="isUnconfirmed">Whether the sample may be wrong (<see cref="JumpDetector.IsUnconfirmed"/>): it does not increase the maxima.</param>
+        public void Add(MotionState motion, bool isUnconfirmed)
         {
             SamplesSince++;
             _samples++;
             if (_samples < 2) return;
             var interval = motion.Timing.Interval;
-            var forgettingFactor = Math.Exp(-interval / Mixture.TimeConstant);
+            var forgettingFactor = Math.Exp(-interval / _timeConstant);
+            RaiseMaxima();
+            (_maxAcceleration, _maxSpeed) = (_maxAcceleration * forgettingFactor, _maxSpeed * forgettingFactor);
             var (newest, before) = (motion.Speed, Vectors.Length(_before));
             var (change, product) = (Vectors.Distance(motion.Velocity, _before), Vectors.Dot(motion.Velocity, _before));
             // An abrupt change within an interval shows in the velocity of two intervals.
@@ -97,24 +105,34 @@ namespace Nowpose.Prediction.Forecasting
                     // A slow motion in the opposite direction is noise before a start, not a reversal.
                     SpeedIncreased = newest > before && (product >= 0 || before < MinChangeRatio * newest);
                 }
-                _maxAcceleration = Math.Max(_maxAcceleration * forgettingFactor, acceleration);
+                _acceleration = acceleration;
             }
-            _maxSpeed = Math.Max(_maxSpeed * forgettingFactor, newest);
+            _speed = newest;
+            if (!isUnconfirmed) RaiseMaxima();
             if (_steadySamples > 0) SamplesSince = Math.Min(SamplesSince, _steadySamples + 2);
             _intervalBefore = interval;
             Array.Copy(motion.Velocity, _before, _before.Length);
+            if (!isUnconfirmed) Array.Copy(motion.Velocity, _confirmed, _confirmed.Length);
         }
 
         /// <summary>Adds a sample at a place that has no connection with the samples before it.</summary>
-        public void AddJump() => (SamplesSince, SpeedIncreased) = (1, false);
+        public void AddJump()
+        {
+            (SamplesSince, SpeedIncreased) = (1, false);
+            (_acceleration, _speed) = (0, 0);
+            Array.Copy(_confirmed, _before, _before.Length);
+        }
 
         public void Reset()
         {
             Array.Clear(_before, 0, _before.Length);
-            _maxAcceleration = _maxSpeed = _intervalBefore = 0;
+            Array.Clear(_confirmed, 0, _confirmed.Length);
+            _acceleration = _speed = _maxAcceleration = _maxSpeed = _intervalBefore = 0;
             SamplesSince = _samples = _steadySamples = 0;
             SpeedIncreased = _wasSteady = false;
         }
+
+        void RaiseMaxima() => (_maxAcceleration, _maxSpeed) = (Math.Max(_maxAcceleration, _acceleration), Math.Max(_maxSpeed, _speed));
 
         bool IsConfirmed(double newest, double before, double product, bool isSteady) => SamplesSince == 2 && SpeedIncreased && product > 0
             && newest >= (isSteady ? MinSteadyConfirmationRatio : MinConfirmationRatio) * before;

@@ -1,25 +1,29 @@
-using Nowpose.Prediction;
-using Nowpose.Prediction.Forecasting;
-using Nowpose.Prediction.Samples;
 using NUnit.Framework;
+using Nowpose.Prediction;
+using Nowpose.Prediction.Samples;
+using Nowpose.Prediction.State;
 
-namespace Nowpose.Tests.Core.Prediction.Forecasting
+namespace Nowpose.Tests.Core.Prediction.State
 {
     public class ChangePointDetectorTests
     {
         const double Interval = 0.05;
 
         // Feeds a first sample, and one sample per speed.
-        static ChangePointDetector After(params double[] speeds)
+        static ChangePointDetector After(params double[] speeds) => WithWrongSample(-2, speeds);
+
+        /// <param name="wrong">Index of the speed towards a wrong sample, from which the next one returns; -2 if there is none.</param>
+        static ChangePointDetector WithWrongSample(int wrong, params double[] speeds)
         {
             var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
-            var (detector, motion, position) = (new ChangePointDetector(components: 1), new MotionState(1, 0, 8, buffer.Timing), 0.0);
+            var (detector, motion, position) = (new ChangePointDetector(components: 1, timeConstant: 20), new MotionState(1, 0, 8, buffer.Timing), 0.0);
             for (var k = 0; k <= speeds.Length; k++)
             {
                 if (k > 0) position += speeds[k - 1] * Interval;
                 buffer.Add(new JointSample(k * Interval, position), displayed: double.NaN);
                 motion.Take(buffer);
-                detector.Add(motion);
+                if (k == wrong + 2 && k > 0) detector.AddJump();
+                else detector.Add(motion, isUnconfirmed: k == wrong + 1);
             }
             return detector;
         }
@@ -54,6 +58,18 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         }
 
         [Test]
+        public void Add_AbruptStopAfterAWrongSample_LeavesOutEarlierSamples()
+        {
+            var detector = WithWrongSample(4, 0.9, 1, 1, 1, 50, -48, 1, 1.1, 1, 0);
+
+            Assert.That((detector.SamplesSince, detector.SpeedIncreased), Is.EqualTo((1, false)));
+        }
+
+        [Test]
+        public void Add_SameVelocityAsBeforeAWrongSample_IsNoChangePoint() =>
+            Assert.That(WithWrongSample(4, 0.9, 1, 1, 1, 50, -48, 1.1).SamplesSince, Is.EqualTo(2));
+
+        [Test]
         public void Add_AccelerationLikeEarlierOnes_IsNoChangePoint() =>
             Assert.That(After(0.2, 0.4, 0.6, 0.4, 0.2, 0, 0.2).SamplesSince, Is.EqualTo(8));
 
@@ -76,13 +92,13 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         public void AddJump_ConstantVelocity_IsTheOnlyChangePoint()
         {
             var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
-            var (detector, motion) = (new ChangePointDetector(components: 1), new MotionState(1, 0, 8, buffer.Timing));
+            var (detector, motion) = (new ChangePointDetector(components: 1, timeConstant: 20), new MotionState(1, 0, 8, buffer.Timing));
             for (var k = 0; k < 8; k++)
             {
                 buffer.Add(new JointSample(k * Interval, 0.01 * k + (k < 5 ? 0 : 3)), displayed: double.NaN);
                 motion.Take(buffer);
                 if (k == 5) detector.AddJump();
-                else detector.Add(motion);
+                else detector.Add(motion, isUnconfirmed: false);
             }
 
             Assert.That(detector.SamplesSince, Is.EqualTo(3));

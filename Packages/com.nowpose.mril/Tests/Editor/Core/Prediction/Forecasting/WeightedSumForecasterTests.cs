@@ -1,18 +1,18 @@
 using System;
-using Nowpose.Prediction.Forecasting;
 using NUnit.Framework;
+using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Tests.Core.Prediction.Forecasting
 {
-    public class LinearForecasterTests
+    public class WeightedSumForecasterTests
     {
         [TestCase("quadratic")]
         [TestCase("process")]
-        public void Fill_AnyWeights_EqualsAtForEveryPoint(string name)
+        public void Fill_AnyForecaster_EqualsAtForEveryPoint(string name)
         {
-            var weights = New(name);
-            var forecaster = new LinearForecaster(weights);
-            forecaster.Solve(Motion(seed: 1, weights.Samples));
+            var forecaster = New(name, stopsAtReversal: false);
+            forecaster.Solve(Motion(seed: 1, forecaster.RequiredSamples));
             var table = new double[ForecastTable.Points + 1];
             forecaster.Fill(table, 1, ForecastTable.Points, components: 1);
 
@@ -22,13 +22,13 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
 
         [TestCase("quadratic")]
         [TestCase("process")]
-        public void Fill_WeightsSharedByJoints_GivesTheSameTableAsSeparateWeights(string name)
+        public void Fill_SharedByJoints_GivesTheSameTableAsSeparateForecasters(string name)
         {
             var shared = New(name);
             foreach (var seed in new[] { 1, 2, 1, 3 })
                 foreach (var position in new Func<double, double>[] { Math.Sin, Math.Cos, t => 3 - t })
                 {
-                    var motion = Motion(seed, shared.Samples, position);
+                    var motion = Motion(seed, shared.RequiredSamples, position);
                     Assert.That(Table(shared, motion), Is.EqualTo(Table(New(name), motion)).Within(1e-12), "seed " + seed);
                 }
         }
@@ -38,16 +38,17 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         [TestCase("quadratic", 1, false)]
         [TestCase("process", 4, false)]
         [TestCase("process", 5, true)]
-        public void Solve_FewSamples_SucceedsFromTheMinimumCountOfItsWeights(string name, int count, bool expected)
+        public void Solve_FewSamples_SucceedsFromTheMinimumCount(string name, int count, bool expected)
         {
-            Assert.That(new LinearForecaster(New(name)).Solve(Motion(seed: 1, count)), Is.EqualTo(expected));
+            Assert.That(New(name).Solve(Motion(seed: 1, count)), Is.EqualTo(expected));
         }
 
-        static PositionWeights New(string name) => name == "process" ? (PositionWeights)new GaussianProcess() : new PolynomialWeights(2, 4);
+        static WeightedSumForecaster New(string name, bool stopsAtReversal = true) => name == "process"
+            ? (WeightedSumForecaster)new GaussianProcess(stopsAtReversal) : new PolynomialForecaster(2, 4, stopsAtReversal);
 
-        static double[] Table(PositionWeights weights, MotionState motion)
+        static double[] Table(WeightedSumForecaster forecaster, MotionState motion)
         {
-            var (forecaster, table) = (new LinearForecaster(weights, stopsAtReversal: true), new double[ForecastTable.Points]);
+            var table = new double[ForecastTable.Points];
             Assert.That(forecaster.Solve(motion));
             forecaster.Fill(table, 0, table.Length, components: 1);
             return table;

@@ -1,0 +1,124 @@
+using System;
+using Nowpose.Prediction.State;
+
+namespace Nowpose.Prediction.Forecasting
+{
+    /// <summary>
+    /// Forecasts a position as the weighted sum of the newest samples' positions. The weights depend only on the times of these samples, so motions that are
+    /// sampled together can share a forecaster, and the weights are computed once per message.
+    /// </summary>
+    abstract class WeightedSumForecaster : Forecaster
+    {
+        /// <summary>
+        /// Maximum difference of times that count as equal, in s: more than their rounding errors, and too short for a visible motion.
+        /// </summary>
+        const double SameSeconds = 1e-9;
+
+        readonly bool _stopsAtReversal;
+
+        // The weights at the points of a ForecastTable, point by point: those of the newest sample and of the others.
+        readonly double[] _table;
+        readonly double[] _weightsAtTime;
+        bool _isSolved, _isTableFilled;
+
+        // The samples of the last solve. The first of them is _age samples older than the newest one.
+        MotionState _motion;
+        int _age;
+
+        /// <param name="samples">Maximum number of newest samples that the forecast uses.</param>
+        /// <param name="stopsAtReversal">
+        /// Whether <see cref="Fill"/> keeps the forecast constant after a reversal, because drives stop far more often than they reverse.
+        /// </param>
+        protected WeightedSumForecaster(int samples, bool stopsAtReversal)
+        {
+            _stopsAtReversal = stopsAtReversal;
+            Times = new double[samples];
+            _table = new double[ForecastTable.Points * samples];
+            _weightsAtTime = new double[samples];
+        }
+
+        public sealed override int RequiredSamples => Times.Length;
+
+        /// <summary>Number of samples from which the forecaster has a solution.</summary>
+        protected virtual int MinSamples => RequiredSamples;
+
+        /// <summary>Number of samples that the forecast uses since the last solve.</summary>
+        protected int Count { get; private set; }
+
+        /// <summary>Times of the samples relative to the newest, in s.</summary>
+        protected double[] Times { get; }
+
+        public override bool Solve(MotionState motion) => Solve(motion, Math.Min(motion.Count, RequiredSamples));
+
+        /// <summary>Solves as if an earlier sample were the newest. The results are relative to this sample until the next solve.</summary>
+        /// <param name="count">Number of samples to use, at most <see cref="RequiredSamples"/>.</param>
+        /// <param name="age">Number of newer samples, which are ignored.</param>
+        /// <returns>Whether these samples determine the weights.</returns>
+        public bool Solve(MotionState motion, int count, int age = 0)
+        {
+            (_motion, _age) = (motion, age);
+            if (count < MinSamples) return false;
+            if (count == Count && HasTimes(motion.Times, age)) return _isSolved;
+            Count = count;
+            for (var i = 0; i < count; i++) Times[i] = motion.Times[age + i] - motion.Times[age];
+            _isTableFilled = false;
+            return _isSolved = SolveWeights();
+        }
+
+        /// <inheritdoc/>
+        /// <remarks>Valid until the forecaster solves for another motion.</remarks>
+        public override double At(double ahead, int component)
+        {
+            FillWeights(ahead, _weightsAtTime, 0);
+            return Sum(_weightsAtTime, 0, component);
+        }
+
+        /// <inheritdoc/>
+        public override void Fill(double[] table, int start, int points, int components)
+        {
+            for (var point = 0; point < ForecastTable.Points && !_isTableFilled; point++) FillWeights(point * ForecastTable.Step, _table, point * RequiredSamples);
+            _isTableFilled = true;
+            for (int point = 0, at = 0, i = start; point < points; point++, at += RequiredSamples)
+                for (var c = 0; c < components; c++) table[i++] = Sum(_table, at, c);
+            if (_stopsAtReversal) Stop(table, start, points, components);
+        }
+
+        /// <summary>Computes the part of the weights that depends only on the times.</summary>
+        /// <returns>Whether the times determine the weights.</returns>
+        protected abstract bool SolveWeights();
+
+        /// <summary>Computes the weights of the samples, the newest first.</summary>
+        /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
+        /// <param name="weights">Receives the weights from index <paramref name="start"/> on.</param>
+        protected abstract void FillWeights(double ahead, double[] weights, int start);
+
+        bool HasTimes(double[] times, int age)
+        {
+            for (var i = 0; i < Count; i++)
+                if (!(Math.Abs(times[age + i] - times[age] - Times[i]) <= SameSeconds)) return false;
+            return true;
+        }
+
+        double Sum(double[] weights, int at, int component)
+        {
+            var (positions, components, sum) = (_motion.Displacements, _motion.Components, 0.0);
+            var i = _age * components + component;
+            var newest = positions[i];
+            for (var j = 1; j < Count; j++) sum += weights[at + j] * (positions[i += components] - newest);
+            return sum;
+        }
+
+        void Stop(double[] table, int start, int points, int components)
+        {
+            var velocity = _motion.Velocity;
+            var hasStopped = false;
+            for (int point = 1, i = start + components; point < points; point++, i += components)
+            {
+                var progress = 0.0;
+                for (var c = 0; c < components; c++) progress += (table[i + c] - table[i + c - components]) * velocity[c];
+                hasStopped |= progress <= 0;
+                if (hasStopped) Array.Copy(table, i - components, table, i, components);
+            }
+        }
+    }
+}

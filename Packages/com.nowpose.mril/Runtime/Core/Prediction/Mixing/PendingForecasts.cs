@@ -1,0 +1,142 @@
+using System;
+using Nowpose.Prediction.Candidates;
+using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.State;
+
+namespace Nowpose.Prediction.Mixing
+{
+    /// <summary>
+    /// Forecasts that wait for the sample at their time. Its position shows the error of each forecast, from which the weights of the mixture and the gates
+    /// of the candidates learn.
+    /// </summary>
+    /// <remarks>Allocates nothing after construction.</remarks>
+    sealed class PendingForecasts
+    {
+        /// <summary>Maximum interval in which samples are interpolated to score a forecast, s.</summary>
+        const double MaxInterval = 0.5;
+
+        /// <summary>Errors above this, in m or rad, are not scored: their squares would remain in every mean.</summary>
+        const double MaxError = 1e9;
+
+        /// <summary>Maximum number of pending forecasts: half a second of samples at 180 Hz.</summary>
+        const int Capacity = 96;
+
+        const int Line = ForecasterSet.Line;
+
+        readonly int _components;
+        readonly ForecasterSet _forecasters;
+        readonly Candidate[] _candidates;
+        readonly MixtureWeights _weights;
+        readonly RecyclingQueue<Expectation> _queue;
+        readonly double[] _errors, _truth;
+
+        public PendingForecasts(int components, ForecasterSet forecasters, Candidate[] candidates, MixtureWeights weights)
+        {
+            (_components, _forecasters, _candidates, _weights) = (components, forecasters, candidates, weights);
+            _queue = new RecyclingQueue<Expectation>(Capacity, () => new Expectation(components, forecasters.Count, candidates.Length));
+            (_errors, _truth) = (new double[forecasters.Count], new double[components]);
+        }
+
+        /// <summary>Adds the forecasts after the newest sample for the time of one horizon ahead.</summary>
+        /// <returns>Distance of the mixture from the line at that time, m or rad.</returns>
+        public double Add(MotionState motion)
+        {
+            var (expected, horizon, squares) = (_queue.Append(), motion.Timing.Horizon, 0.0);
+            var time = new TableTime(horizon);
+            expected.Due = motion.NewestTime + horizon;
+            expected.WasStill = motion.Standstill.Samples > 0;
+            for (var c = 0; c < _components; c++)
+            {
+                var (sum, line) = (0.0, _forecasters.At(Line, time, c));
+                for (var i = 0; i < _errors.Length; i++)
+                {
+                    var forecast = _forecasters.At(i, time, c);
+                    expected.Forecasts[i * _components + c] = motion.Newest[c] + forecast;
+                    sum += _weights.Values[i] * forecast;
+                }
+                (expected.From[c], expected.Mixture[c]) = (motion.Newest[c], motion.Newest[c] + sum);
+                squares += (sum - line) * (sum - line);
+            }
+            for (var i = 0; i < _candidates.Length; i++) expected.HasCandidate[i] = _candidates[i].TryForecast(time, motion, expected.Candidates[i]);
+            return Math.Sqrt(squares);
+        }
+
+        /// <summary>
+        /// Compares the forecasts for the interval before the newest sample with the line through both samples of the interval, and drops them.
+        /// </summary>
+        /// <param name="forgettingFactor">Forgetting factor of the weights for this interval.</param>
+        /// <returns>Whether the weights have learned.</returns>
+        public bool Score(MotionState motion, double forgettingFactor)
+        {
+            var (interval, hasLearned) = (motion.NewestTime - motion.PreviousTime, false);
+            for (; _queue.Count > 0 && _queue[0].Due <= motion.NewestTime; _queue.DropFirst())
+            {
+                var expected = _queue[0];
+                if (!(interval < MaxInterval) || expected.Due < motion.PreviousTime) continue;
+                var fraction = (expected.Due - motion.PreviousTime) / interval;
+                for (var c = 0; c < _components; c++) _truth[c] = motion.Previous[c] + (motion.Newest[c] - motion.Previous[c]) * fraction;
+                hasLearned |= ScoreForecasts(expected, forgettingFactor);
+                ScoreCandidates(expected, motion.NewestTime);
+            }
+            return hasLearned;
+        }
+
+        public void Clear() => _queue.Clear();
+
+        bool ScoreForecasts(Expectation expected, double forgettingFactor)
+        {
+            var (forecasts, differ) = (expected.Forecasts, false);
+            for (var i = 0; i < forecasts.Length; i += _components)
+            {
+                if (!(Vectors.Distance(forecasts, i, _truth, 0, _components) < MaxError)) return false;
+                differ |= Vectors.Distance(forecasts, i, forecasts, Line * _components, _components) > Mixture.Rounding;
+            }
+            // From a rest without noise, all forecasts are equal. Their error at a start would hide the differences between the forecasters for seconds.
+            if (!differ) return false;
+            for (var c = 0; c < _components; c++)
+            {
+                for (var i = 0; i < _errors.Length; i++) _errors[i] = forecasts[i * _components + c] - _truth[c];
+                _weights.Learn(_errors, forgettingFactor);
+            }
+            return true;
+        }
+
+        void ScoreCandidates(Expectation expected, double time)
+        {
+            // After a break, the mixture is wrong for a moment, which proves nothing for a candidate if a line is not.
+            var line = Vectors.Distance(_truth, 0, expected.Forecasts, Line * _components, _components);
+            var error = Math.Min(Vectors.Distance(expected.Mixture, _truth), line);
+            for (var i = 0; i < _candidates.Length; i++)
+                if (expected.HasCandidate[i]) _candidates[i].Score(expected.Candidates[i], error, _truth, expected.From, expected.WasStill, time);
+        }
+
+        /// <summary>Forecasts for one time. The components of each position are adjacent.</summary>
+        sealed class Expectation
+        {
+            public Expectation(int components, int forecasts, int candidates)
+            {
+                (Forecasts, Mixture, From) = (new double[forecasts * components], new double[components], new double[components]);
+                (Candidates, HasCandidate) = (new double[candidates][], new bool[candidates]);
+                for (var i = 0; i < candidates; i++) Candidates[i] = new double[components];
+            }
+
+            /// <summary>Time of the forecasts, in s.</summary>
+            public double Due { get; set; }
+
+            public double[] Forecasts { get; }
+
+            /// <summary>Weighted sum of the forecasts.</summary>
+            public double[] Mixture { get; }
+
+            public double[][] Candidates { get; }
+
+            public bool[] HasCandidate { get; }
+
+            /// <summary>Position of the sample that was the newest when the forecasts were made.</summary>
+            public double[] From { get; }
+
+            /// <summary>Whether the positions stood still then.</summary>
+            public bool WasStill { get; set; }
+        }
+    }
+}
