@@ -3,8 +3,8 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from './parts.mjs';
 
-const { AdapterStatus, Log, JointNames, Silence, ReportedJoints } =
-  await parts('gateway/status', 'log', 'ros/jointNames', 'samples/silence', 'broker/reportedJoints');
+const { AdapterStatus, Log, JointNames, SampleSilence, ReportedJoints } =
+  await parts('gateway/status', 'log', 'ros/jointNames', 'samples/sampleSilence', 'broker/reportedJoints');
 
 /** Unix time of the start in milliseconds. The control clock of the other gateway starts at zero. */
 const START = 1_790_000_000_000;
@@ -13,7 +13,7 @@ const START = 1_790_000_000_000;
 function bridge() {
   const lines = [], time = { ms: 0 };
   const status = new AdapterStatus('broker', new Log('plant/test', [], line => lines.push(line), () => {}));
-  const silence = new Silence(status, () => 3000, () => time.ms), names = new JointNames([]);
+  const silence = new SampleSilence(status, () => 3000, () => time.ms), names = new JointNames([]);
   silence.unconfirmedMs = null;
   const reported = new ReportedJoints(names, status, silence, () => START + time.ms);
   const hear = values => reported.hear({

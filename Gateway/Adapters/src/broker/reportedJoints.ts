@@ -1,7 +1,7 @@
 import type { Condition, State } from '../gateway/conditions';
 import type { AdapterStatus } from '../gateway/status';
 import type { JointNames } from '../ros/jointNames';
-import type { Silence } from '../samples/silence';
+import type { SampleSilence } from '../samples/sampleSilence';
 import { type Nanoseconds, ofRosTime, toMilliseconds } from '../times';
 import { brokerMessages, malformedMessages } from '../messages/broker';
 
@@ -36,7 +36,7 @@ export class ReportedJoints {
   constructor(
     readonly names: Pick<JointNames, 'find'>,
     readonly status: AdapterStatus,
-    readonly silence: Silence,
+    readonly silence: SampleSilence,
     readonly now: () => number = Date.now,
   ) {}
 

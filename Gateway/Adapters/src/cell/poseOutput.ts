@@ -4,7 +4,7 @@ import type { AdapterStatus } from '../gateway/status';
 import { grouped } from '../samples/grouping';
 import { numberIn } from '../samples/number';
 import type { PlantValue } from '../samples/plantOutput';
-import { Silence } from '../samples/silence';
+import { SampleSilence } from '../samples/sampleSilence';
 import { OF_LONG_AGO, type Refusal, StampRule } from '../samples/stampRule';
 import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
 import { ComponentTrack } from './component';
@@ -75,7 +75,7 @@ export class PoseOutput {
   readonly #components: ComponentTrack[];
   /** Sampling interval of the source in seconds; 0 if unknown. */
   samplingS = 0;
-  readonly silence: Silence;
+  readonly silence: SampleSilence;
 
   /**
    * @param labels Descriptions of all values that are read, for messages.
@@ -96,7 +96,7 @@ export class PoseOutput {
       .map((frame, index) => ({ index, frame, values: valuesOf(frame), newest: null, changed: null, intervals: [], isRepeated: false }));
     this.#rule = new StampRule(this.#tracks.length, options.oldest);
     const limits = new Map(frames.map(({ frame, faultAfterMs }) => [frame, faultAfterMs]));
-    this.silence = new Silence(status, frame => (limits.has(frame) ? limits.get(frame) : options.faultAfterMs) ?? null, counter, status.frames);
+    this.silence = new SampleSilence(status, frame => (limits.has(frame) ? limits.get(frame) : options.faultAfterMs) ?? null, counter, status.frames);
     for (const { frame } of this.#tracks) status.frames.expect(frame.frame);
     this.#publishStationary(frames.filter(isStationary));
   }

@@ -3,7 +3,7 @@ import type { Signal } from '../configuration/signals';
 import type { AdapterStatus } from '../gateway/status';
 import { numberIn } from '../samples/number';
 import type { PlantValue } from '../samples/plantOutput';
-import { Silence } from '../samples/silence';
+import { SampleSilence } from '../samples/sampleSilence';
 import { type Refusal, StampRule } from '../samples/stampRule';
 import type { Nanoseconds } from '../times';
 import { SignalSender } from './signalSender';
@@ -21,7 +21,7 @@ export class SignalOutput {
   readonly sender: SignalSender;
   /** Signals whose newest value is valid. Only these can be confirmed. */
   readonly #valid = new Set<number>();
-  readonly silence: Silence;
+  readonly silence: SampleSilence;
 
   /**
    * @param offset Index of the first signal's value. The values of the other signals follow it.
@@ -37,7 +37,7 @@ export class SignalOutput {
   ) {
     this.#rule = new StampRule(signals.length, ANY_AGE);
     this.sender = new SignalSender(clock, gateway, () => status.sampled(), counter);
-    this.silence = new Silence(status, () => null, counter, status.signals);
+    this.silence = new SampleSilence(status, () => null, counter, status.signals);
     for (const { signal } of signals) status.signals.expect(signal);
   }
 

@@ -1,4 +1,4 @@
-import './quiet';
+import './libraryLog';
 import { type UserIdentityInfo, UserTokenType } from 'node-opcua-client';
 import type { AdapterContext } from '../adapter';
 import { Backoff, pause } from '../backoff';
@@ -14,7 +14,7 @@ import { thumbprints, TrustList } from './security/trustList';
 import { type OpcUaSettings, settingsOf } from './settings';
 import { SilentNodes } from './silentNodes';
 import { Refused, refusalOf } from './troubles';
-import { Watch } from './watch';
+import { ServerSilence } from './serverSilence';
 import { certificateMessages, nodeMessages, opcuaMessages } from '../messages/opcua';
 
 /** Assumed maximum delay of a notification in addition to the sampling and publishing intervals that the server grants. */
@@ -84,7 +84,7 @@ async function attempt(
   try {
     await session.open(identity(settings));
     const nodes = await idsOf(session, context, reader);
-    const watch = new Watch();
+    const serverSilence = new ServerSilence();
     await context.clock.attach(await clockOf(session, settings, settings.time === null ? null : nodes.at(-1)!, context.log), stopping);
     reader.restart();
     const silent = new SilentNodes(
@@ -98,10 +98,10 @@ async function attempt(
       nodes,
       values => {
         silent.heard(values);
-        watch.valued();
+        serverSilence.valued();
         reader.read(values);
       },
-      () => watch.alive(),
+      () => serverSilence.alive(),
     );
     reader.samplingMs = monitoring.samplingMs;
     const delayMs = (silent.delayMs = SLACK_MS + monitoring.samplingMs + monitoring.publishingMs);
@@ -116,7 +116,7 @@ async function attempt(
       const unchanged = await silent.read();
       if (time !== null) reader.holdNodes(time - lag, unchanged);
     };
-    const reason = await Promise.race([session.ended, watch.silence(context.clock, monitoring.keepAliveMs, session.ended, look)]);
+    const reason = await Promise.race([session.ended, serverSilence.detect(context.clock, monitoring.keepAliveMs, session.ended, look)]);
     if (!stopping.aborted) status.enter('waiting', reason);
   } catch (error) {
     const trouble = refusalOf(error as Error, trust, settings, own);

@@ -3,7 +3,7 @@ import { unit } from '../cell/rotation';
 import type { PlantClock } from '../clock/plantClock';
 import { WORLD } from '../configuration/frames';
 import type { AdapterStatus } from '../gateway/status';
-import type { Silence } from '../samples/silence';
+import type { SampleSilence } from '../samples/sampleSilence';
 import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
 import { malformedMessages } from '../messages/broker';
@@ -50,7 +50,7 @@ export class RosFrames {
     readonly clock: Pick<PlantClock, 'now' | 'isSettled'>,
     readonly gateway: Publisher,
     readonly status: AdapterStatus,
-    readonly silence: Silence,
+    readonly silence: SampleSilence,
   ) {
     this.#rule = new StampRule(names.frames.length, oldest);
     // ROS does not confirm the poses of a frame whose publisher is silent.

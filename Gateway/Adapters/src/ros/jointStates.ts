@@ -3,7 +3,7 @@ import { shown } from '../configuration/problem';
 import { JOINT_STATES, jointState, topicOf } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
 import { decelerationFloor, EndOfData } from '../samples/endOfData';
-import type { Silence } from '../samples/silence';
+import type { SampleSilence } from '../samples/sampleSilence';
 import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
 import type { JointNames, OutJoint } from './jointNames';
@@ -42,7 +42,7 @@ export class JointStates {
     readonly clock: Pick<PlantClock, 'now' | 'isSettled'>,
     readonly gateway: Publisher,
     readonly status: AdapterStatus,
-    readonly silence: Silence,
+    readonly silence: SampleSilence,
   ) {
     // ROS does not confirm the position of a joint whose publisher is silent.
     silence.unconfirmedMs = null;

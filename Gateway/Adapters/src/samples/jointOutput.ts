@@ -6,7 +6,7 @@ import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
 import { decelerationFloor, EndOfData } from './endOfData';
 import { grouped, type Sample } from './grouping';
 import { numberIn } from './number';
-import { ENDED_IN_MOTION, Silence } from './silence';
+import { ENDED_IN_MOTION, SampleSilence } from './sampleSilence';
 import { OF_LONG_AGO, type Refusal, StampRule } from './stampRule';
 import { RestingSamples } from './restingSamples';
 import { refusalMessages, silenceMessages } from '../messages/values';
@@ -72,7 +72,7 @@ export class JointOutput {
   readonly #unobserved = new Map<number, number>();
   /** Sampling interval of the source in seconds; 0 if unknown. */
   samplingS = 0;
-  readonly silence: Silence;
+  readonly silence: SampleSilence;
   /** Gets the phase in which the source stopped writing a joint's value; null if it has not stopped, or if this is unknown. */
   sourceStopOf: (joint: number) => SourceStop | null = () => null;
 
@@ -89,7 +89,7 @@ export class JointOutput {
     this.#resting = new RestingSamples(joints.length);
     this.#ends = joints.map(joint => new EndOfData(decelerationFloor(joint.isLinear), joint.maxDeceleration ?? null));
     const limits = new Map(joints.map(joint => [joint.joint, joint.faultAfterMs ?? null]));
-    this.silence = new Silence(status, joint => (limits.has(joint) ? limits.get(joint) : options.faultAfterMs) ?? null, counter);
+    this.silence = new SampleSilence(status, joint => (limits.has(joint) ? limits.get(joint) : options.faultAfterMs) ?? null, counter);
     this.silence.endOf = (name, silentMs) =>
       this.#endOf(
         joints.findIndex(({ joint }) => joint === name),

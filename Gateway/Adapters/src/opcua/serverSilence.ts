@@ -15,7 +15,7 @@ const SILENCE_MS = 5000;
 const MISSED = 3;
 
 /** Detects a server that no longer responds, from its notifications, its keep-alive messages and the readings of its clock. */
-export class Watch {
+export class ServerSilence {
   #heard = performance.now();
   #valued = -Infinity;
 
@@ -33,7 +33,7 @@ export class Watch {
    * @param keepAliveMs Interval of the server's keep-alive messages, ms.
    * @param look Called in each check with the time just read from the clock; null if the clock has stopped.
    */
-  async silence(clock: PlantClock, keepAliveMs: number, ended: Promise<unknown>, look: (time: Nanoseconds | null) => Promise<void>): Promise<string> {
+  async detect(clock: PlantClock, keepAliveMs: number, ended: Promise<unknown>, look: (time: Nanoseconds | null) => Promise<void>): Promise<string> {
     const longest = Math.max(SILENCE_MS, MISSED * keepAliveMs);
     let isOver = false;
     let looked = performance.now();

@@ -16,7 +16,7 @@ interface Heard {
 }
 
 /** Measures the time without samples for each joint, and sets the joint's state accordingly. Also used for frames and signals. */
-export class Silence {
+export class SampleSilence {
   /** Time in ms without a confirmation after which a joint has a fault; null if the control system does not confirm values. */
   unconfirmedMs: number | null = 1500;
   /**
