@@ -1,4 +1,4 @@
-import type { PlantClock } from './clock/plantClock';
+import type { OfferedClock } from './clock/offeredClock';
 import type { Configuration, OwnCheck } from './configuration/configuration';
 import type { GatewayLink } from './gateway/link';
 import type { AdapterStatus } from './gateway/status';
@@ -10,7 +10,7 @@ export interface AdapterContext {
   configuration: Configuration;
   gateway: GatewayLink;
   /** Offers the plant's clock to the gateway. The adapter attaches it after connecting to the plant, and detaches it after a disconnection. */
-  clock: PlantClock;
+  clock: OfferedClock;
   /** Receives the plant's values in the order of their arrival. */
   output: PlantOutput;
   status: AdapterStatus;

@@ -1,4 +1,4 @@
-import { PlantClock } from './clock/plantClock';
+import { OfferedClock } from './clock/offeredClock';
 import type { Configuration } from './configuration/configuration';
 import { silenceMs } from './configuration/silenceEntry';
 import { GatewayLink } from './gateway/link';
@@ -34,7 +34,7 @@ export async function runPlant(configuration: Configuration): Promise<number> {
   });
   const { clock_resolution_us: resolutionUs, group_ms: groupMs, oldest_ms: oldestMs } = plant;
   const fixed = resolutionUs === undefined ? null : ofMilliseconds(Number(resolutionUs) / 1000);
-  const clock = new PlantClock(gateway, plant.name, fixed, undefined, coarse => reportCoarse(status, log, coarse));
+  const clock = new OfferedClock(gateway, plant.name, fixed, undefined, coarse => reportCoarse(status, log, coarse));
   const limits = {
     tolerance: ofMilliseconds(Number(groupMs ?? GROUP_MS)),
     oldest: ofMilliseconds(Number(oldestMs ?? OLDEST_MS)),

@@ -5,7 +5,7 @@ import { messages } from './messages.mjs';
 
 const { clockMessages } = messages;
 
-const { Resolution, PlantClock, ofFileTime, toRosTime } = await parts('clock/resolution', 'clock/plantClock', 'times');
+const { Resolution, OfferedClock, ofFileTime, toRosTime } = await parts('clock/resolution', 'clock/offeredClock', 'times');
 const MS = 1_000_000n;
 const T = 1_700_000_000_000n * MS;
 
@@ -64,7 +64,7 @@ describe('plant clock', () => {
   const never = new AbortController().signal;
 
   it('Clock_NeverRead_IsNotOffered', async () => {
-    const gateway = link(), clock = new PlantClock(gateway, 'cell');
+    const gateway = link(), clock = new OfferedClock(gateway, 'cell');
 
     await assert.rejects(clock.attach(async () => { throw new Error('no such service'); }, never), /no such service/);
 
@@ -74,7 +74,7 @@ describe('plant clock', () => {
   });
 
   it('Request_PlantDisconnected_ReturnsTheReason', async () => {
-    const gateway = link(), clock = new PlantClock(gateway, 'cell', MS);
+    const gateway = link(), clock = new OfferedClock(gateway, 'cell', MS);
     await clock.attach(async () => ({ received: T, sent: T }), never);
 
     clock.detach();
@@ -84,7 +84,7 @@ describe('plant clock', () => {
   });
 
   it('Clock_DetachedDuringMeasurement_IsNeitherReadNorOffered', async () => {
-    const gateway = link(), clock = new PlantClock(gateway, 'cell');
+    const gateway = link(), clock = new OfferedClock(gateway, 'cell');
     let time = T;
     const attached = clock.attach(async () => {
       time += 7n * MS;
@@ -99,7 +99,7 @@ describe('plant clock', () => {
   });
 
   it('Request_PlantConnected_ReturnsTimesAndResolution', async () => {
-    const gateway = link(), clock = new PlantClock(gateway, 'cell');
+    const gateway = link(), clock = new OfferedClock(gateway, 'cell');
     let time = T;
     await clock.attach(async () => {
       time += 7n * MS;
@@ -113,7 +113,7 @@ describe('plant clock', () => {
   });
 
   it('Resolution_Configured_IsUsed', async () => {
-    const gateway = link(), clock = new PlantClock(gateway, 'cell', 5n * MS);
+    const gateway = link(), clock = new OfferedClock(gateway, 'cell', 5n * MS);
     await clock.attach(async () => ({ received: T, sent: T }), never);
 
     assert.equal((await clock.read()).resolution, 5n * MS);
@@ -121,7 +121,7 @@ describe('plant clock', () => {
 
   it('Clock_PausedAndResumed_IsUnavailableDuringThePauseAndKeepsItsResolution', async () => {
     let now = 0n, time = T, isPaused = false;
-    const gateway = link(), clock = new PlantClock(gateway, 'cell', null, () => now);
+    const gateway = link(), clock = new OfferedClock(gateway, 'cell', null, () => now);
     const pass = length => {
       now += length;
       if (!isPaused) time += length;
@@ -151,7 +151,7 @@ describe('plant clock', () => {
   // The clock of Windows has a resolution of 15.625 ms. A synchronised gateway reads it once a second, so it never reads the same time twice.
   it('Resolution_CoarseClockReadOnceASecond_StaysCoarse', async () => {
     let now = 0n;
-    const gateway = link(), clock = new PlantClock(gateway, 'cell', null, () => now), step = 15_625_000n;
+    const gateway = link(), clock = new OfferedClock(gateway, 'cell', null, () => now), step = 15_625_000n;
     await clock.attach(async () => {
       now += 3n * MS;
       const time = T + now / step * step;
@@ -170,7 +170,7 @@ describe('plant clock', () => {
   for (const [step, expected] of [[1000n * MS, [1000n * MS]], [10n * MS, []]])
     it(`Clock_InStepsOf${step / MS}ms_${expected.length > 0 ? 'IsReportedAsCoarse' : 'IsNotReported'}`, async () => {
       let now = 0n;
-      const observed = new Set(), clock = new PlantClock(link(), 'cell', null, () => now, coarse => observed.add(coarse));
+      const observed = new Set(), clock = new OfferedClock(link(), 'cell', null, () => now, coarse => observed.add(coarse));
       const read = async () => {
         now += 50n * MS;
         const time = T + now / step * step;
@@ -186,7 +186,7 @@ describe('plant clock', () => {
     });
 
   it('Now_ClockDetached_IsUnknown', async () => {
-    const clock = new PlantClock(link(), 'cell', MS);
+    const clock = new OfferedClock(link(), 'cell', MS);
     await clock.attach(async () => ({ received: T, sent: T }), never);
     const known = clock.now;
 

@@ -4,7 +4,7 @@ import { describe, it } from 'node:test';
 import { parts } from './parts.mjs';
 import { seeded } from './seeded.mjs';
 
-const { GatewayClock, PlantClock } = await parts('clock/gatewayClock', 'clock/plantClock');
+const { GatewayClock, OfferedClock } = await parts('clock/gatewayClock', 'clock/offeredClock');
 const MS = 1_000_000n, S = 1000n * MS, T = 1_700_000_000n * S;
 
 const us = number => BigInt(Math.round(number)) * 1000n;
@@ -54,7 +54,7 @@ describe('clock of the gateway', () => {
   it('PlantClock_PlantHasNoClock_ReadsTheClockOfTheGateway', async () => {
     const time = { now: 5n * S }, stop = new AbortController();
     const gateway = { offer: () => {}, call: async () => ({ time: { sec: Number(T / S), nanosec: 0 } }) };
-    const clock = new PlantClock(gateway, 'cell', MS, () => time.now);
+    const clock = new OfferedClock(gateway, 'cell', MS, () => time.now);
     assert.deepEqual([clock.isSettled, clock.now], [false, null]);
 
     await clock.doWithout(stop.signal);
@@ -68,7 +68,7 @@ describe('clock of the gateway', () => {
   });
 
   it('PlantClock_GatewayNotConnected_IsUnknown', async () => {
-    const stop = new AbortController(), clock = new PlantClock({ offer: () => {}, call: async () => { throw new Error('away'); } }, 'cell');
+    const stop = new AbortController(), clock = new OfferedClock({ offer: () => {}, call: async () => { throw new Error('away'); } }, 'cell');
 
     const known = clock.doWithout(stop.signal);
     stop.abort();

@@ -1,6 +1,6 @@
 import type { AdsSymbol } from 'ads-client';
 import { pause } from '../backoff';
-import type { ClockReading } from '../clock/plantClock';
+import type { ClockReading } from '../clock/offeredClock';
 import type { TimeUnit } from '../samples/timeUnit';
 import { type Nanoseconds, ofFileTime } from '../times';
 import { timeOf } from './decoding';

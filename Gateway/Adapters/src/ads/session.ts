@@ -1,6 +1,6 @@
 import { ADS, type AdsSymbol } from 'ads-client';
 import type { AdapterContext } from '../adapter';
-import type { ClockReading } from '../clock/plantClock';
+import type { ClockReading } from '../clock/offeredClock';
 import type { TimeUnit } from '../samples/timeUnit';
 import { type Nanoseconds, ofFileTime, ofMilliseconds } from '../times';
 import { Cycles, type CycleValue } from './cycles';

@@ -1,6 +1,6 @@
 import { SIGNALS, TF, TF_STATIC } from '../cell/messages';
 import { SignalSender } from '../cell/signalSender';
-import type { PlantClock } from '../clock/plantClock';
+import type { OfferedClock } from '../clock/offeredClock';
 import type { GatewayLink } from '../gateway/link';
 import { SIGNAL_STATUS } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
@@ -54,7 +54,7 @@ export class ReceivedObjects {
   /** @param counter Monotonic time in ms. */
   constructor(
     readonly gateway: GatewayLink,
-    readonly clock: PlantClock,
+    readonly clock: OfferedClock,
     readonly status: AdapterStatus,
     counter: () => number = () => performance.now(),
   ) {

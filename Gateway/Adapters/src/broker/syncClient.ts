@@ -1,6 +1,6 @@
 import { connect, type Socket } from 'node:net';
 import { connect as connectSecurely } from 'node:tls';
-import type { ClockReading } from '../clock/plantClock';
+import type { ClockReading } from '../clock/offeredClock';
 import { pinProblem } from '../gateway/pin';
 import { monotonicTime } from '../times';
 import type { Upstream } from './settings';

@@ -1,4 +1,4 @@
-import type { ClockReading } from '../clock/plantClock';
+import type { ClockReading } from '../clock/offeredClock';
 import type { Nanoseconds } from '../times';
 
 /** Length of a frame in the clock sync protocol, in bytes. */

@@ -1,5 +1,5 @@
 import { Backoff, pause } from '../backoff';
-import type { PlantClock } from '../clock/plantClock';
+import type { OfferedClock } from '../clock/offeredClock';
 import type { Log } from '../log';
 import type { Upstream } from './settings';
 import { SyncClient } from './syncClient';
@@ -10,7 +10,7 @@ import { syncMessages } from '../messages/broker';
  * the plant's gateway, which also returns the error bound and the state of the clock. The network delay of this exchange is part of the
  * round-trip time that the requesting gateway measures.
  */
-export async function runUpstreamClock(upstream: Upstream, clock: PlantClock, log: Log, stop: AbortSignal): Promise<void> {
+export async function runUpstreamClock(upstream: Upstream, clock: OfferedClock, log: Log, stop: AbortSignal): Promise<void> {
   const backoff = new Backoff();
   while (!stop.aborted) {
     const reason = await follow(upstream, clock, log, stop, () => backoff.reset());
@@ -22,7 +22,7 @@ export async function runUpstreamClock(upstream: Upstream, clock: PlantClock, lo
 }
 
 /** Uses one connection until it ends. Returns the reason why it ended. */
-async function follow(upstream: Upstream, clock: PlantClock, log: Log, stop: AbortSignal, opened: () => void): Promise<string> {
+async function follow(upstream: Upstream, clock: OfferedClock, log: Log, stop: AbortSignal, opened: () => void): Promise<string> {
   let client: SyncClient;
   try {
     client = await SyncClient.open(upstream);

@@ -1,5 +1,5 @@
 import { isStationary, type Component, type Frame } from '../configuration/frames';
-import type { PlantClock } from '../clock/plantClock';
+import type { OfferedClock } from '../clock/offeredClock';
 import type { AdapterStatus } from '../gateway/status';
 import { grouped } from '../samples/grouping';
 import { numberIn } from '../samples/number';
@@ -85,7 +85,7 @@ export class PoseOutput {
     frames: Frame[],
     readonly labels: string[],
     readonly options: PoseOptions,
-    readonly clock: Pick<PlantClock, 'now' | 'isSettled'>,
+    readonly clock: Pick<OfferedClock, 'now' | 'isSettled'>,
     readonly gateway: Publisher,
     readonly status: AdapterStatus,
     counter?: () => number,

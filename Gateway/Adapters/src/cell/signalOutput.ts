@@ -1,4 +1,4 @@
-import type { PlantClock } from '../clock/plantClock';
+import type { OfferedClock } from '../clock/offeredClock';
 import type { Signal } from '../configuration/signals';
 import type { AdapterStatus } from '../gateway/status';
 import { numberIn } from '../samples/number';
@@ -30,7 +30,7 @@ export class SignalOutput {
   constructor(
     readonly signals: Signal[],
     readonly offset: number,
-    readonly clock: Pick<PlantClock, 'now' | 'isSettled'>,
+    readonly clock: Pick<OfferedClock, 'now' | 'isSettled'>,
     gateway: Publisher,
     readonly status: AdapterStatus,
     counter: () => number = () => performance.now(),

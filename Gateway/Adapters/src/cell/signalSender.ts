@@ -1,4 +1,4 @@
-import type { PlantClock } from '../clock/plantClock';
+import type { OfferedClock } from '../clock/offeredClock';
 import type { Nanoseconds } from '../times';
 import { SIGNALS, signals } from './messages';
 
@@ -27,7 +27,7 @@ export class SignalSender {
    * @param counter Monotonic clock in ms.
    */
   constructor(
-    readonly clock: Pick<PlantClock, 'isSettled'>,
+    readonly clock: Pick<OfferedClock, 'isSettled'>,
     readonly gateway: { publish(topic: string, msg: object): void },
     readonly sent: () => void,
     readonly counter: () => number,

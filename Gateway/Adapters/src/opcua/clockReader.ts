@@ -1,4 +1,4 @@
-import type { ClockReading, ReadClock } from '../clock/plantClock';
+import type { ClockReading, ReadClock } from '../clock/offeredClock';
 import type { Log } from '../log';
 import { monotonicTime, type Nanoseconds, NS_PER_MS } from '../times';
 import { isGood } from './nodeValues';

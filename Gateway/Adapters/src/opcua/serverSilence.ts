@@ -1,4 +1,4 @@
-import { isClockStopped, type PlantClock } from '../clock/plantClock';
+import { isClockStopped, type OfferedClock } from '../clock/offeredClock';
 import type { Nanoseconds } from '../times';
 import { clockMessages } from '../messages/gateway';
 import { opcuaMessages } from '../messages/opcua';
@@ -33,7 +33,12 @@ export class ServerSilence {
    * @param keepAliveMs Interval of the server's keep-alive messages, ms.
    * @param look Called in each check with the time just read from the clock; null if the clock has stopped.
    */
-  async detect(clock: PlantClock, keepAliveMs: number, ended: Promise<unknown>, look: (time: Nanoseconds | null) => Promise<void>): Promise<string> {
+  async detect(
+    clock: OfferedClock,
+    keepAliveMs: number,
+    ended: Promise<unknown>,
+    look: (time: Nanoseconds | null) => Promise<void>,
+  ): Promise<string> {
     const longest = Math.max(SILENCE_MS, MISSED * keepAliveMs);
     let isOver = false;
     let looked = performance.now();

@@ -1,6 +1,6 @@
 import { type Pose, TF, TF_STATIC, tooFar, transform } from '../cell/messages';
 import { unit } from '../cell/rotation';
-import type { PlantClock } from '../clock/plantClock';
+import type { OfferedClock } from '../clock/offeredClock';
 import { WORLD } from '../configuration/frames';
 import type { AdapterStatus } from '../gateway/status';
 import type { SampleSilence } from '../samples/sampleSilence';
@@ -47,7 +47,7 @@ export class RosFrames {
   constructor(
     readonly names: Names,
     oldest: Nanoseconds,
-    readonly clock: Pick<PlantClock, 'now' | 'isSettled'>,
+    readonly clock: Pick<OfferedClock, 'now' | 'isSettled'>,
     readonly gateway: Publisher,
     readonly status: AdapterStatus,
     readonly silence: SampleSilence,

@@ -1,4 +1,4 @@
-import type { PlantClock } from '../clock/plantClock';
+import type { OfferedClock } from '../clock/offeredClock';
 import { shown } from '../configuration/problem';
 import { JOINT_STATES, jointState, topicOf } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
@@ -39,7 +39,7 @@ export class JointStates {
   constructor(
     readonly names: JointNames,
     oldest: Nanoseconds,
-    readonly clock: Pick<PlantClock, 'now' | 'isSettled'>,
+    readonly clock: Pick<OfferedClock, 'now' | 'isSettled'>,
     readonly gateway: Publisher,
     readonly status: AdapterStatus,
     readonly silence: SampleSilence,

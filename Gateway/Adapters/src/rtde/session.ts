@@ -8,7 +8,7 @@ import { CycleOutput } from './cycleOutput';
 import { Following } from './following';
 import { Pace } from './pace';
 import { type Cycle, type Field, Recipe } from './recipe';
-import { RobotClock } from './robotClock';
+import { ControllerClock } from './controllerClock';
 import { isProgramRunning, Power, programOf, safetyStopOf } from './robotState';
 import type { RtdeSettings } from './settings';
 import { robotStateMessages, rtdeMessages } from '../messages/rtde';
@@ -39,7 +39,7 @@ export class RtdeSession {
   #output!: CycleOutput;
   /** Payload of the response with the controller's version; null if the controller did not respond. */
   #controller: Buffer | null = null;
-  #clock!: RobotClock;
+  #clock!: ControllerClock;
   #awaited: { type: number; take: (payload: Buffer, arrived: Nanoseconds) => void } | null = null;
   /** Time of the request whose response arrived last; null if a data package has arrived since then, or if no response has arrived. */
   #answered: Nanoseconds | null = null;
@@ -110,7 +110,7 @@ export class RtdeSession {
     if (major !== null) status.detail('controller', [0, 4, 8, 12].map(i => controller!.readUInt32BE(i)).join('.'));
     const cyclesHz = major === null || major >= E_SERIES ? E_SERIES_HZ : CB3_HZ;
     const rateHz = Math.min(settings.rateHz, cyclesHz);
-    this.#clock = new RobotClock(settings.sendDelay ?? ofMilliseconds(1000 / cyclesHz), by => this.#reportStep(by));
+    this.#clock = new ControllerClock(settings.sendDelay ?? ofMilliseconds(1000 / cyclesHz), by => this.#reportStep(by));
     status.detail('rate_hz', rateHz);
     const names = this.fields.map(field => field.name);
     const types = await this.#ask(setUpOutputs(rateHz, names), TYPE.setUpOutputs, ANSWER_MS);

@@ -1,4 +1,4 @@
-import type { PlantClock } from '../clock/plantClock';
+import type { OfferedClock } from '../clock/offeredClock';
 import type { Joint } from '../configuration/configuration';
 import { JOINT_STATES, jointState, topicOf } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
@@ -80,7 +80,7 @@ export class JointOutput {
   constructor(
     readonly joints: Joint[],
     readonly options: JointOutputOptions,
-    readonly clock: Pick<PlantClock, 'now' | 'isSettled'>,
+    readonly clock: Pick<OfferedClock, 'now' | 'isSettled'>,
     readonly gateway: Publisher,
     readonly status: AdapterStatus,
     counter?: () => number,

@@ -1,6 +1,6 @@
 import { PoseOutput } from '../cell/poseOutput';
 import { SignalOutput } from '../cell/signalOutput';
-import type { PlantClock } from '../clock/plantClock';
+import type { OfferedClock } from '../clock/offeredClock';
 import type { Configuration } from '../configuration/configuration';
 import type { AdapterStatus } from '../gateway/status';
 import type { Nanoseconds } from '../times';
@@ -40,7 +40,7 @@ export class PlantOutput {
   constructor(
     { joints, frames, signals, values }: Pick<Configuration, 'joints' | 'frames' | 'signals' | 'values'>,
     options: JointOutputOptions,
-    clock: Pick<PlantClock, 'now' | 'isSettled'>,
+    clock: Pick<OfferedClock, 'now' | 'isSettled'>,
     gateway: Publisher,
     status: AdapterStatus,
     counter?: () => number,

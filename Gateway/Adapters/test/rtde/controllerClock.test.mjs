@@ -4,7 +4,7 @@ import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
 import { seeded } from '../seeded.mjs';
 
-const { RobotClock } = await parts('rtde/robotClock');
+const { ControllerClock } = await parts('rtde/controllerClock');
 
 const MS = 1_000_000n, ns = ms => BigInt(Math.round(ms * 1e6));
 
@@ -19,7 +19,7 @@ class Link {
   constructor({ seed, aheadMs = 5_000_000, ppm = 80, periodMs = 8, minDelayMs = 0.2, jitterMs = 2, sendMs = 2, assumedMs = 2, lateShare = 0,
     answers = true }) {
     Object.assign(this, { seed, aheadMs, ppm, periodMs, minDelayMs, jitterMs, sendMs, lateShare, random: seeded(seed), answers });
-    this.clock = new RobotClock(ns(assumedMs), by => this.stepped.push(Number(by) / 1e6));
+    this.clock = new ControllerClock(ns(assumedMs), by => this.stepped.push(Number(by) / 1e6));
     this.cycle = 1;
     this.question = null;
     this.arrived = 0;

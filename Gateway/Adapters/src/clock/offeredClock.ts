@@ -49,7 +49,7 @@ const MEASURE_EVERY: Nanoseconds = 20_000_000_000n;
  * The plant's clock, which the gateway reads by calling a service that has the plant's name. The service is offered only after the first successful
  * reading, because an offered clock may become the control clock, and headsets cannot synchronise with a clock that cannot be read.
  */
-export class PlantClock {
+export class OfferedClock {
   #read: ReadClock | null = null;
   #resolution = new Resolution();
   #ahead: Nanoseconds | null = null;

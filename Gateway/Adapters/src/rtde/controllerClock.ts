@@ -1,4 +1,4 @@
-import type { ClockReading } from '../clock/plantClock';
+import type { ClockReading } from '../clock/offeredClock';
 import { type Nanoseconds, NS_PER_MS, NS_PER_S } from '../times';
 import { rtdeMessages } from '../messages/rtde';
 
@@ -38,7 +38,7 @@ const REFUTED = 5;
  * diverge with the maximum skew until the next package or response. If the controller sends a package later than the send delay, the upper bound is
  * wrong. An upper bound below the lower bound is therefore refuted and ignored.
  */
-export class RobotClock {
+export class ControllerClock {
   #lower: Nanoseconds | null = null;
   /** The smallest upper bounds from responses that are not below the lower bound, in ascending order. */
   #uppers: Nanoseconds[] = [];
