@@ -11,14 +11,14 @@ namespace Nowpose.Gateway.Hub;
 /// </remarks>
 sealed class CellFrames(RobotLinks links)
 {
-    readonly Dictionary<string, Frame> _frames = [];
+    // With the source of the newest pose, which may have ended.
+    readonly Dictionary<string, (HubSource Source, bool IsStationary)> _frames = [];
     readonly FrameParents _parents = new(links.RootOf);
 
-    public LatchedMessages Stationary { get; } = new(Only);
+    /// <summary>The sources that publish the frames. A stationary frame whose source has ended has none.</summary>
+    public NameOwners<string> Owners { get; } = new();
 
-    /// <summary>Returns the source that owns a frame, if it is another one; null otherwise.</summary>
-    public HubSource OtherOwner(HubSource source, string child) =>
-        _frames.TryGetValue(child, out var frame) && frame.Owner != source ? frame.Owner : null;
+    public LatchedMessages Stationary { get; } = new(Only);
 
     /// <summary>
     /// Adds or updates the frames of a message. Leaves out frames of other sources, and transforms that would break a limit of the cell.
@@ -26,36 +26,26 @@ sealed class CellFrames(RobotLinks links)
     /// <returns>The message itself if all its transforms were accepted; otherwise a message with the accepted ones, which may be empty.</returns>
     public TransformsMessage Accept(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut)
     {
-        TransformsMessage accepted = null;
-        for (var i = 0; i < message.Count; i++)
+        return MessageParts.Accepted(message, message.Count, IsAccepted, MessageParts.Part);
+
+        bool IsAccepted(int index)
         {
-            var child = message[i].Child;
-            var owner = OtherOwner(source, child);
-            var reason = owner == null ? Accept(source, message[i], isStationary) : DropReason.FrameTaken;
-            if (reason == DropReason.None)
-            {
-                accepted?.Add(message[i]);
-                continue;
-            }
-
-            leftOut.Add(owner == null ? LimitBroken(reason, child, message[i].Parent)
+            var child = message[index].Child;
+            var owner = Owners.OtherThan(source, child);
+            var reason = owner == null ? Accept(source, message[index], isStationary) : DropReason.FrameTaken;
+            if (reason == DropReason.None) return true;
+            leftOut.Add(owner == null ? LimitBroken(reason, child, message[index].Parent)
                 : new LeftOut(reason, child, CellMessageFaults.Of(CellMessageFaults.Named(CellKinds.Frame, child), reason), owner));
-            accepted ??= MessageParts.Part(message, index => index < i);
+            return false;
         }
-
-        return accepted ?? message;
     }
 
     /// <summary>Releases the frames of a source that ends.</summary>
     /// <param name="topic">The topic on which the source ends; null for all topics.</param>
     public void Release(HubSource source, string topic)
     {
-        foreach (var (child, frame) in _frames.Where(one => one.Value.Owner == source).ToArray())
-        {
-            if (topic != null && topic != (frame.IsStationary ? RosTopics.TfStatic : RosTopics.Tf)) continue;
-            frame.Owner = null;
-            if (!frame.IsStationary) Remove(child);
-        }
+        foreach (var child in Owners.Release(source, child => topic == null || topic == (IsStationary(child) ? RosTopics.TfStatic : RosTopics.Tf)))
+            if (!IsStationary(child)) Remove(child);
     }
 
     /// <summary>Removes the frames that form a cycle through a robot, because the robot was described after them.</summary>
@@ -74,22 +64,25 @@ sealed class CellFrames(RobotLinks links)
     DropReason Accept(HubSource source, in FrameTransform transform, bool isStationary)
     {
         var reason = _parents.TrySet(transform.Child, transform.Parent);
-        if (reason == DropReason.TooManyFrames && _frames.FirstOrDefault(one => one.Value.Owner == null).Key is { } abandoned)
+        if (reason == DropReason.TooManyFrames && _frames.Keys.FirstOrDefault(child => Owners[child] == null) is { } abandoned)
         {
             Remove(abandoned);
             reason = _parents.TrySet(transform.Child, transform.Parent);
         }
 
         if (reason != DropReason.None) return reason;
-        if (!_frames.TryGetValue(transform.Child, out var frame)) _frames[transform.Child] = frame = new Frame();
-        if (!isStationary && frame.IsStationary) Stationary.Remove(transform.Child);
-        (frame.Owner, frame.Source, frame.IsStationary) = (source, source, isStationary);
+        if (!isStationary && IsStationary(transform.Child)) Stationary.Remove(transform.Child);
+        Owners.Take(source, transform.Child);
+        _frames[transform.Child] = (source, isStationary);
         return DropReason.None;
     }
+
+    bool IsStationary(string child) => _frames.GetValueOrDefault(child).IsStationary;
 
     void Remove(string child)
     {
         _frames.Remove(child);
+        Owners.Release(child);
         _parents.Remove(child);
         Stationary.Remove(child);
     }
@@ -99,16 +92,5 @@ sealed class CellFrames(RobotLinks links)
         var whole = (TransformsMessage)message.Content;
         var part = MessageParts.Part(whole, index => isCurrent(whole[index].Child));
         return part.Count == whole.Count ? message : HubMessage.Of(message.Topic, part, message.ReceivedAt, message.Source).With(message.Sequence);
-    }
-
-    sealed class Frame
-    {
-        /// <summary>Source that publishes the frame; null for a stationary frame whose source has ended.</summary>
-        public HubSource Owner { get; set; }
-
-        /// <summary>Source of the newest pose.</summary>
-        public HubSource Source { get; set; }
-
-        public bool IsStationary { get; set; }
     }
 }

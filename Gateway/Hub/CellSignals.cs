@@ -7,12 +7,10 @@ namespace Nowpose.Gateway.Hub;
 /// <summary>The signals of the cell: their sources and their newest values. A signal is removed when its source ends. Not thread-safe.</summary>
 sealed class CellSignals
 {
-    readonly Dictionary<string, HubSource> _owners = [];
+    /// <summary>The sources of all signals.</summary>
+    public NameOwners<string> Owners { get; } = new();
 
     public LatchedMessages Newest { get; } = new(Only);
-
-    /// <summary>Returns the source that owns a signal, if it is another one; null otherwise.</summary>
-    public HubSource OtherOwner(HubSource source, string signal) => _owners.TryGetValue(signal, out var owner) && owner != source ? owner : null;
 
     /// <summary>Adds the signals of a message up to the maximum number of signals. Leaves out the others, and signals of other sources.</summary>
     /// <returns>The message itself if all its signals were accepted; otherwise a message with the accepted ones, which may be empty.</returns>
@@ -20,38 +18,34 @@ sealed class CellSignals
     public SignalsMessage Accept(HubSource source, SignalsMessage message, List<LeftOut> leftOut, Action<IReadOnlyCollection<string>> began)
     {
         HashSet<string> added = null;
-        SignalsMessage accepted = null;
-        for (var i = 0; i < message.Count; i++)
+        var accepted = MessageParts.Accepted(message, message.Count, IsAccepted, MessageParts.Part);
+        if (added != null) began?.Invoke(added);
+        return accepted;
+
+        bool IsAccepted(int index)
         {
-            var name = message[i].Name;
-            var owner = OtherOwner(source, name);
-            if (owner == null && (_owners.ContainsKey(name) || _owners.Count < ProtocolLimits.Signals))
+            var name = message[index].Name;
+            var owner = Owners[name];
+            if (owner == source) return true;
+            if (owner == null && Owners.Count < ProtocolLimits.Signals)
             {
-                if (_owners.TryAdd(name, source)) (added ??= []).Add(name);
-                accepted?.Add(message[i]);
-                continue;
+                Owners.Take(source, name);
+                (added ??= []).Add(name);
+                return true;
             }
 
             var reason = owner == null ? DropReason.TooManySignals : DropReason.SignalTaken;
             leftOut.Add(new LeftOut(reason, name, CellMessageFaults.Of(CellMessageFaults.Named(CellKinds.Signal, name), reason), owner));
-            accepted ??= MessageParts.Part(message, index => index < i);
+            return false;
         }
-
-        if (added != null) began?.Invoke(added);
-        return accepted ?? message;
     }
 
     /// <summary>Removes the signals of a source that ends.</summary>
     /// <returns>The removed signals.</returns>
     public IReadOnlyCollection<string> Release(HubSource source)
     {
-        HashSet<string> ended = [.. _owners.Where(one => one.Value == source).Select(one => one.Key)];
-        foreach (var name in ended)
-        {
-            _owners.Remove(name);
-            Newest.Remove(name);
-        }
-
+        var ended = Owners.Release(source, _ => true);
+        foreach (var name in ended) Newest.Remove(name);
         return ended;
     }
 

@@ -8,7 +8,7 @@ namespace Nowpose.Gateway.Hub;
 public sealed class MessageHub
 {
     readonly Lock _lock = new();
-    readonly RobotOwners _owners = new();
+    readonly NameOwners<(string Topic, string Name)> _owners = new();
     readonly Subscribers _subscribers = new();
     readonly Dictionary<(HubSource Source, string Topic), HubMessage> _newest = [];
     readonly RobotRegistry _robots = new();
@@ -215,29 +215,28 @@ public sealed class MessageHub
         lock (_lock)
         {
             var topic = RobotTopic.NameOf(robot, kind);
-            if (_owners.FindTaken(source, topic, names) is { } taken)
+            if (FindTaken(source, topic, names) is { } taken)
             {
-                var owner = _owners[topic, taken];
-                if (kind == RosTopics.JointStates) Refused?.Invoke(source, kind, RobotTopic.Qualified(robot, taken), owner);
-                return new Refusal(DropReason.JointTaken, taken, owner);
+                if (kind == RosTopics.JointStates) Refused?.Invoke(source, kind, RobotTopic.Qualified(robot, taken.What), taken.Owner);
+                return taken;
             }
 
             if (Use(source, robot, kind) is { } refusal) return refusal;
-            _owners.Take(source, topic, names);
+            foreach (var name in names) _owners.Take(source, (topic, name));
             return null;
         }
     }
 
     internal bool IsFree(HubSource source, string robot, string[] names)
     {
-        lock (_lock) return _owners.FindTaken(source, RobotTopic.NameOf(robot, RosTopics.JointStates), names) == null;
+        lock (_lock) return FindTaken(source, RobotTopic.NameOf(robot, RosTopics.JointStates), names) == null;
     }
 
     /// <summary>Gets the other source that owns a frame or signal; null if there is none.</summary>
     /// <param name="kind"><see cref="CellKinds.Frame"/> or <see cref="CellKinds.Signal"/>.</param>
     internal HubSource OtherOwner(HubSource source, string kind, string name)
     {
-        lock (_lock) return kind == CellKinds.Signal ? _signals.OtherOwner(source, name) : _frames.OtherOwner(source, name);
+        lock (_lock) return (kind == CellKinds.Signal ? _signals.Owners : _frames.Owners).OtherThan(source, name);
     }
 
     internal void ReportLeft(string name) => Left?.Invoke(name);
@@ -246,13 +245,12 @@ public sealed class MessageHub
 
     internal void ReportDropped(HubSource source, string robot, string[] names, string reason, DropReason code)
     {
-        var topic = RobotTopic.NameOf(robot, RosTopics.JointStates);
         lock (_lock)
         {
             // The hub would have refused even a valid sample, so the fault does not concern the joints of the other source.
-            if (_owners.FindTaken(source, topic, names) is { } taken)
+            if (FindTaken(source, RobotTopic.NameOf(robot, RosTopics.JointStates), names) is { } taken)
             {
-                Refused?.Invoke(source, RosTopics.JointStates, RobotTopic.Qualified(robot, taken), _owners[topic, taken]);
+                Refused?.Invoke(source, RosTopics.JointStates, RobotTopic.Qualified(robot, taken.What), taken.Owner);
                 return;
             }
         }
@@ -273,7 +271,7 @@ public sealed class MessageHub
     {
         lock (_lock)
         {
-            _owners.Release(source, topic);
+            _owners.Release(source, name => topic == null || name.Topic == topic);
             if (topic != null) TopicReleased?.Invoke(source, topic);
             foreach (var kept in _newest.Keys.Where(kept => kept.Source == source && (topic == null || kept.Topic == topic)).ToList())
                 _newest.Remove(kept);
@@ -282,6 +280,10 @@ public sealed class MessageHub
             _robots.Release(source, topic);
         }
     }
+
+    Refusal? FindTaken(HubSource source, string topic, string[] names) =>
+        Array.Find(names, name => _owners.OtherThan(source, (topic, name)) != null) is { } taken
+            ? new Refusal(DropReason.JointTaken, taken, _owners[(topic, taken)]) : null;
 
     void RemoveCycles()
     {
@@ -293,7 +295,6 @@ public sealed class MessageHub
     IEnumerable<HubMessage> Kept(string topic)
     {
         if (CellKinds.IsLatched(topic)) return ReadLatched(topic, () => 0);
-        return _robots.DescriptionOn(topic) is { } description
-            ? [description] : [.. _newest.Values.Where(message => message.Topic == topic)];
+        return _robots.DescriptionOn(topic) is { } description ? [description] : [.. _newest.Values.Where(message => message.Topic == topic)];
     }
 }

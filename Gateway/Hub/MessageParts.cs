@@ -3,7 +3,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Hub;
 
-/// <summary>Splits messages into parts that, written as JSON, do not exceed the maximum length of a message.</summary>
+/// <summary>Parts of messages: the accepted part, and parts that, written as JSON, do not exceed the maximum length of a message.</summary>
 /// <remarks>
 /// A received message may become longer when it is written again, because headers of ROS 1 have one more field and numbers may get more digits.
 /// </remarks>
@@ -45,6 +45,18 @@ static class MessageParts
         for (var i = 0; i < message.Count; i++)
             if (isIn(i)) part.Add(message[i]);
         return part;
+    }
+
+    /// <summary>Returns the message itself if all its parts are accepted; otherwise a message with the accepted parts, which may be empty.</summary>
+    /// <param name="count">Number of transforms or signals in the message.</param>
+    /// <param name="isAccepted">Called once for each index, in ascending order.</param>
+    /// <param name="part">Creates a message with the transforms or signals at some indices.</param>
+    public static T Accepted<T>(T message, int count, Predicate<int> isAccepted, Func<T, Predicate<int>, T> part)
+    {
+        HashSet<int> refused = null;
+        for (var i = 0; i < count; i++)
+            if (!isAccepted(i)) (refused ??= []).Add(i);
+        return refused == null ? message : part(message, index => !refused.Contains(index));
     }
 
     static IEnumerable<T> Divided<T>(T message, int count, Func<int, int> sizeOf, Func<T, Predicate<int>, T> part)
