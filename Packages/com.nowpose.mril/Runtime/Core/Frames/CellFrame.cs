@@ -9,27 +9,20 @@ namespace Nowpose.Frames
     /// <summary>A stationary frame of the cell, or a tracked frame with its predictor.</summary>
     sealed class CellFrame
     {
-        /// <summary>
-        /// Maximum number of poses in a new parent that wait for the next display frame. When the maximum is reached, a further pose replaces the
-        /// newest one.
-        /// </summary>
-        const int MaxWaiting = 8;
-
         readonly Func<BodyPredictor> _newPredictor;
-        readonly FrameTransform[] _waiting = new FrameTransform[MaxWaiting];
+        readonly HandOver _handOver = new HandOver();
         BodyPredictor _predictor;
         RigidTransform _given = RigidTransform.Identity;
         RigidTransform? _shown;
         ControlTime? _newest;
-        HandOver _handOver;
+        PoseFade _fade;
         string _parent;
         ReachPlace _reach, _nextReach;
         SourceRest _sourceRest;
         double _displayed = double.NaN;
         double _evaluated = double.NaN;
         double _speed;
-        int _waitingCount;
-        bool _isStationary, _isNextStationary, _isReachWaiting, _hasPose;
+        bool _isStationary, _isReachWaiting, _hasPose;
 
         /// <param name="newPredictor">Creates the predictor for the first pose of a tracked frame. Stationary frames need no predictor.</param>
         public CellFrame(string name, Func<BodyPredictor> newPredictor)
@@ -58,7 +51,7 @@ namespace Nowpose.Frames
         public ReachPlace Reach => _isReachWaiting ? _nextReach : _reach;
 
         /// <summary>Whether a change of the parent, or of the place that a gripper determines, waits for the next display frame.</summary>
-        public bool IsBeingHandedOver => _waitingCount > 0 || _isReachWaiting;
+        public bool IsBeingHandedOver => _handOver.Count > 0 || _isReachWaiting;
 
         /// <summary>Displayed pose in the world, right-handed, metres.</summary>
         public RigidTransform World { get; private set; } = RigidTransform.Identity;
@@ -72,26 +65,19 @@ namespace Nowpose.Frames
         public ControlTime? Newest => _isStationary ? null : _newest;
 
         /// <summary>Returns whether a pose in another parent is older than the newest pose, or than the waiting poses in a third parent.</summary>
-        public bool IsOvertaken(in FrameTransform pose)
-        {
-            if (_waitingCount > 0 && !_isNextStationary) return pose.Parent != _waiting[0].Parent && pose.Stamp <= _waiting[_waitingCount - 1].Stamp;
-            return pose.Parent != _parent && pose.Stamp <= Newest;
-        }
+        public bool IsOvertaken(in FrameTransform pose) => _handOver.IsOvertaken(pose, _parent, Newest);
 
         /// <summary>Adds a received pose, whose parent may differ from the previous one.</summary>
         /// <param name="epoch">Time from which the predictor counts.</param>
         public DropReason Add(in FrameTransform pose, bool isStationary, ControlTime epoch)
         {
             if (_parent == null) Begin(pose, isStationary);
-            if (pose.Parent == _parent && isStationary == _isStationary && _waitingCount == 0)
+            if (pose.Parent == _parent && isStationary == _isStationary && _handOver.Count == 0)
             {
                 if (IsMovedBy(pose)) Put(null);
                 return Take(pose, epoch);
             }
-            if (_waitingCount > 0 && (_waiting[0].Parent != pose.Parent || _isNextStationary != isStationary)) _waitingCount = 0;
-            if (_waitingCount == MaxWaiting) _waitingCount--;
-            _waiting[_waitingCount++] = pose;
-            _isNextStationary = isStationary;
+            _handOver.Add(pose, isStationary);
             return DropReason.None;
         }
 
@@ -129,12 +115,12 @@ namespace Nowpose.Frames
             if (_hasPose) _shown = World;
             if (_isReachWaiting) _reach = _nextReach;
             _isReachWaiting = false;
-            if (_waitingCount == 0) return;
+            if (_handOver.Count == 0) return;
             // The object's source has priority: it has given the object another parent.
             _reach = null;
-            Begin(_waiting[0], _isNextStationary);
-            for (var i = 0; i < _waitingCount; i++) Take(_waiting[i], epoch);
-            _waitingCount = 0;
+            Begin(_handOver[0], _handOver.IsStationary);
+            for (var i = 0; i < _handOver.Count; i++) Take(_handOver[i], epoch);
+            _handOver.End();
         }
 
         /// <summary>Computes the displayed pose.</summary>
@@ -151,9 +137,9 @@ namespace Nowpose.Frames
                 : isParentCurrent ? FrameState.Current : FrameState.ParentNotCurrent;
             if (kind == PredictionKind.None) return;
             var now = parent * pose;
-            if (_shown is RigidTransform shown) _handOver = new HandOver(time, shown, now, _speed);
+            if (_shown is RigidTransform shown) _fade = new PoseFade(time, shown, now, _speed);
             _shown = null;
-            var displayed = _handOver.At(time, now);
+            var displayed = _fade.At(time, now);
             Measure(time, displayed);
             World = displayed;
             _hasPose = true;
@@ -165,9 +151,8 @@ namespace Nowpose.Frames
         /// <summary>Discards the poses of a tracked frame, because their times are no longer valid. The displayed pose is kept.</summary>
         public void Reset()
         {
-            // A stationary pose has no time, and is sent only once.
-            if (!_isNextStationary) _waitingCount = 0;
-            _handOver = default;
+            _handOver.Reset();
+            _fade = default;
             _shown = null;
             _reach = Reach?.WithoutTime();
             _isReachWaiting = false;

@@ -1,67 +1,49 @@
-using System;
-using Nowpose.Kinematics;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Frames
 {
-    /// <summary>Keeps the displayed pose of a frame continuous when its parent changes: the difference between the two poses fades out.</summary>
-    /// <remarks>
-    /// D is the former pose relative to the new one at the hand-over. At a later time t, the displayed pose is T(t) · D^w, where w falls from
-    /// 1 to 0 within <see cref="Seconds"/> without a jump of the velocity. A difference as small as the corrections by each sample is ignored,
-    /// so that a gripped object is in the gripper at once. A large difference that the object's speed does not explain is also ignored, because the
-    /// object must have been moved elsewhere.
-    /// <c>default</c> is a hand-over that has ended.
-    /// </remarks>
-    readonly struct HandOver
+    /// <summary>The hand-over of a frame to a new parent: the poses in the new parent, which wait for the next display frame.</summary>
+    sealed class HandOver
     {
-        /// <summary>
-        /// Duration of the blend, in s. It is so short that a person does not notice a shift of a few millimetres while the gripper moves away.
-        /// </summary>
-        public const double Seconds = 0.15;
+        /// <summary>Maximum number of waiting poses. When the maximum is reached, a further pose replaces the newest one.</summary>
+        const int MaxWaiting = 8;
 
-        /// <summary>Differences up to these values are ignored because they are small, in m and rad.</summary>
-        const double MinShift = 0.002, MinTurn = 0.02;
+        readonly FrameTransform[] _waiting = new FrameTransform[MaxWaiting];
 
-        /// <summary>Minimum difference that is ignored because it is large, in m. For a fast object, the limit is larger.</summary>
-        const double MaxShift = 0.25;
+        /// <summary>Number of waiting poses.</summary>
+        public int Count { get; private set; }
 
-        /// <summary>
-        /// Maximum time, in s, for which the object may be displayed with the former parent although it already has the new one: the default horizon
-        /// cap.
-        /// </summary>
-        const double MaxLateness = 0.3;
+        public FrameTransform this[int index] => _waiting[index];
 
-        /// <summary>Limit of the difference for an object of any speed, in m.</summary>
-        const double MaxShiftOfFastObject = 1;
+        /// <summary>Whether the waiting poses come from /tf_static.</summary>
+        public bool IsStationary { get; private set; }
 
-        readonly double _start;
-        readonly Vector3D _shift;
-        readonly Vector3D _turn;
-        readonly bool _isOpen;
-
-        /// <param name="start">Time of the hand-over, s.</param>
-        /// <param name="shown">Pose in the world at that time, according to the former parent.</param>
-        /// <param name="now">Pose in the world at that time, according to the new parent.</param>
-        /// <param name="speed">Speed of the displayed object before the hand-over, m/s.</param>
-        public HandOver(double start, in RigidTransform shown, in RigidTransform now, double speed = 0)
+        /// <summary>Returns whether a pose in another parent is older than the newest pose, or than the waiting poses in a third parent.</summary>
+        /// <param name="parent">Present parent of the frame.</param>
+        /// <param name="newest">Stamp of the newest pose in the present parent; null if there is none.</param>
+        public bool IsOvertaken(in FrameTransform pose, string parent, ControlTime? newest)
         {
-            var difference = now.Inverse * shown;
-            _start = start;
-            _shift = new Vector3D(difference.X, difference.Y, difference.Z);
-            _turn = UnitQuaternion.Of(difference).Log();
-            _isOpen = (_shift.Length > MinShift || _turn.Length > MinTurn) && _shift.Length < Math.Max(MaxShift, Math.Min(speed * MaxLateness, MaxShiftOfFastObject));
+            if (Count > 0 && !IsStationary) return pose.Parent != _waiting[0].Parent && pose.Stamp <= _waiting[Count - 1].Stamp;
+            return pose.Parent != parent && pose.Stamp <= newest;
         }
 
-        // Returns whether the hand-over has ended at a given time; true if this time or the start is unknown.
-        public bool IsOverAt(double time) => !_isOpen || !(time < _start + Seconds);
-
-        /// <param name="now">Pose in the world at <paramref name="time"/>, according to the new parent.</param>
-        public RigidTransform At(double time, in RigidTransform now)
+        /// <summary>Adds a pose. Discards the waiting poses in a third parent.</summary>
+        public void Add(in FrameTransform pose, bool isStationary)
         {
-            if (IsOverAt(time)) return now;
-            var passed = Math.Max(0, (time - _start) / Seconds);
-            var weight = 1 - passed * passed * (3 - 2 * passed);
-            var shift = _shift * weight;
-            return now * UnitQuaternion.Exp(_turn * weight).At(shift.X, shift.Y, shift.Z);
+            if (Count > 0 && (_waiting[0].Parent != pose.Parent || IsStationary != isStationary)) Count = 0;
+            if (Count == MaxWaiting) Count--;
+            _waiting[Count++] = pose;
+            IsStationary = isStationary;
+        }
+
+        /// <summary>Ends the hand-over. No pose waits any longer.</summary>
+        public void End() => Count = 0;
+
+        /// <summary>Discards waiting poses whose times are no longer valid.</summary>
+        public void Reset()
+        {
+            // A stationary pose has no time, and is sent only once.
+            if (!IsStationary) Count = 0;
         }
     }
 }

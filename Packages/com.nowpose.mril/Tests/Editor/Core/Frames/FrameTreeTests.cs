@@ -196,7 +196,7 @@ namespace Nowpose.Tests.Core.Frames
                 if (last is RigidTransform before)
                     Assert.That(Distance(before, world), Is.EqualTo(speed * frameSeconds).Within(1e-3), "moved at " + now + " s");
                 last = world;
-                if (now > taken + 0.1 + 2 * Sampling + HandOver.Seconds)
+                if (now > taken + 0.1 + 2 * Sampling + PoseFade.Seconds)
                     Assert.That(Distance(world, link * UnitQuaternion.Identity.At(0.005, 0, -0.1)), Is.LessThan(1e-9), "at " + now + " s");
             }
         }
