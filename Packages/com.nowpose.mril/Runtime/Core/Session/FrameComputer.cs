@@ -1,6 +1,5 @@
 using Nowpose.Frames;
 using Nowpose.Kinematics;
-using Nowpose.Latency;
 using Nowpose.Prediction;
 
 namespace Nowpose.Session
@@ -82,16 +81,14 @@ namespace Nowpose.Session
 
         PoseState StateAt(in DisplayMoment moment, bool isJointReportedMissing)
         {
-            var held = isJointReportedMissing;
+            var (isIncomplete, isHeld) = (false, isJointReportedMissing);
             var kinds = _tracks.Kinds;
             foreach (var joint in _toolJoints)
             {
-                if (kinds[joint] == PredictionKind.None) return PoseState.Incomplete;
-                held |= kinds[joint] == PredictionKind.Held;
+                isIncomplete |= kinds[joint] == PredictionKind.None;
+                isHeld |= kinds[joint] == PredictionKind.Held;
             }
-            if (!moment.IsTrusted) return PoseState.Unsynchronised;
-            if (held) return PoseState.Held;
-            return moment.Range == RangeState.Outside ? PoseState.OutsideRange : PoseState.Current;
+            return PoseStateRule.Of(moment, isIncomplete, isHeld);
         }
     }
 }

@@ -76,14 +76,7 @@ namespace Nowpose.Session.Cell
 
         /// <summary>Returns the state of a frame's displayed pose. The states have the same meaning as for a robot's pose.</summary>
         /// <param name="frame">A frame of <see cref="Tree"/>; null for an unknown frame.</param>
-        public PoseState StateOf(CellFrame frame)
-        {
-            if (frame == null || frame.State == FrameState.Missing || frame.State == FrameState.Orphan) return PoseState.Incomplete;
-            if (frame.IsStationary && frame.Parent == FrameParents.World) return PoseState.Current;
-            if (!_moment.IsTrusted) return PoseState.Unsynchronised;
-            if (frame.State != FrameState.Current && _moment.Range != Latency.RangeState.Outside) return PoseState.Held;
-            return _moment.Range == Latency.RangeState.Outside ? PoseState.OutsideRange : PoseState.Current;
-        }
+        public PoseState StateOf(CellFrame frame) => PoseStateRule.Of(_moment, frame);
 
         /// <summary>
         /// Queues a message for the next display frame. Messages of tracked frames wait for a display frame with a known control time. Thread-safe.
