@@ -3,7 +3,6 @@ using System.Threading.Channels;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
-using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Rosbridge;
 
@@ -12,15 +11,14 @@ sealed class Subscription : IDisposable
 {
     const int MaxQueueLength = 1024;
 
-    /// <summary>Maximum time for which a sample waits for a slow reader. An older sample is dropped if a newer one is queued.</summary>
-    internal static readonly TimeSpan MaxSampleAge = TimeSpan.FromMilliseconds(150);
-
     readonly Channel<HubMessage> _queue;
     readonly IDisposable _subscriber;
     readonly ForwardingTimes _times;
     readonly SubscriptionTerms _terms;
     readonly Action _lost;
+    // One of the two is null.
     readonly LatchedQueue _latched;
+    readonly SampleQueue _samples;
     readonly TaskCompletionSource _ended = new(TaskCreationOptions.RunContinuationsAsynchronously);
 
     public Subscription(MessageHub hub, string topic, SubscriptionTerms terms, int standardQueue, DropCounters drops)
@@ -41,6 +39,7 @@ sealed class Subscription : IDisposable
         else
         {
             _queue = Channel.CreateBounded<HubMessage>(bounds, _ => _lost());
+            _samples = new SampleQueue(_queue, _lost);
             _subscriber = hub.Subscribe(topic, message => _queue.Writer.TryWrite(message));
         }
     }
@@ -80,20 +79,8 @@ sealed class Subscription : IDisposable
     bool HasMore => _latched?.HasMore == true && !_ended.Task.IsCompleted;
 
     // Returns the next message to send; null if the queue is empty.
-    HubMessage Next(long waitedUntil)
-    {
-        if (_latched != null) return _latched.Next(receivedAt => IsOld(receivedAt, waitedUntil));
-        while (_queue.Reader.TryRead(out var message))
-        {
-            // Drops only messages that waited for the client. A message that waited for another reason, such as a busy processor, is sent late.
-            if (message.Content is not (JointStateMessage or TransformsMessage) || !IsOld(message.ReceivedAt, waitedUntil) || !_queue.Reader.TryPeek(out _)) return message;
-            _lost();
-        }
-
-        return null;
-    }
-
-    static bool IsOld(long receivedAt, long waitedUntil) => receivedAt < waitedUntil && Stopwatch.GetElapsedTime(receivedAt) > MaxSampleAge;
+    HubMessage Next(long waitedUntil) =>
+        _latched == null ? _samples.Next(waitedUntil) : _latched.Next(receivedAt => SampleQueue.IsOld(receivedAt, waitedUntil));
 
     // Returns whether the subscription ends during the wait. The wait must end early, because a throttle interval can be as long as a month.
     async Task<bool> IsOverWithinAsync(TimeSpan rest, CancellationToken stop)
