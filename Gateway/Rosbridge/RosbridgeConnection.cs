@@ -20,7 +20,7 @@ sealed class RosbridgeConnection : IDisposable
     readonly CancellationToken _serverStops;
     readonly CancellationTokenSource _stop = new();
     readonly Channel<ReadOnlyMemory<byte>> _replies;
-    readonly Dictionary<string, TopicPump> _pumps = [];
+    readonly Dictionary<string, SubscriptionSwitch> _switches = [];
     int _ended = NotEnded;
 
     /// <param name="reader">Measures how much the client has read, and detects a client that does not answer pings.</param>
@@ -35,8 +35,8 @@ sealed class RosbridgeConnection : IDisposable
             new BoundedChannelOptions(WaitingReplies) { FullMode = BoundedChannelFullMode.DropOldest }, _ => drops.Count(DropReason.SlowReader));
     }
 
-    /// <summary>Number of topic pumps, including those that have ended since the last start. At most one per topic.</summary>
-    internal int Pumps => _pumps.Count;
+    /// <summary>Number of topics with a subscription, including subscriptions that have ended since the last start.</summary>
+    internal int Topics => _switches.Count;
 
     /// <summary>Queues a reply. If the client does not read, the oldest replies are dropped.</summary>
     public void Reply(ReadOnlyMemory<byte> message) => _replies.Writer.TryWrite(message);
@@ -44,11 +44,11 @@ sealed class RosbridgeConnection : IDisposable
     /// <summary>Starts to send the messages of a subscription. Called by the thread that handles the client's messages.</summary>
     public void Start(Subscription subscription)
     {
-        // Removes ended pumps, because a client can use any number of topics over time. Keeps a failed pump, so that its exception is reported.
-        foreach (var (topic, pump) in _pumps)
-            if (pump.Ended.IsCompletedSuccessfully) _pumps.Remove(topic);
-        if (!_pumps.TryGetValue(subscription.Topic, out var own))
-            _pumps.Add(subscription.Topic, own = new TopicPump(one => PumpAsync(() => one.PumpAsync(next => SendAsync(next, isReply: false), _stop.Token))));
+        // Removes ended topics, because a client can use any number of topics over time. Keeps a failed topic, so that its exception is reported.
+        foreach (var (topic, one) in _switches)
+            if (one.Ended.IsCompletedSuccessfully) _switches.Remove(topic);
+        if (!_switches.TryGetValue(subscription.Topic, out var own))
+            _switches.Add(subscription.Topic, own = new SubscriptionSwitch(PumpAsync));
         own.Start(subscription);
     }
 
@@ -176,6 +176,8 @@ sealed class RosbridgeConnection : IDisposable
         }
     }
 
+    Task PumpAsync(Subscription subscription) => PumpAsync(() => subscription.PumpAsync(next => SendAsync(next, isReply: false), _stop.Token));
+
     static async Task PumpAsync(Func<Task> pump)
     {
         try
@@ -191,7 +193,7 @@ sealed class RosbridgeConnection : IDisposable
     // Aborts only for a client that does not read, because an abort discards unsent data, including the close frame.
     async Task StopPumpsAsync(Task replying, bool isGone)
     {
-        var pumps = Task.WhenAll([replying, .. _pumps.Values.Select(pump => pump.Ended)]);
+        var pumps = Task.WhenAll([replying, .. _switches.Values.Select(one => one.Ended)]);
         if (isGone || await Task.WhenAny(pumps, Task.Delay(CloseTimeout)) != pumps)
             _socket.Abort();
         await pumps;

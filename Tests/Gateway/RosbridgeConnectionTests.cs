@@ -43,7 +43,7 @@ public class RosbridgeConnectionTests
 
         for (var i = 0; i < 100; i++)
             StartAndEnd();
-        await Soon.BecomesAsync(() => { StartAndEnd(); return connection.Pumps < 10; }, "completed pumps are removed");
+        await Soon.BecomesAsync(() => { StartAndEnd(); return connection.Topics < 10; }, "topics of ended subscriptions are removed");
     }
 
     [Test]
@@ -63,7 +63,7 @@ public class RosbridgeConnectionTests
         }
 
         await Soon.BecomesAsync(() => socket.Sends == 1, "the first message is being sent");
-        Assert.That(connection.Pumps, Is.EqualTo(1));
+        Assert.That(connection.Topics, Is.EqualTo(1));
         Assert.That(drops[DropReason.SlowReader], Is.EqualTo(Changes - 2), "all messages are dropped except the one being sent and the one waiting");
     }
 

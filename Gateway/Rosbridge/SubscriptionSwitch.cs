@@ -1,12 +1,12 @@
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Sends the messages of a client's subscriptions to one topic, one subscription after the other.</summary>
+/// <summary>Switches between a client's successive subscriptions to one topic: sends the messages of one subscription after the other.</summary>
 /// <remarks>
 /// If a client that does not read changes its subscription repeatedly, the first subscription stays active, the newest one waits, and those
 /// in between are skipped. Thus the number of subscriptions is bounded.
 /// </remarks>
 /// <param name="pump">Sends the messages of a subscription until its end.</param>
-sealed class TopicPump(Func<Subscription, Task> pump)
+sealed class SubscriptionSwitch(Func<Subscription, Task> pump)
 {
     readonly Lock _lock = new();
     Subscription _next;
