@@ -33,15 +33,9 @@ static class Publications
 
     public static bool IsKnown(RobotTopic topic) => Types.ContainsKey(topic.Kind);
 
-    /// <summary>Whether clients can publish on the topic. Only the gateway can publish its version and the status of joints and signals.</summary>
-    public static bool IsOpen(RobotTopic topic) => IsKnown(topic) && topic.Kind is not (RosTopics.JointStatus or RosTopics.SignalStatus or RosTopics.Version);
-
     /// <summary>Whether a type name of ROS 1 or ROS 2 is the type of a known topic. Also true for a missing name.</summary>
     public static bool HasType(RobotTopic topic, string type) =>
         string.IsNullOrEmpty(type) || type.Replace("/msg/", "/", StringComparison.Ordinal) == TypeOf(topic);
-
-    /// <summary>Whether messages on the topic describe only their sender, so that every client may publish on it.</summary>
-    public static bool IsOfItself(RobotTopic topic) => topic.Kind is RosTopics.Diagnostics or RosTopics.Displayed;
 
     /// <summary>Gets the sender's name in a message; null for messages without a sender's name.</summary>
     public static string NameIn(RosbridgeMessage message) => message.Diagnostics?.HardwareId ?? message.Displayed?.FrameId;

@@ -1,6 +1,7 @@
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
@@ -78,7 +79,7 @@ static class Rosapi
 
     static JsonObject NodeDetails(RosapiCall call, bool isKnown) => new()
     {
-        ["subscribing"] = List(isKnown ? TopicsOf(call).Where(topic => Publications.IsOpen(RobotTopic.Parse(topic))) : []),
+        ["subscribing"] = List(isKnown ? TopicsOf(call).Where(topic => PublishRights.IsOpen(RobotTopic.Parse(topic))) : []),
         ["publishing"] = List(isKnown ? TopicsOf(call) : []),
         ["services"] = List(isKnown ? ServiceNames : []),
     };

@@ -3,7 +3,6 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
-using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
 using static Nowpose.Gateway.Rosbridge.RequestText;
 
@@ -18,7 +17,7 @@ sealed class RosbridgeSession : IDisposable
     readonly PlantTimeOffers _offers;
     readonly MessagePublisher _publisher;
     readonly NamesInUse _names;
-    readonly Role _role;
+    readonly PublishRights _rights;
     readonly DropCounters _drops;
     readonly Action<ReadOnlyMemory<byte>> _reply;
     readonly SubscriptionSet _subscriptions;
@@ -41,7 +40,7 @@ sealed class RosbridgeSession : IDisposable
         _source.Name = HubSource.Unnamed;
         _clock = clock;
         _names = names;
-        _role = role;
+        _rights = new PublishRights(role);
         _drops = drops;
         _reply = reply;
         _subscriptions = new SubscriptionSet(hub, queueLength, drops, start);
@@ -74,7 +73,7 @@ sealed class RosbridgeSession : IDisposable
         var reason = received.Fault;
         if (reason == DropReason.None && _reader.TryRead(_text.Span, out message, out reason))
             Do(message, received.Count);
-        else if (message is { Op: RosbridgeOp.Publish } && Publications.HasParts(message.Topic) && Allowance(message.RobotTopic) == DropReason.None)
+        else if (message is { Op: RosbridgeOp.Publish } && Publications.HasParts(message.Topic) && _rights.On(message.RobotTopic) == DropReason.None)
             PublishValidParts(message, reason);
         else
             _replies.Drop(message, reason, rule: reason == DropReason.TooManyMessages ? DropMessages.TooManyMessages(MaxMessagesPerSecond) : null);
@@ -146,7 +145,7 @@ sealed class RosbridgeSession : IDisposable
 
     void Advertise(RosbridgeMessage message)
     {
-        var reason = Allowance(message.RobotTopic);
+        var reason = _rights.On(message.RobotTopic);
         if (reason == DropReason.None && !Publications.HasType(message.RobotTopic, message.Type))
             reason = DropReason.WrongType;
         if (reason != DropReason.None)
@@ -177,14 +176,14 @@ sealed class RosbridgeSession : IDisposable
 
     void Offer(RosbridgeMessage message)
     {
-        var reason = _role == Role.Source ? _offers.Offer(message.Service) : DropReason.NotAllowed;
+        var reason = _rights.MayOfferTime ? _offers.Offer(message.Service) : DropReason.NotAllowed;
         if (reason != DropReason.None)
             _replies.Drop(message, reason, reason == DropReason.JointTaken ? "the clock" : null);
     }
 
     void Publish(RosbridgeMessage message)
     {
-        var reason = Allowance(message.RobotTopic);
+        var reason = _rights.On(message.RobotTopic);
         ControlTime stamp = default;
         if (reason == DropReason.None && (reason = _publisher.Judge(message, out stamp)) != DropReason.None && _publisher.LeftOut.Count == 0)
             _publisher.LeftOut.AddRange(Publications.PartsOf(message).Select(part =>
@@ -223,13 +222,8 @@ sealed class RosbridgeSession : IDisposable
         _publisher.LeftOut.Clear();
     }
 
-    // Whether a client may use a name. The first name that it uses becomes its name. Only a source may use the name of an adapter.
-    bool IsOwn(string name)
-    {
-        if (_role != Role.Source && StatusObjects.IsAdapter(name))
-            return false;
-        return name == (_name ??= name);
-    }
+    // Whether a client may use a name. The first name that it uses becomes its name.
+    bool IsOwn(string name) => _rights.MayUse(name) && name == (_name ??= name);
 
     void Call(RosbridgeMessage message)
     {
@@ -250,13 +244,6 @@ sealed class RosbridgeSession : IDisposable
 
     // Returns the name of a service with a slash. As in rosbridge, a name without a slash is relative to the root; roslib uses such names.
     static string Absolute(string name) => name.StartsWith('/') ? name : "/" + name;
-
-    DropReason Allowance(RobotTopic topic)
-    {
-        if (!Publications.IsOpen(topic))
-            return _role == Role.Source ? DropReason.UnknownTopic : DropReason.NotAllowed;
-        return _role == Role.Source || Publications.IsOfItself(topic) ? DropReason.None : DropReason.NotAllowed;
-    }
 
     bool HasRoomFor(RosbridgeMessage message)
     {
