@@ -87,15 +87,4 @@ namespace Nowpose.Protocol
         public static readonly TimeSpan BackoffLongest = TimeSpan.FromMilliseconds(1500);
         public const double BackoffJitter = 0.2;
     }
-
-    /// <summary>The rule for stamps in the future.</summary>
-    static class StampRule
-    {
-        /// <summary>Returns whether a stamp is in the future by more than the clock's error bound plus the protocol's allowance.</summary>
-        /// <param name="now">The receiver's estimate of the control time at which the message arrived.</param>
-        /// <param name="clockErrorBound">Error bound of <paramref name="now"/>.</param>
-        public static bool IsInFuture(ControlTime stamp, ControlTime now, TimeSpan clockErrorBound) =>
-            // Uses decimal, because the difference between a stamp from the wire and the time of a clock with another epoch may overflow a TimeSpan.
-            (decimal)stamp.SinceEpoch.Ticks - now.SinceEpoch.Ticks > (decimal)clockErrorBound.Ticks + ProtocolLimits.FutureAllowance.Ticks;
-    }
 }
