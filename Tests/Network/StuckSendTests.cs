@@ -3,6 +3,7 @@ using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Sync;
+using Nowpose.Sync.Ransac;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Network;

@@ -2,6 +2,7 @@ using System.Diagnostics;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Sync;
+using Nowpose.Sync.Ransac;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Network;

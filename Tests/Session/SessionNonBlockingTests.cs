@@ -8,6 +8,7 @@ using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Sync;
+using Nowpose.Sync.Ransac;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Nowpose.Messages;
 using Nowpose.Sync.Envelope;
+using Nowpose.Sync.Ransac;
 
 namespace Nowpose.Sync
 {

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Simulation;
 using Nowpose.Sync;
+using Nowpose.Sync.Ransac;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync

@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using Nowpose.Simulation;
 using Nowpose.Sync;
+using Nowpose.Sync.Ransac;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 
-namespace Nowpose.Sync
+namespace Nowpose.Sync.Ransac
 {
     /// <summary>
     /// The paper's estimator: the offsets of Eq. (5), outliers removed by RANSAC, a least-squares line through the rest
@@ -87,7 +87,7 @@ namespace Nowpose.Sync
                 y[i] = ClockTicks.Seconds(_points[i].Offset - newest.Offset);
             }
             var bound = ClockTicks.Seconds(_settings.InlierBound);
-            var inliers = Ransac.Inliers(x, y, _settings.Hypotheses, bound, _random);
+            var inliers = RansacLine.Inliers(x, y, _settings.Hypotheses, bound, _random);
             return FittedLine.Through(inliers.X, inliers.Y, newest.At, newest.Offset, bound);
         }
 

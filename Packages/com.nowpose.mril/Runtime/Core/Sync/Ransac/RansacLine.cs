@@ -1,9 +1,9 @@
 using System;
 
-namespace Nowpose.Sync
+namespace Nowpose.Sync.Ransac
 {
     /// <summary>Random sample consensus for a line: selects the line through two points that has the most points within a bound.</summary>
-    static class Ransac
+    static class RansacLine
     {
         /// <returns>
         /// The points within <paramref name="bound"/> of the best line; all points if every line has fewer than two points within the bound.

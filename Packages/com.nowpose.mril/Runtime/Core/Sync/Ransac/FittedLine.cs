@@ -1,7 +1,7 @@
 using System;
 using MathNet.Numerics.LinearRegression;
 
-namespace Nowpose.Sync
+namespace Nowpose.Sync.Ransac
 {
     /// <summary>Least-squares line through offsets over the headset clock, Eq. (6), relative to a reference time.</summary>
     readonly struct FittedLine
