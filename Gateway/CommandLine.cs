@@ -13,8 +13,8 @@ public static class CommandLine
     {
         var root = Invocation.Root(
             "nowpose-gateway", "Serves the control time and joint positions to headsets. Stop it with Ctrl-C.",
-            PlantVerb.Simulate(), PlantVerb.Replay(), ServeVerb.Create(),
-            CellVerb.Create(), PairVerb.Create(), PairingsVerb.Create());
+            SimulateVerb.Create(), ReplayVerb.Create(), ServeVerb.Create(),
+            MarkerCodeVerb.Create(), PairVerb.Create(), PairingsVerb.Create());
         var configured = new ConfiguredArguments();
         // Exit status Done, because termination by the service manager is a normal end.
         return Invocation.RunAsync(root, args, ExitStatus.Done, configured.Of, configured.Place);

@@ -10,7 +10,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Verbs;
 
 /// <summary>The verb "cell", which creates the code of a robot's marker for printing.</summary>
-static class CellVerb
+static class MarkerCodeVerb
 {
     const int PixelsPerModule = 20;
 

@@ -2,28 +2,19 @@ using System.CommandLine;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Configuration;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Kinematics;
 using Nowpose.Motion;
 using Nowpose.Simulation.Work;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The verbs "simulate" and "replay", which start a gateway with its own robot cell.</summary>
-static class PlantVerb
+/// <summary>The common part of the verbs "simulate" and "replay", which start a gateway with its own robot cell.</summary>
+static class PlantCommand
 {
-    public static Command Simulate() =>
-        Create(new Command("simulate", "Serve a simulated robot that picks and places"), (_, robot) => new PickAndPlaceMotion(robot), mayHaveSeveral: true);
-
-    public static Command Replay()
-    {
-        var file = new Argument<string>("FILE") { Description = "Recorded motion, .csv or .csv.gz: the time in s and one column for each joint" };
-        var command = new Command("replay", "Serve a recorded motion, played forward and backward");
-        command.Arguments.Add(file);
-        return Create(command, (parsed, robot) => new RecordedMotion(MotionRecording.Read(parsed.GetValue(file)), robot));
-    }
-
-    static Command Create(Command command, Func<ParseResult, RobotModel, IMotion> motionOf, bool mayHaveSeveral = false)
+    /// <summary>Completes a command: adds its options and its action.</summary>
+    /// <param name="motionOf">Creates the motion of the robots.</param>
+    /// <param name="mayHaveSeveral">Whether the command can serve several robots.</param>
+    public static Command Complete(Command command, Func<ParseResult, RobotModel, IMotion> motionOf, bool mayHaveSeveral = false)
     {
         var server = new ServerArguments();
         var plant = new PlantArguments();
