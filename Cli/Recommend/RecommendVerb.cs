@@ -1,7 +1,7 @@
 using System.CommandLine;
 using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
-using Nowpose.Cli.Sessions;
+using Nowpose.Cli.SessionFiles;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.MotionRecordings;
 

@@ -1,5 +1,5 @@
 using Nowpose.Cli.Messages;
-using Nowpose.Cli.Sessions;
+using Nowpose.Cli.SessionFiles;
 using Nowpose.Kinematics;
 using Nowpose.Session;
 

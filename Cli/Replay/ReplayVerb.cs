@@ -1,6 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Messages;
-using Nowpose.Cli.Sessions;
+using Nowpose.Cli.SessionFiles;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.MotionRecordings;
 

@@ -1,4 +1,4 @@
-using Nowpose.Cli.Sessions;
+using Nowpose.Cli.SessionFiles;
 using Nowpose.Headless.Tests.Cli;
 using NUnit.Framework;
 

@@ -1,6 +1,6 @@
 using Nowpose.Session;
 
-namespace Nowpose.Cli.Sessions;
+namespace Nowpose.Cli.SessionFiles;
 
 /// <summary>A received message of set-points.</summary>
 /// <param name="Dropped">Reason why the session dropped the message; null if it was used.</param>

@@ -6,7 +6,7 @@ using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using Nowpose.Sync;
 
-namespace Nowpose.Cli.Sessions;
+namespace Nowpose.Cli.SessionFiles;
 
 /// <summary>Reads the fields of lines of version 1, as specified in <c>session-file.md</c>.</summary>
 static class SessionLines

@@ -3,7 +3,7 @@ using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Recording;
 
-namespace Nowpose.Cli.Sessions;
+namespace Nowpose.Cli.SessionFiles;
 
 /// <summary>Reads a session file line by line, so that the size of the file is not limited.</summary>
 sealed class SessionFileReader : IDisposable

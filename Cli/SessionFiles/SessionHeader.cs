@@ -1,7 +1,7 @@
 using Nowpose.Kinematics;
 using Nowpose.Session;
 
-namespace Nowpose.Cli.Sessions;
+namespace Nowpose.Cli.SessionFiles;
 
 /// <summary>The first line of a session file: the settings of the session.</summary>
 /// <param name="Robot">Name of the robot.</param>

@@ -1,6 +1,6 @@
 using Nowpose.Frames;
 
-namespace Nowpose.Cli.Sessions;
+namespace Nowpose.Cli.SessionFiles;
 
 /// <summary>A received pose of a frame in the cell.</summary>
 /// <param name="Position">Position in the parent's frame, m.</param>

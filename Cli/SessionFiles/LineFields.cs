@@ -1,7 +1,7 @@
 using System.Text.Json;
 using Nowpose.Cli.Messages;
 
-namespace Nowpose.Cli.Sessions;
+namespace Nowpose.Cli.SessionFiles;
 
 /// <summary>
 /// The fields of a JSON object. If a required field is missing, or a field has the wrong type, the error names the file, the line and the field.

@@ -1,4 +1,4 @@
-namespace Nowpose.Cli.Sessions;
+namespace Nowpose.Cli.SessionFiles;
 
 /// <summary>A received message of joint positions.</summary>
 /// <param name="Positions">Positions in rad or m, one per name.</param>

@@ -1,4 +1,4 @@
-namespace Nowpose.Cli.Sessions;
+namespace Nowpose.Cli.SessionFiles;
 
 /// <summary>A displayed frame.</summary>
 /// <param name="Light">Display time; null while the clock was unsynchronised.</param>

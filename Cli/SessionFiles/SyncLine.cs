@@ -1,6 +1,6 @@
 using Nowpose.Sync;
 
-namespace Nowpose.Cli.Sessions;
+namespace Nowpose.Cli.SessionFiles;
 
 /// <summary>A received sync exchange.</summary>
 /// <param name="T4Nanoseconds">t4 as in the file, ns. The time types round to 100 ns.</param>

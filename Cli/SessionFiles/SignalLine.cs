@@ -1,4 +1,4 @@
-namespace Nowpose.Cli.Sessions;
+namespace Nowpose.Cli.SessionFiles;
 
 /// <summary>A received value of a signal.</summary>
 /// <param name="Stamp">Time of the control cycle in which the signal took this value.</param>

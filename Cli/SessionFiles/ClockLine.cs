@@ -1,4 +1,4 @@
-namespace Nowpose.Cli.Sessions;
+namespace Nowpose.Cli.SessionFiles;
 
 /// <summary>A change of the clock model.</summary>
 /// <param name="IsNewStart">
