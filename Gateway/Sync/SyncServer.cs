@@ -19,20 +19,20 @@ sealed class SyncServer : IDisposable
     readonly IControlClock _clock;
     readonly AccessWatch _access;
     readonly Action<string> _log;
-    readonly Action<SyncConnection> _startConnection;
+    readonly Action<ServedSyncConnection> _startConnection;
     readonly TcpListener _listener;
     readonly Func<TcpListener, Task<Socket>> _accept;
     readonly PendingConnections _pending;
     readonly WrongTokens _wrong;
-    readonly HashSet<SyncConnection> _connections = [];
+    readonly HashSet<ServedSyncConnection> _connections = [];
     readonly Task _accepting;
     bool _isStopped;
 
-    /// <param name="startConnection">Starts the thread of a connection; null to call <see cref="SyncConnection.Start"/>.</param>
+    /// <param name="startConnection">Starts the thread of a connection; null to call <see cref="ServedSyncConnection.Start"/>.</param>
     /// <param name="accept">Accepts the next connection; null to accept from the listener.</param>
     public SyncServer(
         GatewayOptions options, IControlClock clock, AccessWatch access, WrongTokens wrong, Action<string> log,
-        Action<SyncConnection> startConnection = null, Func<TcpListener, Task<Socket>> accept = null)
+        Action<ServedSyncConnection> startConnection = null, Func<TcpListener, Task<Socket>> accept = null)
     {
         _options = options;
         _clock = clock;
@@ -54,7 +54,7 @@ sealed class SyncServer : IDisposable
 
     public void Dispose()
     {
-        SyncConnection[] open;
+        ServedSyncConnection[] open;
         lock (_connections)
         {
             _isStopped = true;
@@ -100,10 +100,10 @@ sealed class SyncServer : IDisposable
             return;
         }
 
-        SyncConnection connection = null;
+        ServedSyncConnection connection = null;
         var remote = RemoteOf(socket);
         var place = _pending.Enter(remote, () => Evict(connection));
-        connection = new SyncConnection(socket, _options, _clock, _access, _wrong, place, Ended);
+        connection = new ServedSyncConnection(socket, _options, _clock, _access, _wrong, place, Ended);
         lock (_connections)
         {
             _connections.Add(connection);
@@ -130,7 +130,7 @@ sealed class SyncServer : IDisposable
         || (_pending.TryEvictOldest() && Counters.TryEnter(_options.MaxConnections, isFinal: false))
         || Counters.TryEnter(_options.MaxConnections);
 
-    void Evict(SyncConnection connection)
+    void Evict(ServedSyncConnection connection)
     {
         // Counts the connection as ended now, not when its thread ends, because the next connection needs the capacity.
         Ended(connection, Closure.ConnectionLimit, null);
@@ -150,7 +150,7 @@ sealed class SyncServer : IDisposable
         }
     }
 
-    void Ended(SyncConnection connection, Closure why, Exception cause)
+    void Ended(ServedSyncConnection connection, Closure why, Exception cause)
     {
         lock (_connections)
             if (!_connections.Remove(connection)) return;

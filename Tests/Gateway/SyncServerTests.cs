@@ -78,7 +78,7 @@ public class SyncServerTests
     {
         var log = new ConcurrentQueue<string>();
         var attempts = 0;
-        void Start(SyncConnection connection)
+        void Start(ServedSyncConnection connection)
         {
             if (++attempts == 1)
                 throw new InsufficientMemoryException("no thread");

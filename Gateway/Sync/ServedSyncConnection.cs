@@ -9,7 +9,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Sync;
 
 /// <summary>The sync connection of one headset, served by its own thread.</summary>
-sealed class SyncConnection
+sealed class ServedSyncConnection
 {
     const int NotStopped = -1;
 
@@ -21,7 +21,7 @@ sealed class SyncConnection
     readonly IPAddress _address;
     readonly PendingConnection _pending;
     readonly object _delay = new();
-    readonly Action<SyncConnection, Closure, Exception> _ended;
+    readonly Action<ServedSyncConnection, Closure, Exception> _ended;
     readonly RequestRate _rate;
     readonly Thread _thread;
     readonly byte[] _frame = new byte[SyncFrame.Size];
@@ -39,9 +39,9 @@ sealed class SyncConnection
     /// <param name="ended">
     /// Called at the end on the connection's thread, with the reason and the exception; the exception is null for a normal end.
     /// </param>
-    public SyncConnection(
+    public ServedSyncConnection(
         Socket socket, GatewayOptions options, IControlClock clock, AccessWatch access, WrongTokens wrong, PendingConnection pending,
-        Action<SyncConnection, Closure, Exception> ended)
+        Action<ServedSyncConnection, Closure, Exception> ended)
     {
         _socket = socket;
         _options = options;
