@@ -149,7 +149,7 @@ sealed class GatewayStatus : IDisposable
             [.. Events.Read(EventsInState).Select(one => one.View)], CertificateExpiresUtc: _options.CertificateExpires);
     }
 
-    IReadOnlyList<Condition> ConditionsOf(IReadOnlyList<JointStatus> joints) => Events.Date(_conditions.Read(joints));
+    IReadOnlyList<Condition> ConditionsOf(IReadOnlyList<JointSnapshot> joints) => Events.Date(_conditions.Read(joints));
 
     void Watch(int topic, HubMessage message)
     {
@@ -188,7 +188,7 @@ sealed class GatewayStatus : IDisposable
         _refusals.Add(source, topic, name, owner);
     }
 
-    static JointView Of(JointStatus joint) => new(
+    static JointView Of(JointSnapshot joint) => new(
         joint.Name, joint.Source, joint.Word, UtcText.Of(joint.Since), joint.Age is { } age ? Math.Round(age.TotalSeconds, 3) : null, joint.RateHz,
         joint.Reason, joint.Uncertainty.Length == 0 ? null : joint.Uncertainty, joint.ReasonWord);
 

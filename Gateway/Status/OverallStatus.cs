@@ -22,7 +22,7 @@ sealed record OverallStatus(string Level, string Text)
     /// <param name="hasRobot">Whether a robot is described, so that joint positions must arrive.</param>
     /// <param name="headsets">Number of headsets that report.</param>
     public static OverallStatus Of(
-        IReadOnlyList<Condition> conditions, IReadOnlyList<JointStatus> joints, IReadOnlyList<FrameView> frames, IReadOnlyList<SignalView> signals,
+        IReadOnlyList<Condition> conditions, IReadOnlyList<JointSnapshot> joints, IReadOnlyList<FrameView> frames, IReadOnlyList<SignalView> signals,
         bool hasRobot, int headsets)
     {
         if (conditions.Count == 0) return WithoutConditions(joints, frames, signals, hasRobot, $", {Count(headsets, "headset")}");
@@ -32,7 +32,7 @@ sealed record OverallStatus(string Level, string Text)
 
     // Uses objects and signals for a cell without a robot. Stationary objects do not count, because they do not show that the plant sends data.
     static OverallStatus WithoutConditions(
-        IReadOnlyList<JointStatus> joints, IReadOnlyList<FrameView> frames, IReadOnlyList<SignalView> signals, bool hasRobot, string headsets)
+        IReadOnlyList<JointSnapshot> joints, IReadOnlyList<FrameView> frames, IReadOnlyList<SignalView> signals, bool hasRobot, string headsets)
     {
         if (joints.Count > 0) return new("ok", Summary(joints) + headsets);
         var states = frames.Where(frame => frame.State != CellStates.Stationary).Select(frame => (frame.Name, frame.State)).ToArray();
@@ -44,7 +44,7 @@ sealed record OverallStatus(string Level, string Text)
             : new("ok", $"{Count(states.Length, "object")}, {Count(signals.Count, "signal")}{headsets}");
     }
 
-    static string Summary(IReadOnlyList<JointStatus> joints)
+    static string Summary(IReadOnlyList<JointSnapshot> joints)
     {
         var resting = joints.Count(joint => joint.State == JointDataState.Rest);
         return resting == 0 ? $"{Count(joints.Count, "joint")} live" : JointReasons.Summary(Count(joints.Count - resting, "joint"), resting);

@@ -37,7 +37,7 @@ sealed class Conditions(
 
     /// <summary>Gets the conditions, the worst first.</summary>
     /// <param name="joints">The latest states of the joint board.</param>
-    public IReadOnlyList<Condition> Read(IReadOnlyList<JointStatus> joints)
+    public IReadOnlyList<Condition> Read(IReadOnlyList<JointSnapshot> joints)
     {
         var reports = diagnostics.Read();
         return
@@ -50,7 +50,7 @@ sealed class Conditions(
         ];
     }
 
-    internal static Condition Of(JointStatus row) =>
+    internal static Condition Of(JointSnapshot row) =>
         new(
             "joint", $"{row.Name} ({row.Source})", row.State == JointDataState.Fault ? EventTexts.InFault : EventTexts.Is(row.Word), row.Reason,
             Level.Error, true, row.Since)
@@ -69,7 +69,7 @@ sealed class Conditions(
     // Whether samples are refused only because the adapter's clock is not measured yet, which is normal for the first samples.
     static bool IsClockAwaited(string reason) => reason.Contains(DropMessages.Of(DropReason.Unsynchronised), StringComparison.Ordinal);
 
-    static IEnumerable<Condition> OfUncertainRests(IReadOnlyList<JointStatus> joints) => joints.Where(row => row.Uncertainty.Length > 0).Select(
+    static IEnumerable<Condition> OfUncertainRests(IReadOnlyList<JointSnapshot> joints) => joints.Where(row => row.Uncertainty.Length > 0).Select(
         row => new Condition("joint", $"{row.Name} ({row.Source})", EventTexts.UncertainRest, row.Uncertainty, Level.Warning, Since: row.Since)
         {
             Remedy = row.Uncertainty.Contains(OwnRemedy, StringComparison.Ordinal) ? EventRemedies.CheckRest : EventRemedies.SetDeceleration,
@@ -148,7 +148,7 @@ sealed class Conditions(
             Remedy = StampMessages.SourceRemedy,
         });
 
-    IEnumerable<Condition> OfSources(IReadOnlyList<JointStatus> rows)
+    IEnumerable<Condition> OfSources(IReadOnlyList<JointSnapshot> rows)
     {
         if (!options.ExpectsSources || rows.Count > 0) return [];
         return

@@ -43,7 +43,7 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action
     public void Add(HubSource source, string[] names, TimeSpan age)
     {
         lock (_lock)
-            foreach (var name in names) Find(name)?.Flow.Add(source, age);
+            foreach (var name in names) Find(name)?.Samples.Add(source, age);
     }
 
     /// <summary>Adds a sample that was refused because another source publishes one of its joints.</summary>
@@ -96,7 +96,7 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action
         lock (_lock)
         {
             foreach (var (name, joint) in _joints)
-                if (!reports.ContainsKey(name) && joint.EndReports(adapter) && joint.Flow.Source == source) joint.Flow.Leave();
+                if (!reports.ContainsKey(name) && joint.EndReports(adapter) && joint.Samples.Source == source) joint.Samples.Leave();
             foreach (var (name, report) in reports) Find(name)?.RowOf(adapter, time).Report(report);
         }
     }
@@ -116,11 +116,11 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action
     {
         lock (_lock)
             foreach (var joint in _joints.Values)
-                if (joint.IsPublishedBy(source)) joint.Flow.Leave();
+                if (joint.IsPublishedBy(source)) joint.Samples.Leave();
     }
 
     /// <summary>Gets the state of all joints, sorted by name and source.</summary>
-    public IReadOnlyList<JointStatus> Read()
+    public IReadOnlyList<JointSnapshot> Read()
     {
         var expected = robot?.Invoke();
         lock (_lock)
@@ -146,28 +146,29 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action
     // live joints, so that a source with many names cannot displace them.
     void DropOldest()
     {
-        var oldest = _joints.Values.Where(joint => !joint.IsConfigured && !joint.Flow.IsFlowing).MaxBy(joint => (joint.Flow.HasLeft, joint.Flow.Silence));
+        var oldest = _joints.Values.Where(joint => !joint.IsConfigured && !joint.Samples.IsFlowing)
+            .MaxBy(joint => (joint.Samples.HasLeft, joint.Samples.Silence));
         if (oldest != null) _joints.Remove(oldest.Name);
     }
 
     void Forget()
     {
         foreach (var (name, joint) in _joints)
-            if (!joint.IsConfigured && !joint.IsRefused && IsOver(joint.Flow)) _joints.Remove(name);
+            if (!joint.IsConfigured && !joint.IsRefused && IsOver(joint.Samples)) _joints.Remove(name);
     }
 
-    static bool IsOver(SampleFlow flow) => !flow.HasAny || flow.HasLeft && flow.Silence > ForgottenAfter;
+    static bool IsOver(JointSamples samples) => !samples.HasAny || samples.HasLeft && samples.Silence > ForgottenAfter;
 
     sealed class Joint(string name, TimeProvider time)
     {
         public string Name => name;
-        public SampleFlow Flow { get; } = new(time);
+        public JointSamples Samples { get; } = new(time);
         public List<JointRow> Rows { get; private set; } = [];
         public bool IsConfigured => Rows.Exists(row => row.IsConfigured);
         public bool IsRefused => Rows.Exists(row => row.IsRefused);
-        public bool IsOnlyRefused => !IsConfigured && !Flow.HasAny;
+        public bool IsOnlyRefused => !IsConfigured && !Samples.HasAny;
 
-        public bool IsPublishedBy(HubSource source) => Flow.HasAny && Flow.Source == source;
+        public bool IsPublishedBy(HubSource source) => Samples.HasAny && Samples.Source == source;
 
         /// <summary>Records that an adapter no longer reports the joint.</summary>
         /// <returns>Whether the adapter had been reporting the joint.</returns>
@@ -180,15 +181,15 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action
             return row;
         }
 
-        public IEnumerable<JointStatus> Judge(TimeProvider time)
+        public IEnumerable<JointSnapshot> Judge(TimeProvider time)
         {
-            var owner = Flow.HasAny ? OwnerRow(time) : null;
+            var owner = Samples.HasAny ? OwnerRow(time) : null;
             Rows.RemoveAll(row => !row.IsConfigured && !row.IsRefused && row != owner);
             // Keeps the source that publishes the joint, then those that were present last. The sort is stable, so a new source does not replace one
             // that is still present.
             if (Rows.Count > MaxSources)
                 Rows = [.. Rows.OrderByDescending(row => row == owner).ThenByDescending(row => row.LastPresent).Take(MaxSources)];
-            return Rows.Select(row => row.Judge(row == owner ? Flow : null));
+            return Rows.Select(row => row.Judge(row == owner ? Samples : null));
         }
 
         // Gets the row of the source that publishes the joint. An adapter that has just reconnected has not sent its name yet. If one adapter has
@@ -196,8 +197,8 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action
         public JointRow OwnerRow(TimeProvider time)
         {
             var configured = Rows.FindAll(row => row.IsConfigured);
-            var isUnnamed = Flow.Source?.Name is null or HubSource.Unnamed;
-            return isUnnamed && configured.Count == 1 ? configured[0] : RowOf(Flow.Source?.Name ?? HubSource.Own, time);
+            var isUnnamed = Samples.Source?.Name is null or HubSource.Unnamed;
+            return isUnnamed && configured.Count == 1 ? configured[0] : RowOf(Samples.Source?.Name ?? HubSource.Own, time);
         }
     }
 }

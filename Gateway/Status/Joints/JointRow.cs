@@ -49,36 +49,36 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     public void Refuse(string reason, string word) => (_refusal, _refusalWord, _refusedAt) = (reason, word, time.GetTimestamp());
 
     /// <summary>Determines the current state of the joint.</summary>
-    /// <param name="flow">The joint's samples; null if they come from another source.</param>
-    public JointStatus Judge(SampleFlow flow)
+    /// <param name="samples">The joint's samples; null if they come from another source.</param>
+    public JointSnapshot Judge(JointSamples samples)
     {
-        var (state, since, reason, word) = StateOf(flow);
+        var (state, since, reason, word) = StateOf(samples);
         var now = time.GetUtcNow();
         if (since is { } known && known <= now) _since = known;
         else if (_last != state) _since = now;
         _last = state;
-        return new JointStatus(joint, Source, state, _since, flow?.Age, Math.Round(flow?.RateHz ?? 0, 2), reason)
+        return new JointSnapshot(joint, Source, state, _since, samples?.Age, Math.Round(samples?.RateHz ?? 0, 2), reason)
         {
             Uncertainty = state == JointDataState.Rest ? _report.Uncertainty : "",
             ReasonWord = state.IsGood() ? null : word,
         };
     }
 
-    (JointDataState State, DateTimeOffset? Since, string Reason, string Word) StateOf(SampleFlow flow)
+    (JointDataState State, DateTimeOffset? Since, string Reason, string Word) StateOf(JointSamples samples)
     {
-        var isFlowing = flow is { IsFlowing: true };
+        var isFlowing = samples is { IsFlowing: true };
         if (IsRefused && !isFlowing) return (JointDataState.Refused, null, _refusal, _refusalWord);
         var isReportFresh = IsReportFresh;
         if (isReportFresh && _report.State != JointDataState.Live)
             return (_report.State, _report.Since, _report.Reason, JointFaultReasons.Of(_report.Word));
         if (isFlowing) return (JointDataState.Live, null, "", null);
-        if (flow is not { HasAny: true })
+        if (samples is not { HasAny: true })
             return isReportFresh
                 ? (JointDataState.Missing, null, JointReasons.NoSample, JointFaultReasons.NoSample)
                 : (JointDataState.Missing, null, JointReasons.NoReport, JointFaultReasons.AdapterSilent);
         if (IsConfigured && !isReportFresh)
-            return (JointDataState.Stale, flow.LastUtc, JointReasons.Silent(Source), JointFaultReasons.AdapterSilent);
+            return (JointDataState.Stale, samples.LastUtc, JointReasons.Silent(Source), JointFaultReasons.AdapterSilent);
         var reason = isReportFresh ? JointReasons.SamplesStopped : "samples stopped arriving";
-        return (JointDataState.Stale, flow.LastUtc, reason, JointFaultReasons.SamplesStopped);
+        return (JointDataState.Stale, samples.LastUtc, reason, JointFaultReasons.SamplesStopped);
     }
 }

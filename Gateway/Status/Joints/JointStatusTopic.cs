@@ -26,7 +26,7 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
     List<(string Name, JointDataState State, string Reason)> _sent;
     long _sentAt;
 
-    public void Publish(IReadOnlyList<JointStatus> joints)
+    public void Publish(IReadOnlyList<JointSnapshot> joints)
     {
         // For a joint with two sources, uses the better state, because the samples of the other source are refused.
         // Omits a joint without a source: headsets detect it themselves, and if two gateways are bridged, the other gateway may have a source.
@@ -49,8 +49,8 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
 
     public void Dispose() => _source.Dispose();
 
-    static string ReasonOf(JointStatus row) => row.Uncertainty.Length == 0 ? row.Reason : Uncertain + row.Uncertainty;
+    static string ReasonOf(JointSnapshot row) => row.Uncertainty.Length == 0 ? row.Reason : Uncertain + row.Uncertainty;
 
-    static string ValueOf(JointStatus row, ControlTime since, int longest) => string.Create(
+    static string ValueOf(JointSnapshot row, ControlTime since, int longest) => string.Create(
         CultureInfo.InvariantCulture, $"{row.Word} {since.SinceEpoch.TotalSeconds:0.000} {InputException.OneLine(ReasonOf(row), longest)}").TrimEnd();
 }

@@ -20,13 +20,13 @@ sealed class UnpublishedJoints(TimeProvider time)
     /// <summary>Gets the unpublished joints.</summary>
     /// <param name="robot">The described robot; null if no robot is described.</param>
     /// <param name="hasSource">Returns whether a source publishes a joint or an adapter has the joint in its configuration.</param>
-    public IEnumerable<JointStatus> Judge(RobotModel robot, Func<string, bool> hasSource)
+    public IEnumerable<JointSnapshot> Judge(RobotModel robot, Func<string, bool> hasSource)
     {
         var names = robot == null ? [] : NamesOf(robot);
         var missing = names.Exists(hasSource.Invoke) ? names.FindAll(name => !hasSource(name)) : [];
         foreach (var name in _since.Keys.Except(missing).ToArray()) _since.Remove(name);
         foreach (var name in missing) _since.TryAdd(name, (time.GetTimestamp(), time.GetUtcNow()));
-        return _since.Where(entry => time.GetElapsedTime(entry.Value.Count) >= StartTimeout).Select(entry => new JointStatus(
+        return _since.Where(entry => time.GetElapsedTime(entry.Value.Count) >= StartTimeout).Select(entry => new JointSnapshot(
             entry.Key, NoSource, JointDataState.Missing, entry.Value.Utc, null, 0, JointReasons.NotPublished)
         {
             ReasonWord = JointFaultReasons.NotPublished,

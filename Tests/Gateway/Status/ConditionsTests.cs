@@ -24,7 +24,7 @@ public class ConditionsTests
     [TestCaseSource(nameof(Rows))]
     public void Of_JointNotLive_IsNormalAtStartIfItsValueOrClockIsPending(int state, string reason, bool isNormal)
     {
-        var condition = Conditions.Of(new JointStatus("a1", "cell", (JointDataState)state, Since, null, 0, reason));
+        var condition = Conditions.Of(new JointSnapshot("a1", "cell", (JointDataState)state, Since, null, 0, reason));
 
         Assert.That(condition.IsNormalAtStart, Is.EqualTo(isNormal));
         Assert.That(condition.Level, Is.EqualTo(Level.Error), "a lasting condition is an event");

@@ -56,7 +56,7 @@ public class OverallStatusTests
     [Test]
     public void Of_JointsLive_IsOk()
     {
-        var joint = new JointStatus("a", "plc", JointDataState.Live, default, null, 20, "");
+        var joint = new JointSnapshot("a", "plc", JointDataState.Live, default, null, 20, "");
 
         Assert.That(OverallStatus.Of([], [joint], [Frame("stale")], [], hasRobot: true, headsets: 0).Level, Is.EqualTo("ok"));
     }

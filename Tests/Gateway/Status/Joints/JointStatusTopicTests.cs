@@ -26,7 +26,7 @@ public class JointStatusTopicTests
     [TearDown]
     public void Close() => _topic.Dispose();
 
-    JointStatus Joint(string name, JointDataState state, string reason = "", double secondsAgo = 4) =>
+    JointSnapshot Joint(string name, JointDataState state, string reason = "", double secondsAgo = 4) =>
         new(name, "press", state, _time.GetUtcNow() - TimeSpan.FromSeconds(secondsAgo), null, 0, reason);
 
     [Test]
@@ -73,9 +73,9 @@ public class JointStatusTopicTests
     [Test]
     public void Publish_CalledRepeatedly_SendsEachChangeAndOncePerSecondWhileAJointIsNotLive()
     {
-        JointStatus[] fault = [Joint("a", JointDataState.Fault)];
-        JointStatus[] none = [Joint("a", JointDataState.Live)];
-        void Look(JointStatus[] joints, double seconds)
+        JointSnapshot[] fault = [Joint("a", JointDataState.Fault)];
+        JointSnapshot[] none = [Joint("a", JointDataState.Live)];
+        void Look(JointSnapshot[] joints, double seconds)
         {
             for (var i = 0; i < seconds * 5; i++)
             {

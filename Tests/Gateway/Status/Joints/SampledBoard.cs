@@ -38,6 +38,6 @@ sealed class SampledBoard
             $"joint/{joint.Joint}", string.Create(CultureInfo.InvariantCulture, $"{joint.State} {since:0.000} {joint.Reason}")))]);
     }
 
-    public JointStatus Joint(string name, string source = null) =>
+    public JointSnapshot Joint(string name, string source = null) =>
         Board.Read().Single(joint => joint.Name == name && (source == null || joint.Source == source));
 }

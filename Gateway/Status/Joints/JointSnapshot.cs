@@ -6,7 +6,7 @@ namespace Nowpose.Gateway.Status.Joints;
 /// <param name="Age">Control time minus the newest sample's stamp; null before the first sample.</param>
 /// <param name="RateHz">Samples per second; 0 after the samples have stopped.</param>
 /// <param name="Reason">The reason for the state as one sentence; empty for a live joint.</param>
-readonly record struct JointStatus(
+readonly record struct JointSnapshot(
     string Name, string Source, JointDataState State, DateTimeOffset Since, TimeSpan? Age, double RateHz, string Reason)
 {
     /// <summary>The reason why a joint assumed at rest may not be at rest; empty if there is none.</summary>

@@ -2,8 +2,8 @@ using Nowpose.Gateway.Hub;
 
 namespace Nowpose.Gateway.Status.Joints;
 
-/// <summary>The flow of one joint's samples at the gateway: their rate, their age, and the time since the last sample.</summary>
-sealed class SampleFlow(TimeProvider time)
+/// <summary>The samples of one joint at the gateway: their rate, their age, and the time since the last sample.</summary>
+sealed class JointSamples(TimeProvider time)
 {
     // Weight of a new interval in the mean interval, so small that a few bursts over TCP hardly change the rate.
     const double Weight = 0.05;
