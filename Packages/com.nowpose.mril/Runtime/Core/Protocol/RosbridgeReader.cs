@@ -31,7 +31,7 @@ namespace Nowpose.Protocol
         static readonly JsonNames Publication = new JsonNames("msg");
         static readonly JsonNames Response = new JsonNames("values");
 
-        readonly RosMessages _bodies = new RosMessages();
+        readonly RosMessageReader _bodies = new RosMessageReader();
         readonly JsonNameCache _topicNames = new JsonNameCache(MaxTopics);
         readonly Dictionary<string, RobotTopic> _topics = new Dictionary<string, RobotTopic>(StringComparer.Ordinal);
         readonly RosbridgeMessage _message = new RosbridgeMessage();

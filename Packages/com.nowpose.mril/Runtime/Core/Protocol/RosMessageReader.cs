@@ -5,7 +5,7 @@ using Nowpose.Protocol.Cell;
 namespace Nowpose.Protocol
 {
     /// <summary>Reads the bodies of publications and service responses according to their topic or service. Not thread-safe.</summary>
-    sealed class RosMessages
+    sealed class RosMessageReader
     {
         static readonly JsonNames StringFields = new JsonNames("data");
         static readonly JsonNames TimeFields = new JsonNames("time");
