@@ -1,0 +1,55 @@
+using Nowpose.Prediction;
+using Nowpose.Prediction.Samples;
+using Nowpose.Prediction.State;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Prediction.State
+{
+    public class OutlierReturnDetectorTests
+    {
+        static readonly double[] Smooth = { 0, 1, 2, 3, 4 };
+
+        // Feeds a smooth motion at 1 per sample, and further positions.
+        static OutlierReturnDetector After(params double[] positions)
+        {
+            var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
+            var (detector, motion, k) = (new OutlierReturnDetector(), new MotionState(1, 0, 8, buffer.Timing), 0);
+            void Feed(double position)
+            {
+                buffer.Add(new JointSample(k++ * 0.05, position), displayed: double.NaN);
+                motion.Take(buffer);
+                detector.Add(motion);
+            }
+            foreach (var position in Smooth) Feed(position);
+            foreach (var position in positions) Feed(position);
+            return detector;
+        }
+
+        [TestCase(50)]
+        [TestCase(-50)]
+        public void Add_SampleFurtherAwayThanAnyMotion_IsUnconfirmed(double wrong)
+        {
+            var detector = After(wrong);
+
+            Assert.That((detector.IsUnconfirmed, detector.HasJumped), Is.EqualTo((true, false)));
+        }
+
+        [TestCase(50)]
+        [TestCase(-50)]
+        public void Add_NextSampleReturns_IsAJump(double wrong)
+        {
+            var detector = After(wrong, 6);
+
+            Assert.That((detector.IsUnconfirmed, detector.HasJumped), Is.EqualTo((false, true)));
+            Assert.That(After(wrong, 6, 7).SamplesSince, Is.EqualTo(2));
+        }
+
+        // The first move at a much higher speed, and a joint that was moved elsewhere.
+        [TestCase(100)]
+        [TestCase(50.5)]
+        public void Add_NextSampleDoesNotReturn_IsNoJump(double next) => Assert.That(After(50, next).HasJumped, Is.False);
+
+        [Test]
+        public void Add_MotionAsFastAsEarlier_IsNotUnconfirmed() => Assert.That(After(6.5).IsUnconfirmed, Is.False);
+    }
+}
