@@ -39,7 +39,7 @@ namespace Nowpose.Prediction
         /// <summary>Position of the newest sample, which a display without compensation shows; 0 before the first sample.</summary>
         public double Hold => _newest;
 
-        /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first sample.</summary>
+        /// <summary>Stamp of the newest sample as received, in s; negative infinity before the first sample.</summary>
         public double NewestTime => _pipeline.NewestStamp;
 
         /// <summary>Mean time from the newest sample to the display time, in s; forecasts are weighted for it.</summary>
@@ -125,12 +125,13 @@ namespace Nowpose.Prediction
 
         void Restart()
         {
-            Clear();
+            RestartSamples();
             _plan.Reset();
             _blend.Reset();
         }
 
-        void Clear()
+        // Starts again with the next sample. A plan is kept, because it does not depend on the samples.
+        void RestartSamples()
         {
             _pipeline.Restart();
             _blend.Stop();
@@ -144,28 +145,30 @@ namespace Nowpose.Prediction
             if (!(Math.Abs(sample.Position - Hold) < JointSample.MaxMagnitude))
             {
                 if (!isNewest) return;
-                Clear();
+                RestartSamples();
             }
             var (shown, before) = (ShownAt(displayed), NewestTime);
+            // Assumes the shorter way round between two samples more than half a turn apart.
             var turns = _limits.IsEndless && !_pipeline.IsEmpty ? WholeTurns(_newest + _shift - sample.Position) : 0;
             var hasChanged = _pipeline.Add(turns == 0 ? sample : Unwrapped(sample, turns), displayed);
             if (isNewest)
             {
                 (_newest, _shift) = (sample.Position, turns);
+                // A plan has the time of the control system, so the samples that follow it need no correction or thinning.
                 _plan.Add(sample.Time, sample.Position + turns);
             }
             if (hasChanged) _blend.Replace(displayed, before);
             if (hasChanged || _plan.HasPlan) StartBlend(displayed, shown);
         }
 
-        // Assumes the shorter way round between two samples more than half a turn apart.
         static JointSample Unwrapped(in JointSample sample, double turns) =>
             new JointSample(sample.Time, sample.Position + turns, sample.Order, sample.Velocity, sample.Acceleration);
 
         void StartPlan(PlannedPath path, double start, double displayed)
         {
-            // A plan with a later first set-point starts from the joint's position at the plan's start.
-            var here = _plan.HasPlan && _plan.IsFollowedAt(start, NewestTime) ? _plan.At(start) : SectionAt(start).Position;
+            // A plan with a later first set-point starts from the position that the joint reaches, after its delay, at the plan's start.
+            var reached = start + _plan.Delay;
+            var here = _plan.IsFollowedAt(reached, NewestTime) ? _plan.At(reached) : SectionAt(reached).Position;
             // A plan contains a continuous joint's angle within one turn; the samples are unwrapped.
             var turns = _limits.IsEndless ? WholeTurns(Hold + _shift - path.FirstPosition) : 0;
             var from = path.First <= 0 ? path.FirstPosition : here - _plan.Offset - turns;
@@ -197,9 +200,9 @@ namespace Nowpose.Prediction
         JointPrediction WithPlan(in JointPrediction section, double time)
         {
             var timeConstant = _blend.TimeConstant(_pipeline.Timing.MeanInterval);
-            var weight = _plan.WeightAt(time, NewestTime, NewestTime + _limits.HorizonCap, timeConstant, out var holds);
+            var weight = _plan.WeightAt(time, NewestTime, NewestTime + _limits.HorizonCap, timeConstant, out var isPlanned);
             var position = weight > 0 ? section.Position + weight * (_plan.At(time) - section.Position) : section.Position;
-            return double.IsFinite(position) ? new JointPrediction(position, holds ? PredictionKind.Planned : section.Kind) : section;
+            return double.IsFinite(position) ? new JointPrediction(position, isPlanned ? PredictionKind.Planned : section.Kind) : section;
         }
 
         JointPrediction SectionAt(double time)

@@ -21,7 +21,7 @@ namespace Nowpose.Prediction.Planning
         /// </summary>
         const double Settling = 0.1;
 
-        readonly PlanFilter _delay = new PlanFilter();
+        readonly PlanFilter _filter = new PlanFilter();
         ActivePlan _current, _next;
         int _agreements = AgreementsToReturn;
 
@@ -33,12 +33,12 @@ namespace Nowpose.Prediction.Planning
         /// <param name="newest">Time of the newest sample, in s.</param>
         public void Replace(PlannedPath path, double start, double from, double turns, double now, double newest)
         {
-            var before = PlanAt(start + _delay.Delay);
-            var plan = new ActivePlan(path, start, from, turns, IsFollowedAt(start + _delay.Delay, newest) ? before.Since : start);
-            if (!_next.IsNone && _next.Start <= now - _delay.Delay) _current = _next;
+            var before = PlanAt(start + _filter.Delay);
+            var plan = new ActivePlan(path, start, from, turns, IsFollowedAt(start + _filter.Delay, newest) ? before.Since : start);
+            if (!_next.IsNone && _next.Start <= now - _filter.Delay) _current = _next;
             _next = plan;
-            if (_current.IsNone || plan.Start <= now - _delay.Delay) (_current, _next) = (plan, default);
-            _delay.Start(plan.Range);
+            if (_current.IsNone || plan.Start <= now - _filter.Delay) (_current, _next) = (plan, default);
+            _filter.Start(plan.Range);
         }
 
         /// <summary>Drops the current and the next plan.</summary>
@@ -47,7 +47,7 @@ namespace Nowpose.Prediction.Planning
         public void Reset()
         {
             Drop();
-            _delay.Reset();
+            _filter.Reset();
             _agreements = AgreementsToReturn;
         }
 
@@ -56,10 +56,10 @@ namespace Nowpose.Prediction.Planning
         {
             var plan = PlanAt(time);
             if (plan.IsNone) return;
-            var at = time - _delay.Delay;
+            var at = time - _filter.Delay;
             if (at < plan.Start || at > plan.End + Settling) return;
-            var difference = position - plan.At(at, out var velocity) - _delay.Offset;
-            var verdict = _delay.Add(time, difference, velocity, plan.Range);
+            var difference = position - plan.At(at, out var velocity) - _filter.Offset;
+            var verdict = _filter.Add(time, difference, velocity, plan.Range);
             if (verdict == PlanVerdict.NotFollowed) _agreements = 0;
             else if (verdict == PlanVerdict.Followed && _agreements < AgreementsToReturn) _agreements++;
         }
@@ -71,9 +71,9 @@ namespace Nowpose.Prediction.Planning
         /// <returns>False without a plan at that time, or if the joint does not follow the plan.</returns>
         public bool IsFollowedAt(double time, double newest)
         {
-            var (plan, at) = (PlanAt(time), time - _delay.Delay);
+            var (plan, at) = (PlanAt(time), time - _filter.Delay);
             if (plan.IsNone || _agreements < AgreementsToReturn || at < plan.Start) return false;
-            return at <= plan.End || (plan.EndsAtRest && newest - _delay.Delay < plan.End + Settling);
+            return at <= plan.End || (plan.EndsAtRest && newest - _filter.Delay < plan.End + Settling);
         }
 
         /// <summary>
@@ -82,13 +82,13 @@ namespace Nowpose.Prediction.Planning
         /// <param name="newest">Time of the newest sample.</param>
         /// <param name="lastTime">Time after which the samples are too old for any plan.</param>
         /// <param name="timeConstant">Time constant of the rise and fall, in s; 0 for an immediate change.</param>
-        /// <param name="holds">Whether the plan determines the displayed position.</param>
-        public double WeightAt(double time, double newest, double lastTime, double timeConstant, out bool holds)
+        /// <param name="isPlanned">Whether the plan determines the displayed position.</param>
+        public double WeightAt(double time, double newest, double lastTime, double timeConstant, out bool isPlanned)
         {
-            holds = time <= lastTime && IsFollowedAt(time, newest);
-            if (holds) return timeConstant > 0 ? 1 - Math.Exp(-(time - PlanAt(time).Since - _delay.Delay) / timeConstant) : 1;
+            isPlanned = time <= lastTime && IsFollowedAt(time, newest);
+            if (isPlanned) return timeConstant > 0 ? 1 - Math.Exp(-(time - PlanAt(time).Since - _filter.Delay) / timeConstant) : 1;
             if (_current.IsNone || timeConstant == 0) return 0;
-            var end = Math.Min(lastTime, PlanAt(time).End + _delay.Delay);
+            var end = Math.Min(lastTime, PlanAt(time).End + _filter.Delay);
             return time > end && IsFollowedAt(end, newest) ? Math.Exp(-(time - end) / timeConstant) : 0;
         }
 
@@ -96,14 +96,17 @@ namespace Nowpose.Prediction.Planning
         /// Returns the joint's position according to the plan, its delay and its offset. The position is constant before the plan's start and after
         /// its end. Call it only while there is a plan.
         /// </summary>
-        public double At(double time) => PlanAt(time).At(time - _delay.Delay, out _) + _delay.Offset;
+        public double At(double time) => PlanAt(time).At(time - _filter.Delay, out _) + _filter.Offset;
+
+        /// <summary>Estimated delay of the joint behind its plan, in s.</summary>
+        public double Delay => _filter.Delay;
 
         /// <summary>Estimated offset of the joint from its plan, in rad or m.</summary>
-        public double Offset => _delay.Offset;
+        public double Offset => _filter.Offset;
 
         public bool HasPlan => !_current.IsNone;
 
-        ActivePlan PlanAt(double time) => !_next.IsNone && time - _delay.Delay >= _next.Start ? _next : _current;
+        ActivePlan PlanAt(double time) => !_next.IsNone && time - _filter.Delay >= _next.Start ? _next : _current;
     }
 
     /// <summary>A path and its start time; <c>default</c> means that no plan is active.</summary>

@@ -149,6 +149,22 @@ namespace Nowpose.Tests.Core.Prediction
                 Assert.That(shown.Position, Is.EqualTo(Truth(at)).Within(2e-3), "at " + at);
         }
 
+        // The joint follows a plan of constant velocity with a delay. The next plan continues it, and its first set-point is later than its start.
+        [TestCase(0.08, 0)]
+        [TestCase(0.15, 0.02)]
+        public void Follow_JointLagsAndFirstSetPointIsInTheFuture_ContinuesTheMotion(double lag, double offset)
+        {
+            var joint = New();
+            double Truth(double t) => Math.Min(Math.Max(t - lag - 5, 0), 4) + offset;
+            Play(joint, 4, 4.9, Truth);
+            joint.Follow(new PlannedPath(new[] { 0.0, 2 }, new[] { 0.0, 2 }), 5);
+            Play(joint, 4.9, 6.9, Truth);
+            joint.Follow(new PlannedPath(new[] { 0.5, 2 }, new[] { 2.5, 4 }), 7);
+
+            foreach (var (at, shown) in Play(joint, 6.9, 8, Truth))
+                Assert.That(shown.Position, Is.EqualTo(Truth(at)).Within(3e-3), "at " + at);
+        }
+
         [Test]
         public void At_TimeBeforeThePlan_IsPredictedEvenAfterAReadWithinThePlan()
         {
