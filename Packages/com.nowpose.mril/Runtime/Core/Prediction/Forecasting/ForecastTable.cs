@@ -26,9 +26,9 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Limits the forecast of a joint to the drive's maximum speed and maximum acceleration.</summary>
         /// <param name="table">Table with one component, which is changed in place.</param>
         /// <param name="points">Number of points of the table that are used.</param>
-        /// <param name="speed">Mean speed over the interval before the newest sample.</param>
+        /// <param name="speed">Mean speed over the interval before the newest sample; smaller after a stop or a jump.</param>
         /// <param name="interval">Interval before the newest sample, in s.</param>
-        public static void Limit(double[] table, int points, double speed, double interval, PredictionLimits limits)
+        public static void LimitToDrive(double[] table, int points, double speed, double interval, PredictionLimits limits)
         {
             if (double.IsInfinity(limits.Velocity) && double.IsInfinity(limits.Acceleration)) return;
             // If the observed speed exceeds the limit, the observed speed applies, because URDFs can be wrong.

@@ -209,10 +209,10 @@ namespace Nowpose.Prediction.Mixing
         {
             var samples = Math.Min(motion.Count, _jumps.SamplesSince);
             if (Uses(PredictionParts.ChangePoints)) samples = Math.Min(samples, _changePoints.SamplesSince);
-            var factor = motion.Count < 2 || HasJumped ? 0 : samples == 1 && !_changePoints.SpeedIncreased ? SpeedRatioAfterStop : 1;
-            _forecasters.Fill(motion, samples, factor, _points);
+            var speedFactor = motion.Count < 2 || HasJumped ? 0 : samples == 1 && !_changePoints.SpeedIncreased ? SpeedRatioAfterStop : 1;
+            _forecasters.Fill(motion, samples, speedFactor, _points);
             if (motion.IsNewest && Math.Min(motion.Count, _jumps.SamplesSince) >= MinScored) Expect(motion);
-            FillTable(motion);
+            FillTable(motion, speedFactor);
         }
 
         void Expect(MotionState motion)
@@ -221,12 +221,12 @@ namespace Nowpose.Prediction.Mixing
             if (Uses(PredictionParts.DistanceLimit)) _distance.Add(motion.NewestTime - motion.PreviousTime, distance);
         }
 
-        void FillTable(MotionState motion)
+        void FillTable(MotionState motion, double speedFactor)
         {
             Array.Clear(_table, 0, _table.Length);
             var candidate = HasJumped ? null : BestCandidate(motion.Standstill.Samples > 0);
             if (candidate != null) Array.Copy(candidate.Table, _table, _points * _components);
-            else FillMixture(motion);
+            else FillMixture(motion, speedFactor);
             // The displayed position is that of the newest sample at its time.
             Array.Clear(_table, 0, _components);
         }
@@ -243,7 +243,8 @@ namespace Nowpose.Prediction.Mixing
             return best;
         }
 
-        void FillMixture(MotionState motion)
+        /// <param name="speedFactor">Factor by which the line multiplies the velocity in the last interval.</param>
+        void FillMixture(MotionState motion, double speedFactor)
         {
             // The weights of the last seconds would displace a constant velocity if they include hold.
             var isLine = motion.NewestTime < _lineUntil || (Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady);
@@ -255,9 +256,9 @@ namespace Nowpose.Prediction.Mixing
                 for (var i = Line; i < weights.Length; i++)
                     if (weights[i] != 0) _forecasters.AddTo(_table, i, weights[i] * _distance.Factor, _points);
                 if (_distance.Factor < 1) _forecasters.AddTo(_table, Line, 1 - _distance.Factor, _points);
-                if (_scatter.Scatters) Limit(MaxScatterRatio * _scatter.Noise);
             }
-            if (_components == 1 && motion.Count > 1) ForecastTable.Limit(_table, _points, motion.Velocity[0], motion.Timing.Interval, _limits);
+            if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Timing.Interval, _limits);
+            if (!isLine && _scatter.Scatters) LimitToNoise(MaxScatterRatio * _scatter.Noise);
             foreach (var position in _table)
             {
                 if (double.IsFinite(position)) continue;
@@ -266,7 +267,7 @@ namespace Nowpose.Prediction.Mixing
             }
         }
 
-        void Limit(double max)
+        void LimitToNoise(double max)
         {
             for (int point = 1, start = _components; point < _points; point++, start += _components)
             {

@@ -29,6 +29,18 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(later, Is.LessThan(0.006));
         }
 
+        // The way back from a wrong sample is not a velocity that the drive would have to slow down.
+        [Test]
+        public void At_SampleAfterAWrongOneOfADriveWithKnownAcceleration_IsHeld()
+        {
+            var predictor = Predictors.Create("adaptive", new PredictionLimits(velocity: 3, acceleration: 5));
+            for (var k = 0; k <= 60; k++) predictor.Add(k * 0.05, 0.2 * k * 0.05 + (k == 59 ? 0.5 : 0));
+
+            var shown = predictor.At(3 + Latency);
+            Assert.That(shown.Kind, Is.EqualTo(PredictionKind.Held));
+            Assert.That(shown.Position, Is.EqualTo(0.6).Within(1e-9));
+        }
+
         [TestCase(0.05, 0.06, 0)]
         [TestCase(0.02, 0.0205, 0)]
         [TestCase(0.05, 0.051, 0)]
