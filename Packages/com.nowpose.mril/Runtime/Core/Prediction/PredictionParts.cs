@@ -27,16 +27,16 @@ namespace Nowpose.Prediction
         /// <summary>The cubic through four samples.</summary>
         Cubic = 16,
 
-        /// <summary>Least-squares fits: a quadratic to five and to ten samples, a cubic to six and a line to ten.</summary>
+        /// <summary>The least-squares fit of a quadratic to five samples.</summary>
         QuadraticOfFive = 32,
 
-        /// <inheritdoc cref="QuadraticOfFive"/>
+        /// <summary>The fit of a quadratic to ten samples.</summary>
         QuadraticOfTen = 64,
 
-        /// <inheritdoc cref="QuadraticOfFive"/>
+        /// <summary>The fit of a cubic to six samples.</summary>
         CubicOfSix = 128,
 
-        /// <inheritdoc cref="QuadraticOfFive"/>
+        /// <summary>The fit of a line to ten samples.</summary>
         LineOfTen = 256,
 
         /// <summary>The Gaussian process.</summary>

@@ -98,7 +98,7 @@ namespace Nowpose.Prediction.Candidates
             record.Mixture = forgettingFactor * record.Mixture + mixture * mixture;
             record.Displacement = forgettingFactor * record.Displacement + displacement * displacement;
             record.Time = time;
-            record.Scores++;
+            record.Scores = Math.Min(record.Scores, MinScores) + 1;
         }
 
         public void Reset()

@@ -74,7 +74,7 @@ namespace Nowpose.Prediction.Candidates
         readonly double[] _offsets;
         double _interval;
         int _matches;
-        int _turn;
+        int _refinedNext;
         double _matchedAt;
 
         /// <param name="components">Number of components of a position.</param>
@@ -193,13 +193,13 @@ namespace Nowpose.Prediction.Candidates
         {
             _matchedAt = _times[0];
             _overlay.Take(_times, _positions, SamplesInWindow(stillDistance));
-            _turn = (_turn + 1) % LagSearch.Kept;
+            _refinedNext = (_refinedNext + 1) % LagSearch.Kept;
             var min = double.PositiveInfinity;
             for (var i = 0; i < _search.Count; i++)
             {
                 MoveTo(i, _search.Lags[i]);
                 // Matches keep their refined lags; one of them is refined again per search.
-                if (_found[i] != _search.Lags[i] || i == _turn)
+                if (_found[i] != _search.Lags[i] || i == _refinedNext)
                     (_found[i], _refined[i]) = (_search.Lags[i], _overlay.Find(_search.Lags[i], MinLag));
                 if (!_overlay.Compare(_refined[i]) || !HasContinuation(_refined[i])) continue;
                 _lags[_matches] = _refined[i];

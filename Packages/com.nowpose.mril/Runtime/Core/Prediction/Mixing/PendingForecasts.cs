@@ -125,7 +125,7 @@ namespace Nowpose.Prediction.Mixing
 
             public double[] Forecasts { get; }
 
-            /// <summary>Weighted sum of the forecasts.</summary>
+            /// <summary>Weighted sum of the forecasts, without the limits of the displayed table, which candidates do not have either.</summary>
             public double[] Mixture { get; }
 
             public double[][] Candidates { get; }

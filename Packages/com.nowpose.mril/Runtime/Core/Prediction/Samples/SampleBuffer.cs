@@ -58,6 +58,7 @@ namespace Nowpose.Prediction.Samples
             if (isNewer) (_newestOrder, Newest) = (sample.Order, sample);
             var before = History.NewestTime;
             if (_thins && isNewer && time > before && time - before < MinInterval) return false;
+            // The history is sorted by corrected times, so that successive times differ.
             if (!History.Add(sample.With(time, _stamps == null ? sample.Order : time))) return false;
             IsNewest = History.NewestTime > before;
             Timing.Add(History, IsNewest, displayed);

@@ -41,6 +41,9 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Maximum scatter of periodic stamps, relative to the interval: random stamps scatter by 0.29.</summary>
         const double MaxScatterRatio = 0.25;
 
+        /// <summary>Number of consecutive stamps with too much scatter after which the line restarts: as many as a new line needs.</summary>
+        const int MaxMisfits = MinStamps;
+
         /// <summary>Number of fits to the first stamps: the first line may assign wrong numbers, which the next fits correct.</summary>
         const int Refinements = 3;
 
@@ -99,7 +102,7 @@ namespace Nowpose.Prediction.Samples
             if (!IsKnown) return;
             // Wrong sample numbers would affect the line until their weight has decayed.
             _misfits = IsTooScattered ? _misfits + 1 : 0;
-            if (_misfits == MinStamps) Reset();
+            if (_misfits == MaxMisfits) Reset();
         }
 
         public void Reset()

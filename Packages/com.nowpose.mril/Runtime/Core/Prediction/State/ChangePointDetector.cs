@@ -50,6 +50,9 @@ namespace Nowpose.Prediction.State
         /// </summary>
         const double SteadyRatio = 1e-6;
 
+        /// <summary>Maximum counted number of samples; more than any forecaster uses.</summary>
+        const int MaxCount = 1_000_000;
+
         readonly double _timeConstant;
 
         // Velocity at the previous sample that was not a jump, and at the last one that was also confirmed.
@@ -82,8 +85,8 @@ namespace Nowpose.Prediction.State
         /// <param name="isUnconfirmed">Whether the sample may be wrong (<see cref="JumpDetector.IsUnconfirmed"/>): it does not increase the maxima.</param>
         public void Add(MotionState motion, bool isUnconfirmed)
         {
-            SamplesSince++;
-            _samples++;
+            SamplesSince = Math.Min(SamplesSince, MaxCount) + 1;
+            _samples = Math.Min(_samples, MaxCount) + 1;
             if (_samples < 2) return;
             var interval = motion.Timing.Interval;
             var forgettingFactor = Math.Exp(-interval / _timeConstant);
@@ -94,7 +97,7 @@ namespace Nowpose.Prediction.State
             // An abrupt change within an interval shows in the velocity of two intervals.
             var isSteady = _steadySamples > 0 || _wasSteady;
             _wasSteady = _steadySamples > 0;
-            _steadySamples = change <= SteadyRatio * motion.MaxSpeed ? _steadySamples + 1 : 0;
+            _steadySamples = change <= SteadyRatio * motion.MaxSpeed ? Math.Min(_steadySamples, MaxCount) + 1 : 0;
             if (_samples > 2)
             {
                 var acceleration = change / (0.5 * (interval + _intervalBefore));

@@ -11,7 +11,9 @@ namespace Nowpose.Prediction.State
         /// <summary>Number of samples since the newest jump, including the sample at the new place.</summary>
         public int SamplesSince { get; private set; } = int.MaxValue;
 
-        /// <summary>Whether the newest sample is a jump.</summary>
+        /// <summary>
+        /// Whether the newest sample is a jump: for an object, the first sample at the new place; for a joint, the sample after a wrong one.
+        /// </summary>
         public bool HasJumped => SamplesSince == 1;
 
         /// <summary>Whether the newest sample may be wrong, which the next sample decides.</summary>
