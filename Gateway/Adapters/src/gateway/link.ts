@@ -3,7 +3,7 @@ import WebSocket, { type RawData } from 'ws';
 import { Backoff, pause } from '../backoff';
 import type { GatewayAddress } from '../configuration/configuration';
 import type { Log } from '../log';
-import { parsed, typeOf } from './messages';
+import { advertisement, parsed, subscription, typeOf } from './messages';
 import { PinnedAgent } from './pin';
 import { inWords } from './reasons';
 import { SendQueue } from './sendQueue';
@@ -294,9 +294,6 @@ export class GatewayLink {
     if (this.isOpen) this.#queue.pump(this.#socket!, () => this.#pump());
   }
 }
-
-const advertisement = (topic: string): string => JSON.stringify({ op: 'advertise', topic, type: typeOf(topic) });
-const subscription = (topic: string, type: string): string => JSON.stringify({ op: 'subscribe', topic, type, queue_length: 0, throttle_rate: 0 });
 
 /** Converts any JSON value to a string. String() fails for some objects. */
 const text = (value: unknown): string => (typeof value === 'string' ? value : (JSON.stringify(value) ?? ''));

@@ -32,6 +32,11 @@ const TYPES: Record<string, string> = {
   [SIGNAL_STATUS]: 'diagnostic_msgs/msg/DiagnosticArray',
 };
 
+export const advertisement = (topic: string): string => JSON.stringify({ op: 'advertise', topic, type: typeOf(topic) });
+
+export const subscription = (topic: string, type: string): string =>
+  JSON.stringify({ op: 'subscribe', topic, type, queue_length: 0, throttle_rate: 0 });
+
 /** Creates a joint state message for one control time. `velocities` is empty or has one element per joint. */
 export const jointState = (stamp: Nanoseconds, names: string[], positions: number[], velocities: number[] = []): object => ({
   header: { stamp: toRosTime(stamp), frame_id: '' },

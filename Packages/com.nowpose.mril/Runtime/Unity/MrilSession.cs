@@ -70,18 +70,14 @@ namespace Nowpose.Unity
         DescriptionWatch _description;
         bool _isRunning, _isWanted;
 
-        /// <summary>
-        /// Raised after the pose is computed: once per frame, and again right before rendering if the settings request it. Not raised while the
-        /// robot is unknown. The session reuses the frame object, so listeners must not store it.
-        /// </summary>
+        /// <summary>Raised after the pose is computed: once per frame, and again right before rendering if the settings request it.</summary>
+        /// <remarks>Not raised while the robot is unknown. The session reuses the frame object, so listeners must not store it.</remarks>
         public event Action<DisplayFrame> Shown;
 
         /// <summary>Raised before <see cref="Shown"/>, and also while the robot is unknown, for objects and signals of the cell.</summary>
         internal event Action<DisplayFrame> Computed;
 
-        /// <summary>
-        /// Raised when the session stops computing frames because it is paused, disabled or restarted. The displayed pose is then not current.
-        /// </summary>
+        /// <summary>Raised when the session is paused, disabled or restarted: the displayed pose is then not current.</summary>
         public event Action Hidden;
 
         /// <summary>Raised when <see cref="Robot"/> changes.</summary>
@@ -90,10 +86,7 @@ namespace Nowpose.Unity
         /// <summary>Raised for each change of the session. If there is a UnityEvent for the change, the UnityEvent is raised first.</summary>
         public event Action<SessionChange> Changed;
 
-        /// <summary>
-        /// The running session. A new session starts after each pause. Null while the component is disabled or paused, and if its settings are
-        /// invalid.
-        /// </summary>
+        /// <summary>The running session, a new one after each pause; null while the component is disabled or paused, or its settings are invalid.</summary>
         public CompensationSession Session { get; private set; }
 
         /// <summary>The robot of the newest session, from the asset or as described by the gateway; null while it is unknown.</summary>
@@ -111,9 +104,7 @@ namespace Nowpose.Unity
         /// <summary>Statistics of the session in this frame; null without a session. Later frames reuse the object.</summary>
         public SessionStatistics Statistics => Session == null ? null : _statistics.Of(Session, _clock);
 
-        /// <summary>
-        /// Settings of the session. Setting this property restarts the session. The default, which null restores, is the settings asset.
-        /// </summary>
+        /// <summary>Settings of the session, which a new value restarts. The default, which null restores, is the settings asset.</summary>
         public SessionSettings Settings
         {
             get => _given ?? _used;
@@ -138,36 +129,22 @@ namespace Nowpose.Unity
         /// <summary>Whether a connection is requested: from <see cref="Connect"/> until <see cref="Disconnect"/>.</summary>
         public bool IsConnecting => _isWanted;
 
-        /// <summary>
-        /// Source of the display time of each frame. It takes precedence over the calibrated L_visu; null to use L_visu. It applies to this session
-        /// and all later sessions.
-        /// </summary>
+        /// <summary>Source of the display time of each frame in this session and all later ones; null to use the calibrated L_visu.</summary>
         public IDisplayTimeSource DisplayTimeSource { get => _display.TimeSource; set => _display.TimeSource = value; }
 
-        /// <summary>
-        /// Reprojection mode of the display, set by components that control or observe the display. It applies to this session and all later
-        /// sessions.
-        /// </summary>
+        /// <summary>Reprojection mode of the display in this session and all later ones, set by components that control or observe the display.</summary>
         public ReprojectionMode Reprojection { get => _display.Reprojection; set => _display.Reprojection = value; }
 
-        /// <summary>
-        /// Whether the application submits its depth buffer, set by a component that observes the display. It applies to this session and all later
-        /// sessions.
-        /// </summary>
+        /// <summary>Whether the application submits its depth buffer in this session and all later ones, set by a component that observes it.</summary>
         public DepthSubmission DepthSubmission { get => _display.DepthSubmission; set => _display.DepthSubmission = value; }
 
-        /// <summary>
-        /// Whether the pose is now being computed right before rendering, for the second time in the frame. A runtime can predict the display time
-        /// more accurately at this point.
-        /// </summary>
+        /// <summary>Whether the pose is now computed again in the frame, right before rendering, when the display time is known better.</summary>
         public bool IsBeforeRender => _beforeRender != null && _beforeRender.IsNow;
 
         /// <summary>Returns the state of the pose of <see cref="Robot"/> in a frame.</summary>
         internal PoseState StateIn(DisplayFrame frame) => Robot == null ? PoseState.Incomplete : frame.State;
 
-        /// <summary>
-        /// Starts to connect to the gateway and returns without delay. Also connects after each pause, and reconnects when the connection is lost.
-        /// </summary>
+        /// <summary>Starts to connect to the gateway and returns without delay. Connects again after each pause and after a loss of the connection.</summary>
         public void Connect()
         {
             _isWanted = true;
@@ -281,9 +258,7 @@ namespace Nowpose.Unity
             Hidden?.Invoke();
         }
 
-        SessionSettings ReadSettings() => _settings != null
-            ? _settings.ToSettings()
-            : throw new InputException(ComponentMessages.NoSettings(name));
+        SessionSettings ReadSettings() => _settings != null ? _settings.ToSettings() : throw new InputException(ComponentMessages.NoSettings(name));
 
         void Notify(SessionChange change)
         {

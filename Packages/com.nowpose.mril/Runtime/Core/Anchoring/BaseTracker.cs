@@ -111,14 +111,9 @@ namespace Nowpose.Anchoring
             var isSameCell = Cell == (cell ?? "") && _markers.Count > 0;
             var hasAllParts = _markers.Replace(markers, _settings);
             Cell = cell ?? "";
-            if (isSameCell && hasAllParts && markers.Count > 0)
-            {
-                if (_state == BaseAnchorState.Moved) UpdateMoved();
-                _words.Update(this, _now);
-                return;
-            }
-            if (isSameCell) Begin();
-            else Release();
+            if (!isSameCell) Release();
+            else if (!hasAllParts || markers.Count == 0) Begin();
+            else if (_state == BaseAnchorState.Moved) UpdateMoved();
             _words.Update(this, _now);
         }
 
@@ -218,8 +213,7 @@ namespace Nowpose.Anchoring
             {
                 Begin();
                 _place.Release(seekAgain: false);
-                _state = BaseAnchorState.Searching;
-                IsBeingPlaced = true;
+                (_state, IsBeingPlaced) = (BaseAnchorState.Searching, true);
             }
             _lastPlaced = sighting.LastSeen;
             Base = sighting.Pose * placed.Inverse;
@@ -229,8 +223,7 @@ namespace Nowpose.Anchoring
 
         void LockByHand(ISpatialAnchors anchors)
         {
-            IsBeingPlaced = false;
-            _isHeldByHand = true;
+            (IsBeingPlaced, _isHeldByHand) = (false, true);
             Take(new LockReport(Base.Value, 0, 0, 0, 0, 0), anchors);
         }
 

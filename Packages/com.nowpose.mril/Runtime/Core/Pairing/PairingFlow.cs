@@ -22,10 +22,9 @@ namespace Nowpose.Pairing
         readonly OtherCell _other = new OtherCell();
         readonly HashSet<string> _refused = new HashSet<string>(StringComparer.Ordinal);
         PairingQuestion _asked;
+        readonly PairingStatus _status;
         HeadsetTime _now, _quietUntil;
-        HeadsetTime? _faultUntil;
         bool _isTokenRefused;
-        PairingChange _changes;
 
         /// <param name="cells">Cells accepted in earlier runs.</param>
         /// <param name="headsetName">Name of this headset in the gateway's list.</param>
@@ -35,8 +34,8 @@ namespace Nowpose.Pairing
         {
             Cells = cells;
             _exchange = new CodeExchange(headsetName, send);
-            if (cells.Used != null) _changes = PairingChange.Applied;
-            Words = StatusWords;
+            _status = new PairingStatus(() => Question, () => PairingMessages.Calm(_exchange.Cell, Cells.Used, _isTokenRefused));
+            if (cells.Used != null) Change(PairingChange.Applied);
         }
 
         public PairedCells Cells { get; private set; }
@@ -45,10 +44,10 @@ namespace Nowpose.Pairing
         public string Question => _asked?.Text;
 
         /// <summary>The problem in one line; null if there is none.</summary>
-        public string Problem { get; private set; }
+        public string Problem => _status.Problem;
 
         /// <summary>Status of the pairing in one line, for a panel.</summary>
-        public string Words { get; private set; }
+        public string Words => _status.Words;
 
         /// <summary>Whether the gateway rejects the token of the cell in use, so that a new code is needed.</summary>
         public bool IsTokenRefused
@@ -80,13 +79,11 @@ namespace Nowpose.Pairing
         public PairingChange Tick(HeadsetTime now)
         {
             _now = now;
-            if (now >= _faultUntil) ClearProblem();
+            _status.Expire(now);
             ConsiderOther(now);
             Offer(now);
             FollowExchange(now);
-            var changes = _changes;
-            _changes = PairingChange.None;
-            return changes;
+            return _status.TakeChanges();
         }
 
         /// <summary>Answers the question with yes. Does nothing if there is none.</summary>
@@ -259,48 +256,21 @@ namespace Nowpose.Pairing
             ClearProblem();
             if (cell.Cell == Cells.Used?.Cell) IsTokenRefused = false;
             Store(cell.WithToken(token));
-            _changes |= PairingChange.Paired;
+            Change(PairingChange.Paired);
             // A gateway's token is valid for all its cells.
             foreach (var other in Cells.All)
                 if (other.Token == null && other.Newest.HasSameGateway(cell.Newest)) Store(other.WithToken(token));
             SetWords(PairingMessages.Paired(cell.Cell));
         }
 
-        void Fail(string problem)
-        {
-            _faultUntil = null;
-            Problem = problem;
-            Change(PairingChange.Problem);
-        }
+        void Fail(string problem) => _status.Fail(problem, until: null);
 
-        void FailTemporarily(string problem)
-        {
-            Fail(problem);
-            _faultUntil = _now + PairingLimits.FaultShown;
-        }
+        void FailTemporarily(string problem) => _status.Fail(problem, _now + PairingLimits.FaultShown);
 
-        void ClearProblem()
-        {
-            // Keeps a problem that has not been reported yet.
-            if (Problem == null || (_changes & PairingChange.Problem) != 0) return;
-            _faultUntil = null;
-            Problem = null;
-            Change(PairingChange.Words);
-        }
+        void ClearProblem() => _status.ClearProblem();
 
-        void Change(PairingChange change)
-        {
-            _changes |= change;
-            SetWords(Question ?? Problem ?? StatusWords);
-        }
+        void Change(PairingChange change) => _status.Change(change);
 
-        void SetWords(string words)
-        {
-            if (words == Words) return;
-            Words = words;
-            _changes |= PairingChange.Words;
-        }
-
-        string StatusWords => PairingMessages.Calm(_exchange.Cell, Cells.Used, _isTokenRefused);
+        void SetWords(string words) => _status.SetWords(words);
     }
 }

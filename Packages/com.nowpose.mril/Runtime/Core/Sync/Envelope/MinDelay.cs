@@ -89,20 +89,13 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         const double SkewErrorsLonger = 1, SkewErrorsShorter = 1.5;
 
-        readonly int _sign;
-        readonly BoundsHistory _history;
-        readonly double[] _tightness = new double[MaxCount];
+        readonly MeasuredBounds _bounds;
         readonly double[] _shorter = new double[ShorterWindow];
-        readonly double[] _lateness = new double[MaxCount];
         double _excess, _excessError, _referenceError, _hiddenError;
-        int _count, _sinceChange, _sinceHidden, _sinceShorter, _looks;
+        int _sinceChange, _sinceHidden, _sinceShorter, _looks;
 
         /// <param name="sign">1 for the bounds below the offset, from requests; −1 for the bounds above it, from replies.</param>
-        public MinDelay(int sign, BoundsHistory history)
-        {
-            _sign = sign;
-            _history = history;
-        }
+        public MinDelay(int sign, BoundsHistory history) => _bounds = new MeasuredBounds(sign, history, MaxCount);
 
         /// <summary>Current minimum delay minus the smallest known minimum delay, s; zero or more.</summary>
         public double Excess => _excess;
@@ -110,41 +103,21 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Uncertainty of the corrections, s.</summary>
         public double Error => _excessError + _referenceError + _hiddenError;
 
-        /// <summary>Number of measured bounds.</summary>
-        public int Count => _count;
+        /// <inheritdoc cref="MeasuredBounds.Count"/>
+        public int Count => _bounds.Count;
 
-        /// <summary>Returns the largest tightness of the measured bounds in a range. Only differences between values are meaningful.</summary>
-        /// <param name="from">Age of the newest bound of the range.</param>
-        /// <param name="to">Age of the oldest bound of the range plus 1 (exclusive).</param>
-        public double Tightest(int from, int to)
-        {
-            var max = double.NegativeInfinity;
-            // A comparison takes a fraction of the time of Math.Max; the processor predicts the branch.
-            for (var i = from; i < to; i++)
-                if (_tightness[i] > max) max = _tightness[i];
-            return max;
-        }
+        /// <inheritdoc cref="MeasuredBounds.Tightest"/>
+        public double Tightest(int from, int to) => _bounds.Tightest(from, to);
 
         public void Reset()
         {
-            _count = 0;
+            _bounds.Clear();
             _excess = _excessError = _referenceError = _hiddenError = 0;
             _sinceChange = _sinceShorter = _looks = 0;
         }
 
-        /// <summary>Measures the bounds of the history relative to a curve. The newest bound is already corrected by <see cref="Excess"/>.</summary>
-        /// <param name="curve">Shape of the offset; its height has no effect.</param>
-        public void Measure(OffsetCurve curve)
-        {
-            _count = Math.Min(_history.Count, _tightness.Length);
-            if (_count == 0) return;
-            var (newestAt, newest) = BoundOf(_history[0]);
-            for (var i = 0; i < _count; i++)
-            {
-                var (at, bound) = BoundOf(_history[i]);
-                _tightness[i] = _sign * (ClockTicks.Seconds(new TimeSpan(bound - newest)) - curve.At(ClockTicks.Seconds(at - newestAt)));
-            }
-        }
+        /// <inheritdoc cref="MeasuredBounds.Measure"/>
+        public void Measure(OffsetCurve curve) => _bounds.Measure(curve);
 
         /// <summary>Searches the measured bounds for a change.</summary>
         /// <param name="other">The other direction, measured relative to the same curve.</param>
@@ -155,29 +128,26 @@ namespace Nowpose.Sync.Envelope
         {
             _sinceChange++;
             _sinceHidden++;
-            if (_count < MinEarlier + ShorterWindow) return 0;
-            if (_excess > 0) ReduceExcess(_count);
-            if (_sinceShorter > 0) RefineReference(_count);
-            if (FindLonger(other, _count, skewError, resolution)) return _sinceChange;
-            return FindShorter(_count, skewError, resolution) ? _sinceShorter : 0;
+            if (Count < MinEarlier + ShorterWindow) return 0;
+            if (_excess > 0) ReduceExcess(Count);
+            if (_sinceShorter > 0) RefineReference(Count);
+            if (FindLonger(other, Count, skewError, resolution)) return _sinceChange;
+            return FindShorter(Count, skewError, resolution) ? _sinceShorter : 0;
         }
 
         // Returns the lateness of a window's tightest bound relative to the tightest earlier bound; negative if it is tighter.
         double Lateness(int window, int earlier) => Tightest(window, earlier) - Tightest(0, window);
 
-        (HeadsetTime At, long Bound) BoundOf(in OffsetBounds bounds) =>
-            _sign > 0 ? (bounds.Sent, bounds.Lower) : (bounds.Received, bounds.Upper);
-
         // Reduces the excess if the newest bound, corrected by it, is tighter than all earlier bounds: the excess was then too large.
         void ReduceExcess(int count)
         {
-            var violation = Math.Min(_excess, _tightness[0] - Tightest(1, count));
+            var violation = Math.Min(_excess, _bounds[0] - Tightest(1, count));
             if (violation <= 0) return;
             // A remaining excess below half the minimum change is caused by individual late exchanges, not by a path change, so it is removed.
             if (_excess - violation < MinChange / 2) violation = _excess;
             // A small violation means that the excess was overestimated; a large violation means that the path has changed again at this exchange.
             var isEstimate = violation < 3 * _excessError;
-            Shift(0, isEstimate ? Math.Min(_sinceChange, count) : 1, -violation);
+            _bounds.Shift(0, isEstimate ? Math.Min(_sinceChange, count) : 1, -violation);
             _excessError *= 1 - violation / _excess;
             _excess -= violation;
             if (!isEstimate) _sinceChange = 1;
@@ -195,9 +165,9 @@ namespace Nowpose.Sync.Envelope
             foreach (var length in Windows)
             {
                 var window = length;
-                while (window < Math.Min(MaxWindow, count) && Duration(window) < minDuration) window++;
+                while (window < Math.Min(MaxWindow, count) && _bounds.Duration(window) < minDuration) window++;
                 if (count < window + MinEarlier) return false;
-                var duration = Duration(window);
+                var duration = _bounds.Duration(window);
                 if (duration < minDuration) continue;
                 var earlier = Math.Min(count, window + MaxEarlier);
                 var reference = Tightest(window, earlier);
@@ -207,17 +177,17 @@ namespace Nowpose.Sync.Envelope
                 if (late <= Margin(earlier, minChange, SkewErrorsLonger * skewError, resolution)) continue;
                 // A wrong skew makes one direction late and the other early by the same amount, and the minimum round-trip time is unchanged.
                 if (late + Math.Min(0, other.Lateness(window, earlier)) <= minChange + resolution) continue;
-                if (late <= Quantile(window, earlier, reference, 1 - Math.Exp(-significance / window))) continue;
+                if (late <= _bounds.Quantile(window, earlier, reference, 1 - Math.Exp(-significance / window))) continue;
                 var change = reference - Tightest(0, window - window / BoundaryShare);
-                var typicalSince = Quantile(0, window, reference - change, 0.5);
-                var typical = Quantile(window, earlier, reference, 0.5);
+                var typicalSince = _bounds.Quantile(0, window, reference - change, 0.5);
+                var typical = _bounds.Quantile(window, earlier, reference, 0.5);
                 if (!isExpected && typicalSince > (1 + MaxScatterGrowth / Math.Sqrt(window)) * typical && duration < MinDurationScattered) continue;
                 _excessError += typical / (earlier - window) + typicalSince / window;
                 _excess += change;
                 _sinceChange = window;
                 if (_sinceHidden < window) _hiddenError = 0;
                 other.AddHiddenError(window, earlier);
-                for (var i = 0; i < window; i++) Shift(i, i + 1, Math.Min(change, reference - _tightness[i]));
+                for (var i = 0; i < window; i++) _bounds.Shift(i, i + 1, Math.Min(change, reference - _bounds[i]));
                 return true;
             }
             return false;
@@ -228,7 +198,7 @@ namespace Nowpose.Sync.Envelope
         void AddHiddenError(int window, int earlier)
         {
             var late = Math.Abs(Lateness(window, earlier));
-            if (late <= Quantile(window, earlier, Tightest(window, earlier), 1 - Math.Exp(-HiddenSignificance / window))) return;
+            if (late <= _bounds.Quantile(window, earlier, Tightest(window, earlier), 1 - Math.Exp(-HiddenSignificance / window))) return;
             _hiddenError += late / 2;
             _sinceHidden = 0;
         }
@@ -239,9 +209,9 @@ namespace Nowpose.Sync.Envelope
         {
             if (++_sinceShorter > Math.Min(count, MaxEarlier)) _sinceShorter = 0;
             if (_sinceShorter == 0) return;
-            var more = _tightness[0] - Tightest(1, _sinceShorter);
+            var more = _bounds[0] - Tightest(1, _sinceShorter);
             if (more <= 0) return;
-            Shift(_sinceShorter, _history.Count, more);
+            _bounds.Shift(_sinceShorter, _bounds.All, more);
             _referenceError += more / 2;
         }
 
@@ -252,7 +222,7 @@ namespace Nowpose.Sync.Envelope
             var earlier = Math.Min(count, ShorterWindow + MaxEarlier);
             // Excludes the recent bounds: if several of them became tighter in small steps, a comparison with them would hide the change.
             var reference = Tightest(ShorterWindow, earlier);
-            var shorter = _tightness[0] - reference;
+            var shorter = _bounds[0] - reference;
             int times = 0, first = 0;
             _shorter[_looks++ % ShorterWindow] = 0;
             for (var age = 1; age < Math.Min(_looks, ShorterWindow); age++)
@@ -260,18 +230,18 @@ namespace Nowpose.Sync.Envelope
             // After one bound beyond the margin, any tighter bound counts as a confirmation.
             var margin = times > 0 ? 0 : Margin(earlier, MinChange, SkewErrorsShorter * skewError, resolution);
             if (shorter <= margin) return false;
-            if (times == 0 && shorter <= LatenessShare * Quantile(ShorterWindow, earlier, reference, 0.5) / (earlier - ShorterWindow)) return false;
+            if (times == 0 && shorter <= LatenessShare * _bounds.Quantile(ShorterWindow, earlier, reference, 0.5) / (earlier - ShorterWindow)) return false;
             _shorter[(_looks - 1) % ShorterWindow] = shorter;
-            Shift(0, 1, -shorter);
+            _bounds.Shift(0, 1, -shorter);
             // The change may still be a clock step until enough exchanges show it and the first of them is old enough.
             if (times + 1 < ShorterCount || first < StepWindow - 1) return false;
-            for (var age = 0; age <= first; age++) Shift(age, age + 1, Withheld(age));
+            for (var age = 0; age <= first; age++) _bounds.Shift(age, age + 1, Withheld(age));
             _sinceShorter = first + 1;
             // Earlier bounds that were tighter by less than the margin belong to the shorter path as well.
             for (var age = first + 1; age < ShorterWindow; age++)
-                if (_tightness[age] > Tightest(age + 1, earlier)) _sinceShorter = age + 1;
+                if (_bounds[age] > Tightest(age + 1, earlier)) _sinceShorter = age + 1;
             var change = Tightest(0, _sinceShorter) - Tightest(_sinceShorter, earlier);
-            Shift(_sinceShorter, _history.Count, change);
+            _bounds.Shift(_sinceShorter, _bounds.All, change);
             _referenceError += change / 2;
             _looks = 0;
             return true;
@@ -280,25 +250,7 @@ namespace Nowpose.Sync.Envelope
         // Returns the amount in s by which a bound was relaxed.
         double Withheld(int age) => _shorter[(_looks - 1 - age) % ShorterWindow];
 
-        TimeSpan Duration(int exchanges) => _history[0].Received - _history[exchanges - 1].Received;
-
         double Margin(int earlier, double minChange, double skewError, double resolution) =>
-            minChange + resolution + skewError * ClockTicks.Seconds(Duration(earlier));
-
-        // Returns a quantile of the lateness relative to the reference.
-        double Quantile(int from, int to, double reference, double share)
-        {
-            for (var i = from; i < to; i++) _lateness[i - from] = reference - _tightness[i];
-            Array.Sort(_lateness, 0, to - from);
-            return _lateness[(int)Math.Ceiling(share * (to - from - 1))];
-        }
-
-        void Shift(int from, int to, double seconds)
-        {
-            var ticks = ClockTicks.Span(seconds).Ticks * _sign;
-            for (var i = from; i < to; i++)
-                _history.Shift(i, _sign > 0 ? ticks : 0, _sign > 0 ? 0 : ticks);
-            for (var i = from; i < Math.Min(to, _tightness.Length); i++) _tightness[i] += seconds;
-        }
+            minChange + resolution + skewError * ClockTicks.Seconds(_bounds.Duration(earlier));
     }
 }
