@@ -196,12 +196,13 @@ sealed class GatewayStatus : IDisposable
     {
         var control = _plant.Control;
         // Reads the model once, because bound and estimated error grow with the time since the newest exchange.
-        ClockModel? known = control?.Model is { IsKnown: true } model ? model : null;
+        var model = control?.Model;
+        var known = model is { IsKnown: true } ? model : null;
         var isKnown = _clock.State != ClockState.Unsynchronised;
         return new ClockStatus(
             _clock.Source, _clock.State.Word(), _clock.IsSynchronised, isKnown ? Rounded((known?.ErrorBound ?? _clock.ErrorBound).TotalMicroseconds) : null,
             isKnown ? Rounded(_clock.Skew * 1e6) : null, Measured(control?.RoundTripTime)?.TotalMilliseconds,
-            Measured(control == null ? _clock.Resolution : control.Resolution)?.TotalMicroseconds, control?.Model.Steps,
+            Measured(control == null ? _clock.Resolution : control.Resolution)?.TotalMicroseconds, model?.Steps,
             known?.EstimatedError is { } error ? Rounded(error.TotalMicroseconds) : null,
             _clock.Stamps.Warning);
     }

@@ -35,7 +35,7 @@ namespace Nowpose.Pairing
             Cells = cells;
             _exchange = new CodeExchange(headsetName, send);
             _status = new PairingStatus(() => Question, () => PairingMessages.Calm(_exchange.Cell, Cells.Used, _isTokenRefused));
-            if (cells.Used != null) Change(PairingChange.Applied);
+            if (cells.Used != null) _status.Change(PairingChange.Applied);
         }
 
         public PairedCells Cells { get; private set; }
@@ -57,7 +57,7 @@ namespace Nowpose.Pairing
             {
                 if (value == _isTokenRefused) return;
                 _isTokenRefused = value;
-                Change(PairingChange.Words);
+                _status.Change(PairingChange.Words);
             }
         }
 
@@ -173,14 +173,14 @@ namespace Nowpose.Pairing
             Cells = Cells.Use(cell);
             // A new marker of another robot does not change the robot in use.
             if (used != null && used.Cell != cell.Cell) Cells = Cells.Use(used);
-            Change(PairingChange.Applied | PairingChange.Kept);
+            _status.Change(PairingChange.Applied | PairingChange.Kept);
         }
 
         void Ask(PairingQuestion question)
         {
             if (_asked?.Text == question.Text) return;
             _asked = question;
-            Change(PairingChange.Asked);
+            _status.Change(PairingChange.Asked);
         }
 
         void Connect(CellCode code)
@@ -197,21 +197,21 @@ namespace Nowpose.Pairing
         {
             _exchange.End();
             if (cell != null) Cells = Cells.Without(cell);
-            Change(cell == null ? PairingChange.Words : PairingChange.Applied | PairingChange.Kept);
+            _status.Change(cell == null ? PairingChange.Words : PairingChange.Applied | PairingChange.Kept);
         }
 
         void Answer()
         {
             if (_asked != null) _quietUntil = _now + PairingLimits.QuestionPause;
             _asked = null;
-            ClearProblem();
-            Change(PairingChange.Words);
+            _status.ClearProblem();
+            _status.Change(PairingChange.Words);
         }
 
         void Use(PairedCell cell)
         {
             Cells = Cells.Use(cell);
-            Change(PairingChange.Applied | PairingChange.Kept);
+            _status.Change(PairingChange.Applied | PairingChange.Kept);
         }
 
         void SeeToken(TokenCode code, HeadsetTime now)
@@ -219,20 +219,20 @@ namespace Nowpose.Pairing
             if (_exchange.Cell != null) return;
             if (_exchange.WasTried(code))
             {
-                if (Cells.UsedNeeds(code, _isTokenRefused) && Problem == null && Question == null) SetWords(PairingMessages.CodeWasTried);
+                if (Cells.UsedNeeds(code, _isTokenRefused) && Problem == null && Question == null) _status.SetWords(PairingMessages.CodeWasTried);
                 return;
             }
             _exchange.Wait(code, now);
             if (Cells.HasGatewayOf(code)) return;
-            if (Words != PairingMessages.MarkerFirst && Question == null) SetWords(PairingMessages.MarkerFirst);
+            if (Words != PairingMessages.MarkerFirst && Question == null) _status.SetWords(PairingMessages.MarkerFirst);
         }
 
         // The wearer may look at the marker and the code in either order.
         void Offer(HeadsetTime now)
         {
             if (_exchange.Waiting == null || _exchange.Cell != null || !_exchange.Offer(Cells.TakerOf(_exchange.Waiting, _isTokenRefused), now)) return;
-            ClearProblem();
-            Change(PairingChange.Words);
+            _status.ClearProblem();
+            _status.Change(PairingChange.Words);
         }
 
         void FollowExchange(HeadsetTime now)
@@ -242,35 +242,27 @@ namespace Nowpose.Pairing
             var answer = _exchange.Follow(now);
             if (answer == null)
             {
-                if (_exchange.Trouble != before) Fail(_exchange.Trouble);
+                if (_exchange.Trouble != before) _status.Fail(_exchange.Trouble);
                 return;
             }
             var cell = Cells.Find(_exchange.Cell);
             _exchange.End();
-            if (answer.Token == null) Fail(answer.Problem);
+            if (answer.Token == null) _status.Fail(answer.Problem);
             else if (cell != null) Take(cell, answer.Token);
         }
 
         void Take(PairedCell cell, string token)
         {
-            ClearProblem();
+            _status.ClearProblem();
             if (cell.Cell == Cells.Used?.Cell) IsTokenRefused = false;
             Store(cell.WithToken(token));
-            Change(PairingChange.Paired);
+            _status.Change(PairingChange.Paired);
             // A gateway's token is valid for all its cells.
             foreach (var other in Cells.All)
                 if (other.Token == null && other.Newest.HasSameGateway(cell.Newest)) Store(other.WithToken(token));
-            SetWords(PairingMessages.Paired(cell.Cell));
+            _status.SetWords(PairingMessages.Paired(cell.Cell));
         }
 
-        void Fail(string problem) => _status.Fail(problem, until: null);
-
         void FailTemporarily(string problem) => _status.Fail(problem, _now + PairingLimits.FaultShown);
-
-        void ClearProblem() => _status.ClearProblem();
-
-        void Change(PairingChange change) => _status.Change(change);
-
-        void SetWords(string words) => _status.SetWords(words);
     }
 }

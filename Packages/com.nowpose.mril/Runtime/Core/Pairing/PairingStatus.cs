@@ -44,7 +44,7 @@ namespace Nowpose.Pairing
         }
 
         /// <param name="until">Time until which the problem is shown; null until something else clears it.</param>
-        public void Fail(string problem, HeadsetTime? until)
+        public void Fail(string problem, HeadsetTime? until = null)
         {
             (Problem, _faultUntil) = (problem, until);
             Change(PairingChange.Problem);

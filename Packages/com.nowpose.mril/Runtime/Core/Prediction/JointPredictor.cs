@@ -111,7 +111,7 @@ namespace Nowpose.Prediction
         internal bool TryPlan(double time, out double position)
         {
             position = 0;
-            if (_pipeline.IsEmpty || !_plan.HasPlan || !_plan.IsFollowedAt(time, NewestTime)) return false;
+            if (_pipeline.IsEmpty || !_plan.IsFollowedAt(time, NewestTime)) return false;
             position = _limits.Clamp(_plan.At(time)) - _shift;
             return double.IsFinite(position);
         }

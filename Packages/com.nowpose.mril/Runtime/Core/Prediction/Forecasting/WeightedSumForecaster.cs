@@ -76,7 +76,8 @@ namespace Nowpose.Prediction.Forecasting
         /// <inheritdoc/>
         public override void Fill(double[] table, int start, int points, int components)
         {
-            for (var point = 0; point < ForecastTable.Points && !_isTableFilled; point++) FillWeights(point * ForecastTable.Step, _table, point * RequiredSamples);
+            if (!_isTableFilled)
+                for (var point = 0; point < ForecastTable.Points; point++) FillWeights(point * ForecastTable.Step, _table, point * RequiredSamples);
             _isTableFilled = true;
             for (int point = 0, at = 0, i = start; point < points; point++, at += RequiredSamples)
                 for (var c = 0; c < components; c++) table[i++] = Sum(_table, at, c);

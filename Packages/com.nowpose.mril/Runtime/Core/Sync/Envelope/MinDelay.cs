@@ -129,31 +129,31 @@ namespace Nowpose.Sync.Envelope
             _sinceChange++;
             _sinceHidden++;
             if (Count < MinEarlier + ShorterWindow) return 0;
-            if (_excess > 0) ReduceExcess(Count);
-            if (_sinceShorter > 0) RefineReference(Count);
-            if (FindLonger(other, Count, skewError, resolution)) return _sinceChange;
-            return FindShorter(Count, skewError, resolution) ? _sinceShorter : 0;
+            if (_excess > 0) ReduceExcess();
+            if (_sinceShorter > 0) RefineReference();
+            if (FindLonger(other, skewError, resolution)) return _sinceChange;
+            return FindShorter(skewError, resolution) ? _sinceShorter : 0;
         }
 
         // Returns the lateness of a window's tightest bound relative to the tightest earlier bound; negative if it is tighter.
         double Lateness(int window, int earlier) => Tightest(window, earlier) - Tightest(0, window);
 
         // Reduces the excess if the newest bound, corrected by it, is tighter than all earlier bounds: the excess was then too large.
-        void ReduceExcess(int count)
+        void ReduceExcess()
         {
-            var violation = Math.Min(_excess, _bounds[0] - Tightest(1, count));
+            var violation = Math.Min(_excess, _bounds[0] - Tightest(1, Count));
             if (violation <= 0) return;
             // A remaining excess below half the minimum change is caused by individual late exchanges, not by a path change, so it is removed.
             if (_excess - violation < MinChange / 2) violation = _excess;
             // A small violation means that the excess was overestimated; a large violation means that the path has changed again at this exchange.
             var isEstimate = violation < 3 * _excessError;
-            _bounds.Shift(0, isEstimate ? Math.Min(_sinceChange, count) : 1, -violation);
+            _bounds.Shift(0, isEstimate ? Math.Min(_sinceChange, Count) : 1, -violation);
             _excessError *= 1 - violation / _excess;
             _excess -= violation;
             if (!isEstimate) _sinceChange = 1;
         }
 
-        bool FindLonger(MinDelay other, int count, double skewError, double resolution)
+        bool FindLonger(MinDelay other, double skewError, double resolution)
         {
             // After a change of the path in one direction, a change in the other direction is also likely, but by a different amount.
             var isExpected = (other._excess > 0 && other._sinceChange <= MaxWindow) || other._sinceShorter > 0;
@@ -165,11 +165,11 @@ namespace Nowpose.Sync.Envelope
             foreach (var length in Windows)
             {
                 var window = length;
-                while (window < Math.Min(MaxWindow, count) && _bounds.Duration(window) < minDuration) window++;
-                if (count < window + MinEarlier) return false;
+                while (window < Math.Min(MaxWindow, Count) && _bounds.Duration(window) < minDuration) window++;
+                if (Count < window + MinEarlier) return false;
                 var duration = _bounds.Duration(window);
                 if (duration < minDuration) continue;
-                var earlier = Math.Min(count, window + MaxEarlier);
+                var earlier = Math.Min(Count, window + MaxEarlier);
                 var reference = Tightest(window, earlier);
                 newest = Math.Max(newest, Tightest(measured, window));
                 measured = window;
@@ -205,9 +205,9 @@ namespace Nowpose.Sync.Envelope
 
         // Enlarges the detected change if a tighter bound shows that the minimum delay is even shorter. Shortly after the detection, the minimum
         // delay is uncertain.
-        void RefineReference(int count)
+        void RefineReference()
         {
-            if (++_sinceShorter > Math.Min(count, MaxEarlier)) _sinceShorter = 0;
+            if (++_sinceShorter > Math.Min(Count, MaxEarlier)) _sinceShorter = 0;
             if (_sinceShorter == 0) return;
             var more = _bounds[0] - Tightest(1, _sinceShorter);
             if (more <= 0) return;
@@ -217,9 +217,9 @@ namespace Nowpose.Sync.Envelope
 
         // Until a change is confirmed, relaxes a bound that is tighter than the earlier bounds to the level of the earlier bounds. The
         // change then affects the offset and not the skew.
-        bool FindShorter(int count, double skewError, double resolution)
+        bool FindShorter(double skewError, double resolution)
         {
-            var earlier = Math.Min(count, ShorterWindow + MaxEarlier);
+            var earlier = Math.Min(Count, ShorterWindow + MaxEarlier);
             // Excludes the recent bounds: if several of them became tighter in small steps, a comparison with them would hide the change.
             var reference = Tightest(ShorterWindow, earlier);
             var shorter = _bounds[0] - reference;
