@@ -21,7 +21,8 @@ sealed class RecordedSession
     static readonly TimeSpan FrameInterval = new(TimeSpan.TicksPerSecond / 60);
 
     readonly string _path;
-    readonly Dictionary<string, int> _joints;
+    readonly List<SessionHeader.Joint> _joints = [];
+    readonly Dictionary<string, int> _indices = [];
     readonly List<Event> _events = [];
     readonly List<Value> _values = [];
     readonly List<double> _displayed = [];
@@ -36,10 +37,13 @@ sealed class RecordedSession
     {
         _path = path;
         Header = header;
-        _joints = Enumerable.Range(0, header.Joints.Count).ToDictionary(i => header.Joints[i].Name);
+        foreach (var joint in header.Joints) Add(joint);
     }
 
-    /// <summary>The header of the file. If the file does not describe the robot without a namespace, its joints are those named in the samples.</summary>
+    /// <summary>
+    /// The header of the file, with the joints of all robots. If the file does not describe the robot without a namespace, its joints are those named in
+    /// the samples.
+    /// </summary>
     public SessionHeader Header { get; private set; }
 
     public IReadOnlyList<Event> Events => _events;
@@ -55,7 +59,7 @@ sealed class RecordedSession
         using var file = new SessionFileReader(path);
         var session = new RecordedSession(path, file.Header);
         foreach (var line in file.Lines()) session.Add(line);
-        session.NameJoints();
+        session.Header = file.Header with { Joints = session._joints };
         return session;
     }
 
@@ -71,6 +75,9 @@ sealed class RecordedSession
     {
         switch (line)
         {
+            case RobotLine robot:
+                foreach (var joint in robot.Joints) Add(joint);
+                break;
             case SampleLine sample when Array.IndexOf(NeverTaken, sample.Dropped) < 0: Add(sample); break;
             case PlanLine { Dropped: null } plan: Add(plan); break;
             case PoseLine { Dropped: null, IsStationary: false } pose: Add(pose); break;
@@ -107,11 +114,12 @@ sealed class RecordedSession
     void Add(SampleLine sample)
     {
         if (sample.ControlArrival is { } arrival) AddFramesUntil(arrival);
-        if (!Header.IsRobotDescribed)
-            foreach (var name in sample.Names) _joints.TryAdd(name, _joints.Count);
+        if (Header.RobotJoints == 0)
+            foreach (var name in sample.Names)
+                if (!_indices.ContainsKey(name)) Add(new SessionHeader.Joint(name, "rad", JointLimits.None));
         var first = _values.Count;
         for (var i = 0; i < sample.Names.Length; i++)
-            if (_joints.TryGetValue(sample.Names[i], out var joint)) _values.Add(new Value(
+            if (_indices.TryGetValue(sample.Names[i], out var joint)) _values.Add(new Value(
                 joint, sample.Positions[i], sample.Velocities?[i] ?? double.NaN, sample.Accelerations?[i] ?? double.NaN));
         _events.Add(new Event(EventKind.Sample, sample.Stamp, true, _timeLine, first, _values.Count - first));
     }
@@ -136,21 +144,21 @@ sealed class RecordedSession
         _nextFrame = null;
     }
 
-    void NameJoints()
+    void Add(SessionHeader.Joint joint)
     {
-        Header = Header with
+        if (_indices.TryGetValue(joint.Name, out var known))
         {
-            Joints =
-            [
-                .. Header.Joints,
-                .. _joints.OrderBy(joint => joint.Value).Skip(Header.Joints.Count).Select(joint => new SessionHeader.Joint(joint.Key, "rad", JointLimits.None)),
-            ],
-        };
+            _joints[known] = joint;
+            return;
+        }
+
+        _indices.Add(joint.Name, _joints.Count);
+        _joints.Add(joint);
     }
 
     void Add(PlanLine line)
     {
-        var plan = PlannedMotion.Of(line.Arrival, name => _joints.GetValueOrDefault(name, -1));
+        var plan = PlannedMotion.Of(line.Arrival, name => _indices.GetValueOrDefault(name, -1));
         _events.Add(new Event(EventKind.Plan, plan.Stamp, true, _timeLine, _plans.Count, plan.Count));
         _plans.Add(plan);
         // Counts position, velocity and acceleration twice: in the message, and in the paths created from it.
@@ -159,8 +167,8 @@ sealed class RecordedSession
 
     void Add(FrameLine frame)
     {
-        if (frame.Joints.Length != Header.Joints.Count)
-            throw new InputException(ReplayMessages.JointCount(_path, frame.Joints.Length, Header.Joints.Count));
+        if (frame.Joints.Length != Header.RobotJoints)
+            throw new InputException(ReplayMessages.JointCount(_path, frame.Joints.Length, Header.RobotJoints));
         Frames++;
         _events.Add(new Event(EventKind.Frame, frame.Light ?? default, frame.Light.HasValue, _timeLine, _displayed.Count, frame.Joints.Length));
         _displayed.AddRange(frame.Joints);

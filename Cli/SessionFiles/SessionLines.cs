@@ -17,14 +17,18 @@ static class SessionLines
     public static SessionHeader ReadHeader(LineFields line)
     {
         var robot = line.Object("robot");
-        var joints = ReadJoints(robot, "");
-        var isDescribed = joints.Count > 0;
-        if (line.Has("robots"))
-            foreach (var other in line.Objects("robots")) joints.AddRange(ReadJoints(other, other.Text("namespace")));
-        return new SessionHeader(robot.Text("name"), joints, ReadPrediction(line, line.Object("settings")), isDescribed);
+        var own = ReadJoints(robot);
+        var others = line.Has("robots") ? line.Objects("robots").SelectMany(ReadFurtherJoints) : [];
+        return new SessionHeader(robot.Text("name"), own.Count, [.. own, .. others], ReadPrediction(line, line.Object("settings")));
     }
 
-    static List<SessionHeader.Joint> ReadJoints(LineFields robot, string namespaceName)
+    static List<SessionHeader.Joint> ReadFurtherJoints(LineFields robot)
+    {
+        var name = robot.Text("namespace");
+        return ReadJoints(robot).ConvertAll(joint => joint with { Name = RobotTopic.Qualified(name, joint.Name) });
+    }
+
+    static List<SessionHeader.Joint> ReadJoints(LineFields robot)
     {
         var joints = new List<SessionHeader.Joint>();
         foreach (var joint in robot.Objects("joints").Select(ReadJoint))
@@ -33,13 +37,14 @@ static class SessionLines
             joints.Add(joint);
         }
 
-        return joints.ConvertAll(joint => joint with { Name = RobotTopic.Qualified(namespaceName, joint.Name) });
+        return joints;
     }
 
     /// <returns>The line; null if its kind is unknown or not used.</returns>
     public static SessionLine Read(LineFields line) => line.Text("kind") switch
     {
         "sync" => ReadSync(line),
+        "robot" => new RobotLine(ReadFurtherJoints(line)),
         "sample" => ReadSample(line),
         "plan" => ReadPlan(line),
         "pose" => ReadPose(line),

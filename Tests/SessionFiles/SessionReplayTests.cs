@@ -1,4 +1,5 @@
 using System.Text.Json;
+using System.Text.Json.Nodes;
 using Nowpose.Cli.Replay;
 using Nowpose.Headless.Tests.Cli;
 using Nowpose.Prediction;
@@ -107,6 +108,39 @@ public class SessionReplayTests
             Assert.That(Differences("adaptive").Max(), Is.GreaterThan(1e-6), limit + " has no effect on the displayed positions");
             File.WriteAllText(_path, recorded);
         }
+    }
+
+    [Test]
+    public void Replay_FurtherRobotWithTheSameSamples_HasTheSameErrors()
+    {
+        VirtualRecording.To(_path, seconds: 8);
+        var lines = new List<string>();
+        foreach (var line in File.ReadLines(_path))
+        {
+            var fields = JsonNode.Parse(line);
+            var kind = (string)fields["kind"];
+            lines.Add(line);
+            if (kind == "session") lines.Add(RobotLine("arm2", fields["robot"]));
+            if (kind != "sample") continue;
+            fields["names"] = new JsonArray([.. fields["names"].AsArray().Select(name => (JsonNode)("arm2/" + name))]);
+            lines.Add(fields.ToJsonString());
+        }
+        File.WriteAllLines(_path, lines);
+
+        var session = RecordedSession.Read(_path);
+        var axes = new SessionReplay(_path, session, new SessionTruth(session), new ReplaySettings()).Run().Axes;
+
+        var (own, further) = (axes.Take(axes.Count / 2).ToArray(), axes.Skip(axes.Count / 2).ToArray());
+        Assert.That(further.Select(axis => axis.Name), Is.EqualTo(own.Select(axis => "arm2/" + axis.Name)));
+        Assert.That(further.Select(axis => axis.Rms), Is.EqualTo(own.Select(axis => axis.Rms)));
+        Assert.That(own.Max(axis => axis.Rms), Is.GreaterThan(0));
+    }
+
+    static string RobotLine(string name, JsonNode robot)
+    {
+        var line = new JsonObject { ["kind"] = "robot", ["namespace"] = name };
+        foreach (var (field, value) in robot.AsObject()) line[field] = value.DeepClone();
+        return line.ToJsonString();
     }
 
     [Test]

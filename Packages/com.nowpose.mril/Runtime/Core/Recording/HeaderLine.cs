@@ -42,7 +42,11 @@ namespace Nowpose.Recording
             if (robot != null) WriteRobot(line, robot);
             else line.Open("robot", '{').Add("name", "not described").Open("joints", '[').Close(']').Close('}');
             line.Open("robots", '[');
-            foreach (var other in others) WriteFields(line.OpenElement().Add("namespace", other.Namespace), other.Robot);
+            foreach (var other in others)
+            {
+                WriteFields(line.OpenElement().Add("namespace", other.Namespace), other.Robot);
+                line.Close('}');
+            }
             line.Close(']');
             var prediction = PredictionSettings.Default;
             line.Open("settings", '{').Add("predictor", prediction.Predictor).Add("horizon_cap_ms", prediction.HorizonCap.TotalMilliseconds)
@@ -50,9 +54,8 @@ namespace Nowpose.Recording
             line.End();
         }
 
-        static void WriteRobot(JsonLine line, RobotModel robot) => WriteFields(line.Open("robot", '{'), robot);
-
-        static void WriteFields(JsonLine line, RobotModel robot)
+        /// <summary>Writes the fields of a robot: its name, the hash of its description, and its joints with their limits.</summary>
+        public static void WriteFields(JsonLine line, RobotModel robot)
         {
             line.Add("name", robot.Name).Add("description_sha256", robot.SourceHash.ToString());
             line.Open("joints", '[');
@@ -68,7 +71,13 @@ namespace Nowpose.Recording
                 if (joint.Mimic != null) line.Add("mimics", joint.Mimic.Master);
                 line.Close('}');
             }
-            line.Close(']').Close('}');
+            line.Close(']');
+        }
+
+        static void WriteRobot(JsonLine line, RobotModel robot)
+        {
+            WriteFields(line.Open("robot", '{'), robot);
+            line.Close('}');
         }
 
         static void AddLimit(JsonLine line, string name, double value)

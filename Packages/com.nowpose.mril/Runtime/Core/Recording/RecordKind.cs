@@ -6,6 +6,9 @@ namespace Nowpose.Recording
         /// <summary>A sync exchange with its verdict.</summary>
         Sync,
 
+        /// <summary>A further robot of the session. Its samples and plans follow this line.</summary>
+        Robot,
+
         /// <summary>A message with joint positions, as received.</summary>
         Sample,
 

@@ -37,6 +37,7 @@ namespace Nowpose.Recording
             switch (record.Kind)
             {
                 case RecordKind.Sync: WriteSync(record); break;
+                case RecordKind.Robot: HeaderLine.WriteFields(_line.Begin("robot").Add("namespace", record.Namespace), record.Robot); break;
                 case RecordKind.Sample: WriteSample(record); break;
                 case RecordKind.Plan: WritePlan(record); break;
                 case RecordKind.Pose: WritePose(record); break;

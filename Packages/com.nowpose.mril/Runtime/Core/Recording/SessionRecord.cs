@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -34,6 +35,12 @@ namespace Nowpose.Recording
 
         /// <summary>Reason why the exchange is invalid, if it is; used by sync records.</summary>
         public SyncExchangeFault Fault { get; set; }
+
+        /// <summary>A further robot; used by robot records. Referenced, not copied.</summary>
+        public RobotModel Robot { get; set; }
+
+        /// <summary>Namespace of the robot; used by robot records.</summary>
+        public string Namespace { get; set; }
 
         /// <summary>The sample; used by sample records. The message is referenced, not copied, because no code modifies it.</summary>
         public SampleArrival Arrival { get; set; }

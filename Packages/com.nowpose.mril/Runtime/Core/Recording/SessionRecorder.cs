@@ -228,6 +228,7 @@ namespace Nowpose.Recording
             {
                 _recorder = recorder;
                 _intake = robot.Intake;
+                if (!isMain) Describe(robot);
                 _prefix = isMain ? null : robot.Namespace + "/";
                 _intake.SampleJudged += OnSample;
                 _intake.PlanJudged += OnPlan;
@@ -237,6 +238,13 @@ namespace Nowpose.Recording
             {
                 _intake.SampleJudged -= OnSample;
                 _intake.PlanJudged -= OnPlan;
+            }
+
+            void Describe(SessionRobot robot)
+            {
+                if (!_recorder.TryClaim(RecordKind.Robot, out var record)) return;
+                (record.Namespace, record.Robot) = (robot.Namespace, robot.Robot);
+                _recorder._ring.Publish(record);
             }
 
             void OnSample(SampleArrival arrival, DropReason reason)
