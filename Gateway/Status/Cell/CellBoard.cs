@@ -78,12 +78,13 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
         }
     }
 
-    /// <summary>Gets the signals whose newest value was refused, with a short reason for headsets.</summary>
-    public IReadOnlyList<CellReport> RefusedSignals()
+    /// <summary>Gets the signals that an adapter reports with a fault or whose newest value was refused, with a short reason for headsets.</summary>
+    public IReadOnlyList<CellReport> FaultySignals()
     {
         lock (_gate)
             return
             [
+                .. SignalFaults(),
                 .. from signal in _signals
                    where signal.Value is { Refusal: not null, IsEnded: false }
                    select new CellReport(
@@ -132,7 +133,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
         lock (_gate)
         {
             Forget(_signals, signal => signal.HasAny ? signal is { HasLeft: true, IsEnded: true } && IsOver(signal.EndedAt) : IsOver(signal.Refusal.At));
-            var troubled = reports.Troubled(AdapterReport.SignalPrefix).DistinctBy(one => one.Name).ToDictionary(one => one.Name, StringComparer.Ordinal);
+            var troubled = SignalFaults().ToDictionary(one => one.Name, StringComparer.Ordinal);
             var published = _signals.Select(one => Explained(ViewOf(one.Key, one.Value, now), troubled.GetValueOrDefault(one.Key)));
             var missing = troubled.Values.Where(one => !_signals.ContainsKey(one.Name)).Select(one => new SignalView(
                 one.Name, null, one.Adapter, JointDataStates.Of(one.Report.State), null, one.Report.Reason)
@@ -179,11 +180,10 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
         for (var steps = 0; steps <= _frames.Count; steps++)
         {
             if (parent == FrameParents.World) return null;
-            if (!Published(parent, out var above) && rootOfLink?.Invoke(parent) is { } root)
-            {
-                if (!Published(root, out above)) return null;
-                parent = root;
-            }
+            // A link moves with its robot, even if a source publishes its pose.
+            var root = rootOfLink?.Invoke(parent);
+            if (!Published(root ?? parent, out var above) && root != null) return null;
+            parent = root ?? parent;
 
             if (above == null) break;
             (child, parent) = (parent, above.Parent);
@@ -207,9 +207,13 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
     }
 
     // Adds the adapter's reason to a signal. A signal does not become stale by itself, so only a report shows that its value is not current.
-    // A report does not apply to a live signal if it comes from an adapter that is not the signal's source.
-    static SignalView Explained(SignalView signal, CellReport report) => report == null || signal.Source != report.Adapter && signal.State == CellStates.Live
+    static SignalView Explained(SignalView signal, CellReport report) => report == null
         ? signal : signal with { State = JointDataStates.Of(report.Report.State), Reason = report.Report.Reason, Since = report.Report.Since };
+
+    // Gets the adapters' reports about signals that are not current. A report about a live signal applies only if it comes from the signal's source.
+    IEnumerable<CellReport> SignalFaults() => reports.Troubled(AdapterReport.SignalPrefix)
+        .Where(one => !_signals.TryGetValue(one.Name, out var signal) || signal.IsEnded || signal.Refusal != null || signal.Source.Title == one.Adapter)
+        .DistinctBy(one => one.Name);
 
     bool IsOver(long last) => time.GetElapsedTime(last) > JointBoard.ForgottenAfter;
 

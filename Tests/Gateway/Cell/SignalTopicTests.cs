@@ -112,6 +112,23 @@ public class SignalTopicTests
     }
 
     [Test]
+    public async Task SignalStatus_AdapterReportsALiveSignalOfAnotherSource_DoesNotContainTheSignal()
+    {
+        await SendAsync(SignalsText(("grip", 1)));
+        await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.SignalStatus, "diagnostic_msgs/DiagnosticArray"));
+        Assert.That((await _headset.ReceiveAsync()).SignalStatus.Joints, Is.Empty);
+        using var adapter = await RawRosbridgeClient.ConnectAsync(_gateway);
+        Task ReportAsync(string name) => adapter.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, new DiagnosticsMessage(
+            Gateways.Start, "plant/other", [KeyValuePair.Create("state", "connected"), KeyValuePair.Create("signal/" + name, "fault 1700000000.000 no connection")],
+            2, "plant/other"), RosTimeForm.Sec));
+
+        await ReportAsync("grip");
+        await ReportAsync("lamp");
+
+        Assert.That((await _headset.ReceiveAsync()).SignalStatus.Joints.Single().Joint, Is.EqualTo("lamp"));
+    }
+
+    [Test]
     public async Task SignalStatus_SourceEnded_ContainsItsSignalsUntilTheyHaveASourceAgain()
     {
         await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.SignalStatus, "diagnostic_msgs/DiagnosticArray"));

@@ -155,12 +155,12 @@ public class CellBoardTests
         {
             ("grip", "refused", 1), ("lamp", "refused", null),
         }));
-        Assert.That(_board.RefusedSignals().Select(one => one.Name), Is.EqualTo(new[] { "grip", "lamp" }));
+        Assert.That(_board.FaultySignals().Select(one => one.Name), Is.EqualTo(new[] { "grip", "lamp" }));
 
         _board.Add(_source, new SignalsMessage(At(9), new SignalValue("grip", 1), new SignalValue("lamp", 1)));
 
         Assert.That(_board.Signals(At(9)).Select(signal => signal.State), Is.EqualTo(new[] { "live", "live" }));
-        Assert.That(_board.RefusedSignals(), Is.Empty);
+        Assert.That(_board.FaultySignals(), Is.Empty);
     }
 
     [Test]

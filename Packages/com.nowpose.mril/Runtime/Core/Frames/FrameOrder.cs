@@ -63,7 +63,7 @@ namespace Nowpose.Frames
             {
                 var robot = _robots[place.Robot];
                 pose = RootOf(place.Robot, out isCurrent) * robot.Poses[place.Parent];
-                isCurrent &= robot.IsCurrent;
+                isCurrent &= robot.IsCurrentAt(place.Parent);
                 return true;
             }
             if (place.Parent < 0) return place.IsInWorld;
@@ -158,8 +158,12 @@ namespace Nowpose.Frames
         // Also returns −1 for a robot that was added after the last arrangement.
         int RootIndexOf(int robot) => robot >= 0 && robot < _roots.Count ? _roots[robot] : -1;
 
-        /// <summary>Returns whether a robot has a link with this name, and no frame has it.</summary>
-        public bool IsLink(string name) => IndexOf(name) < 0 && _links.ContainsKey(name);
+        /// <summary>Returns whether a frame moves with the displayed robot, because it is one of the robot's links.</summary>
+        /// <remarks>
+        /// This is also true if a source publishes the frame, as ROS publishes all links on /tf. Only a published root link has its own pose, which places
+        /// the robot.
+        /// </remarks>
+        public bool IsLink(string name) => _links.TryGetValue(name, out var link) && (IndexOf(name) < 0 || name != _rootNames[link.Robot]);
 
         /// <summary>Returns the root link of the robot to which a link belongs; null for a frame that is not a link.</summary>
         public string RootOfLink(string frame) => _links.TryGetValue(frame, out var link) ? _rootNames[link.Robot] : null;
@@ -178,14 +182,12 @@ namespace Nowpose.Frames
             _places[_count++] = place;
         }
 
-        // A frame with the name of a link, such as a robot's root, has its own pose.
         Place PlaceIn(int index, string parent)
         {
             if (parent == FrameParents.World) return new Place(index, -1, -1, isInWorld: true);
-            var known = IndexOf(parent);
-            if (known >= 0) return new Place(index, known, -1, isInWorld: false);
-            return _links.TryGetValue(parent, out var link)
-                ? new Place(index, link.Link, link.Robot, isInWorld: false) : new Place(index, -1, -1, isInWorld: false);
+            if (!IsLink(parent)) return new Place(index, IndexOf(parent), -1, isInWorld: false);
+            var link = _links[parent];
+            return new Place(index, link.Link, link.Robot, isInWorld: false);
         }
 
         /// <summary>Returns the index of a frame; −1 if it is unknown.</summary>

@@ -99,8 +99,11 @@ namespace Nowpose.Frames
             return _order.PoseAt(index, reach, MomentOf(at), out origin);
         }
 
+        /// <inheritdoc cref="FrameOrder.IsLink"/>
+        public bool IsLink(string name) => _order.IsLink(name);
+
         /// <summary>Returns whether a robot carries a frame, according to the frame's own source.</summary>
-        public bool IsCarried(int index) => _order.IsLink(_frames[index].SourceParent);
+        public bool IsCarried(int index) => IsLink(_frames[index].SourceParent);
 
         /// <summary>Returns the pose of a robot's link in the world at a time other than the displayed one.</summary>
         public RigidTransform LinkAt(int robot, int link, ControlTime at, out PoseOrigin origin)

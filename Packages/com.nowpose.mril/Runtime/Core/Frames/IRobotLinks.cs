@@ -11,8 +11,8 @@ namespace Nowpose.Frames
 
         RobotModel Robot { get; }
 
-        /// <summary>Whether the poses are valid for the display time.</summary>
-        bool IsCurrent { get; }
+        /// <summary>Returns whether the pose of a link is valid for the display time.</summary>
+        bool IsCurrentAt(int link);
 
         /// <summary>Poses of all links relative to the robot's root link, right-handed, in m, in the order of the robot's links.</summary>
         ReadOnlySpan<RigidTransform> Poses { get; }

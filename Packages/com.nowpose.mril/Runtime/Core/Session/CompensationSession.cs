@@ -218,7 +218,7 @@ namespace Nowpose.Session
                 var displayTime = _display.Selector.LightOf(start, isComparable: isLast && _display.RenderTimes.State != RangeState.Outside);
                 var onControlClock = clock.IsKnown ? clock.ToControl(displayTime) : (ControlTime?)null;
                 _cell.Show(new DisplayMoment(start, onControlClock, clock, Settings.Clock.Trusts(clock), _display.Selector, _display.RenderTimes));
-                if (isLast) _currentShare.Add(start, _main.IsCurrent);
+                if (isLast) _currentShare.Add(start, _main.Frame.State == PoseState.Current);
                 Ticked?.Invoke(_main.Frame);
                 return _main.Frame;
             }

@@ -13,6 +13,7 @@ namespace Nowpose.Session
         readonly RigidTransform[] _heldLinkPoses;
         readonly int _toolLink;
         readonly int[] _toolJoints;
+        readonly int[][] _jointsOfLinks;
         double[] _positionsAt;
         RigidTransform[] _linkPosesAt;
         bool _isHeldComputed;
@@ -25,6 +26,8 @@ namespace Nowpose.Session
             _heldLinkPoses = new RigidTransform[robot.Links.Count];
             _toolLink = robot.IndexOfLink(robot.ToolLink.Name);
             _toolJoints = ToolJoints.Of(robot);
+            _jointsOfLinks = new int[robot.Links.Count][];
+            for (var link = 0; link < _jointsOfLinks.Length; link++) _jointsOfLinks[link] = ToolJoints.OfLink(link, robot);
             Frame = new DisplayFrame(tracks, _linkPoses, _toolLink, outsideRange);
         }
 
@@ -44,6 +47,17 @@ namespace Nowpose.Session
             _isHeldComputed = false;
         }
 
+        /// <summary>
+        /// Returns whether the pose of a link is current: the robot's pose is current, and the joints between base and link are predicted. The link can be
+        /// on another branch than the tool, such as a second arm.
+        /// </summary>
+        public bool IsCurrentAt(int link)
+        {
+            if (Frame.State != PoseState.Current) return false;
+            Tally(_jointsOfLinks[link], out var isIncomplete, out var isHeld);
+            return !isIncomplete && !isHeld;
+        }
+
         /// <summary>Returns the link poses for <see cref="DisplayFrame.HeldJoints"/>. Computes them on the first call in a frame.</summary>
         public RigidTransform[] HeldLinkPoses()
         {
@@ -53,11 +67,11 @@ namespace Nowpose.Session
         }
 
         /// <summary>Returns the pose of a link in the robot's base frame at any time for which there are samples or a prediction.</summary>
-        /// <param name="origin">Origin of the positions of the joints between base and tool.</param>
+        /// <param name="origin">Origin of the positions of the joints between base and link.</param>
         public RigidTransform LinkPoseAt(int link, ControlTime at, out PoseOrigin origin)
         {
             MakeScratch();
-            origin = _tracks.At(at, _toolJoints, _positionsAt);
+            origin = _tracks.At(at, _jointsOfLinks[link], _positionsAt);
             _kinematics.Compute(_positionsAt, _linkPosesAt);
             return _linkPosesAt[link];
         }
@@ -81,14 +95,20 @@ namespace Nowpose.Session
 
         PoseState StateAt(in DisplayMoment moment, bool isJointReportedMissing)
         {
-            var (isIncomplete, isHeld) = (false, isJointReportedMissing);
+            Tally(_toolJoints, out var isIncomplete, out var isHeld);
+            return PoseStateRule.Of(moment, isIncomplete, isHeld || isJointReportedMissing);
+        }
+
+        // Whether any of the joints has no sample, and whether any is not predicted to the display time.
+        void Tally(int[] joints, out bool isIncomplete, out bool isHeld)
+        {
+            (isIncomplete, isHeld) = (false, false);
             var kinds = _tracks.Kinds;
-            foreach (var joint in _toolJoints)
+            foreach (var joint in joints)
             {
                 isIncomplete |= kinds[joint] == PredictionKind.None;
                 isHeld |= kinds[joint] == PredictionKind.Held;
             }
-            return PoseStateRule.Of(moment, isIncomplete, isHeld);
         }
     }
 }

@@ -64,7 +64,7 @@ namespace Nowpose.Session
         /// <summary>Whether a frame of the cell has the root link's name. Such a frame determines the pose of the robot's base.</summary>
         public bool HasRootFrame { get; private set; }
 
-        public bool IsCurrent => Frame.State == PoseState.Current;
+        public bool IsCurrentAt(int link) => _computer.IsCurrentAt(link);
 
         public ReadOnlySpan<RigidTransform> Poses => Frame.LinkPoses;
 

@@ -46,7 +46,7 @@ namespace Nowpose.Protocol.Cell
             var frame = child;
             for (var steps = 0; steps <= MaxSteps; steps++)
             {
-                frame = Above(frame);
+                frame = Above(frame, out _);
                 if (frame == null || frame == child) return frame != null;
             }
 
@@ -65,12 +65,13 @@ namespace Nowpose.Protocol.Cell
             return depth + 1 + HeightBelow(child) > ProtocolLimits.FrameDepth ? DropReason.FrameTooDeep : DropReason.None;
         }
 
-        // Returns the parent of a frame, or the root link of a link; null for a root.
-        string Above(string frame)
+        // Returns the root link of a link, which moves with its robot even if a source publishes its pose; otherwise the parent of the frame, which is
+        // null for a root.
+        string Above(string frame, out bool isLink)
         {
-            if (_parents.TryGetValue(frame, out var parent)) return parent;
             var root = _rootOfLink(frame);
-            return root == frame ? null : root;
+            isLink = root != null && root != frame;
+            return isLink ? root : this[frame];
         }
 
         // Returns the number of transforms between a frame and its root; stops at the forbidden frame.
@@ -81,9 +82,9 @@ namespace Nowpose.Protocol.Cell
             {
                 isReached = frame == forbidden;
                 if (isReached) return depth;
-                var above = Above(frame);
+                var above = Above(frame, out var isLink);
                 if (above == null) return depth;
-                if (_parents.ContainsKey(frame)) depth++;
+                if (!isLink) depth++;
                 frame = above;
             }
 

@@ -6,7 +6,9 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Session.Cell
 {
-    /// <summary>Adds to a frame tree only the frames that are shown and their ancestors. Keeps the newest pose of every other frame.</summary>
+    /// <summary>
+    /// Adds to a frame tree only the frames that are shown and their ancestors up to a robot's link. Keeps the newest pose of every other frame.
+    /// </summary>
     /// <remarks>A ROS system publishes the links of its robots on /tf too, and each predicted frame needs memory and time.</remarks>
     sealed class NeededFrames
     {
@@ -30,7 +32,7 @@ namespace Nowpose.Session.Cell
         {
             if (!_needed.Contains(pose.Child)) return Keep(pose, isStationary);
             var reason = _tree.Add(pose, isStationary);
-            if (reason == DropReason.None) Need(pose.Parent);
+            if (reason == DropReason.None && !_tree.IsLink(pose.Parent)) Need(pose.Parent);
             return reason;
         }
 

@@ -25,6 +25,8 @@ namespace Nowpose.Tests.Core.Frames
 
         public bool IsCurrent { get; set; } = true;
 
+        public bool IsCurrentAt(int link) => IsCurrent;
+
         public ReadOnlySpan<RigidTransform> Poses => _poses;
 
         public ReadOnlySpan<RigidTransform> HeldPoses => _held;

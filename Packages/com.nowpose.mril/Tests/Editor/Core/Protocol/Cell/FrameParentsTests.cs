@@ -37,6 +37,18 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         }
 
         [Test]
+        public void TrySet_LinksThatAreAlsoPublished_DoNotCountTowardsTheDepth()
+        {
+            _frames = new FrameParents(frame => frame == "base" || frame.StartsWith("link", StringComparison.Ordinal) ? "base" : null);
+            Set("link0", "base");
+            for (var i = 1; i <= ProtocolLimits.FrameDepth; i++) Set("link" + i, "link" + (i - 1));
+
+            Set("part", "link" + ProtocolLimits.FrameDepth);
+
+            Assert.That(_frames.TrySet("base", "part"), Is.EqualTo(DropReason.FrameCycle));
+        }
+
+        [Test]
         public void TrySet_CycleBeforeAnyFrameHasARoot_IsRefused()
         {
             Set("a", "b");

@@ -82,6 +82,62 @@ namespace Nowpose.Tests.Core.Session.Cell
             cell.Run(2, _ => AssertInGripper(cell));
         }
 
+        // ROS publishes the links of a robot on /tf too.
+        [TestCase(true)]
+        [TestCase(false)]
+        public void Frame_LinksOnTf_MovesExactlyWithTheDisplayedRobot(bool isLinkShown)
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("part");
+            if (isLinkShown) cell.Session.Frames.Need("tool_centre_point");
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Math.Sin(2 * t), Math.Cos(3 * t));
+                cell.Send("world", "lower", t, Along(7));
+                cell.Send("lower", "tool_centre_point", t, Along(9));
+                cell.Send("tool_centre_point", "part", t, Along(0.03));
+            };
+            cell.Run(1);
+
+            cell.Run(1, _ => AssertInGripper(cell));
+
+            var tree = cell.Session.Frames.Tree;
+            Assert.That(tree.IsCarried(tree.IndexOf("part")));
+            Assert.That(tree.Count, Is.EqualTo(isLinkShown ? 2 : 1), "links are predicted only if they are shown");
+        }
+
+        const string TwoBranches = @"<robot name='two branches'>
+            <link name='base'/><link name='arm'/><link name='tool_centre_point'/><link name='table'/>
+            <joint name='shoulder' type='continuous'><parent link='base'/><child link='arm'/><axis xyz='0 0 1'/></joint>
+            <joint name='tool' type='fixed'><parent link='arm'/><child link='tool_centre_point'/><origin xyz='0.5 0 0'/></joint>
+            <joint name='turn' type='continuous'><parent link='base'/><child link='table'/><axis xyz='0 0 1'/></joint>
+        </robot>";
+
+        [Test]
+        public void StateOf_FrameOnALinkWhoseJointHasNoSamples_IsCurrentOnlyWithItsSamples()
+        {
+            var cell = new CellSession();
+            cell.Session.Robots.Add("arm2", UrdfReader.Read(TwoBranches, "test"));
+            foreach (var name in new[] { "on_table", "in_hand" }) cell.Session.Frames.Need(name);
+            cell.Send("arm2/table", "on_table", 0, Along(0.1), isStationary: true);
+            cell.Send("arm2/tool_centre_point", "in_hand", 0, Along(0.1), isStationary: true);
+            PoseState StateOf(string name) => cell.Session.Frames.StateOf(cell.Session.Frames.Find(name));
+            void Send(double t, params string[] joints) => cell.Session.Listener.Received(
+                new JointStateMessage(ControlTime.FromSeconds(t), joints, new double[joints.Length]), HeadsetTime.FromSeconds(t + CellSession.Latency), "arm2");
+
+            cell.Sampling = t => Send(t, "shoulder");
+            cell.Run(1);
+            Assert.That((StateOf("in_hand"), StateOf("on_table")), Is.EqualTo((PoseState.Current, PoseState.Held)), "never received");
+
+            cell.Sampling = t => Send(t, "shoulder", "turn");
+            cell.Run(1);
+            Assert.That((StateOf("in_hand"), StateOf("on_table")), Is.EqualTo((PoseState.Current, PoseState.Current)));
+
+            cell.Sampling = t => Send(t, "shoulder");
+            cell.Run(1);
+            Assert.That((StateOf("in_hand"), StateOf("on_table")), Is.EqualTo((PoseState.Current, PoseState.Held)), "no longer received");
+        }
+
         [Test]
         public void Frame_ClockUnknown_StaysInTheDisplayedGripper()
         {
