@@ -9,6 +9,14 @@ static class ReplayTable
 {
     public static void Write(IAnsiConsole console, ReplayResult result)
     {
+        if (result.Axes.Count > 0) WriteAxes(console, result);
+        foreach (var body in result.Bodies) Write(console, body);
+        if (result.Signals.Count > 0)
+            console.WriteLine("signals: " + string.Join(", ", result.Signals.Select(signal => $"{signal.Name} ({signal.Changes} changes)")));
+    }
+
+    static void WriteAxes(IAnsiConsole console, ReplayResult result)
+    {
         var title = $"{Path.GetFileName(result.File)}: {result.Predictor}, {result.Frames} frames";
         var table = new Table().Title(Markup.Escape(title));
         string[] headings = ["uncompensated RMS", "compensated RMS", "P95", "max", "reduction"];
@@ -23,9 +31,6 @@ static class ReplayTable
         table.AddRow("all", Number(result.RmsHold), Number(result.Rms), "", "", Percent(result.Reduction));
         table.Caption(ReplayTexts.Units);
         console.Write(table);
-        foreach (var body in result.Bodies) Write(console, body);
-        if (result.Signals.Count > 0)
-            console.WriteLine("signals: " + string.Join(", ", result.Signals.Select(signal => $"{signal.Name} ({signal.Changes} changes)")));
     }
 
     public static void Write(IAnsiConsole console, BodyReplayResult result)

@@ -87,10 +87,10 @@ static class ReplayVerb
     {
         var session = RecordedSession.Read(path);
         if (session.Lost > 0) Console.Error.WriteLine(ConsoleMessages.LostLines(path, session.Lost));
-        var joints = new SessionReplay(path, session, new SessionTruth(session), settings).Run(cancellation);
-        return new ReplayResult(joints.File, joints.Predictor, joints.Frames, joints.Axes)
-        {
-            Bodies = new SessionBodies(session, settings).Run(cancellation), Signals = session.Signals,
-        };
+        var bodies = new SessionBodies(session, settings).Run(cancellation);
+        // A cell may have objects and no robot.
+        var joints = bodies.Count > 0 && session.Events.All(one => one.Kind != RecordedSession.EventKind.Sample)
+            ? new ReplayResult(path, settings.Predictor, 0, []) : new SessionReplay(path, session, new SessionTruth(session), settings).Run(cancellation);
+        return new ReplayResult(joints.File, joints.Predictor, joints.Frames, joints.Axes) { Bodies = bodies, Signals = session.Signals };
     }
 }

@@ -324,6 +324,23 @@ public class SessionReplayTests
     }
 
     [Test]
+    public async Task Replay_SessionWithoutARobot_ReportsErrorsOfObjects()
+    {
+        VirtualRecording.To(_path, hasWork: true);
+        File.WriteAllLines(_path, File.ReadLines(_path).Where(line => !line.Contains("\"kind\":\"sample\"")).ToArray());
+
+        var run = await Run("replay", _path, "--json");
+        var table = await Run("replay", _path);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        var result = JsonDocument.Parse(run.Output).RootElement;
+        Assert.That(result.GetProperty("axes").GetArrayLength(), Is.Zero);
+        Assert.That(result.GetProperty("reduction").ValueKind, Is.EqualTo(JsonValueKind.Null));
+        Assert.That(result.GetProperty("bodies").GetArrayLength(), Is.EqualTo(3));
+        Assert.That(table.Output, Does.Contain("workpiece_1").And.Not.Contain("axis"));
+    }
+
+    [Test]
     public async Task Replay_SessionWithoutObjects_ResultContainsNoObjects()
     {
         VirtualRecording.To(_path, seconds: 6);

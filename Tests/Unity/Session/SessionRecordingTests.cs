@@ -1,5 +1,6 @@
 using Nowpose.Cli.Replay;
 using Nowpose.Gateway.Plants;
+using Nowpose.Kinematics;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
@@ -126,6 +127,18 @@ public sealed class SessionRecordingTests
         Assert.That(_recording.IsRecording, Is.False);
 
         _session.Session.Described(RobotFiles.LoadText("ur5"));
+        _cell.Run(0.5, _session);
+
+        Assert.That(_recording.IsRecording);
+    }
+
+    [Test]
+    public void Robot_UnknownInACellWithObjects_DoesNotDelayTheStart()
+    {
+        Play(robot: null);
+        _session.Session.Frames.Need("fixture");
+        _session.Session.Frames.Place("fixture", RigidTransform.Identity);
+
         _cell.Run(0.5, _session);
 
         Assert.That(_recording.IsRecording);

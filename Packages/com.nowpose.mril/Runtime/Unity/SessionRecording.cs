@@ -84,12 +84,16 @@ namespace Nowpose.Unity
         void Follow()
         {
             var session = _isWanted && isActiveAndEnabled && _source != null ? _source.Session : null;
-            // There is nothing to record until the gateway has described the robot.
-            if (session != null && session.Robot.MovingJoints.Count == 0) session = null;
+            if (session != null && !HasContent(session)) session = null;
             if (session == _recorded) return;
             End();
             if (session != null) Begin(session);
         }
+
+        // Until the gateway has described the session's own robot, only objects and further robots can be recorded. The description starts a new session
+        // and therefore a new file.
+        static bool HasContent(CompensationSession session) =>
+            session.Robot.MovingJoints.Count > 0 || session.Robots.Count > 1 || session.Frames.Tree.Count > 0;
 
         void Begin(CompensationSession session)
         {
