@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { buildSync } from 'esbuild';
+import { Matrix4 } from 'three';
 
 const { outputFiles } = buildSync({ entryPoints: [new URL('../src/robot/frames.ts', import.meta.url).pathname], bundle: true, write: false, format: 'esm' });
 const { Frames } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString('base64')}`);
@@ -54,15 +55,61 @@ describe('frames', () => {
     assert.deepEqual(drawn(frames), [null, null, null, null]);
   });
 
-  it('discard earlier samples when the parent changes', () => {
+  it('keep their parents until the time of the sample with another parent', () => {
+    const frames = new Frames(), tool = new Matrix4().makeTranslation(2, 0, 0);
+    for (const t of [9.5, 9.75, 10]) frames.take(message('box', 'world', t, t - 9), false);
+    for (const t of [10.05, 10.1]) frames.take(message('box', 'tool', t, 0), false);
+    frames.take(message('box', 'world', 10.15, 3), false);
+
+    for (const [t, x] of [[9.6, 0.6], [10, 1], [10.04, 1], [10.05, 2], [10.14, 2], [10.15, 3]]) {
+      frames.pose(t, name => (name === 'tool' ? tool : null));
+      assert.deepEqual(drawn(frames), [x], `at ${t} s`);
+    }
+  });
+
+  it('that were stationary move from the time of the first sample, and are hidden without a recent one', () => {
     const frames = new Frames();
-    frames.take(message('box', 'world', 10, 5), false);
-    frames.take(message('box', 'nobody', 10.05, 0), false);
-    frames.take(message('box', 'world', 10.1, 1), false);
+    frames.take(message('box', 'world', 0, 1), true);
+    frames.take(message('box', 'world', 10, 2), false);
 
-    frames.pose(10.02, none);
+    for (const [t, x] of [[9.9, 1], [10, 2], [11.1, null]]) {
+      frames.pose(t, none);
+      assert.deepEqual(drawn(frames), [x], `at ${t} s`);
+    }
+    frames.take(message('box', 'world', 0, 3), true);
+    frames.take(message('box', 'world', 0, 4), true);
+    frames.pose(9, none);
+    assert.deepEqual(drawn(frames), [4], 'the newest stationary pose applies to all times');
+  });
 
-    assert.deepEqual(drawn(frames), [1]);
+  it('are hidden before their first sample', () => {
+    const frames = new Frames();
+    frames.take(message('box', 'world', 10, 1), false);
+
+    frames.pose(9.9, none);
+
+    assert.deepEqual(drawn(frames), [null]);
+  });
+
+  it('follow a source whose clock was set back', () => {
+    const frames = new Frames();
+    for (let i = 0; i <= 30; i++) frames.take(message('box', 'world', 100 + i / 10, 1), false);
+    frames.take(message('box', 'world', 5, 7), false);
+
+    frames.pose(5, none);
+
+    assert.deepEqual(drawn(frames), [7]);
+  });
+
+  it('are interpolated at any rate', () => {
+    for (const rate of [0.4, 1000]) {
+      const frames = new Frames();
+      for (let i = 0; i <= 1000; i++) frames.take(message('box', 'world', i / rate, i / rate), false);
+
+      frames.pose(1000 / rate - 0.5, none);
+
+      assert.deepEqual(drawn(frames), [1000 / rate - 0.5], `${rate} samples per second`);
+    }
   });
 
   it('ignore messages with another format', () => {

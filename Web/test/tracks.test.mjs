@@ -52,6 +52,28 @@ describe('joints published in overlapping sets', () => {
     assert.equal(pose.honest, 4999);
   });
 
+  it('are interpolated between samples that are further apart than the length of the history', () => {
+    const tracks = new JointTracks(5);
+    tracks.add(0, ['a'], [0]);
+    for (let t = 6; t <= 1000; t += 6) {
+      tracks.add(t, ['a'], [t]);
+
+      assert.deepEqual(at(tracks.at(t - 0.5)), { a: t - 0.5 });
+    }
+  });
+
+  it('follow a source whose clock was set back', () => {
+    const tracks = new JointTracks(5);
+    for (let t = 95; t <= 103; t++) tracks.add(t, ['a'], [1]);
+    tracks.add(102.5, ['a'], [2]);
+    assert.deepEqual(at(tracks.at(103)), { a: 1 }, 'a late sample is ignored');
+
+    tracks.add(5, ['a'], [7]);
+
+    assert.deepEqual(at(tracks.at(5)), { a: 7 });
+    assert.equal(tracks.last, 5);
+  });
+
   it('ignore missing positions', () => {
     const tracks = new JointTracks(5);
     tracks.add(1, ['a', 'b'], [1, 1]);

@@ -1,5 +1,6 @@
 import { AxesHelper, type Box3, Group, Matrix4, Quaternion, Vector3 } from 'three';
 import { robotReasons } from '../messages/robot';
+import { Track } from './track';
 
 /** Length of a drawn axis, m. */
 const AXES = 0.05;
@@ -11,8 +12,8 @@ const MAX_FRAMES = 256;
 /** Maximum age at which a pose is still drawn, s. */
 const MAX_AGE = 1;
 
-/** Number of samples stored per frame. At 100 samples per second, they cover more than the delay of the display. */
-const KEEP = 100;
+/** Length of the stored history, s: more than the delay of the display and the time by which a stamp may be in the future. */
+const KEEP_S = 2;
 
 /** Maximum distance from the world's origin of a frame that the camera includes, m: a frame at a wrong position must not hide the cell. */
 const MAX_DISTANCE = 100;
@@ -20,15 +21,14 @@ const MAX_DISTANCE = 100;
 const ONE = new Vector3(1, 1, 1);
 
 interface Sample {
-  stamp: number;
   parent: string;
   position: Vector3;
   rotation: Quaternion;
+  isStationary: boolean;
 }
 
 interface Frame {
-  samples: Sample[];
-  isStationary: boolean;
+  samples: Track<Sample>;
   axes: AxesHelper;
 }
 
@@ -79,21 +79,19 @@ export class Frames {
   private add({ header, child_frame_id, transform }: Transform, isStationary: boolean): void {
     const { translation: t, rotation: q } = transform;
     const stamp = header.stamp.sec + header.stamp.nanosec / 1e9;
-    const { samples } = this.frameOf(child_frame_id, isStationary);
-    if (isStationary || samples[samples.length - 1]?.parent !== header.frame_id) samples.length = 0;
+    const { samples } = this.frameOf(child_frame_id);
+    const position = new Vector3(t.x, t.y, t.z);
     const rotation = new Quaternion(q.x, q.y, q.z, q.w);
-    samples.push({ stamp, parent: header.frame_id, position: new Vector3(t.x, t.y, t.z), rotation });
-    if (samples.length > KEEP) samples.shift();
+    // A stationary pose applies to all times. Its stamp may be 0.
+    if (isStationary) samples.clear();
+    samples.add(isStationary ? -Infinity : stamp, { parent: header.frame_id, position, rotation, isStationary });
   }
 
-  private frameOf(name: string, isStationary: boolean): Frame {
+  private frameOf(name: string): Frame {
     let frame = this.frames.get(name);
-    if (frame) {
-      frame.isStationary = isStationary;
-      return frame;
-    }
+    if (frame) return frame;
     if (this.frames.size >= MAX_FRAMES) throw new Error(robotReasons.tooManyFrames);
-    frame = { samples: [], isStationary, axes: new AxesHelper(AXES) };
+    frame = { samples: new Track(KEEP_S), axes: new AxesHelper(AXES) };
     this.frames.set(name, frame);
     this.group.add(frame.axes);
     return frame;
@@ -103,20 +101,21 @@ export class Frames {
     if (name === 'world') return new Matrix4();
     const frame = this.frames.get(name);
     if (!frame) return linkOf(name);
-    const sample = frame.isStationary ? frame.samples[0] : sampleAt(frame.samples, time);
+    const sample = sampleAt(frame.samples, time);
     if (!sample || depth >= MAX_DEPTH) return null;
     const parent = this.worldOf(sample.parent, time, linkOf, depth + 1);
     return parent && parent.clone().multiply(new Matrix4().compose(sample.position, sample.rotation, ONE));
   }
 }
 
-// Interpolates between two samples. Before the first sample, returns the first one; after the last sample, the last one for a limited time.
-function sampleAt(samples: Sample[], time: number): Sample | null {
-  const after = samples.findIndex(sample => sample.stamp > time);
-  const last: Sample | undefined = samples[samples.length - 1];
-  if (after < 0) return last && time - last.stamp <= MAX_AGE ? last : null;
-  if (after === 0) return samples[0];
-  const [a, b] = [samples[after - 1], samples[after]];
-  const share = (time - a.stamp) / (b.stamp - a.stamp);
-  return { ...a, position: a.position.clone().lerp(b.position, share), rotation: a.rotation.clone().slerp(b.rotation, share) };
+// Interpolates between two samples with the same parent. Otherwise, the earlier sample applies until the later one, and the last sample for a limited
+// time.
+function sampleAt(samples: Track<Sample>, time: number): Sample | null {
+  const place = samples.at(time);
+  if (!place) return null;
+  const { from, to, share } = place;
+  if (from.isStationary) return from;
+  if (time - samples.last! > MAX_AGE) return null;
+  if (from.parent !== to.parent) return from;
+  return { ...from, position: from.position.clone().lerp(to.position, share), rotation: from.rotation.clone().slerp(to.rotation, share) };
 }

@@ -1,10 +1,17 @@
-/** Positions of one joint over time. The newest is at the end. */
-export class JointTrack {
-  private times: number[] = [];
-  private values: number[] = [];
+/** Where a time is between two samples: `share` is 0 at `from` and 1 at `to`. After the last sample, both are this sample, and `share` is 0. */
+export interface Place<T> {
+  from: T;
+  to: T;
+  share: number;
+}
 
-  /** @param keep Length of the stored history in seconds; unlimited by default. */
-  constructor(private readonly keep = Infinity) {}
+/** Values over time. The newest is at the end. */
+export class Track<T> {
+  private times: number[] = [];
+  private values: T[] = [];
+
+  /** @param keep Length of the stored history in seconds. */
+  constructor(private readonly keep: number) {}
 
   get last(): number | undefined {
     return this.times[this.times.length - 1];
@@ -14,17 +21,17 @@ export class JointTrack {
    * Adds a sample. Ignores a sample that is less than 2 s older than the newest one, or less than the length of the history if this is shorter. An
    * even older sample starts a new history.
    */
-  add(time: number, position: number): void {
+  add(time: number, value: T): void {
     const last = this.last;
     if (last !== undefined && time <= last) {
       if (last - time < Math.min(this.keep, 2)) return;
-      this.times = [];
-      this.values = [];
+      this.clear();
     }
     this.times.push(time);
-    this.values.push(position);
+    this.values.push(value);
+    // Keeps one older sample, because the history may begin between two samples.
     let old = 0;
-    while (this.times[old] < time - this.keep) old++;
+    while (this.times[old + 1] <= time - this.keep) old++;
     // Removes many samples at once, because each removal moves the whole array.
     if (old > 64) {
       this.times.splice(0, old);
@@ -32,19 +39,18 @@ export class JointTrack {
     }
   }
 
-  /** Interpolates linearly between samples. Returns the last position after the last sample, and null before the first one. */
-  at(time: number): number | null {
+  clear(): void {
+    this.times = [];
+    this.values = [];
+  }
+
+  /** Returns the samples around a time; null before the first one. */
+  at(time: number): Place<T> | null {
     const i = this.indexAt(time);
     if (i < 0) return null;
     const from = this.values[i];
-    if (i === this.times.length - 1) return from;
-    return from + ((time - this.times[i]) / (this.times[i + 1] - this.times[i])) * (this.values[i + 1] - from);
-  }
-
-  /** Returns the last position up to a time; null before the first sample. */
-  heldAt(time: number): number | null {
-    const i = this.indexAt(time);
-    return i < 0 ? null : this.values[i];
+    if (i === this.times.length - 1) return { from, to: from, share: 0 };
+    return { from, to: this.values[i + 1], share: (time - this.times[i]) / (this.times[i + 1] - this.times[i]) };
   }
 
   private indexAt(time: number): number {

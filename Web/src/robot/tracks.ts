@@ -1,4 +1,4 @@
-import { JointTrack } from './track';
+import { type Place, Track } from './track';
 
 /** Maximum number of joints: twice the maximum in a message, so that the joints of a second robot fit, too. */
 const MAX_JOINTS = 512;
@@ -11,10 +11,10 @@ export interface Pose {
 
 /** Joint positions of a robot over time. Each joint has its own history, because a message can contain any subset of the joints. */
 export class JointTracks {
-  private readonly tracks = new Map<string, JointTrack>();
+  private readonly tracks = new Map<string, Track<number>>();
 
-  /** @param keep Length of the stored history in seconds; see {@link JointTrack}. */
-  constructor(private readonly keep = Infinity) {}
+  /** @param keep Length of the stored history in seconds. */
+  constructor(private readonly keep: number) {}
 
   /** Time of the newest sample of any joint. */
   get last(): number | undefined {
@@ -31,19 +31,19 @@ export class JointTracks {
 
   /** Interpolates between samples. After its last sample, a joint keeps its position. Null before the first sample. */
   at(time: number): Pose | null {
-    return this.pose(track => track.at(time));
+    return this.pose(time, ({ from, to, share }) => from + share * (to - from));
   }
 
   /** Returns the last positions up to a time, as displayed without compensation. */
   heldAt(time: number): Pose | null {
-    return this.pose(track => track.heldAt(time));
+    return this.pose(time, ({ from }) => from);
   }
 
-  private trackOf(name: string): JointTrack {
+  private trackOf(name: string): Track<number> {
     let track = this.tracks.get(name);
     if (track) return track;
     if (this.tracks.size >= MAX_JOINTS) this.tracks.delete(this.oldest());
-    this.tracks.set(name, (track = new JointTrack(this.keep)));
+    this.tracks.set(name, (track = new Track(this.keep)));
     return track;
   }
 
@@ -51,13 +51,13 @@ export class JointTracks {
     return [...this.tracks].reduce((a, b) => (a[1].last! <= b[1].last! ? a : b))[0];
   }
 
-  private pose(of: (track: JointTrack) => number | null): Pose | null {
+  private pose(time: number, of: (place: Place<number>) => number): Pose | null {
     const pose: Pose = { names: [], positions: [] };
     for (const [name, track] of this.tracks) {
-      const position = of(track);
-      if (position === null) continue;
+      const place = track.at(time);
+      if (!place) continue;
       pose.names.push(name);
-      pose.positions.push(position);
+      pose.positions.push(of(place));
     }
     return pose.names.length === 0 ? null : pose;
   }
