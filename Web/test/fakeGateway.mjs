@@ -20,6 +20,11 @@ const stamp = t => ({ sec: Math.floor(t), nanosec: Math.floor((t % 1) * 1e9) });
 const jointState = (topic, t, positions, frame = '', names = JOINTS) => JSON.stringify(
   { op: 'publish', topic, msg: { header: { stamp: stamp(t), frame_id: frame }, name: names, position: positions, velocity: [], effort: [] } });
 
+const transform = (t, parent, child, [x, y, z]) => JSON.stringify({ op: 'publish', topic: '/tf', msg: { transforms: [{
+  header: { stamp: stamp(t), frame_id: parent }, child_frame_id: child,
+  transform: { translation: { x, y, z }, rotation: { x: 0, y: 0, z: 0, w: 1 } },
+}] } });
+
 /** Creates a text frame as a server sends it, without a mask. */
 function frame(text) {
   const payload = Buffer.from(text);
@@ -69,6 +74,9 @@ export class FakeGateway {
   turned = 0.1;
   token = null;
   isSilent = false;
+
+  /** Position of the moving base of the robot; null if no pose of the base is published. */
+  base = null;
 
   /** Namespaces of further robots. */
   robots = [];
@@ -136,6 +144,7 @@ export class FakeGateway {
     if (this.isSilent) return;
     const t = this.now - 0.07, names = this.sets[this.ticks++ % this.sets.length], truth = swing(this.pace * t, this.rest);
     this.send('/joint_states', jointState('/joint_states', t, names.map(name => truth[JOINTS.indexOf(name)]), '', names));
+    if (this.base) this.send('/tf', transform(t, 'world', 'arm_link_0', this.base));
     for (const robot of this.robots) this.send(`/${robot}/joint_states`, jointState(`/${robot}/joint_states`, t, truth, '', JOINTS));
     for (const [name, turned] of [['left door', this.turned], ['right door', 1]]) {
       if (turned === null) continue;

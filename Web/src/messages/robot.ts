@@ -19,6 +19,7 @@ export const robotMessages = {
   noDescription: 'No robot description has arrived.',
   onlyOtherRobots: 'Robots in namespaces are drawn only at their true poses, without the poses of headsets.',
   late: 'Joint positions arrive too late for a comparison.',
+  baseUnknown: 'The robot is not drawn, because the pose of its base is not known.',
   noHeadset: 'No headset is shown.',
   toolUnknown: 'The position of the tool is not known, because the position of a joint is not known.',
   /** @param displayedMm Tool error of the displayed pose; null if the headset does not report the pose. The same applies to `heldMm`. */

@@ -52,11 +52,10 @@ export class OtherRobots implements Beside {
     for (const [name, { bodies, tracks }] of this.robots) {
       if (!bodies) continue;
       const pose = tracks.at(time);
-      const base = frames.baseAt(`${name}/${bodies.rootName}`, time, link => this.linkOf(link));
-      if (base) bodies.place(base);
+      bodies.place(frames.baseAt(`${name}/${bodies.rootName}`, time, link => this.linkOf(link)));
       const received = new Set(pose?.names);
       bodies.showKnown('truth', joint => received.has(joint) && isGood(`${name}/${joint}`));
-      bodies.pose('truth', pose?.names ?? [], (base && pose?.positions) ?? null);
+      bodies.pose('truth', pose?.names ?? [], pose?.positions ?? null);
     }
   }
 

@@ -117,7 +117,7 @@ export class RobotPanel {
   private pose(bodies: Bodies, time: number, linkOf: (name: string) => Matrix4 | null): void {
     const poses = { truth: this.truth.at(time), displayed: this.recent(time), hold: this.held(time) };
     const base = this.frames.baseAt(bodies.rootName, time, linkOf);
-    if (base) bodies.place(base);
+    bodies.place(base);
     for (const part of ['truth', 'displayed', 'hold'] as const) {
       const received = new Set(poses[part]?.names);
       bodies.showKnown(part, joint => received.has(joint) && (part === 'displayed' || !this.faults.has(joint)));
@@ -126,8 +126,9 @@ export class RobotPanel {
     if (performance.now() - this.shownAt < NUMBERS_MS) return;
     this.shownAt = performance.now();
     this.showUnknown(bodies.joints, new Set(poses.truth?.names));
+    if (!base) setText(this.words, robotMessages.baseUnknown);
     // After the last sample, the true position is not known.
-    if ((this.truth.last ?? 0) < time) setText(this.words, robotMessages.late);
+    else if ((this.truth.last ?? 0) < time) setText(this.words, robotMessages.late);
     else this.showDistances(bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth'));
   }
 

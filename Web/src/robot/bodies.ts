@@ -68,9 +68,10 @@ export class Bodies {
     return this.robots.truth.root.urdfName;
   }
 
-  /** Moves the robot to the pose of its root link in the world. */
-  place(base: Matrix4): void {
-    base.decompose(this.group.position, this.group.quaternion, this.group.scale);
+  /** @param base Pose of the root link in the world; null hides the robot. */
+  place(base: Matrix4 | null): void {
+    this.group.visible = base !== null;
+    base?.decompose(this.group.position, this.group.quaternion, this.group.scale);
   }
 
   /** Hides the links below joints whose position is unknown. At the position 0, these links would look as if they had been measured. */
@@ -86,7 +87,7 @@ export class Bodies {
   }
 
   isShown(part: Part): boolean {
-    return this.robots[part].root.visible;
+    return isDrawn(this.robots[part].root);
   }
 
   /** Returns whether the position of the tool is known. */

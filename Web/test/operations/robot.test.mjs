@@ -82,6 +82,22 @@ describe('the robot', () => {
     await showsToolError(page);
   });
 
+  it('is not drawn while the pose of its moving base is not known', async () => {
+    gateway.base = [0.5, 0, 0];
+    const page = await open({ reducedMotion: 'reduce' });
+    await showsToolError(page);
+    const whole = await bodiesDrawn(page);
+
+    gateway.base = null;
+    await becomes(page, '.apart', robotMessages.baseUnknown);
+    const hidden = await bodiesDrawn(page);
+    assert.equal(hidden, 1, 'only the floor');
+    assert.ok(whole > 20, `${whole} bodies`);
+
+    gateway.base = [0.5, 0, 0];
+    await showsToolError(page);
+  });
+
   it('shows the distance between the displayed and the true tool at one time', async () => {
     const page = await open();
 
