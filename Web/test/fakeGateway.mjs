@@ -64,6 +64,8 @@ export class FakeGateway {
   stateRequests = [];
   recordings = [{ name: 'press-1.jsonl', bytes: 2_500_000, changed_utc: '2026-11-20T12:00:00.000Z' }];
   connects = 0;
+  /** Queue lengths that the page requested, by topic; 0 for the gateway's default. */
+  queues = new Map();
   /** Speed factor of the joints' swing; 0 for a robot at rest. */
   pace = 1;
   /** Positions about which the joints swing. */
@@ -203,9 +205,10 @@ export class FakeGateway {
     socket.on('error', () => socket.destroy());
   }
 
-  hear(socket, { op, topic }) {
+  hear(socket, { op, topic, queue_length }) {
     if (op !== 'subscribe') throw new Error(`the page ${op}s`);
     this.sockets.get(socket).add(topic);
+    this.queues.set(topic, queue_length);
     if (topic.endsWith('/robot_description')) socket.write(frame(JSON.stringify({ op: 'publish', topic, msg: { data: this.urdf } })));
   }
 }

@@ -48,11 +48,12 @@ export class RobotPanel {
     // A throttle interval of 20 ms is short enough for a smooth motion. The queue holds several messages, because arm and gripper are often published
     // separately.
     link.subscribe('/joint_states', JOINT_STATE, text => this.sample(text), 20, 8);
-    link.subscribe('/tf', TRANSFORMS, text => this.frames.take(text, false), 0, 8);
-    link.subscribe('/tf_static', TRANSFORMS, text => this.frames.take(text, true), 0, 256);
+    link.subscribe('/tf', TRANSFORMS, text => this.frames.take(text, false));
+    link.subscribe('/tf_static', TRANSFORMS, text => this.frames.take(text, true));
     this.view.add(this.frames);
     this.others = new OtherRobots(link, KEEP_S, stamp => this.clock.add(stamp, seconds()));
     this.view.add(this.others);
+    // Has room for a message of each headset, because all headsets publish on this topic.
     link.subscribe('/nowpose/displayed', JOINT_STATE, text => this.shown(text), 0, 256);
     if (isCalm) setInterval(() => this.draw(), 1000);
     else this.animate();

@@ -26,7 +26,10 @@ export class Rosbridge {
   private timer = 0;
   private isWanted = false;
 
-  /** @param take Receives each message as text, so that unneeded messages are not parsed. */
+  /**
+   * @param take Receives each message as text, so that unneeded messages are not parsed.
+   * @param queue Maximum number of messages that wait in the gateway; 0 for the gateway's default, which depends on the topic.
+   */
   subscribe(topic: string, type: string, take: (text: string) => void, throttleMs = 0, queue = 0): void {
     this.topics.set(topic, { type, take, throttleMs, queue });
     if (this.socket?.readyState === WebSocket.OPEN) this.ask(this.socket, topic);

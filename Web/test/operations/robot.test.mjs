@@ -234,6 +234,12 @@ describe('the robot', () => {
 });
 
 describe('the robot without WebGL', () => {
+  it('leaves the queue lengths of poses of objects to the gateway, whose default has room for all objects', async () => {
+    await showsToolError(await open());
+
+    assert.deepEqual(['/tf', '/tf_static'].map(topic => gateway.queues.get(topic)), [0, 0]);
+  });
+
   it('shows one message and the distances', async () => {
     const page = await open();
     await becomes(page, '.robot .missing', robotMessages.noWebGl);
