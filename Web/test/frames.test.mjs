@@ -36,6 +36,16 @@ describe('frames', () => {
     assert.deepEqual(shown, [2]);
   });
 
+  it('move with the drawn link of a robot, even if a source publishes the link', () => {
+    const frames = new Frames();
+    frames.take(message('tool0', 'world', 10, 9), false);
+    frames.take(message('part', 'tool0', 10, 0.1), false);
+
+    frames.pose(10, name => (name === 'tool0' ? new Matrix4().makeTranslation(2, 0, 0) : null));
+
+    assert.deepEqual(drawn(frames), [9, 2.1]);
+  });
+
   it('move with their parents', () => {
     const frames = new Frames();
     frames.take(message('table', 'world', 0, 1, Math.PI), true);

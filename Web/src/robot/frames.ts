@@ -100,10 +100,11 @@ export class Frames {
   private worldOf(name: string, time: number, linkOf: (name: string) => Matrix4 | null, depth: number): Matrix4 | null {
     if (name === 'world') return new Matrix4();
     const frame = this.frames.get(name);
-    if (!frame) return linkOf(name);
+    if (!frame) return null;
     const sample = sampleAt(frame.samples, time);
     if (!sample || depth >= MAX_DEPTH) return null;
-    const parent = this.worldOf(sample.parent, time, linkOf, depth + 1);
+    // A link is drawn with its robot, even if a source publishes its pose too.
+    const parent = linkOf(sample.parent) ?? this.worldOf(sample.parent, time, linkOf, depth + 1);
     return parent && parent.clone().multiply(new Matrix4().compose(sample.position, sample.rotation, ONE));
   }
 }
