@@ -6,6 +6,7 @@ using Nowpose.Benchmarks.Comparison;
 using Nowpose.Benchmarks.Links;
 using Nowpose.Benchmarks.Load;
 using Nowpose.Benchmarks.Paths;
+using Nowpose.Benchmarks.Sensitivity;
 
 if (args is ["ablation", ..])
     return await AblationVerb.RunAsync(args);
@@ -24,6 +25,9 @@ if (args is ["paper", ..])
 
 if (args is ["paths", ..])
     return await PathsVerb.RunAsync(args);
+
+if (args is ["sensitivity", ..])
+    return await SensitivityVerb.RunAsync(args);
 
 if (args is ["sessions", ..])
     return await SessionVerb.RunAsync(args);

@@ -1,4 +1,5 @@
 using Nowpose.Cli.Replay;
+using Nowpose.Frames;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Prediction;
 using Nowpose.Studies;
@@ -6,7 +7,7 @@ using Nowpose.Studies;
 namespace Nowpose.Benchmarks.Ablation;
 
 /// <summary>
-/// A group of runs that is reported in one row: recordings, simulated motions, or simulated motions with errors in the time stamps.
+/// A group of runs that is reported in one column: recordings, simulated motions, simulated motions with errors in the time stamps, or objects.
 /// </summary>
 /// <param name="name">Name of the group in the table.</param>
 sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
@@ -28,28 +29,30 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
 
     public string Name => name;
 
-    public IReadOnlyList<AblationRun> Runs => runs;
+    /// <summary>Names of the errors, in the order of <see cref="Errors"/>.</summary>
+    public IReadOnlyList<string> Names { get; } = [.. runs.SelectMany(run => run.Names)];
 
     public static IReadOnlyList<AblationGroup> All(string recordings)
     {
-        var groups = new List<AblationGroup> { Simulated("simulated", 0), Simulated("stamps ±5 ms", 0.005) };
+        var groups = new List<AblationGroup> { Simulated("simulated", 0), Simulated("stamps ±5 ms", 0.005), Objects() };
         if (recordings != null) groups.Insert(0, Recorded(recordings));
         return groups;
     }
 
-    /// <summary>Gets the RMS error of a predictor in each run.</summary>
-    public double[] Errors(Func<JointPredictor> newPredictor) => [.. runs.AsParallel().AsOrdered().Select(run => run.Rms(newPredictor))];
+    /// <summary>Gets the RMS errors of a predictor in all runs.</summary>
+    /// <param name="without">Parts that are removed from the default predictor.</param>
+    public double[] Errors(string predictor, PredictionParts without = PredictionParts.None) =>
+        [.. runs.AsParallel().AsOrdered().SelectMany(run => run.Rms(predictor, without))];
 
-    /// <summary>Gets, for each run, the smallest RMS error of all predictors with fixed parameters.</summary>
-    public double[] MinFixedErrors() =>
-        [.. Fixed.Select(one => Errors(() => Predictors.Create(one, PredictionLimits.Unlimited))).Aggregate((a, b) => [.. a.Zip(b, Math.Min)])];
+    /// <summary>Gets the smallest RMS error of all predictors with fixed parameters, for each error.</summary>
+    public double[] MinFixedErrors() => [.. Fixed.Select(one => Errors(one)).Aggregate((a, b) => [.. a.Zip(b, Math.Min)])];
 
     static AblationGroup Simulated(string name, double stampError) => new(name,
     [
         .. from motion in SimulatedMotions
            from condition in Conditions
-           select new AblationRun(Label(motion(0).Name, condition), newPredictor => Math.Sqrt(Seeds.Average(seed => Square(
-               PredictionStudy.Run(motion(seed), SettingsOf(condition, seed) with { StampError = stampError }, newPredictor).Predicted.Rms)))),
+           select new AblationRun([Label(motion(0).Name, condition)], (predictor, without) => [Math.Sqrt(Seeds.Average(seed => Square(
+               PredictionStudy.Run(motion(seed), SettingsOf(condition, seed) with { StampError = stampError }, () => Joint(predictor, without)).Predicted.Rms)))]),
     ]);
 
     static StudySettings SettingsOf((double Interval, double Latency) condition, int seed) =>
@@ -60,10 +63,30 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
         .. from path in Directory.EnumerateFiles(folder, "*.csv*").Order(StringComparer.Ordinal)
            let recording = MotionRecording.Read(path)
            from condition in Conditions
-           let settings = new ReplaySettings { SamplingInterval = condition.Interval, Latency = condition.Latency }
-           select new AblationRun(
-               Label(Path.GetFileName(path), condition), newPredictor => new ReplayRun(path, recording, settings, newPredictor).Run().Rms),
+           select new AblationRun([Label(Path.GetFileName(path), condition)], (predictor, without) =>
+               [new ReplayRun(path, recording, Replayed(condition), () => Joint(predictor, without)).Run().Rms]),
     ]);
+
+    static AblationGroup Objects() => new("objects",
+    [
+        .. from motion in ObjectMotions.All(Seeds[0])
+           from condition in Conditions
+           let label = Label(motion.Name, condition)
+           select new AblationRun([label + ", position", label + ", rotation"], (predictor, without) =>
+           {
+               var result = new BodyReplay(motion.Name, motion.Recording, Replayed(condition), () => Object(predictor, without)).Run();
+               return [result.Position.Rms, result.Rotation.Rms];
+           }),
+    ]);
+
+    static ReplaySettings Replayed((double Interval, double Latency) condition) =>
+        new() { SamplingInterval = condition.Interval, Latency = condition.Latency };
+
+    static JointPredictor Joint(string predictor, PredictionParts without) => without == PredictionParts.None
+        ? Predictors.Create(predictor, PredictionLimits.Unlimited) : Predictors.Adaptive(PredictionLimits.Unlimited, PredictionParts.Joint & ~without);
+
+    static BodyPredictor Object(string predictor, PredictionParts without) =>
+        new(predictor, PredictionLimits.Unlimited, parts: PredictionParts.Object & ~without);
 
     static string Label(string motion, (double Interval, double Latency) condition) =>
         FormattableString.Invariant($"{motion}, {condition.Interval * 1e3:0} / {condition.Latency * 1e3:0} ms");

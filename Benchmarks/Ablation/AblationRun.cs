@@ -3,6 +3,6 @@ using Nowpose.Prediction;
 namespace Nowpose.Benchmarks.Ablation;
 
 /// <summary>One motion under one condition.</summary>
-/// <param name="Motion">Name of the motion in tables.</param>
-/// <param name="Rms">Computes the RMS error in the motion's unit. Its argument creates new instances of the predictor.</param>
-sealed record AblationRun(string Motion, Func<Func<JointPredictor>, double> Rms);
+/// <param name="Names">Names of the errors in tables: one for a joint or several joints, two for the position and rotation of an object.</param>
+/// <param name="Rms">Computes the RMS errors of a predictor, without the given parts if it is the default one, in the units of the motion.</param>
+sealed record AblationRun(IReadOnlyList<string> Names, Func<string, PredictionParts, double[]> Rms);

@@ -12,7 +12,7 @@ static class AblationVerb
     static readonly PredictionParts[] Parts =
     [
         PredictionParts.Repetition, PredictionParts.Profiles, PredictionParts.Process, PredictionParts.Quadratic, PredictionParts.Cubic,
-        PredictionParts.QuadraticOfFive, PredictionParts.CubicOfSix, PredictionParts.QuadraticOfTen, PredictionParts.Reported,
+        PredictionParts.QuadraticOfFive, PredictionParts.CubicOfSix, PredictionParts.QuadraticOfTen, PredictionParts.LineOfTen, PredictionParts.Reported,
         PredictionParts.ChangePoints, PredictionParts.Scatter, PredictionParts.DistanceLimit, PredictionParts.Jumps, PredictionParts.StampCorrection,
         PredictionParts.Thinning, PredictionParts.Interpolation,
     ];
@@ -36,13 +36,13 @@ static class AblationVerb
     static void Write(string recordings, CancellationToken stop)
     {
         var groups = AblationGroup.All(recordings);
-        var whole = groups.Select(group => group.Errors(() => Without(PredictionParts.None))).ToArray();
-        Console.WriteLine($"| without | {string.Join(" | ", groups.Select(group => $"{group.Name} ({group.Runs.Count} runs)"))} |");
+        var whole = groups.Select(group => group.Errors(Predictors.Default)).ToArray();
+        Console.WriteLine($"| without | {string.Join(" | ", groups.Select(group => $"{group.Name} ({group.Names.Count} errors)"))} |");
         Console.WriteLine($"| --- | {string.Join(" | ", groups.Select(_ => "---"))} |");
         foreach (var part in Parts)
         {
             stop.ThrowIfCancellationRequested();
-            var cells = groups.Select((group, i) => Cell(group.Errors(() => Without(part)), whole[i]));
+            var cells = groups.Select((group, i) => new ErrorRatios(group.Errors(Predictors.Default, part), whole[i]));
             Console.WriteLine($"| {part} | {string.Join(" | ", cells)} |");
         }
 
@@ -53,25 +53,15 @@ static class AblationVerb
 
     static void WriteRuns(AblationGroup group, double[] whole)
     {
-        var (hold, quadratic, best) = (Fixed(group, "hold"), Fixed(group, "quadratic"), group.MinFixedErrors());
+        var (hold, quadratic, best) = (group.Errors("hold"), group.Errors("quadratic"), group.MinFixedErrors());
         Console.WriteLine();
         Console.WriteLine($"| {group.Name} | quadratic ÷ hold | adaptive ÷ quadratic | adaptive ÷ best fixed |");
         Console.WriteLine("| --- | ---: | ---: | ---: |");
         for (var i = 0; i < whole.Length; i++)
             Console.WriteLine(Text(
-                $"| {group.Runs[i].Motion} | {quadratic[i] / hold[i]:0.00} | {whole[i] / quadratic[i]:0.00} | {whole[i] / best[i]:0.00} |"));
+                $"| {group.Names[i]} | {quadratic[i] / hold[i]:0.00} | {whole[i] / quadratic[i]:0.00} | {whole[i] / best[i]:0.00} |"));
         var overQuadratic = Means.Geometric(whole.Zip(quadratic, (error, of) => error / of));
         Console.WriteLine(Text($"| mean; of adaptive ÷ quadratic the geometric one | | {overQuadratic:0.0000} | {whole.Zip(best, (error, least) => error / least).Average():0.0000} |"));
-    }
-
-    static double[] Fixed(AblationGroup group, string name) => group.Errors(() => Predictors.Create(name, PredictionLimits.Unlimited));
-
-    static JointPredictor Without(PredictionParts part) => Predictors.Adaptive(PredictionLimits.Unlimited, PredictionParts.Joint & ~part);
-
-    static string Cell(double[] errors, double[] whole)
-    {
-        var ratios = errors.Zip(whole, (error, of) => error / of).ToArray();
-        return Text($"{Means.Geometric(ratios):0.000} ({ratios.Max():0.00})");
     }
 
     static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);

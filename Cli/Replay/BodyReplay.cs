@@ -28,12 +28,16 @@ public sealed class BodyReplay
     /// <param name="path">Path of the recording, for results and error messages.</param>
     /// <param name="recording">Recording of a rigid body.</param>
     /// <exception cref="InputException">The predictor is unknown, or the recording is too long to replay.</exception>
-    public BodyReplay(string path, MotionRecording recording, ReplaySettings settings)
+    public BodyReplay(string path, MotionRecording recording, ReplaySettings settings) : this(path, recording, settings, null) { }
+
+    /// <inheritdoc cref="BodyReplay(string, MotionRecording, ReplaySettings)"/>
+    /// <param name="newPredictor">Creates the predictor. If null, the predictor of the settings is used.</param>
+    internal BodyReplay(string path, MotionRecording recording, ReplaySettings settings, Func<BodyPredictor> newPredictor)
     {
         _path = path;
         _settings = settings;
         _truth = new BodyTruth(recording);
-        _predictor = new BodyPredictor(settings.Predictor, PredictionLimits.Unlimited, settings.Blend ?? 0);
+        _predictor = newPredictor?.Invoke() ?? new BodyPredictor(settings.Predictor, PredictionLimits.Unlimited, settings.Blend ?? 0);
         _loop = new ReplayLoop(path, recording.Duration, Errors, settings);
     }
 

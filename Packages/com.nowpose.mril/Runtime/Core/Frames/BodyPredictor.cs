@@ -28,10 +28,12 @@ namespace Nowpose.Frames
         /// <see cref="Predictors.ForecastersOfObjects"/>, for all objects of a cell. Objects in one message have the same sample times, so the weights are
         /// then computed once per message. Null to create forecasters for this object only.
         /// </param>
+        /// <param name="parts">Parts of the default predictor.</param>
         /// <exception cref="InputException">The name is unknown.</exception>
-        public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0, ForecasterSet forecasters = null)
+        public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0, ForecasterSet forecasters = null,
+            PredictionParts parts = PredictionParts.Object)
         {
-            _pipeline = Predictors.OfAnObject<BodySample>(predictor, limits, forecasters ?? Predictors.ForecastersOfObjects());
+            _pipeline = Predictors.OfAnObject<BodySample>(predictor, limits, forecasters ?? Predictors.ForecastersOfObjects(parts), parts);
             for (var part = 0; part < Parts; part++) _blends[part] = new SectionBlend(Components, blend);
             _horizonCap = limits.HorizonCap;
         }

@@ -108,17 +108,18 @@ namespace Nowpose.Prediction
 
         /// <summary>Creates the pipeline of an object: its position and its angles, with three components each.</summary>
         /// <param name="forecasters"><see cref="ForecastersOfObjects"/>, which this object shares with the other objects of the cell.</param>
+        /// <param name="parts">Parts of the default predictor.</param>
         /// <inheritdoc cref="Create(string, PredictionLimits, double)"/>
-        internal static PredictionPipeline<TSample> OfAnObject<TSample>(string name, PredictionLimits limits, ForecasterSet forecasters)
+        internal static PredictionPipeline<TSample> OfAnObject<TSample>(string name, PredictionLimits limits, ForecasterSet forecasters, PredictionParts parts)
             where TSample : struct, ISample<TSample>
         {
             if (name == Default)
                 return new PredictionPipeline<TSample>(
-                    new Forecaster[] { Object(MinJump, MaxAcceleration), Object(MinTurn, MaxAngularAcceleration) }, Kept, PredictionParts.Object, limits);
-            var named = new[] { Named(name, 3, out var kept, out var parts), Named(name, 3, out _, out _) };
-            return new PredictionPipeline<TSample>(named, kept, parts, limits);
+                    new Forecaster[] { Object(MinJump, MaxAcceleration), Object(MinTurn, MaxAngularAcceleration) }, Kept, parts, limits);
+            var named = new[] { Named(name, 3, out var kept, out var preparation), Named(name, 3, out _, out _) };
+            return new PredictionPipeline<TSample>(named, kept, preparation, limits);
 
-            Mixture Object(double minJump, double maxAcceleration) => MixtureOf(3, limits, PredictionParts.Object, forecasters,
+            Mixture Object(double minJump, double maxAcceleration) => MixtureOf(3, limits, parts, forecasters,
                 ObjectGateTimeConstant, ObjectMatchInterval, new ObjectJumpDetector(3, minJump, maxAcceleration));
         }
 
@@ -126,7 +127,7 @@ namespace Nowpose.Prediction
         internal static ForecasterSet ForecastersOfJoints() => Forecasters(1, PredictionParts.Joint);
 
         /// <summary>Creates the forecasters that the objects of one cell share.</summary>
-        internal static ForecasterSet ForecastersOfObjects() => Forecasters(3, PredictionParts.Object);
+        internal static ForecasterSet ForecastersOfObjects(PredictionParts parts = PredictionParts.Object) => Forecasters(3, parts);
 
         static JointPredictor Adaptive(PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters, double blend) => new JointPredictor(
             MixtureOf(1, limits, parts, forecasters, JointGateTimeConstant, JointMatchInterval, new OutlierReturnDetector()), Kept, parts, limits, blend);

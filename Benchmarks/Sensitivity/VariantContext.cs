@@ -1,0 +1,31 @@
+using System.Reflection;
+using System.Runtime.Loader;
+using Nowpose.Benchmarks.Ablation;
+
+namespace Nowpose.Benchmarks.Sensitivity;
+
+/// <summary>Runs the ablation's motions with another version of the package's Core. The versions exist side by side in one process.</summary>
+sealed class VariantContext(byte[] core, string coreName) : AssemblyLoadContext(isCollectible: true)
+{
+    /// <summary>Gets the errors of the default predictor, for each group of motions.</summary>
+    /// <param name="recordings">Folder with recorded motions; null for none.</param>
+    public double[][] Errors(string recordings)
+    {
+        var assembly = LoadFromAssemblyPath(typeof(VariantContext).Assembly.Location);
+        var errors = assembly.GetType(typeof(VariantContext).FullName!)!.GetMethod(nameof(ErrorsHere), BindingFlags.Static | BindingFlags.NonPublic)!;
+        return (double[][])errors.Invoke(null, [recordings]);
+    }
+
+    /// <summary>Gets the errors with the Core of the assembly's own context.</summary>
+    internal static double[][] ErrorsHere(string recordings) =>
+        [.. AblationGroup.All(recordings).Select(group => group.Errors(Prediction.Predictors.Default))];
+
+    protected override Assembly Load(AssemblyName assemblyName)
+    {
+        var name = assemblyName.Name!;
+        if (name == coreName) return LoadFromStream(new MemoryStream(core));
+        // All assemblies of Nowpose use the Core, so each context has its own.
+        var path = Path.Combine(AppContext.BaseDirectory, name + ".dll");
+        return name.StartsWith("Nowpose", StringComparison.Ordinal) && File.Exists(path) ? LoadFromAssemblyPath(path) : null;
+    }
+}
