@@ -3,7 +3,7 @@ import { Chart } from './chart';
 import { type FieldData, hasPoints, type OperatingPath } from './data';
 import { Legend } from './legend';
 import { axisLabels, traceLabels } from './messages/plots';
-import { format } from './numbers';
+import { format, quantile } from './numbers';
 import { colour } from './theme';
 import { type Look, LOOKS } from './traces';
 
@@ -74,10 +74,6 @@ function extents(paths: Path[]): { latency: number; speed: number } {
     latency: 1.1 * quantile(paths[0].points.latency_ms, 0.95) || 1,
     speed: 1.1 * Math.max(...paths.map(path => quantile(path.points.speed, 0.99))) || 1,
   };
-}
-
-function quantile(values: number[], share: number): number {
-  return Float64Array.from(values).sort()[Math.ceil(share * values.length) - 1];
 }
 
 /** Returns the number of points outside the initial ranges. */

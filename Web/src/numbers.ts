@@ -20,11 +20,18 @@ export interface Statistics {
   p95: number;
 }
 
+/** Returns a quantile by linear interpolation between order statistics (R7), as the command line does; NaN without values. */
+export function quantile(values: ArrayLike<number>, share: number): number {
+  const sorted = Float64Array.from(values).sort();
+  const rank = share * (sorted.length - 1);
+  const below = Math.floor(rank);
+  return sorted[below] + (rank - below) * ((sorted[below + 1] ?? sorted[below]) - sorted[below]);
+}
+
 /** Returns the statistics of the finite numbers among the values; null if there are none. p95 is the 95th percentile of the absolute values. */
 export function statistics(values: ArrayLike<Value>): Statistics | null {
   const numbers = Array.from(values).filter((v): v is number => v != null && Number.isFinite(v));
   if (numbers.length === 0) return null;
-  const sizes = Float64Array.from(numbers, Math.abs).sort();
   let min = Infinity;
   let max = -Infinity;
   let squares = 0;
@@ -33,6 +40,5 @@ export function statistics(values: ArrayLike<Value>): Statistics | null {
     max = Math.max(max, v);
     squares += v * v;
   }
-  const p95 = sizes[Math.ceil(0.95 * sizes.length) - 1];
-  return { count: numbers.length, min, max, rms: Math.sqrt(squares / numbers.length), p95 };
+  return { count: numbers.length, min, max, rms: Math.sqrt(squares / numbers.length), p95: quantile(numbers.map(Math.abs), 0.95) };
 }

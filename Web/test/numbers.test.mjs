@@ -1,0 +1,21 @@
+// Tests the statistics of the pages.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { buildSync } from 'esbuild';
+
+const { outputFiles } = buildSync({ entryPoints: [new URL('../src/numbers.ts', import.meta.url).pathname], bundle: true, write: false, format: 'esm' });
+const { quantile, statistics } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString('base64')}`);
+
+describe('quantile', () => {
+  // The command line computes the same numbers (R7).
+  for (const [share, expected] of [[0, 1], [0.5, 3.5], [0.9, 8.5], [0.95, 9.25], [1, 10]])
+    it(`${share} of 1, 2, 5 and 10 is ${expected}`, () => assert.equal(Number(quantile([10, 1, 5, 2], share).toFixed(9)), expected));
+
+  it('of one value is the value', () => assert.equal(quantile([7], 0.95), 7));
+
+  it('without values is not a number', () => assert.ok(Number.isNaN(quantile([], 0.95))));
+});
+
+describe('statistics', () => {
+  it('use the absolute values for the percentile', () => assert.equal(Number(statistics([-10, 1, null, 5, -2, NaN]).p95.toFixed(9)), 9.25));
+});
