@@ -18,14 +18,18 @@ namespace Nowpose.Prediction.Candidates
     {
         /// <summary>
         /// Duration of the newest motion that is compared with the history, in s. Within a shorter window, a straight line matches many positions; a
-        /// longer window includes more of the preceding rest, whose duration varies.
+        /// longer window includes more of the preceding rest, whose duration varies. With 0.2 s, the errors on recordings are 1.6 % larger; with 0.8 s,
+        /// those of simulated motions 1.0 %.
         /// </summary>
         const double Window = 0.4;
 
-        /// <summary>Maximum number of samples in the window.</summary>
+        /// <summary>Maximum number of samples in the window: more than it has at an interval of 20 ms.</summary>
         const int MaxCompared = 24;
 
-        /// <summary>Minimum number of sampling intervals before the history starts. Their running mean then determines the grid step.</summary>
+        /// <summary>
+        /// Minimum number of sampling intervals before the history starts. Their running mean then determines the grid step. With 4 or 16, the errors
+        /// change by at most 0.4 %.
+        /// </summary>
         const int MinIntervals = 8;
 
         /// <summary>Minimum grid step, in s: the capacity of the history then covers the maximum lag of two minutes.</summary>

@@ -12,7 +12,7 @@ namespace Nowpose.Prediction.Mixing
     /// <remarks>Allocates nothing after construction.</remarks>
     sealed class PendingForecasts
     {
-        /// <summary>Maximum interval in which samples are interpolated to score a forecast, s.</summary>
+        /// <summary>Maximum interval in which samples are interpolated to score a forecast, s. In a longer one, a motion can start and end.</summary>
         const double MaxInterval = 0.5;
 
         /// <summary>Errors above this, in m or rad, are not scored: their squares would remain in every mean.</summary>

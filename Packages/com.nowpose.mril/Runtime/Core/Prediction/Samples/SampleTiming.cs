@@ -12,7 +12,7 @@ namespace Nowpose.Prediction.Samples
         const double MeanWeight = 0.1;
 
         /// <summary>
-        /// Maximum sampling interval, in s. A longer pause enters the mean interval with this value.
+        /// Maximum sampling interval, in s. A longer pause enters the mean interval with this value, so that a pause after the first sample is forgotten soon.
         /// </summary>
         const double MaxInterval = 0.3;
 

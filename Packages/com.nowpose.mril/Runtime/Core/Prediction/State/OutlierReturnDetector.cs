@@ -8,7 +8,10 @@ namespace Nowpose.Prediction.State
     /// </summary>
     sealed class OutlierReturnDetector : JumpDetector
     {
-        /// <summary>Minimum speed towards a wrong sample, relative to the maximum speed in two consecutive intervals.</summary>
+        /// <summary>
+        /// Minimum speed towards a wrong sample, relative to the maximum speed in two consecutive intervals. With 1.5, the errors on recordings are 0.2 %
+        /// larger.
+        /// </summary>
         const double MinSpeedRatio = 3;
 
         /// <summary>Maximum distance of the sample after a wrong one from the sample before it, relative to the distance of the wrong one.</summary>
