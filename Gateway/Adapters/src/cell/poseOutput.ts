@@ -1,27 +1,18 @@
-import { isStationary, type Component, type Frame } from '../configuration/frames';
+import { isStationary, type Frame } from '../configuration/frames';
 import type { OfferedClock } from '../clock/offeredClock';
 import type { AdapterStatus } from '../gateway/status';
 import { grouped } from '../samples/grouping';
+import type { SourceStop } from '../samples/jointOutput';
 import { numberIn } from '../samples/number';
 import type { PlantValue } from '../samples/plantOutput';
-import { SampleSilence } from '../samples/sampleSilence';
+import { ENDED_IN_MOTION, SampleSilence } from '../samples/sampleSilence';
 import { OF_LONG_AGO, type Refusal, StampRule } from '../samples/stampRule';
-import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
+import { type Nanoseconds, ofMilliseconds } from '../times';
 import { ComponentTrack } from './component';
-import { MAX_TRANSFORMS, type Pose, TF, TF_STATIC, tooFar, transform } from './messages';
-import { IDENTITY, ofAngles, ofVector, type Quaternion, unit } from './rotation';
-import { refusalMessages } from '../messages/values';
-
-/** SILENCE: minimum time without changes after which a pose is repeated. REPETITION: interval of repetitions. Headsets predict for about 300 ms. */
-const SILENCE: Nanoseconds = 60n * NS_PER_MS;
-const REPETITION: Nanoseconds = 50n * NS_PER_MS;
-
-/**
- * SILENT_INTERVALS: time without changes after which a pose is repeated, as a multiple of the time between changes. MAX_INTERVAL: times between
- * changes of at least this length are ignored.
- */
-const SILENT_INTERVALS = 2n;
-const MAX_INTERVAL: Nanoseconds = 500n * NS_PER_MS;
+import { poseOf, STEP } from './framePose';
+import { silenceOf, type Track, trackOf } from './frameTrack';
+import { MAX_TRANSFORMS, type Pose, TF, TF_STATIC, transform } from './messages';
+import { refusalMessages, silenceMessages } from '../messages/values';
 
 export interface PoseOptions {
   /** Maximum difference of stamps that belong to the same sample. */
@@ -36,12 +27,6 @@ export interface PoseOptions {
 /** Maximum interval between the values of a moving component, as a multiple of the source's sampling interval. */
 const PATIENCE_INTERVALS = 5;
 
-/** Maximum change of a quaternion or rotation vector component between two samples. A larger change means that all signs have changed. */
-const MAX_STEP = 1;
-
-/** Value of `jump` for a number that must not be interpolated. */
-const STEP = 0;
-
 interface Publisher {
   publish(topic: string, msg: object): void;
   publishKept(topic: string, msg: object): void;
@@ -50,21 +35,6 @@ interface Publisher {
 interface StampedPose {
   stamp: Nanoseconds;
   pose: Pose;
-}
-
-/** The state of a tracked frame. */
-interface Track {
-  index: number;
-  frame: Frame;
-  /** Indices of the values from which the pose is computed. */
-  values: number[];
-  /** Stamp of the newest pose; null before the first. */
-  newest: Nanoseconds | null;
-  /** Stamp of the newest change; null before the first. */
-  changed: Nanoseconds | null;
-  /** The two times between the last three changes. The shorter one is used, because the other may be a pause. */
-  intervals: Nanoseconds[];
-  isRepeated: boolean;
 }
 
 /** Computes the poses of frames from a plant's values, and publishes them. A pose needs a valid value for each of its components. */
@@ -76,6 +46,8 @@ export class PoseOutput {
   /** Sampling interval of the source in seconds; 0 if unknown. */
   samplingS = 0;
   readonly silence: SampleSilence;
+  /** Gets the phase in which the source stopped writing a value; null if it has not stopped, or if this is unknown. */
+  sourceStopOf: (value: number) => SourceStop | null = () => null;
 
   /**
    * @param labels Descriptions of all values that are read, for messages.
@@ -91,12 +63,11 @@ export class PoseOutput {
     counter?: () => number,
   ) {
     this.#components = labels.map(() => new ComponentTrack());
-    this.#tracks = frames
-      .filter(frame => !isStationary(frame))
-      .map((frame, index) => ({ index, frame, values: valuesOf(frame), newest: null, changed: null, intervals: [], isRepeated: false }));
+    this.#tracks = frames.filter(frame => !isStationary(frame)).map(trackOf);
     this.#rule = new StampRule(this.#tracks.length, options.oldest);
     const limits = new Map(frames.map(({ frame, faultAfterMs }) => [frame, faultAfterMs]));
     this.silence = new SampleSilence(status, frame => (limits.has(frame) ? limits.get(frame) : options.faultAfterMs) ?? null, counter, status.frames);
+    this.silence.endOf = (name, silentMs) => this.#endOf(name, silentMs);
     for (const { frame } of this.#tracks) status.frames.expect(frame.frame);
     this.#publishStationary(frames.filter(isStationary));
   }
@@ -125,7 +96,7 @@ export class PoseOutput {
   }
 
   /**
-   * Repeats the poses of frames at rest, for a plant that sends only changes.
+   * Repeats the poses of frames at rest, for a plant that sends only changes. The pose of a frame whose data have ended is not repeated.
    * @param time Control time up to which all changes have been passed to `publish`.
    * @param silence Maximum interval between the samples of a moving frame.
    * @param except Indices of values that have changed, or may have changed, after `time`.
@@ -136,10 +107,10 @@ export class PoseOutput {
     const poses = this.#tracks.flatMap(track => {
       const pose = poseOf(track.frame, index => this.#components[index].value);
       const isDue = track.newest === null || time - track.newest >= silenceOf(track, silence);
-      if (pose === null || 'reason' in pose || !isDue || track.values.some(index => except.has(index))) return [];
+      if (pose === null || 'reason' in pose || !isDue || track.values.some(index => except.has(index)) || this.#hasEnded(track)) return [];
       if (this.#rule.judge(track.index, time, now) !== null) return [];
       [track.newest, track.isRepeated] = [time, true];
-      this.silence.confirm(track.frame.frame);
+      this.silence.confirm(track.frame.frame, this.#uncertaintyOf(track));
       return [{ stamp: time, pose }];
     });
     this.#send(poses);
@@ -147,7 +118,13 @@ export class PoseOutput {
 
   /** Updates the state of frames that have been silent for too long. */
   checkSilence(): void {
-    this.silence.check();
+    const faults = new Set(this.silence.check());
+    for (const track of this.#tracks) track.hasEnded ||= faults.has(track.frame.frame);
+  }
+
+  /** Whether the value belongs to a frame whose data have ended. */
+  hasEnded(value: number): boolean {
+    return this.#tracksOf(value).some(({ hasEnded }) => hasEnded);
   }
 
   /** Reports the reason why the frames of a value are not published yet although the value has arrived. */
@@ -158,7 +135,10 @@ export class PoseOutput {
   /** Prepares for a new connection. Objects at rest may have moved since the previous one. */
   restart(): void {
     for (const component of this.#components) component.forget();
-    for (const track of this.#tracks) [track.newest, track.isRepeated] = [null, false];
+    for (const track of this.#tracks) {
+      [track.newest, track.isRepeated] = [null, false];
+      track.motion.restart();
+    }
   }
 
   /** Reports that the plant no longer has this value. */
@@ -188,9 +168,44 @@ export class PoseOutput {
     if (isFirst === true && isOld) {
       // Keeps the value. It is published when it is known to be at rest.
       this.#components[index].rest(number);
+      for (const track of this.#tracksOf(index)) this.#arrive(track, stamp);
       return undefined;
     }
     return stamp === null ? { reason: 'stamp-missing', text: refusalMessages.noStamp } : number;
+  }
+
+  /** Reports a first value. It ends the state of a frame whose data had ended only if the source has written it since. */
+  #arrive(track: Track, stamp: Nanoseconds | null): void {
+    const isNewer = stamp !== null && track.changed !== null && stamp > track.changed;
+    if (track.hasEnded && !isNewer) return;
+    track.hasEnded = false;
+    this.silence.arrived(track.frame.frame);
+  }
+
+  /** Determines whether the data of a frame without newer values have ended, and sets its state if they ended during a motion. */
+  #hasEnded(track: Track): boolean {
+    if (track.hasEnded) return true;
+    const { impossible, unobserved } = track.motion.end(this.samplingS);
+    const isAbandoned = unobserved !== null && track.values.some(value => this.sourceStopOf(value) === 'after-change');
+    const reason = impossible ?? (isAbandoned ? `${unobserved}, and ${silenceMessages.notWritten}` : null);
+    if (reason === null) return false;
+    track.hasEnded = true;
+    const { frame } = track.frame;
+    this.status.frames.fault(frame, { reason: ENDED_IN_MOTION, text: silenceMessages.endedBecause(reason) }, this.silence.lastSample(frame));
+    return true;
+  }
+
+  /** Gets the reason why the data of a frame of a source without confirmations ended during a motion; null if they did not. */
+  #endOf(name: string, silentMs: number): string | null {
+    const track = this.#tracks.find(({ frame }) => frame.frame === name);
+    const reason = track === undefined || silentMs < track.motion.overdueMs ? null : track.motion.end(this.samplingS).impossible;
+    return reason === null ? null : silenceMessages.endedBecause(reason);
+  }
+
+  /** Gets the reason why the frame may not be at rest; an empty string if there is none. */
+  #uncertaintyOf({ values, motion }: Track): string {
+    if (values.some(value => this.sourceStopOf(value) !== null)) return silenceMessages.notWritten;
+    return motion.end(this.samplingS).unobserved ?? '';
   }
 
   /**
@@ -214,7 +229,8 @@ export class PoseOutput {
       return [];
     }
     if (track.changed !== null) track.intervals = [...track.intervals.slice(-1), stamp - track.changed];
-    [track.newest, track.changed, track.isRepeated] = [stamp, stamp, false];
+    [track.newest, track.changed, track.isRepeated, track.hasEnded] = [stamp, stamp, false, false];
+    track.motion.add(stamp, pose as Pose);
     this.status.accept(frame);
     this.silence.heard(frame);
     return [{ stamp, pose: pose as Pose }];
@@ -232,51 +248,4 @@ export class PoseOutput {
     const transforms = frames.map(frame => transform(0n, poseOf(frame, () => null) as Pose));
     if (transforms.length > 0) this.gateway.publishKept(TF_STATIC, { transforms });
   }
-}
-
-const valuesOf = ({ selector, position, rotation }: Frame): number[] =>
-  [...(selector === null ? [] : [selector]), ...position, ...(rotation?.parts ?? [])].flatMap(part => ('value' in part ? [part.value] : []));
-
-function silenceOf({ intervals, isRepeated }: Track, silence: Nanoseconds): Nanoseconds {
-  if (isRepeated) return REPETITION;
-  const interval = intervals.reduce((shortest, each) => (each < shortest ? each : shortest), MAX_INTERVAL);
-  const least = silence > SILENCE ? silence : SILENCE;
-  return intervals.length > 0 && interval < MAX_INTERVAL && SILENT_INTERVALS * interval > least ? SILENT_INTERVALS * interval : least;
-}
-
-/**
- * Computes the pose of a frame; null if a number is missing, and a refusal if the numbers do not form a valid parent and rotation.
- * @param numberOf Gets the number of a value. Between two numbers that differ by more than `jump`, it must not interpolate.
- */
-function poseOf(
-  { frame, parents, selector, position, scale, rotation }: Frame,
-  numberOf: (value: number, jump: number) => number | null,
-): Pose | Refusal | null {
-  const found = (parts: Component[], jump: number): number[] | null => {
-    const all = parts.map(part => ('constant' in part ? part.constant : numberOf(part.value, jump)));
-    return all.includes(null) ? null : (all as number[]);
-  };
-  const place = found(position, Infinity);
-  const parts = rotation === null ? [] : found(rotation.parts, rotation.kind === 'angles' ? Math.PI / rotation.scale : MAX_STEP);
-  const [choice] = selector === null ? [0] : (found([selector], STEP) ?? [null]);
-  if (place === null || parts === null || choice === null) return null;
-  if (!Number.isInteger(choice) || choice < 0 || choice >= parents.length)
-    return { reason: 'parent', text: refusalMessages.parent(choice, parents.length - 1) };
-  const turned = turnOf(rotation, parts);
-  if (turned === null) return { reason: 'not-unit', text: refusalMessages.quaternion(Math.hypot(...parts)) };
-  const metres = place.map(value => value * scale);
-  const far = tooFar(metres);
-  if (far !== null) return far;
-  return { frame, parent: parents[choice], position: metres, rotation: turned };
-}
-
-function turnOf(rotation: Frame['rotation'], parts: number[]): Quaternion | null {
-  if (rotation === null) return IDENTITY;
-  if (rotation.kind === 'angles')
-    return ofAngles(
-      parts.map(angle => angle * rotation.scale),
-      rotation.order,
-      rotation.isFixed,
-    );
-  return rotation.kind === 'vector' ? ofVector(parts) : unit(parts);
 }

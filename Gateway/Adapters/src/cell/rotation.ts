@@ -12,6 +12,13 @@ export function unit([x, y, z, w]: readonly number[]): Quaternion | null {
   return Math.abs(length - 1) <= MAX_LENGTH_ERROR ? [x / length, y / length, z / length, w / length] : null;
 }
 
+/** Gets the angle of the rotation from one orientation to another, in rad from 0 to π. */
+export function angleBetween([ax, ay, az, aw]: Quaternion, [x, y, z, w]: Quaternion): number {
+  // The vector part of the difference is precise also for small angles.
+  const [dx, dy, dz, dw] = product([-ax, -ay, -az, aw], [x, y, z, w]);
+  return 2 * Math.atan2(Math.hypot(dx, dy, dz), Math.abs(dw));
+}
+
 /** Gets the rotation for a rotation vector, whose direction is the axis and whose length is the angle in rad. */
 export function ofVector([x, y, z]: readonly number[]): Quaternion {
   const angle = Math.hypot(x, y, z);

@@ -32,6 +32,8 @@ export interface Frame {
   rotation: RotationSource | null;
   /** Time without data after which the frame has a fault, ms; null if a silent frame counts as at rest. */
   faultAfterMs: number | null;
+  /** Maximum deceleration in m/s² and, for the rotation, rad/s²; null if unknown. */
+  maxDeceleration: number | null;
 }
 
 type NumberEntry = number | Address;
@@ -51,6 +53,7 @@ export interface FrameEntry {
   quaternion?: { x: NumberEntry; y: NumberEntry; z: NumberEntry; w: NumberEntry };
   angles?: { order: string; axes: 'fixed' | 'moving'; unit: string; values: NumberEntry[] };
   silence?: SilenceEntry;
+  max_deceleration?: number;
 }
 
 const LENGTHS: Record<string, number> = { m: 1, mm: 0.001 };
@@ -89,6 +92,7 @@ export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], si
       scale: LENGTHS[unit],
       rotation: rotationOf(entry, (at, label, found) => component([...path, ...at], label, found)),
       faultAfterMs: silenceMs(entry.silence ?? silence),
+      maxDeceleration: entry.max_deceleration ?? null,
     };
     return [frame];
   });

@@ -39,12 +39,12 @@ export const stateMessages = {
 // The gateway recognises this remedy by its beginning "set ".
 const CURE = 'set silence: { fault_after_s: N } if the source sends its values repeatedly, even at rest';
 
-/** Messages about a joint without new values: the reason for its state, and the reason why it may not be at rest. */
+/** Messages about a joint or frame without new values: the reason for its state, and the reason why it may not be at rest. */
 export const silenceMessages = {
   confirmed: 'the source confirms the last value',
   noValue: 'no new value has arrived',
   /**
-   * @param evidence Fact about the joint without new values.
+   * @param evidence Fact about the joint or frame without new values.
    * @param maxMs Time after which missing values are a fault, ms; null if they count as rest.
    */
   basis: (evidence: string, maxMs: number | null) =>
@@ -65,6 +65,6 @@ export const silenceMessages = {
 
 const LIMITS = {
   configured: 'of max_deceleration',
-  observed: 'observed in the samples; if the joint can brake harder, set max_deceleration',
-  assumed: 'assumed for the joint; if the joint can brake harder, set max_deceleration',
+  observed: 'observed in the samples; if a harder stop is possible, set max_deceleration',
+  assumed: 'assumed; if a harder stop is possible, set max_deceleration',
 };

@@ -94,10 +94,12 @@ export class EndOfData {
   /**
    * @param floor Deceleration that the joint is assumed to be capable of, in rad/s² or m/s².
    * @param configured Configured maximum deceleration in the same unit, which replaces the floor and the observed values. Null if unknown.
+   * @param maxQuantum Largest quantum of a value that changes by one quantum per sample. Larger steps that are all equal are a constant speed.
    */
   constructor(
     readonly floor: number,
     readonly configured: number | null = null,
+    readonly maxQuantum = Infinity,
   ) {}
 
   /** Time after the last sample at which the next sample of a moving joint is overdue, in ms. */
@@ -212,7 +214,8 @@ export class EndOfData {
     const intervals = this.#intervals().slice(-NOISE_INTERVALS);
     const usual = Math.max(samplingS, Math.min(...intervals));
     const noise = intervals.every(interval => interval < NO_GAP * usual) ? positionNoise(this.#points) : null;
-    return noise === null || noise <= EQUAL * this.#smallestStep ? this.#smallestStep : Math.min(this.#smallestStep, noise);
+    const bound = noise === null ? Infinity : noise <= EQUAL * this.#smallestStep ? this.maxQuantum : noise;
+    return Math.min(this.#smallestStep, bound);
   }
 
   /** Gets the decelerations from the newest second differences; 0 for an acceleration. */

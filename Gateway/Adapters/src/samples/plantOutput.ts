@@ -101,9 +101,9 @@ export class PlantOutput {
     else this.signals.refuse(index, { reason, text });
   }
 
-  /** Whether the value belongs to a joint whose data ended during a motion. */
+  /** Whether the value belongs to a joint whose data ended during a motion, or to a frame whose data ended. */
   hasEnded(index: number): boolean {
-    return index < this.#firstOfFrames && this.joints.hasEnded(index);
+    return index < this.#firstOfFrames ? this.joints.hasEnded(index) : this.frames.hasEnded(index);
   }
 
   /**
@@ -111,7 +111,7 @@ export class PlantOutput {
    * is unknown.
    */
   set sourceStopOf(stopOf: (index: number) => SourceStop | null) {
-    this.joints.sourceStopOf = stopOf;
+    this.joints.sourceStopOf = this.frames.sourceStopOf = stopOf;
   }
 
   /** Sets the sampling interval of the source in seconds. */

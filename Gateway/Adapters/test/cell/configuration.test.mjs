@@ -97,6 +97,12 @@ describe('configuration of frames, signals and robots', () => {
     ['a', 'arm', 'q.0'], ['part parent', 'part', 'parent'], ['part x', 'part', 'pose.x'], ['part angle z', 'part/angle', undefined], ['closed', 'gripper/closed', undefined],
   ]));
 
+  it('Frames_MaxDeceleration_IsThatOfTheFrameAndNotOfThePlant', () => {
+    const text = OPCUA.replace('  endpoint', '  max_deceleration: 15\n  endpoint').replace('frame: part', 'frame: part\n    max_deceleration: 40');
+
+    assert.deepEqual(read(text).frames.map(({ maxDeceleration }) => maxDeceleration), [null, 40]);
+  });
+
   it('Ros_FramesAndSignals_AreValid', () => assert.deepEqual(linesOf(ROS, '  world: map\n', ''), []));
 
   for (const [name, text, from, to, expected] of [
@@ -125,6 +131,7 @@ describe('configuration of frames, signals and robots', () => {
     ['ConstantQuaternionTooLong', ADS, '{ symbol: MAIN.qz }, w: { symbol: MAIN.qw }', '0, w: 2', `line 8: frames[0].quaternion: ${frameMessages.constantQuaternion([0, 0, 0, 2], 'part', 2, 0.999, 1.001)}`],
     ['ConstantQuaternionTooShort', ADS, '{ symbol: MAIN.qz }, w: { symbol: MAIN.qw }', '0, w: 0.998', `line 8: frames[0].quaternion: ${frameMessages.constantQuaternion([0, 0, 0, 0.998], 'part', 0.998, 0.999, 1.001)}`],
     ['RestWithoutOnChange', ADS, 'frame: part', 'frame: part\n    silence: rest', `line 7: frames[0].silence: ${adsSettingMessages.restWithoutOnChange}`],
+    ['FrameCannotDecelerate', OPCUA, 'frame: part', 'frame: part\n    max_deceleration: 0', 'line 14: frames[1].max_deceleration: value 0; '],
     ['SignalTwice', OPCUA, 'signal: speed', 'signal: closed', `line 19: signals[1].signal: ${configurationMessages.nameTwice('closed', 18, 'signal')}`],
     ['SignalWithoutNode', OPCUA, 'signal: closed, node: i=6', 'signal: closed', 'line 18: signals[0].node: missing; '],
     ['InvalidNamespace', OPCUA, '  arm1: ur5e', '  1arm: ur5e', 'line 4: robots: value '],

@@ -1,0 +1,56 @@
+import type { Frame } from '../configuration/frames';
+import { type Nanoseconds, NS_PER_MS } from '../times';
+import { FrameMotion } from './frameMotion';
+import { valuesOf } from './framePose';
+
+/** SILENCE: minimum time without changes after which a pose is repeated. REPETITION: interval of repetitions. Headsets predict for about 300 ms. */
+const SILENCE: Nanoseconds = 60n * NS_PER_MS;
+const REPETITION: Nanoseconds = 50n * NS_PER_MS;
+
+/**
+ * SILENT_INTERVALS: time without changes after which a pose is repeated, as a multiple of the time between changes. MAX_INTERVAL: times between
+ * changes of at least this length are ignored.
+ */
+const SILENT_INTERVALS = 2n;
+const MAX_INTERVAL: Nanoseconds = 500n * NS_PER_MS;
+
+/** The state of a tracked frame. */
+export interface Track {
+  index: number;
+  frame: Frame;
+  /** Indices of the values from which the pose is computed. */
+  values: number[];
+  /** Stamp of the newest pose; null before the first. */
+  newest: Nanoseconds | null;
+  /** Stamp of the newest change; null before the first. */
+  changed: Nanoseconds | null;
+  /** The two times between the last three changes. The shorter one is used, because the other may be a pause. */
+  intervals: Nanoseconds[];
+  isRepeated: boolean;
+  motion: FrameMotion;
+  /** Whether the data have ended: during a motion, or for longer than the setting silence allows. Only a newer pose ends this state. */
+  hasEnded: boolean;
+}
+
+export const trackOf = (frame: Frame, index: number): Track => ({
+  index,
+  frame,
+  values: valuesOf(frame),
+  newest: null,
+  changed: null,
+  intervals: [],
+  isRepeated: false,
+  motion: new FrameMotion(frame.maxDeceleration),
+  hasEnded: false,
+});
+
+/**
+ * Gets the minimum time without changes after which a pose is repeated; if it has been repeated already, the repetition interval.
+ * @param silence Maximum interval between the samples of a moving frame.
+ */
+export function silenceOf({ intervals, isRepeated }: Track, silence: Nanoseconds): Nanoseconds {
+  if (isRepeated) return REPETITION;
+  const interval = intervals.reduce((shortest, each) => (each < shortest ? each : shortest), MAX_INTERVAL);
+  const least = silence > SILENCE ? silence : SILENCE;
+  return intervals.length > 0 && interval < MAX_INTERVAL && SILENT_INTERVALS * interval > least ? SILENT_INTERVALS * interval : least;
+}
