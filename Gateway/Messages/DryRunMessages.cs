@@ -13,6 +13,8 @@ static class DryRunMessages
     public static string NotWritable(string option, string path, string folder) =>
         $"{option} {path}: this user cannot write into the folder {folder}; change its permissions or the path";
 
+    public static string WarningLog(string warning) => $"warning: {warning}";
+
     public static string MissingJointsLog(IReadOnlyList<string> joints) => $"missing joints: {MissingJoints(joints)}";
 
     public static string MissingJoints(IReadOnlyList<string> joints)

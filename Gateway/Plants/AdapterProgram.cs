@@ -33,7 +33,7 @@ static class AdapterProgram
             return new PlantFile(file, content.Name, lines[0].Trim())
             {
                 Joints = content.Joints, PassesUnlisted = content.PassesUnlisted, HasObjects = content.HasObjects, Robot = content.Robot,
-                Robots = content.Robots ?? [],
+                Robots = content.Robots ?? [], Warnings = content.Warnings ?? [],
             };
         }
         catch (OperationCanceledException) when (!stop.IsCancellationRequested)
@@ -60,7 +60,8 @@ static class AdapterProgram
     }
 
     internal sealed record PlantContent(
-        string Name, string[] Joints, bool PassesUnlisted, string Robot, Dictionary<string, string> Robots = null, bool HasObjects = false)
+        string Name, string[] Joints, bool PassesUnlisted, string Robot, Dictionary<string, string> Robots = null, bool HasObjects = false,
+        string[] Warnings = null)
     {
         static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
 

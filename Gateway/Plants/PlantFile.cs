@@ -25,6 +25,9 @@ sealed record PlantFile(string Path, string Name, string Summary)
     /// <summary>The URDFs that the adapter publishes for robots with a namespace, by namespace.</summary>
     public IReadOnlyDictionary<string, string> Robots { get; init; } = new Dictionary<string, string>();
 
+    /// <summary>Warnings about valid entries of the file, each with the file and the line.</summary>
+    public IReadOnlyList<string> Warnings { get; init; } = [];
+
     /// <summary>
     /// Whether the plants of a gateway must send joint positions. False for a cell with objects or signals but without a robot.
     /// </summary>

@@ -70,6 +70,7 @@ static class ServeVerb
             var read = await AdapterProcesses.CheckAsync(files, options, stop);
             options = options with { ExpectsSources = PlantFile.ExpectsJoints(read, description) };
             foreach (var one in read) Announcement.Log(one.Summary);
+            foreach (var warning in read.SelectMany(one => one.Warnings)) Announcement.Log(DryRunMessages.WarningLog(warning));
             if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log(DryRunMessages.MissingJointsLog(missing));
             await using var gateway = await GatewayServer.StartAsync(options, clock, Announcement.Log, stop);
             using var source = gateway.Hub.OpenSource();
@@ -97,6 +98,7 @@ static class ServeVerb
         {
             var read = await AdapterProcesses.CheckAsync(plants, options, stop);
             foreach (var good in read) findings.Good("plant", good.Summary);
+            foreach (var warning in read.SelectMany(one => one.Warnings)) findings.Good("warning", warning);
             // Not an error, because another client may publish the missing joints.
             if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) findings.Good("missing_joints", DryRunMessages.MissingJoints(missing));
         }

@@ -68,7 +68,7 @@ public sealed partial class MessageCatalogueTests
         ],
         // The name of the reason if nothing was dropped. A separate test checks all reasons.
         ["DropMessages"] = ["Of"],
-        ["DryRunMessages"] = ["MissingJoints", "MissingJointsLog", "PortInUse"],
+        ["DryRunMessages"] = ["MissingJoints", "MissingJointsLog", "PortInUse", "WarningLog"],
         ["FigureErrors"] = ["NotAValue", "NotFinite"],
         ["FrameMessages"] = ["FileLine", "FiniteNumber", "List", "Object", "OfFrame", "OfTransform", "Text"],
         ["HeadsetMessages"] = ["AtEnd", "CurrentAgain", "NeverCurrent", "Pose"],

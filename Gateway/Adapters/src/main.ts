@@ -28,10 +28,14 @@ async function main(): Promise<number> {
   if (!isCheck) return runPlant(configuration);
   const kind = kinds[configuration.plant.kind];
   const obstacle = kind.obstacle?.(configuration) ?? null;
-  if (obstacle === null) process.stdout.write(`${others[0]} is valid: ${kind.summary(configuration)}\n`);
-  if (obstacle === null && configuration.isSupervised) await written(`${JSON.stringify(contentOf(kind, configuration))}\n`);
-  if (obstacle !== null) process.stderr.write(`${obstacle}\n`);
-  return obstacle === null ? 0 : BAD_INPUT;
+  if (obstacle !== null) {
+    process.stderr.write(`${obstacle}\n`);
+    return BAD_INPUT;
+  }
+  process.stdout.write(`${others[0]} is valid: ${kind.summary(configuration)}\n`);
+  if (configuration.isSupervised) await written(`${JSON.stringify(contentOf(kind, configuration))}\n`);
+  for (const warning of configuration.warnings) process.stderr.write(`warning: ${warning}\n`);
+  return 0;
 }
 
 /** Writes a string and waits until it is written. Otherwise, the end of the process could truncate a string longer than the pipe's buffer. */
@@ -49,6 +53,7 @@ function contentOf(kind: Kind, configuration: Configuration): object {
     has_objects: configuration.hasObjects,
     robot: configuration.robot,
     robots: configuration.robots,
+    warnings: configuration.warnings,
   };
 }
 

@@ -53,7 +53,21 @@ describe('configuration', () => {
     const { status, out } = await check(t, path, { ...process.env, NOWPOSE_SUPERVISED: '1' });
 
     const [, content] = out.split('\n');
-    assert.deepEqual([status, JSON.parse(content)], [0, { name: 'opcua', joints: ['arm_joint_1', 'arm_joint_2'], passes_unlisted: false, has_objects: false, robot: null, robots: {} }]);
+    assert.deepEqual([status, JSON.parse(content)], [0, { name: 'opcua', joints: ['arm_joint_1', 'arm_joint_2'], passes_unlisted: false, has_objects: false, robot: null, robots: {}, warnings: [] }]);
+  });
+
+  it('Check_ParentInAnotherNode_PrintsAWarningAndSucceeds', async t => {
+    const path = temporaryFile('plant.yaml', `${GOOD}frames:
+  - frame: part
+    parent: { of: [world, tool0], node: i=1 }
+    position: { unit: m, x: { node: i=2 }, y: 0, z: 0 }
+`);
+
+    const alone = await check(t, path), supervised = await check(t, path, { NOWPOSE_SUPERVISED: '1' });
+
+    const { warnings } = JSON.parse(supervised.out.split('\n')[1]);
+    assert.deepEqual([alone.status, supervised.status, warnings.length], [0, 0, 1]);
+    assert.deepEqual(alone.lines, [`warning: ${warnings[0]}`]);
   });
 
   for (const [name, from, to, expected] of [

@@ -194,6 +194,25 @@ public class AdapterProcessTests
             new[] { "arm1/shoulder_lift_joint", "arm1/elbow_joint", "arm1/wrist_1_joint", "arm1/wrist_2_joint", "arm1/wrist_3_joint" }));
     }
 
+    [Test]
+    public async Task Check_ParentInAnotherNodeThanThePose_PrintsAWarning()
+    {
+        const string Part = """
+
+            frames:
+              - frame: part
+                parent: { of: [world, tool0], node: i=1 }
+                position: { unit: m, x: { node: i=2 }, y: 0, z: 0 }
+            """;
+        var path = Write(Good + Part);
+
+        var (status, output, errors) = await CapturedConsole.OfAsync(() => Nowpose.Gateway.CommandLine.RunAsync(
+            ["serve", "--check", "--plant", path, "--ws-port", "0", "--sync-port", "0"]).Bounded());
+
+        Assert.That(status, Is.Zero, errors);
+        Assert.That(CapturedConsole.Lines(output), Has.One.StartsWith($"warning {path}, line 10: frames[0].parent: "));
+    }
+
     /// <summary>The description is longer than the buffer of a pipe, so it could be truncated when the adapter's process exits.</summary>
     [Test]
     public async Task Check_LongRobotDescription_ArrivesCompletely()

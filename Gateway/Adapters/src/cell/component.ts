@@ -19,6 +19,11 @@ export class ComponentTrack {
     return this.#newest?.value ?? this.#resting;
   }
 
+  /** Stamp of the newest value; null if its time is unknown, or before the first. */
+  get stamp(): Nanoseconds | null {
+    return this.#newest?.stamp ?? null;
+  }
+
   add(value: number, stamp: Nanoseconds): void {
     if (this.#newest !== null && stamp < this.#newest.stamp) return;
     [this.#previous, this.#newest] = [this.#newest, { value, stamp }];
@@ -27,6 +32,11 @@ export class ComponentTrack {
   /** Sets the value that the component already had before the connection was made. */
   rest(value: number): void {
     this.#resting = value;
+  }
+
+  /** Forgets the value before the newest one, which is a coordinate in another parent. */
+  settle(): void {
+    this.#previous = null;
   }
 
   forget(): void {
@@ -42,11 +52,6 @@ export class ComponentTrack {
     if (this.#newest === null || this.#previous === null || this.#newest.stamp >= time) return time;
     const isMoving = this.#newest.stamp - this.#previous.stamp <= patience && time - this.#newest.stamp <= patience;
     return isMoving ? this.#newest.stamp : time;
-  }
-
-  /** Gets the value at a given time without interpolation, for a number that changes in steps; null before the first value. */
-  stepAt(time: Nanoseconds): number | null {
-    return this.#previous !== null && this.#newest!.stamp > time ? this.#previous.value : this.value;
   }
 
   /**

@@ -1,18 +1,21 @@
 import { decelerationFloor, EndOfData } from '../samples/endOfData';
 import { silenceMessages } from '../messages/values';
 import { type Nanoseconds, toMilliseconds } from '../times';
-import type { Pose } from './messages';
+import type { Pose, StampedPose } from './messages';
 import { angleBetween } from './rotation';
 
 /** A speed above this multiple of the previous one is a jump to another place, which is not a part of the motion. */
 const JUMP = 5;
 
+/** A frame counts as at rest after a time without changes of more than this multiple of the usual interval between its poses. */
+const REST_INTERVALS = 2;
+
 /**
- * Assumed largest quantum of a position in m and of an angle in rad. Belts and turntables move at a constant speed, so all steps of a frame may be
- * equal.
+ * MAX_QUANTUM: assumed largest quantum of a distance in m or of an angle in rad. Belts and turntables move at a constant speed, so all steps of a
+ * frame may be equal. MIN_JUMP: minimum length of a jump that delays a pose.
  */
-const MAX_QUANTUM = 1e-4;
-const MAX_ANGLE_QUANTUM = 2e-3;
+const LINEAR = { unit: 'm/s²', MAX_QUANTUM: 1e-4, MIN_JUMP: 0.01 };
+const ROTARY = { unit: 'rad/s²', MAX_QUANTUM: 2e-3, MIN_JUMP: 0.1 };
 
 /** What is known about the end of a frame's motion. */
 interface End {
@@ -29,11 +32,10 @@ class Path {
   #speed = 0;
 
   constructor(
-    readonly unit: string,
-    isLinear: boolean,
+    readonly kind: typeof LINEAR,
     maxDeceleration: number | null,
   ) {
-    this.end = new EndOfData(decelerationFloor(isLinear), maxDeceleration, isLinear ? MAX_QUANTUM : MAX_ANGLE_QUANTUM);
+    this.end = new EndOfData(decelerationFloor(kind === LINEAR), maxDeceleration, kind.MAX_QUANTUM);
   }
 
   restart(): void {
@@ -48,20 +50,25 @@ class Path {
     this.#covered += step;
     this.end.add(stamp, this.#covered);
   }
+
+  /** Whether a step is much longer than the speed before it explains. */
+  isJump(step: number, seconds: number, isAtRest: boolean): boolean {
+    return step >= this.kind.MIN_JUMP && (isAtRest || step / seconds > JUMP * this.#speed);
+  }
 }
 
 /** Watches the motion of one frame in its parent, to detect that its data ended during the motion. */
 export class FrameMotion {
   readonly #distance: Path;
   readonly #angle: Path;
-  #last: { stamp: Nanoseconds; pose: Pose } | null = null;
+  #last: StampedPose | null = null;
   /** The end of the motion at the last pose; null before it is judged. */
   #end: End | null = null;
 
   /** @param maxDeceleration Maximum deceleration of the frame in m/s² and rad/s²; null if unknown. */
   constructor(maxDeceleration: number | null) {
-    this.#distance = new Path('m/s²', true, maxDeceleration);
-    this.#angle = new Path('rad/s²', false, maxDeceleration);
+    this.#distance = new Path(LINEAR, maxDeceleration);
+    this.#angle = new Path(ROTARY, maxDeceleration);
   }
 
   /** Time after the last pose at which the next pose of a moving frame is overdue, in ms. */
@@ -78,12 +85,21 @@ export class FrameMotion {
   /** Adds a pose, which is newer than the previous one. A pose in another parent starts another motion. */
   add(stamp: Nanoseconds, pose: Pose): void {
     if (this.#last?.pose.parent !== pose.parent) this.restart();
-    const { stamp: since, pose: from } = this.#last ?? { stamp, pose };
-    const seconds = toMilliseconds(stamp - since) / 1000;
-    const distance = Math.hypot(...pose.position.map((metres, i) => metres - from.position[i]));
+    const { distance, angle, seconds } = stepBetween(this.#last ?? { stamp, pose }, { stamp, pose });
     this.#distance.add(stamp, distance, seconds);
-    this.#angle.add(stamp, angleBetween(from.rotation, pose.rotation), seconds);
+    this.#angle.add(stamp, angle, seconds);
     [this.#last, this.#end] = [{ stamp, pose }, null];
+  }
+
+  /**
+   * Whether a pose in the same parent is at a place that the motion so far does not explain.
+   * @param samplingS Sampling interval of the source in seconds; 0 if unknown.
+   */
+  isJump(stamp: Nanoseconds, pose: Pose, samplingS: number): boolean {
+    if (this.#last === null) return false;
+    const { distance, angle, seconds } = stepBetween(this.#last, { stamp, pose });
+    const isAtRest = seconds > REST_INTERVALS * Math.max(samplingS, this.#distance.end.interval);
+    return this.#distance.isJump(distance, seconds, isAtRest) || this.#angle.isJump(angle, seconds, isAtRest);
   }
 
   /**
@@ -100,7 +116,7 @@ export class FrameMotion {
   }
 
   #judge(samplingS: number): End {
-    const reasons = this.#paths.map(({ end, unit }): End => {
+    const reasons = this.#paths.map(({ end, kind: { unit } }): End => {
       // Independent objects may decelerate differently, so the motion of other frames is not evidence.
       const verdict = end.verdict(samplingS);
       const required = end.unobserved(samplingS);
@@ -112,4 +128,12 @@ export class FrameMotion {
     const first = (key: keyof End): string | null => reasons.map(reason => reason[key]).find(reason => reason !== null) ?? null;
     return { impossible: first('impossible'), unobserved: first('unobserved') };
   }
+}
+
+function stepBetween(from: StampedPose, to: StampedPose): { distance: number; angle: number; seconds: number } {
+  return {
+    distance: Math.hypot(...to.pose.position.map((metres, i) => metres - from.pose.position[i])),
+    angle: angleBetween(from.pose.rotation, to.pose.rotation),
+    seconds: toMilliseconds(to.stamp - from.stamp) / 1000,
+  };
 }

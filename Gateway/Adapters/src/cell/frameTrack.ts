@@ -20,6 +20,12 @@ export interface Track {
   frame: Frame;
   /** Indices of the values from which the pose is computed. */
   values: number[];
+  /** Index of the value that selects the parent; null if the parent is constant. */
+  selector: number | null;
+  /** Number that selected the parent of the newest pose; null before the first pose. */
+  choice: number | null;
+  /** Stamp of the change with a jump that is not published yet, because the parent may also have changed; null if there is none. */
+  jumped: Nanoseconds | null;
   /** Stamp of the newest pose; null before the first. */
   newest: Nanoseconds | null;
   /** Stamp of the newest change; null before the first. */
@@ -36,6 +42,9 @@ export const trackOf = (frame: Frame, index: number): Track => ({
   index,
   frame,
   values: valuesOf(frame),
+  selector: frame.selector !== null && 'value' in frame.selector ? frame.selector.value : null,
+  choice: null,
+  jumped: null,
   newest: null,
   changed: null,
   intervals: [],

@@ -27,6 +27,12 @@ export interface Pose {
   rotation: Quaternion;
 }
 
+/** A pose, and the control time at which it was valid. */
+export interface StampedPose {
+  stamp: Nanoseconds;
+  pose: Pose;
+}
+
 /** Creates the transform of a pose at a control time. */
 export const transform = (stamp: Nanoseconds, { frame, parent, position: [x, y, z], rotation: [qx, qy, qz, qw] }: Pose): object => ({
   header: { stamp: toRosTime(stamp), frame_id: parent },

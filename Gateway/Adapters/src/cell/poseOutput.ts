@@ -11,7 +11,7 @@ import { type Nanoseconds, ofMilliseconds } from '../times';
 import { ComponentTrack } from './component';
 import { poseOf, STEP } from './framePose';
 import { silenceOf, type Track, trackOf } from './frameTrack';
-import { MAX_TRANSFORMS, type Pose, TF, TF_STATIC, transform } from './messages';
+import { MAX_TRANSFORMS, type Pose, type StampedPose, TF, TF_STATIC, transform } from './messages';
 import { refusalMessages, silenceMessages } from '../messages/values';
 
 export interface PoseOptions {
@@ -30,11 +30,6 @@ const PATIENCE_INTERVALS = 5;
 interface Publisher {
   publish(topic: string, msg: object): void;
   publishKept(topic: string, msg: object): void;
-}
-
-interface StampedPose {
-  stamp: Nanoseconds;
-  pose: Pose;
 }
 
 /** Computes the poses of frames from a plant's values, and publishes them. A pose needs a valid value for each of its components. */
@@ -105,11 +100,13 @@ export class PoseOutput {
     const { now, isSettled } = this.clock;
     if (!isSettled || now === null) return;
     const poses = this.#tracks.flatMap(track => {
-      const pose = poseOf(track.frame, index => this.#components[index].value);
+      const pose = this.#newestPose(track);
+      if (pose === null || 'reason' in pose || track.values.some(index => except.has(index))) return [];
+      const unmatched = this.#unmatchedSince(track);
+      if (unmatched !== null) return time - unmatched >= this.#skew ? this.#accept(track, time, pose, now) : [];
       const isDue = track.newest === null || time - track.newest >= silenceOf(track, silence);
-      if (pose === null || 'reason' in pose || !isDue || track.values.some(index => except.has(index)) || this.#hasEnded(track)) return [];
-      if (this.#rule.judge(track.index, time, now) !== null) return [];
-      [track.newest, track.isRepeated] = [time, true];
+      if (!isDue || this.#hasEnded(track) || this.#rule.judge(track.index, time, now) !== null) return [];
+      [track.newest, track.isRepeated, track.choice] = [time, true, this.#choiceOf(track)];
       this.silence.confirm(track.frame.frame, this.#uncertaintyOf(track));
       return [{ stamp: time, pose }];
     });
@@ -136,7 +133,7 @@ export class PoseOutput {
   restart(): void {
     for (const component of this.#components) component.forget();
     for (const track of this.#tracks) {
-      [track.newest, track.isRepeated] = [null, false];
+      [track.newest, track.isRepeated, track.choice, track.jumped] = [null, false, null, null];
       track.motion.restart();
     }
   }
@@ -209,31 +206,81 @@ export class PoseOutput {
   }
 
   /**
-   * Gets the newest known pose of a frame up to this time as a list of one element; an empty list if the pose is incomplete, refused or already
-   * published.
+   * Gets the newest known pose of a frame up to this time as a list of one element; an empty list if the pose is incomplete, refused, already
+   * published, or may have numbers that do not belong to its parent.
    */
   #poseUpTo(track: Track, time: Nanoseconds, now: Nanoseconds | null): StampedPose[] {
-    const { frame } = track.frame;
+    if (this.#isHandedOver(track)) {
+      const pose = this.#newestPose(track);
+      return pose !== null && ('reason' in pose || this.#isMatched(track, time)) ? this.#accept(track, time, pose, now) : [];
+    }
+
     const patience = ofMilliseconds(1000 * PATIENCE_INTERVALS * this.samplingS);
     const stamp = track.values
       .map(index => this.#components[index].knownUntil(time, patience))
       .reduce((oldest, each) => (each < oldest ? each : oldest), time);
     if (stamp < time && track.newest !== null && stamp <= track.newest) return [];
-    const pose = poseOf(track.frame, (index, jump) =>
-      jump === STEP ? this.#components[index].stepAt(stamp) : this.#components[index].at(stamp, jump),
-    );
+    const pose = poseOf(track.frame, (index, jump) => (jump === STEP ? this.#components[index].value : this.#components[index].at(stamp, jump)));
     if (pose === null) return [];
+    const mayHandOver = track.selector !== null && this.#components[track.selector].stamp !== stamp;
+    if (mayHandOver && !('reason' in pose) && track.motion.isJump(stamp, pose, this.samplingS)) {
+      track.jumped ??= time;
+      if (time - track.jumped < this.#skew) return [];
+    }
+    return this.#accept(track, stamp, pose, now);
+  }
+
+  /** Gets the pose of a frame with a stamp as a list of one element, and updates its state; an empty list if the pose is refused. */
+  #accept(track: Track, stamp: Nanoseconds, pose: Pose | Refusal, now: Nanoseconds | null): StampedPose[] {
+    const { frame } = track.frame;
     const refusal = 'reason' in pose ? pose : this.#rule.judge(track.index, stamp, now);
     if (refusal !== null) {
       if (track.newest !== null || !OF_LONG_AGO.includes(refusal.reason)) this.status.refuse(refusal.reason, frame, refusal.text, this.status.frames);
       return [];
     }
+    // The numbers before a change of the parent are coordinates in the previous parent.
+    if (this.#isHandedOver(track)) for (const index of track.values) this.#components[index].settle();
     if (track.changed !== null) track.intervals = [...track.intervals.slice(-1), stamp - track.changed];
     [track.newest, track.changed, track.isRepeated, track.hasEnded] = [stamp, stamp, false, false];
+    [track.choice, track.jumped] = [this.#choiceOf(track), null];
     track.motion.add(stamp, pose as Pose);
     this.status.accept(frame);
     this.silence.heard(frame);
     return [{ stamp, pose: pose as Pose }];
+  }
+
+  /**
+   * Maximum time between the samples of two values that changed together. A server samples each variable at a different time. A source that does not
+   * confirm values sends the changes at once.
+   */
+  get #skew(): Nanoseconds {
+    return this.silence.unconfirmedMs === null ? 0n : ofMilliseconds(1000 * this.samplingS);
+  }
+
+  #newestPose(track: Track): Pose | Refusal | null {
+    return poseOf(track.frame, index => this.#components[index].value);
+  }
+
+  #choiceOf({ selector }: Track): number | null {
+    return selector === null ? null : this.#components[selector].value;
+  }
+
+  /** Whether a parent other than that of the newest pose is selected. */
+  #isHandedOver(track: Track): boolean {
+    return track.choice !== null && this.#choiceOf(track) !== track.choice;
+  }
+
+  /** Whether the newest numbers of a frame belong to the parent that has just been selected. */
+  #isMatched(track: Track, time: Nanoseconds): boolean {
+    const since = this.#unmatchedSince(track) ?? time;
+    const areNewer = track.values.every(index => (this.#components[index].stamp ?? 0n) >= since);
+    const hasJumped = track.jumped !== null && since - track.jumped <= this.#skew;
+    return areNewer || hasJumped || time - since >= this.#skew;
+  }
+
+  /** Gets the time since which the parent or the numbers of a frame have changed but not been published; null if they are published. */
+  #unmatchedSince(track: Track): Nanoseconds | null {
+    return this.#isHandedOver(track) ? this.#components[track.selector!].stamp : track.jumped;
   }
 
   #send(poses: StampedPose[]): void {

@@ -1,6 +1,7 @@
 import { requireAddress } from './address';
 import { type Frame, type FrameEntry, framesOf } from './frames';
 import { nearest } from './nearest';
+import { linesOf } from './problem';
 import { type NamedJoint, namedIn, requireJoints, robotOf } from './robot';
 import { checkAgainstSchema, KINDS, knownEntries } from './schemaCheck';
 import { secretIn } from './secret';
@@ -51,6 +52,8 @@ export interface Configuration {
   robot: string | null;
   /** The URDFs of the robots with a namespace, as strings, by namespace. */
   robots: Record<string, string>;
+  /** Warnings about valid entries, each with the file and the line. */
+  warnings: string[];
   /** Strings that must not appear in the log. */
   secrets: string[];
   /** Whether the gateway has started the adapter. The gateway then passes its address in the environment. */
@@ -102,6 +105,7 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
     values,
     robot: namespace === '' ? described : null,
     robots: { ...robotsOf(file, sections), ...(namespace === '' || described === null ? {} : { [namespace]: described }) },
+    warnings: [],
     secrets: gateway.token === null ? [] : [gateway.token],
     isSupervised: environment.NOWPOSE_SUPERVISED === '1',
     where: entry => `${path}, line ${file.lineOf(entry)}: ${pathText(entry)}`,
@@ -111,6 +115,7 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
     requireJoints(file, joints, robot, urdf);
   ownChecks[kind]?.(file, configuration, environment);
   file.throwIfWrong();
+  configuration.warnings = linesOf(path, file.warnings);
   return configuration;
 }
 

@@ -1,6 +1,7 @@
 import { type SilenceEntry, silenceMs } from './silenceEntry';
 import { ADDRESS, type Address, addressIn, type Value } from './values';
 import type { Path, YamlFile } from './yamlFile';
+import { valuesOf } from '../cell/framePose';
 import { tooFar } from '../cell/messages';
 import { configurationMessages, frameMessages } from '../messages/configuration';
 
@@ -94,6 +95,7 @@ export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], si
       faultAfterMs: silenceMs(entry.silence ?? silence),
       maxDeceleration: entry.max_deceleration ?? null,
     };
+    warnOfSelector(file, kind, frame, values, [...path, 'parent']);
     return [frame];
   });
   frames.forEach((frame, i) => {
@@ -147,6 +149,15 @@ function read(file: YamlFile, kind: string, { label, path, address }: Value, com
   if (address[allowed[0]] === undefined) file.report([...path, allowed[0]], frameMessages.noAddress(allowed[0]));
   values.push({ label, path, address: addressIn(kind === 'ros' ? { ...address, ...common } : address) });
   return { value: values.length - 1 };
+}
+
+/** Warns of a parent that is selected by another variable or message than the pose, if the two can arrive at different times. */
+function warnOfSelector(file: YamlFile, kind: string, frame: Frame, values: Value[], path: Path): void {
+  // ADS samples the variables of a task together, and a pose of ROS has one topic.
+  const key = ({ opcua: 'node', mqtt: 'topic' } as const)[kind];
+  if (frame.selector === null || key === undefined) return;
+  const sources = new Set(valuesOf(frame).map(index => values[index].address[key]));
+  if (sources.size > 1) file.warn(path, frameMessages.separateSelector(key));
 }
 
 /** Reports a quaternion of four constants that is not a rotation. The values of other quaternions are checked when they arrive. */

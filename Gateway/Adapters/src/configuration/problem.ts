@@ -1,4 +1,4 @@
-/** An error in a configuration, with its line. */
+/** An error in a configuration or a warning about it, with its line. */
 export interface Problem {
   line: number;
   text: string;
@@ -10,10 +10,13 @@ export class ConfigurationError extends Error {
     readonly file: string,
     problems: Problem[],
   ) {
-    const sorted = [...problems].sort((a, b) => a.line - b.line);
-    super(sorted.map(p => `${file}, line ${p.line}: ${p.text}`).join('\n'));
+    super(linesOf(file, problems).join('\n'));
   }
 }
+
+/** Formats errors or warnings as one line each, in the order of their lines in the file. */
+export const linesOf = (file: string, problems: Problem[]): string[] =>
+  [...problems].sort((a, b) => a.line - b.line).map(({ line, text }) => `${file}, line ${line}: ${text}`);
 
 const MAX_VALUE = 80;
 

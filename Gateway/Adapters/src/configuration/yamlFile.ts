@@ -13,10 +13,11 @@ const visible = (key: string): string =>
 export const pathText = (path: Path): string =>
   path.map((step, i) => (typeof step === 'number' ? `[${step}]` : (i > 0 ? '.' : '') + visible(step))).join('');
 
-/** A parsed YAML file that stores the line of each entry, and collects the errors in its entries. */
+/** A parsed YAML file that stores the line of each entry, and collects the errors in its entries and the warnings about them. */
 export class YamlFile {
   readonly value: unknown;
   readonly problems: Problem[] = [];
+  readonly warnings: Problem[] = [];
   readonly #lines = new LineCounter();
   readonly #document: Document;
 
@@ -42,12 +43,21 @@ export class YamlFile {
 
   /** Adds an error in an entry. The error of a missing entry has the line of its parent. */
   report(path: Path, text: string): void {
-    this.problems.push({ line: this.lineOf(path), text: path.length > 0 ? `${pathText(path)}: ${text}` : text });
+    this.problems.push(this.#at(path, text));
+  }
+
+  /** Adds a warning about an entry that is valid. */
+  warn(path: Path, text: string): void {
+    this.warnings.push(this.#at(path, text));
   }
 
   /** @throws ConfigurationError At least one error was reported. */
   throwIfWrong(): void {
     if (this.problems.length > 0) throw new ConfigurationError(this.path, this.problems);
+  }
+
+  #at(path: Path, text: string): Problem {
+    return { line: this.lineOf(path), text: path.length > 0 ? `${pathText(path)}: ${text}` : text };
   }
 
   /** Gets the line of an entry's key, counted from 1; for a missing entry, the line of its nearest existing parent. */

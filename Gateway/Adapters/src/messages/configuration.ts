@@ -42,6 +42,9 @@ export const frameMessages = {
         + `allowed: ${minNorm} to ${maxNorm}; divide its components by the norm`,
     ),
   noAddress: (entry: string) => `missing; add the ${entry} of the variable that contains this number`,
+  separateSelector: (entry: 'node' | 'topic') =>
+    `the ${entry} of the parent is not the ${entry} of the pose, so their changes arrive separately, and a new parent is shown later; `
+    + (entry === 'node' ? 'write the parent and the pose to one array' : 'send the parent and the pose in one message'),
   tooFar: (value: number, metres: number) => wrongValue(value, `this is ${metres} m; allowed: -1000000 to 1000000 m`),
   tooDeep: (value: unknown, depth: number, most: number) =>
     wrongValue(value, `the frame is ${depth} transforms below its root; allowed: at most ${most}; use a parent that is nearer to the root`),

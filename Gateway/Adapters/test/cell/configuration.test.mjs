@@ -3,7 +3,7 @@ import { describe, it } from 'node:test';
 import { wrongIn } from '../checking.mjs';
 import { parts } from '../parts.mjs';
 import { temporaryFile } from '../temporary.mjs';
-import { messages } from '../messages.mjs';
+import { ANY, like, messages } from '../messages.mjs';
 
 const { adsSettingMessages, configurationMessages, frameMessages, mqttMessages, opcuaSettingMessages, robotMessages, rosMessages } = messages;
 
@@ -102,6 +102,23 @@ describe('configuration of frames, signals and robots', () => {
 
     assert.deepEqual(read(text).frames.map(({ maxDeceleration }) => maxDeceleration), [null, 40]);
   });
+
+  for (const [name, text, from, to, key] of [
+    ['AnotherNode', OPCUA, 'parent: table', 'parent: { of: [table, arm1/tool0], node: i=9 }', 'node'],
+    ['AnotherTopic', MQTT, 'topic: part, field: parent', 'topic: part/parent', 'topic'],
+  ])
+    it(`Parent_SelectedBy${name}_IsAWarningWithItsLine`, () => {
+      const { file, warnings } = read(text.replace(from, to)), line = text.split('\n').findIndex(each => each.includes(from)) + 1;
+
+      assert.match(warnings[0], like(`${file}, line ${line}: frames[${ANY}].parent: ${frameMessages.separateSelector(key)}`));
+    });
+
+  for (const [name, text] of [
+    ['ElementOfTheArray', OPCUA.replace('parent: table', 'parent: { of: [table, arm1/tool0], node: i=3, index: 6 }').replace(/i=[45]/g, 'i=3')],
+    ['FieldOfTheMessage', MQTT.replace('topic: part/angle', 'topic: part, field: angle')],
+    ['SymbolOfTheSameTask', ADS.replace('frame: part', 'frame: part\n    parent: { of: [world, tool0], symbol: MAIN.parent }')],
+  ])
+    it(`Parent_SelectedBy${name}_IsNoWarning`, () => assert.deepEqual(read(text).warnings, []));
 
   it('Ros_FramesAndSignals_AreValid', () => assert.deepEqual(linesOf(ROS, '  world: map\n', ''), []));
 
