@@ -23,9 +23,12 @@ interface RosTransform {
   transform?: Record<string, Record<string, unknown> | undefined>;
 }
 
+/** Key of the kept message with the stationary frames of ROS. The stationary frames of the configuration have a message of their own. */
+const STATIONARY_KEY = `${TF_STATIC} of ROS`;
+
 interface Publisher {
   publish(topic: string, msg: object): void;
-  publishKept(topic: string, msg: object): void;
+  publishKept(topic: string, msg: object, key: string): void;
 }
 
 interface Names {
@@ -95,7 +98,7 @@ export class RosFrames {
       this.status.frames.live(pose.frame);
       this.status.accept(pose.frame);
     }
-    if (found.length > 0) this.gateway.publishKept(TF_STATIC, { transforms: [...this.#stationary.values()] });
+    if (found.length > 0) this.gateway.publishKept(TF_STATIC, { transforms: [...this.#stationary.values()] }, STATIONARY_KEY);
   }
 
   #accept(frame: string): void {

@@ -206,6 +206,25 @@ signals:
     await until(() => bridge.joint('arm1/elbow')?.state === 'live', () => JSON.stringify(bridge.state));
   });
 
+  it('Ros_StationaryFramesOfRosAndOfTheFile_AreBothSentAgainAfterAReconnection', async t => {
+    const robot = await Robot.start(t);
+    const { bridge } = await adapterFor(t, url => `gateway: { url: "${url}" }
+plant: { kind: ros, name: arm, endpoint: "${robot.url}", world: map }
+frames:
+  - { frame: table }
+  - { frame: rack, topic: /rack, type: std_msgs/Float64MultiArray, position: { unit: m, x: 1, y: 0, z: 0 } }
+`);
+    await until(() => robot.isHeardBy('/tf_static'), 'the subscription');
+    const stationary = () => new Set(bridge.published('/tf_static').flatMap(({ transforms }) => transforms.map(one => one.child_frame_id)));
+    robot.publish('/tf_static', { transforms: [{ header: { stamp: robot.time(0n), frame_id: 'map' }, child_frame_id: 'table', transform: { translation: { x: 3, y: 0, z: 0 }, rotation: { x: 0, y: 0, z: 0, w: 1 } } }] });
+    await until(() => stationary().size === 2, () => `both frames: ${[...stationary()]}`);
+
+    bridge.heard.length = 0;
+    for (const client of bridge.clients) client.terminate();
+
+    await until(() => stationary().size === 2, () => `both frames again: ${[...stationary()]}`);
+  });
+
   it('Ros_PosesAndJointsWithSeparateTopics_AreForwarded', async t => {
     const robot = await Robot.start(t);
     const { bridge } = await adapterFor(t, url => `gateway: { url: "${url}" }
