@@ -37,6 +37,8 @@ interface Names {
   world: string;
   /** Namespace of the robot whose links can be parents; empty if it has none. */
   namespace: string;
+  /** The text before the names of these links in ROS; empty if there is none. */
+  linkPrefix: string;
 }
 
 /** Gets a frame's name without the leading slash that ROS 1 allowed. */
@@ -138,9 +140,12 @@ export class RosFrames {
   }
 
   #parentOf(source: string): string {
-    const { frames, world, namespace } = this.names;
+    const { frames, world, namespace, linkPrefix } = this.names;
     if (source === world) return WORLD;
-    return frames.find(frame => frame.source === source)?.frame ?? (namespace === '' ? source : `${namespace}/${source}`);
+    const link = source.startsWith(linkPrefix) ? source.slice(linkPrefix.length) : source;
+    // With a frame_prefix, robot_state_publisher has already added the namespace.
+    const isComplete = namespace === '' || link.startsWith(`${namespace}/`);
+    return frames.find(frame => frame.source === source)?.frame ?? (isComplete ? link : `${namespace}/${link}`);
   }
 }
 

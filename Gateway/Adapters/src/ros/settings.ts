@@ -28,6 +28,8 @@ export interface RosSettings {
   world: string;
   /** Namespace of the robot; empty if it has none. */
   namespace: string;
+  /** The text before the names of the robot's links in ROS; empty if there is none. */
+  linkPrefix: string;
   hasClock: boolean;
   /** Maximum age of a stamp. Values with older stamps are refused. */
   oldest: Nanoseconds;
@@ -42,6 +44,7 @@ interface PlantSection {
   topics?: { joint_states?: string; robot_description?: string | false; joint_trajectory?: string; tf?: string; tf_static?: string };
   world?: string;
   namespace?: string;
+  link_prefix?: string;
   frames?: FrameEntry[];
 }
 
@@ -57,7 +60,7 @@ interface FrameEntry {
 const sectionOf = (configuration: Configuration): PlantSection => configuration.plant as unknown as PlantSection;
 
 export function settingsOf(configuration: Configuration): RosSettings {
-  const { endpoint, pin, plain, clock, oldest_ms: oldest, topics, world, namespace, frames } = sectionOf(configuration);
+  const { endpoint, pin, plain, clock, oldest_ms: oldest, topics, world, namespace, link_prefix: linkPrefix, frames } = sectionOf(configuration);
   return {
     endpoint,
     pin: pin ?? null,
@@ -71,6 +74,7 @@ export function settingsOf(configuration: Configuration): RosSettings {
     types: new Map(configuration.values.flatMap(({ address: { topic, type } }) => (topic === undefined ? [] : [[topic, type!]]))),
     world: world ?? WORLD,
     namespace: namespace ?? '',
+    linkPrefix: linkPrefix ?? '',
     hasClock: clock,
     oldest: ofMilliseconds(oldest ?? OLDEST_MS),
   };

@@ -120,7 +120,8 @@ describe('configuration of frames, signals and robots', () => {
   ])
     it(`Parent_SelectedBy${name}_IsNoWarning`, () => assert.deepEqual(read(text).warnings, []));
 
-  it('Ros_FramesAndSignals_AreValid', () => assert.deepEqual(linesOf(ROS, '  world: map\n', ''), []));
+  for (const [name, to] of [['WithoutWorld', ''], ['WithPrefixOfLinks', '  link_prefix: right_\n']])
+    it(`Ros_FramesAndSignals${name}_AreValid`, () => assert.deepEqual(linesOf(ROS, '  world: map\n', to), []));
 
   for (const [name, text, from, to, expected] of [
     ['FrameTwice', OPCUA, 'frame: part', 'frame: table', `line 13: frames[1].frame: ${configurationMessages.nameTwice('table', 11, 'frame')}`],
@@ -148,6 +149,7 @@ describe('configuration of frames, signals and robots', () => {
     ['ConstantQuaternionTooLong', ADS, '{ symbol: MAIN.qz }, w: { symbol: MAIN.qw }', '0, w: 2', `line 8: frames[0].quaternion: ${frameMessages.constantQuaternion([0, 0, 0, 2], 'part', 2, 0.999, 1.001)}`],
     ['ConstantQuaternionTooShort', ADS, '{ symbol: MAIN.qz }, w: { symbol: MAIN.qw }', '0, w: 0.998', `line 8: frames[0].quaternion: ${frameMessages.constantQuaternion([0, 0, 0, 0.998], 'part', 0.998, 0.999, 1.001)}`],
     ['RestWithoutOnChange', ADS, 'frame: part', 'frame: part\n    silence: rest', `line 7: frames[0].silence: ${adsSettingMessages.restWithoutOnChange}`],
+    ['RosPrefixEmpty', ROS, 'world: map', "link_prefix: ''", 'line 5: plant.link_prefix: value ""; '],
     ['FrameCannotDecelerate', OPCUA, 'frame: part', 'frame: part\n    max_deceleration: 0', 'line 14: frames[1].max_deceleration: value 0; '],
     ['SignalTwice', OPCUA, 'signal: speed', 'signal: closed', `line 19: signals[1].signal: ${configurationMessages.nameTwice('closed', 18, 'signal')}`],
     ['SignalWithoutNode', OPCUA, 'signal: closed, node: i=6', 'signal: closed', 'line 18: signals[0].node: missing; '],
