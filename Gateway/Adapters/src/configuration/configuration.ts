@@ -3,7 +3,7 @@ import { type Frame, type FrameEntry, framesOf } from './frames';
 import { nearest } from './nearest';
 import { linesOf } from './problem';
 import { type NamedJoint, namedIn, requireJoints, robotOf } from './robot';
-import { checkAgainstSchema, KINDS, knownEntries } from './schemaCheck';
+import { checkAgainstSchema, hasEntry, KINDS, knownEntries } from './schemaCheck';
 import { secretIn } from './secret';
 import { requireTls } from './plain';
 import { type Signal, signalsOf } from './signals';
@@ -111,8 +111,9 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
     where: entry => `${path}, line ${file.lineOf(entry)}: ${pathText(entry)}`,
     lineOf: entry => file.lineOf(entry),
   };
-  for (const [robot, urdf] of Object.entries({ ...configuration.robots, ...(configuration.robot === null ? {} : { '': configuration.robot }) }))
-    requireJoints(file, joints, robot, urdf);
+  const namespaces = hasEntry(kind, 'robots') ? Object.keys(sections.robots ?? {}) : null;
+  for (const [robot, urdf] of Object.entries({ ...configuration.robots, '': configuration.robot }))
+    requireJoints(file, joints, robot, urdf, namespaces);
   ownChecks[kind]?.(file, configuration, environment);
   file.throwIfWrong();
   configuration.warnings = linesOf(path, file.warnings);

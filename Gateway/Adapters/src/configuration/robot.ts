@@ -46,13 +46,25 @@ export function robotOf(file: YamlFile, at: Path, robot: string): string | null 
   }
 }
 
-/** Reports configured joints that the robot of this namespace does not have, because headsets cannot show them. */
-export function requireJoints(file: YamlFile, joints: NamedJoint[], robot: string, urdf: string): void {
-  const known = jointsIn(urdf);
+/** Matches the name of a joint of a robot with a namespace. */
+const QUALIFIED = /^([A-Za-z][A-Za-z0-9_]{0,31})\/(.+)$/;
+
+/**
+ * Reports configured joints that the robot of this namespace does not have, because headsets cannot show them.
+ * @param urdf The description of the robot; null if the file has none.
+ * @param namespaces The namespaces of the file's robots; null if this kind of plant has no robots with namespaces.
+ */
+export function requireJoints(file: YamlFile, joints: NamedJoint[], robot: string, urdf: string | null, namespaces: string[] | null): void {
+  const known = urdf === null ? null : jointsIn(urdf);
   joints.forEach(({ joint, robot: own, name }, i) => {
-    if (own !== robot || known.has(name)) return;
-    const [guess] = nearest(name, known);
-    file.report(['joints', i, 'joint'], robotMessages.noJoint(joint, guess));
+    if (own !== robot || known?.has(name) === true) return;
+    const path = ['joints', i, 'joint'];
+    const [, namespace, rest] = (robot === '' ? QUALIFIED.exec(name) : null) ?? [];
+    if (namespace === undefined && known !== null) file.report(path, robotMessages.noJoint(joint, nearest(name, known)[0]));
+    else if (namespace !== undefined && namespaces !== null)
+      file.report(path, robotMessages.noRobot(joint, namespace, nearest(namespace, namespaces)[0]));
+    // The robot of such a plant may send a description that has a joint of this name.
+    else if (namespace !== undefined) file.warn(path, robotMessages.noNamespace(joint, namespace, rest));
   });
 }
 

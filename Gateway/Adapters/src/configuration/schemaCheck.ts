@@ -11,6 +11,9 @@ type Described = { $ref?: string; description?: string; enum?: unknown[]; proper
 /** The kinds of plant that the schema describes. */
 export const KINDS = schema.properties.plant.properties.kind.enum;
 
+/** Whether a kind of plant may have an entry of this name at the top level. */
+export const hasEntry = (kind: string, name: string): boolean => name in (schema.$defs as Record<string, Described>)[kind].properties!;
+
 /** Gets the names of all entries that any kind of plant may have at the top level, or in the section at this path. */
 export const knownEntries = (path: string[]): string[] =>
   KINDS.flatMap(kind => {

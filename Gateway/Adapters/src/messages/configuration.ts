@@ -63,6 +63,13 @@ export const robotMessages = {
   notUrdf: (value: unknown) => wrongValue(value, 'the file has no <robot> element; specify a URDF file'),
   notReadable: (value: unknown, code: string | undefined, included: string[]) =>
     wrongValue(value, `the file cannot be read (${code}); enter an existing URDF file or one of ${included.join(', ')}`),
+  noRobot: (value: unknown, namespace: string, guess: string | undefined) =>
+    wrongValue(value, `this file has no robot ${namespace}; ${question(guess)}add robots: { ${namespace}: ROBOT }, or correct the name of the joint`),
+  noNamespace: (value: unknown, namespace: string, name: string) =>
+    wrongValue(
+      value,
+      `the joint is published for the robot without a namespace; for a robot ${namespace}, set namespace: ${namespace} under plant and enter ${name}`,
+    ),
   noJoint: (value: unknown, guess: string | undefined) =>
     wrongValue(
       value,

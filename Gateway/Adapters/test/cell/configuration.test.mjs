@@ -120,6 +120,23 @@ describe('configuration of frames, signals and robots', () => {
   ])
     it(`Parent_SelectedBy${name}_IsNoWarning`, () => assert.deepEqual(read(text).warnings, []));
 
+  it('Joint_WithASlashInTheRobotDescription_IsValid', () => {
+    const urdf = temporaryFile('own.urdf', '<robot name="own"><joint name="arm1/elbow_joint" type="revolute"/></robot>');
+
+    const { joints } = read(MQTT.replace('joints:\n  - { joint: a,', `robot: ${urdf}\njoints:\n  - { joint: arm1/elbow_joint,`));
+
+    assert.deepEqual([joints[0].robot, joints[0].name], ['', 'arm1/elbow_joint']);
+  });
+
+  for (const joint of ['1arm/elbow_joint', '/elbow_joint', 'arm1/', 'arm-1/elbow_joint'])
+    it(`Joint_${joint}WithoutANamespace_IsValid`, () => assert.equal(read(MQTT.replace('joint: a,', `joint: ${joint},`)).joints[0].name, joint));
+
+  it('Ros_JointOfARobotWithoutNamespace_IsAWarningWithItsLine', () => {
+    const joints = 'joints:\n  - { joint: arm1/elbow_joint }\n', { file, warnings } = read(ROS.replace('  namespace: arm1\n', '').replace('frames:', `${joints}frames:`));
+
+    assert.deepEqual(warnings, [`${file}, line 6: joints[0].joint: ${robotMessages.noNamespace('arm1/elbow_joint', 'arm1', 'elbow_joint')}`]);
+  });
+
   for (const [name, to] of [['WithoutWorld', ''], ['WithPrefixOfLinks', '  link_prefix: right_\n']])
     it(`Ros_FramesAndSignals${name}_AreValid`, () => assert.deepEqual(linesOf(ROS, '  world: map\n', to), []));
 
@@ -156,6 +173,9 @@ describe('configuration of frames, signals and robots', () => {
     ['InvalidNamespace', OPCUA, '  arm1: ur5e', '  1arm: ur5e', 'line 4: robots: value '],
     ['RobotFileMissing', OPCUA, '  arm1: ur5e', '  arm1: none.urdf', `line 5: robots.arm1: ${robotMessages.notReadable('none.urdf', 'ENOENT', [])}`],
     ['JointUnknownToTheRobot', OPCUA, 'arm2/shoulder_pan_joint', 'arm2/sholder_pan_joint', `line 9: joints[1].joint: ${robotMessages.noJoint('arm2/sholder_pan_joint', 'shoulder_pan_joint')}`],
+    ['JointOfAnUnknownRobot', OPCUA, 'arm2/shoulder_pan_joint', 'arm3/shoulder_pan_joint', `line 9: joints[1].joint: ${robotMessages.noRobot('arm3/shoulder_pan_joint', 'arm3', 'arm1')}`],
+    ['JointOfARobotWithoutRobots', MQTT, 'joint: a,', 'joint: arm1/elbow_joint,', `line 6: joints[0].joint: ${robotMessages.noRobot('arm1/elbow_joint', 'arm1', undefined)}`],
+    ['JointOfAnUnknownRobotBesideADescribedOne', MQTT, 'joints:\n  - { joint: a,', 'robot: ur5e\njoints:\n  - { joint: arm1/elbow_joint,', `line 7: joints[0].joint: ${robotMessages.noRobot('arm1/elbow_joint', 'arm1', undefined)}`],
     ['MqttWildcard', MQTT, 'topic: arm,', 'topic: arm/+,', 'line 6: joints[0].topic: value "arm/+"; '],
     ['MqttWithoutTopic', MQTT, 'x: { topic: part, field: pose.x }', 'x: { field: pose.x }', `line 10: frames[0].position.x.topic: ${frameMessages.noAddress('topic')}`],
     ['MqttNode', MQTT, 'x: { topic: part, field: pose.x }', 'x: { node: i=3 }', `line 10: frames[0].position.x.node: ${configurationMessages.unknownEntry(undefined, ['topic', 'field'])}`],
