@@ -22,4 +22,10 @@ static class DryRunMessages
         var them = joints.Count == 1 ? "it" : "them";
         return $"{string.Join(", ", joints)}; no plant configures {them}, so headsets show no current pose until another source publishes {them}";
     }
+
+    public static string MissingParentsLog(IReadOnlyList<(string Parent, string Frame)> parents) => $"missing parents: {MissingParents(parents)}";
+
+    public static string MissingParents(IReadOnlyList<(string Parent, string Frame)> parents) =>
+        $"{string.Join(", ", parents.Select(pair => $"{pair.Parent} of {pair.Frame}"))}; no file has a frame or a link of this name, so headsets do not"
+            + " show these objects until another source publishes the frame or describes the robot";
 }

@@ -33,7 +33,7 @@ static class AdapterProgram
             return new PlantFile(file, content.Name, lines[0].Trim())
             {
                 Joints = content.Joints, PassesUnlisted = content.PassesUnlisted, HasObjects = content.HasObjects, Robot = content.Robot,
-                Robots = content.Robots ?? [], Warnings = content.Warnings ?? [],
+                Robots = content.Robots ?? [], Warnings = content.Warnings ?? [], Frames = content.Frames ?? [],
             };
         }
         catch (OperationCanceledException) when (!stop.IsCancellationRequested)
@@ -61,7 +61,7 @@ static class AdapterProgram
 
     internal sealed record PlantContent(
         string Name, string[] Joints, bool PassesUnlisted, string Robot, Dictionary<string, string> Robots = null, bool HasObjects = false,
-        string[] Warnings = null)
+        string[] Warnings = null, Dictionary<string, string[]> Frames = null)
     {
         static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
 

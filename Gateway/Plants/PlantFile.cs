@@ -1,6 +1,8 @@
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status.Joints;
+using Nowpose.Kinematics;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Plants;
 
@@ -25,6 +27,9 @@ sealed record PlantFile(string Path, string Name, string Summary)
     /// <summary>The URDFs that the adapter publishes for robots with a namespace, by namespace.</summary>
     public IReadOnlyDictionary<string, string> Robots { get; init; } = new Dictionary<string, string>();
 
+    /// <summary>The possible parents of each configured frame, by the name of the frame. Empty if the parent arrives with the pose.</summary>
+    public IReadOnlyDictionary<string, string[]> Frames { get; init; } = new Dictionary<string, string[]>();
+
     /// <summary>Warnings about valid entries of the file, each with the file and the line.</summary>
     public IReadOnlyList<string> Warnings { get; init; } = [];
 
@@ -47,18 +52,45 @@ sealed record PlantFile(string Path, string Name, string Summary)
     {
         var published = plants.SelectMany(plant => plant.Joints).ToHashSet();
         if (published.Count == 0 || plants.Any(plant => plant.PassesUnlisted)) return [];
-        var own = KeyValuePair.Create("", robot ?? plants.Select(plant => plant.Robot).FirstOrDefault(urdf => urdf != null));
         return
         [
-            .. from described in plants.SelectMany(plant => plant.Robots).DistinctBy(one => one.Key).Prepend(own)
-               let model = new DescribedRobot(described.Value).Model
-               where model != null
-               let names = UnpublishedJoints.NamesOf(model).ConvertAll(name => RobotTopic.Qualified(described.Key, name))
+            .. from described in Described(plants, robot)
+               let names = UnpublishedJoints.NamesOf(described.Model).ConvertAll(name => RobotTopic.Qualified(described.Namespace, name))
                // Skips a robot without any published joint, because another program may publish its joints.
-               where described.Key.Length == 0 || names.Exists(published.Contains)
+               where described.Namespace.Length == 0 || names.Exists(published.Contains)
                from name in names
                where !published.Contains(name)
                select name,
         ];
+    }
+
+    /// <summary>
+    /// Gets the parents that are not world, a frame, or a link of a described robot, each with the first frame that has this parent. Objects with
+    /// such a parent have no place in the cell.
+    /// </summary>
+    /// <param name="plants">All plants of a gateway.</param>
+    /// <param name="robot">The URDF that the gateway itself publishes; null if it publishes none.</param>
+    /// <param name="stationary">The stationary frames that the gateway itself publishes; null if it publishes none.</param>
+    public static IReadOnlyList<(string Parent, string Frame)> MissingParents(
+        IReadOnlyCollection<PlantFile> plants, string robot, TransformsMessage stationary)
+    {
+        var placed = Enumerable.Range(0, stationary?.Count ?? 0).Select(i => (stationary[i].Parent, Frame: stationary[i].Child)).ToList();
+        var pairs = plants.SelectMany(plant => plant.Frames)
+            .SelectMany(frame => frame.Value.Select(parent => (Parent: parent, Frame: frame.Key))).Concat(placed).ToList();
+        var links = Described(plants, robot).SelectMany(
+            described => described.Model.Links.Select(link => RobotTopic.Qualified(described.Namespace, link.Name)));
+        var known = plants.SelectMany(plant => plant.Frames.Keys).Concat(placed.Select(one => one.Frame)).Concat(links)
+            .Append(FrameParents.World).ToHashSet();
+        return [.. pairs.Where(pair => !known.Contains(pair.Parent)).DistinctBy(pair => pair.Parent)];
+    }
+
+    // Gets the robots with a valid description: the robot without a namespace, and one robot of each namespace.
+    static IEnumerable<(string Namespace, RobotModel Model)> Described(IReadOnlyCollection<PlantFile> plants, string robot)
+    {
+        var own = KeyValuePair.Create("", robot ?? plants.Select(plant => plant.Robot).FirstOrDefault(urdf => urdf != null));
+        return from described in plants.SelectMany(plant => plant.Robots).DistinctBy(one => one.Key).Prepend(own)
+               let model = new DescribedRobot(described.Value).Model
+               where model != null
+               select (described.Key, model);
     }
 }

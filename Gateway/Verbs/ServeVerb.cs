@@ -72,6 +72,8 @@ static class ServeVerb
             foreach (var one in read) Announcement.Log(one.Summary);
             foreach (var warning in read.SelectMany(one => one.Warnings)) Announcement.Log(DryRunMessages.WarningLog(warning));
             if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log(DryRunMessages.MissingJointsLog(missing));
+            if (PlantFile.MissingParents(read, description, placed) is { Count: > 0 } parents)
+                Announcement.Log(DryRunMessages.MissingParentsLog(parents));
             await using var gateway = await GatewayServer.StartAsync(options, clock, Announcement.Log, stop);
             using var source = gateway.Hub.OpenSource();
             if (description != null)
@@ -93,7 +95,8 @@ static class ServeVerb
         findings.Try(() => server.Clock(parsed, isSystemClock));
         var description = robot == null ? null : findings.Try(() => Describe(robot));
         findings.Good("robot", robot);
-        if (stationary != null) findings.Try(() => findings.Good("stationary", $"{stationary} ({StationaryFrames.Load(stationary).Count} frames)"));
+        var placed = stationary == null ? null : findings.Try(() => StationaryFrames.Load(stationary));
+        if (placed != null) findings.Good("stationary", $"{stationary} ({placed.Count} frames)");
         try
         {
             var read = await AdapterProcesses.CheckAsync(plants, options, stop);
@@ -101,6 +104,9 @@ static class ServeVerb
             foreach (var warning in read.SelectMany(one => one.Warnings)) findings.Good("warning", warning);
             // Not an error, because another client may publish the missing joints.
             if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) findings.Good("missing_joints", DryRunMessages.MissingJoints(missing));
+            // Not an error, because another client may publish the missing frames and robot descriptions.
+            if (PlantFile.MissingParents(read, description, placed) is { Count: > 0 } parents)
+                findings.Good("missing_parents", DryRunMessages.MissingParents(parents));
         }
         catch (InputException wrong)
         {

@@ -51,6 +51,7 @@ function contentOf(kind: Kind, configuration: Configuration): object {
     joints: configuration.joints.map(({ joint }) => joint),
     passes_unlisted: kind.passesUnlisted?.(configuration) ?? false,
     has_objects: configuration.hasObjects,
+    frames: configuration.parents,
     robot: configuration.robot,
     robots: configuration.robots,
     warnings: configuration.warnings,

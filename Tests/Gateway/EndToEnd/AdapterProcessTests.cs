@@ -213,6 +213,40 @@ public class AdapterProcessTests
         Assert.That(CapturedConsole.Lines(output), Has.One.StartsWith($"warning {path}, line 10: frames[0].parent: "));
     }
 
+    [TestCase("convyor", true)]
+    [TestCase("world", false)]
+    [TestCase("conveyor", false)]
+    [TestCase("fixture", false)]
+    [TestCase("tool0", false)]
+    [TestCase("arm2/tool0", false)]
+    [TestCase("arm3/tool0", true)]
+    [TestCase("tool9", true)]
+    public async Task Check_ParentOfAFrame_IsListedUnlessTheFilesHaveIt(string parent, bool isNamed)
+    {
+        const string Objects = """
+            plant: { kind: mqtt, endpoint: mqtt://127.0.0.1 }
+            robots: { arm2: ur5e }
+            frames:
+              - { frame: conveyor, position: { unit: m, x: { topic: x }, y: 0, z: 0 } }
+
+            """;
+        var plant = Write(Good.Replace("joint: a", "joint: shoulder_pan_joint") + "\nrobot: ur5\nframes:\n"
+            + $"  - {{ frame: part, parent: {parent}, position: {{ unit: m, x: {{ node: i=1 }}, y: 0, z: 0 }} }}\n");
+        var objects = Write(Objects, "objects.yaml");
+        var stationary = Write(
+            """
+            {"transforms": [{"header": {"stamp": {"sec": 0, "nanosec": 0}, "frame_id": "world"}, "child_frame_id": "fixture",
+            "transform": {"translation": {"x": 0, "y": 0, "z": 0}, "rotation": {"x": 0, "y": 0, "z": 0, "w": 1}}}]}
+            """, "stationary.json");
+
+        var (status, output, errors) = await CapturedConsole.OfAsync(() => Nowpose.Gateway.CommandLine.RunAsync(
+            ["serve", "--check", "--plant", plant, "--plant", objects, "--stationary", stationary, "--ws-port", "0", "--sync-port", "0"]).Bounded());
+
+        Assert.That(status, Is.Zero, errors);
+        var line = CapturedConsole.Lines(output).SingleOrDefault(one => one.StartsWith("missing_parents ", StringComparison.Ordinal));
+        Assert.That(line, isNamed ? Does.StartWith($"missing_parents {parent} of part; ") : Is.Null);
+    }
+
     /// <summary>The description is longer than the buffer of a pipe, so it could be truncated when the adapter's process exits.</summary>
     [Test]
     public async Task Check_LongRobotDescription_ArrivesCompletely()

@@ -44,6 +44,8 @@ export interface Configuration {
   joints: Joint[];
   frames: Frame[];
   signals: Signal[];
+  /** The possible parents of each frame in the file, by the name of the frame. Empty for a frame of ROS whose parent arrives with its pose. */
+  parents: Record<string, string[]>;
   /** Whether the file configures frames or signals. */
   hasObjects: boolean;
   /** The numbers to read, in the order of joints, frames and signals. */
@@ -94,12 +96,14 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
   const described = sections.robot === undefined ? null : robotOf(file, ['robot'], sections.robot);
   const joints = jointsOf(file, sections, silence);
   const values: Value[] = joints.map((joint, i) => ({ label: joint.joint, path: ['joints', i], address: addressIn(joint) }));
+  const frames = kind in ADDRESS ? framesOf(file, kind, sections.frames ?? [], silence, values) : [];
   const configuration: Configuration = {
     file: path,
     gateway,
     plant: { ...sections.plant, name: sections.plant.name ?? kind, silence },
     joints,
-    frames: kind in ADDRESS ? framesOf(file, kind, sections.frames ?? [], silence, values) : [],
+    frames,
+    parents: Object.fromEntries([...(sections.frames ?? []), ...frames].map(entry => [entry.frame, 'parents' in entry ? entry.parents : []])),
     signals: signalsOf(file, sections.signals ?? [], values),
     hasObjects: (sections.frames ?? []).length + (sections.signals ?? []).length > 0,
     values,

@@ -91,6 +91,14 @@ describe('configuration of frames, signals and robots', () => {
     assert.deepEqual([signals.length, Object.keys(robots)], [2, ['arm1', 'arm2']]);
   });
 
+  it('Parents_OfEachKind_AreThoseOfTheFile', () => {
+    const rack = '  - { frame: rack, topic: /rack, type: std_msgs/Float64MultiArray, parent: pallet, position: { unit: m, x: 1, y: 0, z: 0 } }\n';
+
+    assert.deepEqual([OPCUA, MQTT, ROS.replace('signals:', `${rack}signals:`)].map(text => read(text).parents), [
+      { table: ['world'], part: ['table'] }, { part: ['world', 'tool0'] }, { part: [], rack: ['pallet'] },
+    ]);
+  });
+
   it('Frames_OfAds_AreReadFromSymbols', () => assert.deepEqual(read(ADS).values.map(({ address }) => address.symbol), ['MAIN.x', 'MAIN.qz', 'MAIN.qw', 'MAIN.bClosed']));
 
   it('Frames_OfMqtt_AreReadFromTopics', () => assert.deepEqual(read(MQTT).values.map(({ label, address }) => [label, address.topic, address.field]), [
