@@ -1,7 +1,9 @@
+using System.Text.Json;
 using Nowpose.Cli.Demo;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 using NUnit.Framework;
+using static System.FormattableString;
 
 namespace Nowpose.Unity.Tests.Demo;
 
@@ -14,8 +16,15 @@ public class DemoLoadTests
         var run = LoadedDemo.Play(1_500_000, seed);
 
         var score = new DemoScore(run);
-        var range = score.Result().Range;
+        var result = score.Result();
+        var range = result.Range;
         Assert.That(run.Failure(), Is.Null);
+        Assert.That(
+            JsonDocument.Parse(DemoResultJson.Of(result)).RootElement.GetProperty("range").EnumerateObject().Select(property => property.Name),
+            Is.EqualTo(new[] { "limit_render_ms", "left_s", "found_s", "frames_outside", "alarms" }));
+        Assert.That(
+            string.Join('\n', new DemoRangeRows(run.Settings, result, score.Range).Rows.Select(row => row.Value)),
+            Does.Contain(Invariant($"left at {range.LeftS:0.0} s")).And.Contain(Invariant($"found again at {range.FoundS:0.0} s")));
         Assert.That(range.Alarms, Is.EqualTo(1));
         Assert.That(range.LeftS, Is.InRange(6.67, 7.0), "the load starts at 6.67 s");
         Assert.That(range.FoundS, Is.InRange(15, 16), "the load ends at 15 s");

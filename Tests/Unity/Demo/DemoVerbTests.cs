@@ -20,30 +20,26 @@ public class DemoVerbTests
 
     // Over Wi-Fi, the clock may still be coarse after 5 s on a busy machine.
     [Test]
-    public async Task Demo_FiveSeconds_WritesItsFiles()
+    public async Task Demo_FiveSeconds_WritesItsFilesWithTheExpectedFields()
     {
         var run = await CliRun.OfAsync("demo", "--seconds", "5", "--network", "lan", "--predictor", "quadratic", "--visu-error-ms", "3", "--out", _folder);
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
-        var result = Result();
+        Assert.That(run.Output, Does.Contain("report.html").And.Contain("uncompensated"));
+        Assert.That(run.Errors, Does.Contain("of 5 s"), "progress");
+        AssertFields(Result());
+        var report = File.ReadAllText(Path.Combine(_folder, "report.html"));
+        Assert.That(report, Does.Contain("Nowpose demo: youbot"));
+        if (Nowpose.Web.ReportPage.HasPlots) AssertPlayback(report);
+        await AssertReplayable();
+    }
+
+    static void AssertFields(JsonElement result)
+    {
         Assert.That(result.GetProperty("tool_error_mm").GetProperty("hold_rms").GetDouble(), Is.GreaterThan(5));
         Assert.That(result.GetProperty("latency_ms").GetProperty("app_p50").GetDouble(), Is.GreaterThan(50));
         Assert.That(result.GetProperty("frames").GetInt32(), Is.EqualTo(300));
         Assert.That(result.GetProperty("network").GetString(), Is.EqualTo("lan"));
-        var report = File.ReadAllText(Path.Combine(_folder, "report.html"));
-        Assert.That(report, Does.Contain("Nowpose demo: youbot"));
-        if (Nowpose.Web.ReportPage.HasPlots) AssertPlayback(report);
-        Assert.That(run.Output, Does.Contain("report.html").And.Contain("uncompensated"));
-        Assert.That(run.Errors, Does.Contain("of 5 s"), "progress");
-    }
-
-    [Test]
-    public async Task Demo_Result_HasTheExpectedFields()
-    {
-        var run = await CliRun.OfAsync("demo", "--seconds", "5", "--network", "lan", "--out", _folder);
-
-        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
-        var result = Result();
         Assert.That(Names(result), Is.EqualTo("seconds frames samples dropped network latency_ms clock tool_error_mm frame hindcast range light_error_ms bodies"));
         Assert.That(result.GetProperty("range").ValueKind, Is.EqualTo(JsonValueKind.Null), "no load");
         Assert.That(Names(result.GetProperty("latency_ms")), Is.EqualTo("app_p50 app_p95 visu total_error_p95"));
@@ -61,21 +57,6 @@ public class DemoVerbTests
         Assert.That(Names(result.GetProperty("hindcast")), Is.EqualTo("reduction reduction_uncertainty rms_mm hold_rms_mm withheld"));
         var repeated = result.GetProperty("tool_error_mm").GetProperty("reduction_repeated");
         Assert.That(repeated.ValueKind, Is.EqualTo(JsonValueKind.Null), "five seconds contain no third cycle");
-        await AssertReplayable();
-    }
-
-    [Test]
-    public async Task Demo_HeavyLoad_LeavesTheRangeRaisesTheAlarmAndRecovers()
-    {
-        var run = await CliRun.OfAsync("demo", "--load", "1500000", "--seconds", "8", "--network", "lan", "--out", _folder);
-
-        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
-        var range = Result().GetProperty("range");
-        Assert.That(Names(range), Is.EqualTo("limit_render_ms left_s found_s frames_outside alarms"));
-        Assert.That(range.GetProperty("left_s").GetDouble(), Is.GreaterThan(2.7), "the load starts at 2.67 s");
-        Assert.That(range.GetProperty("found_s").GetDouble(), Is.GreaterThan(6.4), "the load ends at 6 s");
-        Assert.That(range.GetProperty("alarms").GetInt32(), Is.EqualTo(1));
-        Assert.That(run.Output, Does.Contain("alarm: left at").And.Contain("found again at"));
     }
 
     async Task AssertReplayable()
@@ -102,7 +83,6 @@ public class DemoVerbTests
         var plans = File.ReadLines(session).Count(line => line.StartsWith("{\"kind\":\"plan\"", StringComparison.Ordinal));
         Assert.That(plans, Is.InRange(1, 22), "four a second at most");
         Assert.That(replay.ExitStatus, Is.EqualTo(0), replay.Errors);
-        Assert.That(JsonDocument.Parse(replay.Output).RootElement.GetProperty("reduction").GetDouble(), Is.GreaterThan(0.5), "the replay uses the plans");
     }
 
     [Test]
