@@ -107,9 +107,6 @@ public sealed class GatewayServer : IAsyncDisposable
     /// <summary>The certificate pin that headsets store; null without TLS.</summary>
     public CertificatePin Pin => _options.Certificate == null ? null : CertificatePin.Of(_options.Certificate);
 
-    /// <summary>Expiry of the certificate, UTC; null without TLS. Headsets refuse an expired certificate.</summary>
-    public DateTime? CertificateExpires => _options.CertificateExpires;
-
     /// <summary>Warnings for the operator: unnecessary privileges, and secret files that other users can read.</summary>
     public IEnumerable<string> Warnings => Precautions.Of(_options, Environment.GetEnvironmentVariable("CREDENTIALS_DIRECTORY"));
 

@@ -46,9 +46,6 @@ public sealed class HubMessage
     /// </summary>
     public long ReceivedAt { get; }
 
-    public static HubMessage Of(JointStateMessage message, long receivedAt, HubSource source = null) =>
-        Of("", message, message.Names, receivedAt, source);
-
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     /// <param name="joints">See <see cref="Joints"/>.</param>
     internal static HubMessage Of(string robot, JointStateMessage message, string[] joints, long receivedAt, HubSource source)

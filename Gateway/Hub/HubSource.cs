@@ -35,12 +35,8 @@ public sealed class HubSource : IDisposable
 
     /// <summary>Publishes to all subscribers, unless a joint of the message belongs to another source.</summary>
     /// <param name="receivedAt">Count of <see cref="Stopwatch"/> at which the last byte of the message was read; null for the current time.</param>
-    /// <returns>The name of the joint that belongs to another source; null if the message was published.</returns>
-    public string TryPublish(JointStateMessage message, long? receivedAt = null) => Publish(message, receivedAt)?.What;
-
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
-    /// <returns>Null if the message was published.</returns>
-    /// <inheritdoc cref="TryPublish(JointStateMessage, long?)"/>
+    /// <returns>A refusal with the name of the joint that belongs to another source; null if the message was published.</returns>
     internal Refusal? Publish(JointStateMessage message, long? receivedAt = null, string robot = "")
     {
         if (!_claimed.TryGetValue(robot, out var claimed) || !message.Names.AsSpan().SequenceEqual(claimed.Names))
@@ -56,9 +52,6 @@ public sealed class HubSource : IDisposable
     /// <summary>
     /// Publishes set-points. The newest set-points of each source are kept for later subscribers, because they are sent once and stay valid.
     /// </summary>
-    /// <inheritdoc cref="TryPublish(JointStateMessage, long?)"/>
-    internal string TryPublish(JointTrajectoryMessage message, long? receivedAt = null) => Publish(message, receivedAt)?.What;
-
     /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
     internal Refusal? Publish(JointTrajectoryMessage message, long? receivedAt = null, string robot = "")
     {
@@ -89,7 +82,7 @@ public sealed class HubSource : IDisposable
     /// Receives the transforms that were not published, because the frame belongs to another source or the transform breaks a limit of the cell.
     /// </param>
     /// <returns>Whether at least one transform was published.</returns>
-    /// <inheritdoc cref="TryPublish(JointStateMessage, long?)" path="/param[@name='receivedAt']"/>
+    /// <inheritdoc cref="Publish(JointStateMessage, long?, string)" path="/param[@name='receivedAt']"/>
     internal bool Publish(TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long? receivedAt = null) =>
         _hub.Publish(this, message, isStationary, leftOut, receivedAt ?? Stopwatch.GetTimestamp());
 
@@ -97,7 +90,7 @@ public sealed class HubSource : IDisposable
     /// <param name="message">The message, which must not change afterwards.</param>
     /// <param name="leftOut">Receives the signals that were not published, because they belong to another source or the cell has too many.</param>
     /// <returns>Whether at least one signal was published.</returns>
-    /// <inheritdoc cref="TryPublish(JointStateMessage, long?)" path="/param[@name='receivedAt']"/>
+    /// <inheritdoc cref="Publish(JointStateMessage, long?, string)" path="/param[@name='receivedAt']"/>
     internal bool Publish(SignalsMessage message, List<LeftOut> leftOut, long? receivedAt = null) =>
         _hub.Publish(this, message, leftOut, receivedAt ?? Stopwatch.GetTimestamp());
 

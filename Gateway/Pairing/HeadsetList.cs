@@ -38,9 +38,6 @@ public sealed class HeadsetList
 
     internal string Path => _path;
 
-    /// <inheritdoc cref="Contains(byte[])"/>
-    public bool Contains(string token) => Contains(TokenList.HashOf(token ?? ""));
-
     /// <summary>Whether the token belongs to a paired headset. The check takes the same time for all tokens.</summary>
     /// <param name="hash">Hash from <see cref="TokenList.HashOf"/>.</param>
     public bool Contains(byte[] hash)

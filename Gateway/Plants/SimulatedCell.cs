@@ -18,23 +18,15 @@ public sealed class SimulatedCell : IDisposable
     readonly CellWork _work;
     readonly string[] _robots;
     Thread _thread;
-    long _samples;
 
-    /// <summary>Creates a cell with one robot, without objects and signals.</summary>
+    /// <summary>Creates a cell.</summary>
     /// <param name="motion">The motion of the robot.</param>
     /// <param name="clock">The control clock, with which samples are stamped.</param>
     /// <param name="timing">Sampling interval and acquisition times.</param>
     /// <param name="seed">Seed of the acquisition times.</param>
     /// <param name="publishesPlan">Whether the cell also publishes the set-points of the next second, four times a second.</param>
-    public SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan = false)
-        : this(motion, clock, timing, seed, publishesPlan, null)
-    {
-    }
-
-    /// <summary>Creates a cell.</summary>
     /// <param name="work">The robots' tasks, whose objects and signals are published; null for one robot without objects and signals.</param>
-    /// <inheritdoc cref="SimulatedCell(IMotion, IControlClock, CellTiming, int, bool)"/>
-    internal SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan, CellWork work)
+    internal SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan = false, CellWork work = null)
     {
         _work = work;
         _robots = work == null ? [""] : [.. work.Robots.Select(robot => robot.Namespace)];
@@ -50,9 +42,6 @@ public sealed class SimulatedCell : IDisposable
 
     /// <summary>Control time at which the motion starts.</summary>
     public ControlTime Start { get; }
-
-    /// <summary>Number of samples that hubs have accepted so far. Thread-safe.</summary>
-    public long Samples => Interlocked.Read(ref _samples);
 
     /// <summary>Gets the robot's true joint positions at a given time. Thread-safe; does not allocate.</summary>
     /// <param name="positions">Receives one position per joint name of the motion, rad or m.</param>
@@ -99,8 +88,7 @@ public sealed class SimulatedCell : IDisposable
             var positions = new double[_names.Length];
             TruthAt(_schedule.Taken, positions);
             var message = new JointStateMessage(_schedule.Taken, _names, positions);
-            foreach (var robot in _robots)
-                if (source.Publish(message, robot: robot) == null) Interlocked.Increment(ref _samples);
+            foreach (var robot in _robots) source.Publish(message, robot: robot);
             if (work != null) PublishWork(work, source, _schedule.Taken);
         }
     }

@@ -65,9 +65,6 @@ public sealed class TokenList
         return new TokenList(tokens, path) { _weak = [.. WeakEntries(path)] };
     }
 
-    /// <inheritdoc cref="RoleOf(byte[])"/>
-    public Role? RoleOf(string token) => RoleOf(HashOf(token ?? ""));
-
     /// <summary>Gets the role of a token; null if the token is unknown. The duration is the same for all tokens.</summary>
     /// <param name="hash">Hash from <see cref="HashOf"/>.</param>
     public Role? RoleOf(byte[] hash)

@@ -51,7 +51,7 @@ sealed class PairingGateway : IAsyncDisposable
 
     /// <summary>Returns the cell code that a headset reads from the robot's marker.</summary>
     public CellCode CellCode() => new(
-        "press", "127.0.0.1", Server.Pin, new MarkerOffset(0.5, 0, 0), 0.1, Server.SyncEndPoint.Port, Server.WebSocketEndPoint.Port);
+        "press", "127.0.0.1", Server.Pin, MarkerOffset.Parse("0.5,0,0", ""), 0.1, Server.SyncEndPoint.Port, Server.WebSocketEndPoint.Port);
 
     /// <summary>Requests the token code that the gateway's page shows.</summary>
     public async Task<TokenCode> ShownAsync(bool isRenewed = false)

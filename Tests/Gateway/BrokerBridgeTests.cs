@@ -38,7 +38,7 @@ public class BrokerBridgeTests
         using var headset = await RawRosbridgeClient.ConnectAsync(far);
         await headset.SubscribeAsync(RosTopics.JointStates);
 
-        var state = await FirstAsync(headset, () => source.TryPublish(new JointStateMessage(plantTime.Now, ["a"], [0.25])));
+        var state = await FirstAsync(headset, () => source.Publish(new JointStateMessage(plantTime.Now, ["a"], [0.25])));
         using var sync = await RawSyncClient.ConnectAsync(far);
         var before = plantTime.Now;
         var reply = (await sync.ExchangeAsync(SyncFrame.Request(1, 42))).Value;

@@ -83,11 +83,11 @@ public sealed class HeadsetFileTests
         HeadsetFile.Add(_path, First);
         HeadsetFile.Add(_path, Second);
         var list = new HeadsetList(_path, log: log.Add);
-        Assert.That((list.Contains("a"), list.Contains("b")), Is.EqualTo((true, true)));
+        Assert.That((list.Contains(First.Hash), list.Contains(Second.Hash)), Is.EqualTo((true, true)));
 
         File.WriteAllText(_path, Second + "\nobserver oops\n");
 
-        Assert.That((list.Contains("a"), list.Contains("b")), Is.EqualTo((false, true)));
+        Assert.That((list.Contains(First.Hash), list.Contains(Second.Hash)), Is.EqualTo((false, true)));
         Assert.That(log, Has.Exactly(1).Items.And.All.Contains("line 2: not an entry of a paired headset"));
     }
 

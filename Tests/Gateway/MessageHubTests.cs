@@ -19,28 +19,28 @@ public class MessageHubTests
     }
 
     [Test]
-    public void TryPublish_JointOfAnotherSource_RefusesTheWholeMessage()
+    public void Publish_JointOfAnotherSource_RefusesTheWholeMessage()
     {
         using var first = _hub.OpenSource();
         using var second = _hub.OpenSource();
-        first.TryPublish(Gateways.State(1, "a", "b"));
+        first.Publish(Gateways.State(1, "a", "b"));
 
-        Assert.That(second.TryPublish(Gateways.State(2, "c", "b")), Is.EqualTo("b"));
+        Assert.That(second.Publish(Gateways.State(2, "c", "b"))?.What, Is.EqualTo("b"));
         Assert.That(_received.Count, Is.EqualTo(1));
 
         // The hub has reserved no joints of the refused message for its source.
         using var third = _hub.OpenSource();
-        Assert.That(third.TryPublish(Gateways.State(3, "c")), Is.Null);
+        Assert.That(third.Publish(Gateways.State(3, "c")), Is.Null);
     }
 
     [Test]
-    public void TryPublish_ArmAndGripperSeparately_PublishesBoth()
+    public void Publish_ArmAndGripperSeparately_PublishesBoth()
     {
         using var arm = _hub.OpenSource();
         using var gripper = _hub.OpenSource();
 
-        Assert.That(arm.TryPublish(Gateways.State(1, "a")), Is.Null);
-        Assert.That(gripper.TryPublish(Gateways.State(1, "g")), Is.Null);
+        Assert.That(arm.Publish(Gateways.State(1, "a")), Is.Null);
+        Assert.That(gripper.Publish(Gateways.State(1, "g")), Is.Null);
         Assert.That(_received.Count, Is.EqualTo(2));
     }
 
@@ -49,11 +49,11 @@ public class MessageHubTests
     {
         var first = _hub.OpenSource();
         using var second = _hub.OpenSource();
-        first.TryPublish(Gateways.State(1, "a"));
+        first.Publish(Gateways.State(1, "a"));
 
         first.Dispose();
 
-        Assert.That(second.TryPublish(Gateways.State(2, "a")), Is.Null);
+        Assert.That(second.Publish(Gateways.State(2, "a")), Is.Null);
     }
 
     [Test]
@@ -61,14 +61,14 @@ public class MessageHubTests
     {
         using var first = _hub.OpenSource();
         using var second = _hub.OpenSource();
-        first.TryPublish(Gateways.State(1, "a"));
+        first.Publish(Gateways.State(1, "a"));
         first.TryDescribe("<robot/>");
 
         first.Release(RosTopics.JointStates);
 
-        Assert.That(second.TryPublish(Gateways.State(2, "a")), Is.Null);
+        Assert.That(second.Publish(Gateways.State(2, "a")), Is.Null);
         Assert.That(second.TryDescribe("<other/>"), Is.Not.Null);
-        Assert.That(first.TryPublish(Gateways.State(1, "a")), Is.EqualTo("a"));
+        Assert.That(first.Publish(Gateways.State(1, "a"))?.What, Is.EqualTo("a"));
     }
 
     [Test]
@@ -92,7 +92,7 @@ public class MessageHubTests
         using var source = _hub.OpenSource();
         _hub.Subscribe(RosTopics.JointStates, received.Add).Dispose();
 
-        source.TryPublish(Gateways.State(1, "a"));
+        source.Publish(Gateways.State(1, "a"));
 
         Assert.That(received, Is.Empty);
         Assert.That(_received.Count, Is.EqualTo(1));
@@ -145,9 +145,9 @@ public class MessageHubTests
     {
         using var arm = _hub.OpenSource();
         var gripper = _hub.OpenSource();
-        arm.TryPublish(Plan(0.25, "a"));
-        arm.TryPublish(Plan(0.5, "a"));
-        gripper.TryPublish(Plan(0.75, "g"));
+        arm.Publish(Plan(0.25, "a"));
+        arm.Publish(Plan(0.5, "a"));
+        gripper.Publish(Plan(0.75, "g"));
 
         Assert.That(PlansOfLateSubscriber(), Has.Count.EqualTo(2));
         Assert.That(PlansOfLateSubscriber(), Has.One.Contains("0.5").And.One.Contains("0.75").And.None.Contains("0.25"));

@@ -1,5 +1,6 @@
 using System.Net.WebSockets;
 using System.Text;
+using System.Text.Json;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Protocol;
@@ -69,7 +70,7 @@ sealed class RawRosbridgeClient : IDisposable
 
     public async Task SubscribeAsync(string topic, string type = null, int throttleMs = 0, int queue = 0)
     {
-        await SendAsync(RosbridgeWriter.Subscribe(topic, type, null, throttleMs, queue));
+        await SendAsync(JsonSerializer.Serialize(new { op = "subscribe", topic, type, throttle_rate = throttleMs, queue_length = queue }));
         await RoundTripAsync();
     }
 

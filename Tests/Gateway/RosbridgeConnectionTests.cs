@@ -59,7 +59,7 @@ public class RosbridgeConnectionTests
         {
             using var subscription = Subscribe(RosTopics.JointStates, drops);
             connection.Start(subscription);
-            source.TryPublish(Gateways.State(i, "a"));
+            source.Publish(Gateways.State(i, "a"));
         }
 
         await Soon.BecomesAsync(() => socket.Sends == 1, "the first message is being sent");
@@ -77,12 +77,12 @@ public class RosbridgeConnectionTests
         connection.Start(former);
         // The time of arrival is in the future, so that no sample becomes too old.
         var receivedAt = Stopwatch.GetTimestamp() + (3600 * Stopwatch.Frequency);
-        for (var i = 0; i < 5; i++) source.TryPublish(Gateways.State(i, "a"), receivedAt);
+        for (var i = 0; i < 5; i++) source.Publish(Gateways.State(i, "a"), receivedAt);
         await Soon.BecomesAsync(() => socket.Sends == 1, "the first message is being sent");
         former.Dispose();
         using var next = Subscribe(RosTopics.JointStates);
         connection.Start(next);
-        for (var i = 5; i < 10; i++) source.TryPublish(Gateways.State(i, "a"), receivedAt);
+        for (var i = 5; i < 10; i++) source.Publish(Gateways.State(i, "a"), receivedAt);
 
         socket.GoOn();
 
@@ -117,7 +117,7 @@ public class RosbridgeConnectionTests
 
         await Soon.BecomesAsync(() =>
         {
-            for (var i = 0; i < 20; i++) source.TryPublish(Gateways.State(i, names));
+            for (var i = 0; i < 20; i++) source.Publish(Gateways.State(i, names));
             TrySend(client);
             return gateway.WebSocketConnections[Closure.Silence] == 1 && gateway.WebSocketConnections.Open == 0;
         }, "closed, though it always has something to say");

@@ -22,7 +22,7 @@ public class RosbridgeReadersTests
         var sent = 0;
         while (gateway.Drops[DropReason.SlowReader] < 100)
         {
-            source.TryPublish(Gateways.State(++sent, names));
+            source.Publish(Gateways.State(++sent, names));
             Assert.That((await quick.ReceiveAsync()).JointState.Positions[0], Is.EqualTo(sent));
         }
 
@@ -47,12 +47,12 @@ public class RosbridgeReadersTests
         var read = 0;
         while (read < 20)
         {
-            source.TryPublish(Gateways.State(read, "a"));
+            source.Publish(Gateways.State(read, "a"));
             Assert.That((await client.ReceiveAsync()).JointState.Positions[0], Is.EqualTo(read++));
         }
 
         const int Count = 2000;
-        for (var i = 1; i <= Count; i++) source.TryPublish(Gateways.State(read + i, "a"));
+        for (var i = 1; i <= Count; i++) source.Publish(Gateways.State(read + i, "a"));
         await Soon.BecomesAsync(() => gateway.Drops[DropReason.SlowReader] > Count / 2, "counted as dropped");
         var received = new List<double>();
         do
@@ -83,7 +83,7 @@ public class RosbridgeReadersTests
         {
             await timer.WaitForNextTickAsync();
             now += interval;
-            source.TryPublish(SevenJoints(now));
+            source.Publish(SevenJoints(now));
             foreach (var reader in readers) await reader.ReadAsync(Bytes, now);
         }
 
@@ -138,11 +138,11 @@ public class RosbridgeReadersTests
         await client.SubscribeAsync(RosTopics.JointStates, null, 2000);
         using var source = gateway.Hub.OpenSource();
         var since = System.Diagnostics.Stopwatch.GetTimestamp();
-        source.TryPublish(Gateways.State(1, "a"));
+        source.Publish(Gateways.State(1, "a"));
         var first = (await client.ReceiveAsync()).JointState.Positions[0];
 
         for (var i = 2; i <= 20; i++)
-            source.TryPublish(Gateways.State(i, "a"));
+            source.Publish(Gateways.State(i, "a"));
         var second = (await client.ReceiveAsync()).JointState.Positions[0];
 
         Assert.That((first, second), Is.EqualTo((1.0, 20.0)));

@@ -17,7 +17,7 @@ public class RosbridgeTopicTests
         await client.SubscribeAsync(RosTopics.JointStates, type);
 
         using var source = gateway.Hub.OpenSource();
-        source.TryPublish(Gateways.State(0.5, "a", "b"));
+        source.Publish(Gateways.State(0.5, "a", "b"));
 
         var text = await client.ReceiveTextAsync();
         Assert.That(text, Does.Contain($"\"{seconds}\":5000"));
@@ -56,11 +56,11 @@ public class RosbridgeTopicTests
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SubscribeAsync(RosTopics.JointStates);
-        await client.SendAsync(RosbridgeWriter.Unsubscribe(RosTopics.JointStates));
+        await client.SendAsync("""{"op":"unsubscribe","topic":"/joint_states"}""");
         await client.RoundTripAsync();
 
         using var source = gateway.Hub.OpenSource();
-        source.TryPublish(Gateways.State(0.5, "a"));
+        source.Publish(Gateways.State(0.5, "a"));
 
         await client.RoundTripAsync();
     }
@@ -70,13 +70,13 @@ public class RosbridgeTopicTests
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
-        await client.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStates, null, "1"));
-        await client.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStates, null, "2"));
-        await client.SendAsync(RosbridgeWriter.Unsubscribe(RosTopics.JointStates, "1"));
+        await client.SendAsync("""{"op":"subscribe","topic":"/joint_states","id":"1"}""");
+        await client.SendAsync("""{"op":"subscribe","topic":"/joint_states","id":"2"}""");
+        await client.SendAsync("""{"op":"unsubscribe","topic":"/joint_states","id":"1"}""");
         await client.RoundTripAsync();
 
         using var source = gateway.Hub.OpenSource();
-        source.TryPublish(Gateways.State(0.5, "a"));
+        source.Publish(Gateways.State(0.5, "a"));
 
         Assert.That((await client.ReceiveAsync()).JointState, Is.Not.Null);
         await client.RoundTripAsync(); // the sample has not been sent a second time
@@ -109,7 +109,7 @@ public class RosbridgeTopicTests
         await client.SendAsync(RosbridgeWriter.Advertise(RosTopics.JointStates, null));
         await client.ExpectErrorAsync("64");
         await SubscribeToUnknownAsync(client, "/topic0"); // the gateway creates no further topic
-        await client.SendAsync(RosbridgeWriter.Unsubscribe("/topic0"));
+        await client.SendAsync("""{"op":"unsubscribe","topic":"/topic0"}""");
         await SubscribeToUnknownAsync(client, "/one_more");
         Assert.That(gateway.Drops[DropReason.TooManyTopics], Is.EqualTo(2));
     }

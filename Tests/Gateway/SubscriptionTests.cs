@@ -26,7 +26,7 @@ public class SubscriptionTests
                 return Task.CompletedTask;
             },
             CancellationToken.None);
-        source.TryPublish(new JointStateMessage(ControlTime.FromSeconds(1), ["a"], [0.5]));
+        source.Publish(new JointStateMessage(ControlTime.FromSeconds(1), ["a"], [0.5]));
         await sent.Task.Bounded();
 
         subscription.Dispose();
@@ -44,7 +44,7 @@ public class SubscriptionTests
         using var subscription = new Subscription(hub, RosTopics.JointStates, default, 16, drops);
         var old = Stopwatch.GetTimestamp() - Stopwatch.Frequency;
         for (var i = 0; i < 10; i++)
-            source.TryPublish(new JointStateMessage(ControlTime.FromSeconds(i + 1), ["a"], [i]), old);
+            source.Publish(new JointStateMessage(ControlTime.FromSeconds(i + 1), ["a"], [i]), old);
         var sent = new TaskCompletionSource<string>();
 
         _ = subscription.PumpAsync(

@@ -26,8 +26,6 @@ sealed class UnityProjectFolder : IDisposable
 
     public void Delete(string path) => File.Delete(Full(path));
 
-    public bool Has(string path) => File.Exists(Full(path));
-
     public IEnumerable<string> Metas()
     {
         return Directory.EnumerateFiles(Root, "*.meta", SearchOption.AllDirectories)

@@ -22,7 +22,7 @@ public class NativeWebSocketLinkTests
         var subscribed = await NextAsync(link);
         using var source = gateway.Hub.OpenSource();
 
-        source.TryPublish(Gateways.State(0.5, "a"));
+        source.Publish(Gateways.State(0.5, "a"));
 
         Assert.That(subscribed.Text, Does.Contain("service_response"));
         Assert.That((await NextAsync(link)).Text, Is.EqualTo(Gateways.StateText(0.5)));

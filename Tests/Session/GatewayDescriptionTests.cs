@@ -70,7 +70,7 @@ public class GatewayDescriptionTests
 
     SessionStatistics Tick(CompensationSession session, Nowpose.Gateway.Hub.HubSource source)
     {
-        source.TryPublish(Gateways.State(0.5, "arm_joint_1"));
+        source.Publish(Gateways.State(0.5, "arm_joint_1"));
         session.Tick(_clock.Now);
         return session.Statistics(_clock.Now);
     }

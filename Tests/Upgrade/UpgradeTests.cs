@@ -74,7 +74,7 @@ public class UpgradeTests
     [TestCase("hall-0123456789abcdef", Role.Operator)]
     [TestCase("another", null)]
     public void Tokens_FromVersion0Point1_HaveTheSameRoles(string token, Role? role) =>
-        Assert.That(TokenList.Read(At("tokens.txt")).RoleOf(token), Is.EqualTo(role));
+        Assert.That(TokenList.Read(At("tokens.txt")).RoleOf(TokenList.HashOf(token)), Is.EqualTo(role));
 
     [Test]
     public void Profile_FromVersion0Point1_HasTheSameValues()

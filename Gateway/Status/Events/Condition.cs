@@ -4,7 +4,6 @@ namespace Nowpose.Gateway.Status.Events;
 
 enum Level
 {
-    Ok,
     Warning,
     Error,
 }

@@ -228,7 +228,7 @@ public class FrameTopicTests
         await second.RoundTripAsync();
         Assert.That(_gateway.Drops[DropReason.FrameTaken], Is.EqualTo(2));
         await _source.SendAsync(RosbridgeWriter.Advertise(isStatic ? RosTopics.TfStatic : RosTopics.Tf, null));
-        await SendAsync(RosbridgeWriter.Unadvertise(isStatic ? RosTopics.TfStatic : RosTopics.Tf));
+        await SendAsync($$"""{"op":"unadvertise","topic":"{{(isStatic ? RosTopics.TfStatic : RosTopics.Tf)}}"}""");
         await second.SendAsync(Tf(Frame("box")));
         await second.RoundTripAsync();
     }
@@ -254,7 +254,7 @@ public class FrameTopicTests
         await late.SendAsync(Tf(Frame("belt")));
         await late.RoundTripAsync();
         await _headset.SubscribeAsync(RosTopics.Tf);
-        await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.TfStatic, null, "again"));
+        await _headset.SendAsync("""{"op":"subscribe","topic":"/tf_static","id":"again"}""");
         Assert.That(await NextFramesAsync(), Is.EqualTo("fixture=2"));
         await _headset.RoundTripAsync();
     }

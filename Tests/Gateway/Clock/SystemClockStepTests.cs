@@ -185,7 +185,7 @@ public class SystemClockStepTests
     {
         await StartAsync(new StopwatchControlClock(SystemTime));
         using var owner = _gateway.Hub.OpenSource();
-        owner.TryPublish(new JointStateMessage(SystemTime, ["a"], [0.5]));
+        owner.Publish(new JointStateMessage(SystemTime, ["a"], [0.5]));
         await _source.ReceiveAsync();
         _system.Correct(TimeSpan.FromSeconds(seconds));
 

@@ -29,7 +29,7 @@ public class GracefulEndTests
         var uri = new Uri(gateway.Lines.Single(line => line.StartsWith("websocket ", StringComparison.Ordinal)).Split(' ')[1]);
         using var client = new ClientWebSocket();
         await client.ConnectAsync(uri, default).Bounded();
-        await SendAsync(client, RosbridgeWriter.Subscribe(RosTopics.JointStates, null, null, 0, 1000));
+        await SendAsync(client, """{"op":"subscribe","topic":"/joint_states","queue_length":1000}""");
         var seen = new List<int>();
         var reading = ReadAsync(client, seen);
         using var enough = new CancellationTokenSource();

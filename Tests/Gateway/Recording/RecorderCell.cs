@@ -49,7 +49,7 @@ sealed class RecorderCell : IDisposable
             var received = Stopwatch.GetTimestamp() - (long)(ago.TotalSeconds * Stopwatch.Frequency);
             var position = 1.5 + 0.5 * Math.Sin(2 * Math.PI * 0.4 * i * StepSeconds);
             var stamp = Clock.Now - ago - TimeSpan.FromMilliseconds(80);
-            Assert.That(Source.TryPublish(new JointStateMessage(stamp, names, [.. names.Select(_ => position)]), received), Is.Null);
+            Assert.That(Source.Publish(new JointStateMessage(stamp, names, [.. names.Select(_ => position)]), received), Is.Null);
         }
     }
 

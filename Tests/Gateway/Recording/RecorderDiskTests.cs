@@ -79,7 +79,7 @@ public class RecorderDiskTests
         recorder.SwitchOn();
 
         var since = Stopwatch.GetTimestamp();
-        for (var i = 0; i < 20_000; i++) _cell.Source.TryPublish(new JointStateMessage(Gateways.Start, ["a"], [i]));
+        for (var i = 0; i < 20_000; i++) _cell.Source.Publish(new JointStateMessage(Gateways.Start, ["a"], [i]));
         var took = Stopwatch.GetElapsedTime(since);
         var lost = recorder.Status.Lost;
         goOn.Set();

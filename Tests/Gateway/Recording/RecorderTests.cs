@@ -65,10 +65,10 @@ public class RecorderTests
         recorder.SwitchOn();
         for (var i = 0; i < 3000; i++)
         {
-            _cell.Source.TryPublish(new JointStateMessage(Gateways.Start, ["a"], [i]));
+            _cell.Source.Publish(new JointStateMessage(Gateways.Start, ["a"], [i]));
             if (i % 1000 == 0) await Task.Yield();
         }
-        _cell.Source.TryPublish(new JointTrajectoryMessage(Gateways.Start, ["a"], [new JointTrajectoryPoint(TimeSpan.Zero, [0.25])]));
+        _cell.Source.Publish(new JointTrajectoryMessage(Gateways.Start, ["a"], [new JointTrajectoryPoint(TimeSpan.Zero, [0.25])]));
         _cell.Source.Publish(
             new DiagnosticsMessage(Gateways.Start, "goggles", [KeyValuePair.Create("rtt_ms", "3"), KeyValuePair.Create("say \"so\"", "\n")]));
         _cell.Drops.Count(DropReason.NotJson);

@@ -39,7 +39,7 @@ public class AnswerReaderTests
         // Publishes until all buffers between the gateway and the client are full.
         while (gateway.Drops[DropReason.SlowReader] < 100)
         {
-            source.TryPublish(Gateways.State(++sent, names));
+            source.Publish(Gateways.State(++sent, names));
             await quick.ReceiveAsync();
         }
 

@@ -27,7 +27,7 @@ public class LimitAlarmTests
     [TearDown]
     public void Close() => _alarm.Dispose();
 
-    void Send(double elbow) => _source.TryPublish(new JointStateMessage(ControlTime.FromSeconds(1), Joints, [0.5, elbow]));
+    void Send(double elbow) => _source.Publish(new JointStateMessage(ControlTime.FromSeconds(1), Joints, [0.5, elbow]));
 
     // Publishes until the position is found outside its limits, because another thread reads the description first.
     Task Found(double elbow) => Soon.BecomesAsync(

@@ -28,7 +28,7 @@ public class OperationsStateTests
 
         for (var tries = 0; !isNamed && tries < 400; tries++)
         {
-            source.TryPublish(new JointStateMessage(Gateways.Start, ["wrist_1_joint", "wrist_2_joint"], [-45, 1]));
+            source.Publish(new JointStateMessage(Gateways.Start, ["wrist_1_joint", "wrist_2_joint"], [-45, 1]));
             var sources = (await StateAsync(gateway)).GetProperty("sources").EnumerateArray();
             var named = sources.Single().GetProperty("beyond_limits").EnumerateArray().Select(joint => joint.GetString());
             isNamed = named.SequenceEqual(["wrist_1_joint"]);
@@ -64,7 +64,7 @@ public class OperationsStateTests
         using var source = gateway.Hub.OpenSource();
         for (var i = 0; i < 20; i++)
         {
-            source.TryPublish(new JointStateMessage(clock.Now - TimeSpan.FromMilliseconds(80), ["a", "b"], [1, 2]));
+            source.Publish(new JointStateMessage(clock.Now - TimeSpan.FromMilliseconds(80), ["a", "b"], [1, 2]));
             await client.ReceiveAsync();
         }
         // The client may receive the last message before the gateway records the forwarding time of this message.
@@ -111,7 +111,7 @@ public class OperationsStateTests
         using var source = gateway.Hub.OpenSource();
         source.Publish(Diagnostics("goggles", ("rtt_ms", "-1.7e308"), ("l_app_ms", "1.7e308"), ("l_visu_ms", "1.7e308"), ("render_ms", "-1.7e308")));
         using var joints = gateway.Hub.OpenSource();
-        joints.TryPublish(Gateways.State(1, "a"));
+        joints.Publish(Gateways.State(1, "a"));
 
         var (status, text, _) = await GetAsync(gateway, "/operations/state");
 
@@ -220,7 +220,7 @@ public class OperationsStateTests
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SubscribeAsync(RosTopics.JointStates, throttleMs: 50);
         using var source = gateway.Hub.OpenSource();
-        source.TryPublish(Gateways.State(1, "a"));
+        source.Publish(Gateways.State(1, "a"));
         await client.ReceiveAsync();
 
         Assert.That((await StateAsync(gateway)).TryGetProperty("forward_ms", out _), Is.False);

@@ -73,7 +73,7 @@ public class ReadinessTests
         Assert.That((await GetAsync(gateway, "/readyz")).Status, Is.EqualTo(HttpStatusCode.ServiceUnavailable));
 
         using var source = gateway.Hub.OpenSource();
-        source.TryPublish(Gateways.State(1, "a"));
+        source.Publish(Gateways.State(1, "a"));
 
         Assert.That((await GetAsync(gateway, "/readyz")).Status, Is.EqualTo(HttpStatusCode.OK));
     }

@@ -15,7 +15,7 @@ namespace Nowpose.Mono.Aot
             var now = HeadsetTime.FromSeconds(100);
             using var flow = new PairingFlow(PairedCells.None, "headset", (gateway, token, cancel) => Task.FromResult(PairingAnswer.Accepted("own")));
 
-            flow.See(new CellCode("Press 3", "10.0.0.7", pin, new MarkerOffset(0, 0, 0)).Text, now);
+            flow.See(new CellCode("Press 3", "10.0.0.7", pin, MarkerOffset.Parse("0,0,0", "")).Text, now);
             flow.Tick(now);
             flow.Accept();
             flow.See(new TokenCode(pin, "AAAAAAAAAAAAAAAAAAAAAA").Text, now);

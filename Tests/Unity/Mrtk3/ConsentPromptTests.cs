@@ -66,7 +66,7 @@ public sealed class ConsentPromptTests
 
     void LookAtTheMarker()
     {
-        _codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text);
+        _codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, MarkerOffset.Parse("0.5,0,0", ""), 0.1, 1, 1).Text);
         Run(60);
     }
 

@@ -13,9 +13,9 @@ sealed class PlayedPairing : IDisposable
     static readonly CertificatePin Pin = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
 
     // These codes name port 1, which is closed.
-    public static readonly string Desk = new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text;
+    public static readonly string Desk = new CellCode("desk", "127.0.0.1", null, MarkerOffset.Parse("0.5,0,0", ""), 0.1, 1, 1).Text;
 
-    public static readonly string Press = new CellCode("press", "127.0.0.1", Pin, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text;
+    public static readonly string Press = new CellCode("press", "127.0.0.1", Pin, MarkerOffset.Parse("0.5,0,0", ""), 0.1, 1, 1).Text;
 
     readonly string _folder;
 

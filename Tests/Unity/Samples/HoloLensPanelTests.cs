@@ -61,7 +61,7 @@ public sealed class HoloLensPanelTests
     public void Consent_CodeInView_IsRequestedAndGivenByAButton(string button, string expected)
     {
         var codes = ShownCodes.Below(_sample.Session);
-        codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text);
+        codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, MarkerOffset.Parse("0.5,0,0", ""), 0.1, 1, 1).Text);
         Show(codes, 2);
         Assert.That(_sample.Child<TextMesh>("Question").text, Is.Not.Empty);
 
@@ -76,7 +76,7 @@ public sealed class HoloLensPanelTests
     public void ForgetCell_Pressed_AsksForConfirmation(string button, string left)
     {
         var codes = ShownCodes.Below(_sample.Session);
-        codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text);
+        codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, MarkerOffset.Parse("0.5,0,0", ""), 0.1, 1, 1).Text);
         Show(codes, 2);
         _sample.Press("Accept");
         codes.Texts.Clear();
@@ -114,7 +114,7 @@ public sealed class HoloLensPanelTests
         Show(codes, 1);
         Assert.That(Message, Is.EqualTo("look at the robot's marker"));
 
-        codes.Texts.Add(new CellCode("desk", "127.0.0.1", pin, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text);
+        codes.Texts.Add(new CellCode("desk", "127.0.0.1", pin, MarkerOffset.Parse("0.5,0,0", ""), 0.1, 1, 1).Text);
         Show(codes, 2);
         _sample.Press("Accept");
         Show(codes, 1);

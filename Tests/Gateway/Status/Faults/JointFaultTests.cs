@@ -199,7 +199,7 @@ public class JointFaultTests
         await Soon.BecomesAsync(
             () =>
             {
-                _gateway.Source.TryPublish(Gateways.State(200, "arm_joint_3"));
+                _gateway.Source.Publish(Gateways.State(200, "arm_joint_3"));
                 return _gateway.EventAsync("limit", "arm_joint_3").Result.ValueKind == JsonValueKind.Object;
             },
             "the joint is outside its limits");

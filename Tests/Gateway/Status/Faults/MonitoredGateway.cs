@@ -54,7 +54,7 @@ sealed class MonitoredGateway : IAsyncDisposable
         return text.TrimEnd('\n').Split('\n');
     }
 
-    public void Publish(params string[] joints) => Source.TryPublish(Gateways.State(1, joints));
+    public void Publish(params string[] joints) => Source.Publish(Gateways.State(1, joints));
 
     public void Report(string name, params (string Key, string Value)[] values) =>
         Source.Publish(new DiagnosticsMessage(Gateways.Start, name, [.. values.Select(pair => KeyValuePair.Create(pair.Key, pair.Value))]));

@@ -98,7 +98,7 @@ public class SourceFaultTests
         using var second = _gateway.Server.Hub.OpenSource();
         second.Name = "copy";
 
-        Assert.That(second.TryPublish(Gateways.State(1, "a")), Is.EqualTo("a"));
+        Assert.That(second.Publish(Gateways.State(1, "a"))?.What, Is.EqualTo("a"));
 
         await _gateway.BeginsAsync("source", "copy of joint a");
         _gateway.Time.Advance(TimeSpan.FromSeconds(6));

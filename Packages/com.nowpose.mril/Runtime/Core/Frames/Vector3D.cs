@@ -26,8 +26,6 @@ namespace Nowpose.Frames
         /// <param name="component">0 for x, 1 for y, 2 for z.</param>
         public double this[int component] => component == 0 ? X : component == 1 ? Y : Z;
 
-        public double Dot(in Vector3D other) => X * other.X + Y * other.Y + Z * other.Z;
-
         public static Vector3D operator +(in Vector3D a, in Vector3D b) => new Vector3D(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
 
         public static Vector3D operator -(in Vector3D a, in Vector3D b) => new Vector3D(a.X - b.X, a.Y - b.Y, a.Z - b.Z);

@@ -19,10 +19,6 @@ namespace Nowpose.Pairing
 
         readonly double[] _numbers;
 
-        /// <exception cref="InputException">A value is out of range or not a number.</exception>
-        public MarkerOffset(double x, double y, double z, double rollDegrees = 0, double pitchDegrees = 0, double yawDegrees = 0)
-            : this(new[] { x, y, z, rollDegrees, pitchDegrees, yawDegrees }, "marker offset") { }
-
         MarkerOffset(double[] numbers, string what)
         {
             var names = new[] { "x", "y", "z", "roll", "pitch", "yaw" };

@@ -52,7 +52,6 @@ namespace Nowpose.Pairing
         /// <summary>Whether the gateway rejects the token of the cell in use, so that a new code is needed.</summary>
         public bool IsTokenRefused
         {
-            get => _isTokenRefused;
             set
             {
                 if (value == _isTokenRefused) return;

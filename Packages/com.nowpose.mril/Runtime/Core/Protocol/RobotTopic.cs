@@ -12,16 +12,12 @@ namespace Nowpose.Protocol
         /// <summary>Topics that each robot has.</summary>
         public static readonly string[] OfRobots = { RosTopics.JointStates, RosTopics.JointTrajectory, RosTopics.RobotDescription };
 
-        RobotTopic(string name, string robot, string kind, bool isValid)
+        RobotTopic(string robot, string kind, bool isValid)
         {
-            Name = name;
             Robot = robot;
             Kind = kind;
             IsValid = isValid;
         }
-
-        /// <summary>The whole topic name.</summary>
-        public string Name { get; }
 
         /// <summary>Namespace of the robot without slashes; empty for a topic without a namespace.</summary>
         public string Robot { get; }
@@ -38,10 +34,10 @@ namespace Nowpose.Protocol
             {
                 if (name.Length <= kind.Length || name[0] != '/' || !name.EndsWith(kind, StringComparison.Ordinal)) continue;
                 var robot = name.Substring(1, name.Length - kind.Length - 1);
-                return IsNamespace(robot) ? new RobotTopic(name, robot, kind, true) : new RobotTopic(name, "", name, false);
+                return IsNamespace(robot) ? new RobotTopic(robot, kind, true) : new RobotTopic("", name, false);
             }
 
-            return new RobotTopic(name, "", name, true);
+            return new RobotTopic("", name, true);
         }
 
         /// <summary>Returns the full name of a robot's topic.</summary>

@@ -14,22 +14,11 @@ namespace Nowpose.Protocol
         /// <param name="type">
         /// A type name; it also determines the notation of times (<see cref="RosTopics.TimeFormOf"/>). Null to omit the type.
         /// </param>
-        /// <param name="throttleRateMs">Minimum interval between two messages, in ms; 0 for no limit.</param>
-        /// <param name="queueLength">Queue capacity in messages; 0 for the server's default.</param>
-        public static string Subscribe(string topic, string type = null, string id = null, int throttleRateMs = 0, int queueLength = 0) =>
-            Write("subscribe", id, topic, json =>
-            {
-                Optional(json, "type", type);
-                Optional(json, "throttle_rate", throttleRateMs);
-                Optional(json, "queue_length", queueLength);
-            });
-
-        public static string Unsubscribe(string topic, string id = null) => Write("unsubscribe", id, topic, _ => { });
+        public static string Subscribe(string topic, string type = null) =>
+            Write("subscribe", null, topic, json => Optional(json, "type", type));
 
         public static string Advertise(string topic, string type, string id = null) =>
             Write("advertise", id, topic, json => Optional(json, "type", type));
-
-        public static string Unadvertise(string topic, string id = null) => Write("unadvertise", id, topic, _ => { });
 
         /// <exception cref="ArgumentException">A position is not finite.</exception>
         public static string PublishJointState(string topic, JointStateMessage message, RosTimeForm form) =>
@@ -143,14 +132,6 @@ namespace Nowpose.Protocol
         static void Optional(JsonWriter json, string name, string value)
         {
             if (value == null)
-                return;
-            json.WritePropertyName(name);
-            json.WriteValue(value);
-        }
-
-        static void Optional(JsonWriter json, string name, int value)
-        {
-            if (value == 0)
                 return;
             json.WritePropertyName(name);
             json.WriteValue(value);

@@ -21,7 +21,6 @@ namespace Nowpose.Simulation
 
         readonly IMotion _motion;
         readonly HeadsetTime _start;
-        readonly VirtualClock _clock;
         readonly VirtualSamples _samples;
         readonly VirtualExchanges _exchanges;
         readonly VirtualPlans _plans;
@@ -57,7 +56,6 @@ namespace Nowpose.Simulation
             _work = work == null ? null : new VirtualWork(work, clock, unchecked(seed * 100 + 90), start);
             _motion = motion;
             _start = start;
-            _clock = clock;
             var robots = NamespacesOf(work);
             _samples = new VirtualSamples(motion, robots, clock, unchecked(seed * 100), start);
             _exchanges = new VirtualExchanges(clock, unchecked(seed * 100 + 50), start);

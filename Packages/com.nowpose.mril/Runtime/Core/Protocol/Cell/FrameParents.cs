@@ -22,9 +22,6 @@ namespace Nowpose.Protocol.Cell
         /// </param>
         public FrameParents(Func<string, string> rootOfLink = null) => _rootOfLink = rootOfLink ?? (_ => null);
 
-        /// <summary>Number of frames with a parent.</summary>
-        public int Count => _parents.Count;
-
         /// <summary>Parent of a frame; null if none is known.</summary>
         public string this[string child] => _parents.TryGetValue(child, out var parent) ? parent : null;
 

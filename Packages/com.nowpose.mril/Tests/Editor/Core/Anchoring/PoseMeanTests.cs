@@ -69,7 +69,7 @@ namespace Nowpose.Tests.Core.Anchoring
 
             Assert.That(mean.SpreadMetres, Is.EqualTo(0.002 * Math.Sqrt(3)).Within(0.0003));
             Assert.That(mean.SpreadRadians, Is.EqualTo(0.5 * Degree * Math.Sqrt(3)).Within(0.08 * Degree));
-            Assert.That(mean.Outliers, Is.LessThan(8), "noisy poses are not outliers");
+            Assert.That(mean.Inliers, Is.GreaterThan(200 - 8), "noisy poses are not outliers");
             Assert.That(mean.Pose.DistanceTo(True), Is.LessThan(3 * mean.ErrorMetres));
             Assert.That(mean.Pose.AngleTo(True), Is.LessThan(3 * mean.ErrorRadians));
             Assert.That(mean.ErrorMetres, Is.EqualTo(mean.SpreadMetres / Math.Sqrt(mean.Inliers)).Within(1e-9));
@@ -91,7 +91,7 @@ namespace Nowpose.Tests.Core.Anchoring
 
             var mean = Mean();
 
-            Assert.That(mean.Outliers, Is.EqualTo(share * 100).Within(2));
+            Assert.That(mean.Inliers, Is.EqualTo(100 - share * 100).Within(2));
             Assert.That(mean.Pose.DistanceTo(True), Is.LessThan(0.0006));
             Assert.That(mean.Pose.AngleTo(True), Is.LessThan(0.12 * Degree));
         }

@@ -36,7 +36,8 @@ namespace Nowpose.Tests.Core.Pairing
 
         [Test]
         public void Write_AllFields_ReturnsTheCode() => Assert.That(
-            new CellCode("Press 3", "192.168.10.20", Pin, new MarkerOffset(0.25, -0.1, 0.02, 0, 0, 90), 0.12, 47020, 47021).Text, Is.EqualTo(Whole));
+            new CellCode("Press 3", "192.168.10.20", Pin, MarkerOffset.Parse("0.25,-0.1,0.02,0,0,90", ""), 0.12, 47020, 47021).Text,
+                Is.EqualTo(Whole));
 
         [Test]
         public void Parse_Loopback_NeedsOnlyNameAndHost()
@@ -100,11 +101,11 @@ namespace Nowpose.Tests.Core.Pairing
             const string Letters = "abcdefgh XYZ-_.üß";
             var name = "n";
             for (var i = random.Next(12); i > 0; i--) name += Letters[random.Next(Letters.Length)];
-            double Metres() => random.NextDouble() * 10 - 5;
-            double Degrees() => random.NextDouble() * 720 - 360;
+            string Metres() => MarkerOffset.Write(random.NextDouble() * 10 - 5);
+            string Degrees() => MarkerOffset.Write(random.NextDouble() * 720 - 360);
             var code = new CellCode(
                 name.TrimEnd(), random.Next(256) == 0 ? "gateway" : "10.0.0." + random.Next(256), Pin,
-                random.Next(3) == 0 ? null : new MarkerOffset(Metres(), Metres(), Metres(), Degrees(), Degrees(), Degrees()),
+                random.Next(3) == 0 ? null : MarkerOffset.Parse(string.Join(",", Metres(), Metres(), Metres(), Degrees(), Degrees(), Degrees()), ""),
                 random.Next(2) * (0.01 + random.NextDouble()), random.Next(1, 65536), random.Next(1, 65536));
 
             var read = CellCode.Parse(code.Text);

@@ -174,7 +174,7 @@ namespace Nowpose.Tests.Core.Pairing
         public void Write_NamesTooLong_ThrowsWithTheMaximum()
         {
             var error = Assert.Throws<InputException>(() => new CellCode(
-                new string('ü', 40), new string('a', 50), Pin, new MarkerOffset(1, 2, 3)));
+                new string('ü', 40), new string('a', 50), Pin, MarkerOffset.Parse("1,2,3", "")));
 
             Assert.That(error.Message, Does.Contain("up to 213").And.Contain("shorten"));
         }

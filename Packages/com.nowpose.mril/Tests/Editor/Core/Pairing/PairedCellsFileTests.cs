@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core.Pairing
 
         string _folder, _path;
 
-        static CellCode CodeOf(string cell, double x) => new CellCode(cell, "10.0.0.7", Pin, new MarkerOffset(x, 0, 0));
+        static CellCode CodeOf(string cell, double x) => new CellCode(cell, "10.0.0.7", Pin, MarkerOffset.Parse(MarkerOffset.Write(x) + ",0,0", ""));
 
         [SetUp]
         public void Create()

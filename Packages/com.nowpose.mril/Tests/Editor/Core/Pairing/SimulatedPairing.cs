@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Pairing
         public TaskCompletionSource<PairingAnswer> Answer { get; private set; }
 
         public static string CodeOf(string cell, string host, CertificatePin pin, double x = 0) =>
-            new CellCode(cell, host, pin, new MarkerOffset(x, 0, 0)).Text;
+            new CellCode(cell, host, pin, MarkerOffset.Parse(MarkerOffset.Write(x) + ",0,0", "")).Text;
 
         public static string TokenOf(byte number, CertificatePin pin) =>
             new TokenCode(pin, Convert.ToBase64String(new byte[] { number, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }).TrimEnd('=')).Text;

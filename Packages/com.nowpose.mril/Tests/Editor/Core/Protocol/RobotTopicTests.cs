@@ -18,7 +18,6 @@ namespace Nowpose.Tests.Core.Protocol
             var topic = RobotTopic.Parse(name);
 
             Assert.That(topic.IsValid, Is.True);
-            Assert.That(topic.Name, Is.EqualTo(name));
             Assert.That(topic.Robot, Is.EqualTo(robot));
             Assert.That(topic.Kind, Is.EqualTo(kind));
         }

@@ -22,7 +22,6 @@ namespace Nowpose.Tests.Core.Protocol.Cell
             Set("box", "arm1/tool0");
 
             Assert.That(_frames["box"], Is.EqualTo("arm1/tool0"));
-            Assert.That(_frames.Count, Is.EqualTo(1));
         }
 
         [Test]
