@@ -35,7 +35,7 @@ sealed class DeviceOptions
 
     readonly Option<string> _reprojection = Choice(
         "--reprojection", "How the display corrects frames for head motion",
-        [.. Enum.GetValues<ReprojectionMode>().Select(ReprojectionModeNames.NameOf)]);
+        [.. Enum.GetValues<ReprojectionMode>().Select(LatencyNames.Reprojection.NameOf)]);
 
     public void AddTo(Command verb)
     {
@@ -59,13 +59,14 @@ sealed class DeviceOptions
 
     /// <summary>Creates the option for the source of the render time, used by methods that find a render time limit.</summary>
     public static Option<string> Source() => ChoiceOption.Create(
-        "--source", "Source of render_ms; the limit is valid for this source only", RenderTimeSourceNames.NameOf(RenderTimeSourceKind.DisplayGpuTime),
-        [.. Enum.GetValues<RenderTimeSourceKind>().Where(kind => kind != RenderTimeSourceKind.None).Select(RenderTimeSourceNames.NameOf)]);
+        "--source", "Source of render_ms; the limit is valid for this source only",
+        LatencyNames.RenderTimeSource.NameOf(RenderTimeSourceKind.DisplayGpuTime),
+        [.. Enum.GetValues<RenderTimeSourceKind>().Where(kind => kind != RenderTimeSourceKind.None).Select(LatencyNames.RenderTimeSource.NameOf)]);
 
     /// <param name="source">One of the values that <see cref="Source"/> allows.</param>
     public static RenderTimeSourceKind KindOf(string source) =>
-        RenderTimeSourceNames.TryParse(source, out var kind)
-            ? kind : throw new InputException(OptionMessages.UnknownChoice("--source", source, RenderTimeSourceNames.All));
+        LatencyNames.RenderTimeSource.TryParse(source, out var kind)
+            ? kind : throw new InputException(OptionMessages.UnknownChoice("--source", source, LatencyNames.RenderTimeSource.All));
 
     static Option<string> Text(string name, string description) => new(name) { Description = description + "; same default as --device" };
 

@@ -15,7 +15,7 @@ static class ProfileFacts
         yield return ["Spread (standard deviation)", Ms(profile.Spread)];
         yield return ["Render time limit", profile.Range == null ? "unknown" : Ms(profile.Range.Limit)];
         if (profile.ValidToRenderTime is TimeSpan valid) yield return [CalibrationPageTexts.ConstantUpTo, Ms(valid)];
-        if (profile.Range != null) yield return [CalibrationPageTexts.RenderTimeSource, RenderTimeSourceNames.NameOf(profile.Range.Source)];
+        if (profile.Range != null) yield return [CalibrationPageTexts.RenderTimeSource, LatencyNames.RenderTimeSource.NameOf(profile.Range.Source)];
         yield return ["Device", profile.Device.Length > 0 ? profile.Device : CalibrationPageTexts.ValidForAny];
         yield return ["Display", profile.DisplayHz > 0 ? profile.DisplayHz.ToString("0.##", CultureInfo.InvariantCulture) + " Hz" : CalibrationPageTexts.ValidForAny];
         for (var condition = DisplayCondition.GraphicsApi; condition <= DisplayCondition.Reprojection; condition++)

@@ -81,8 +81,8 @@ static class SweepLogReader
 
     static RenderTimeSourceKind SourceOf(string text)
     {
-        if (RenderTimeSourceNames.TryParse(text, out var source)) return source;
-        throw new InputException(SweepFileMessages.UnknownSource(Source, text, RenderTimeSourceNames.All));
+        if (LatencyNames.RenderTimeSource.TryParse(text, out var source)) return source;
+        throw new InputException(SweepFileMessages.UnknownSource(Source, text, LatencyNames.RenderTimeSource.All));
     }
 
     static long Whole(string text, string field, string unit)

@@ -59,7 +59,7 @@ sealed class VlcEvaluation
             _warnings.Add(VlcMessages.NotInSweep(_result.Read.Count - joined.Count, _result.Read.Count));
         var (measured, others) = (sweep.Count(row => row.RenderMs.HasValue), sweep.Count(row => row.RenderMs.HasValue && row.Source != source));
         if (others > 0)
-            _warnings.Add(VlcMessages.OtherSource(others, measured, RenderTimeSourceNames.NameOf(source)));
+            _warnings.Add(VlcMessages.OtherSource(others, measured, LatencyNames.RenderTimeSource.NameOf(source)));
         return joined;
     }
 

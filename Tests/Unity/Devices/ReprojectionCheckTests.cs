@@ -101,7 +101,7 @@ public sealed class ReprojectionCheckTests
         _cell.Run(3, _session);
 
         Assert.That(panel, Does.Contain(DepthSubmissionMessages.ProblemOf(broken)));
-        Assert.That(depth, Is.EqualTo(DepthSubmissionNames.NameOf(broken)));
+        Assert.That(depth, Is.EqualTo(LatencyNames.DepthSubmission.NameOf(broken)));
         Assert.That(mode, Is.EqualTo(ReprojectionMode.Unknown));
         Assert.That(lines, Is.EqualTo(1));
         Assert.That(Lines("depth is submitted again"), Is.EqualTo(1));

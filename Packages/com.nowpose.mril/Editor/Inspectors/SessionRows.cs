@@ -14,8 +14,8 @@ namespace Nowpose.Editor.Inspectors
             yield return ("Clock steps", session.ClockSteps.ToString());
             yield return ("End to end", LiveText.Ms(session.EndToEndLatency));
             yield return ("Display time", DisplayTimeOf(session));
-            yield return ("Reprojection, depth", Words(ReprojectionModeNames.NameOf(session.Reprojection)) + ", "
-                + Words(DepthSubmissionNames.NameOf(session.DepthSubmission)));
+            yield return ("Reprojection, depth", Words(LatencyNames.Reprojection.NameOf(session.Reprojection)) + ", "
+                + Words(LatencyNames.DepthSubmission.NameOf(session.DepthSubmission)));
             yield return ("Error, uncompensated", LiveText.Mm(session.ErrorMm) + ", " + LiveText.Mm(session.HoldErrorMm));
             yield return ("Pose current, last 10 s", LiveText.Number(100 * session.CurrentShare, "0", " %"));
             foreach (var joint in session.JointStatuses) yield return ("Joint " + joint.Joint, joint.Description);

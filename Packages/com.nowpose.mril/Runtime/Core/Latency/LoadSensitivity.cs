@@ -48,7 +48,7 @@ namespace Nowpose.Latency
         static LoadSensitivity Judge(RenderTimeSourceKind source, List<SweepPass> passes)
         {
             var min = passes.OrderBy(pass => pass.RiseMs / pass.NeededMs).First();
-            var name = RenderTimeSourceNames.NameOf(source);
+            var name = LatencyNames.RenderTimeSource.NameOf(source);
             var rise = SweepMessages.Rise(min.LowVertices, min.HighVertices, name, min.LowMs, min.HighMs);
             if (min.RiseMs >= min.NeededMs) return new LoadSensitivity(LoadSight.Seen, source, SweepMessages.Responds(rise));
             return new LoadSensitivity(LoadSight.Unseen, source, SweepMessages.NoResponse(rise, min.NeededMs, Advice(source)));
@@ -58,7 +58,7 @@ namespace Nowpose.Latency
         {
             var loads = visits.Select(visit => visit.Vertices).Distinct().Count();
             return new LoadSensitivity(
-                LoadSight.Unclear, source, SweepMessages.TooFewData(RenderTimeSourceNames.NameOf(source), loads, MinRenderTimes));
+                LoadSight.Unclear, source, SweepMessages.TooFewData(LatencyNames.RenderTimeSource.NameOf(source), loads, MinRenderTimes));
         }
 
         static string Advice(RenderTimeSourceKind source) => source == RenderTimeSourceKind.CameraCpu

@@ -134,7 +134,7 @@ namespace Nowpose.Recording
         {
             _line.Begin("display").Add("at_ns", record.At.Nanoseconds)
                 .Add("l_visu_ns", Nanoseconds(record.Length.GetValueOrDefault())).Add("range", Ranges[(int)record.Range]);
-            if (record.Reprojection != ReprojectionMode.Unknown) _line.Add("reprojection", ReprojectionModeNames.NameOf(record.Reprojection));
+            if (record.Reprojection != ReprojectionMode.Unknown) _line.Add("reprojection", LatencyNames.Reprojection.NameOf(record.Reprojection));
         }
 
         void WriteStatistics(SessionRecord record)

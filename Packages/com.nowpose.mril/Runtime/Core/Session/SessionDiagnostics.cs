@@ -43,9 +43,9 @@ namespace Nowpose.Session
             }
             else if (statistics.IsLightPredicted) Add("display_time", "predicted");
             AddMs("display_time_difference_ms", statistics.DisplayTimeDifference);
-            if (statistics.Reprojection != ReprojectionMode.Unknown) Add("reprojection", ReprojectionModeNames.NameOf(statistics.Reprojection));
+            if (statistics.Reprojection != ReprojectionMode.Unknown) Add("reprojection", LatencyNames.Reprojection.NameOf(statistics.Reprojection));
             if (statistics.DepthSubmission != DepthSubmission.Unknown)
-                Add("depth_submission", DepthSubmissionNames.NameOf(statistics.DepthSubmission));
+                Add("depth_submission", LatencyNames.DepthSubmission.NameOf(statistics.DepthSubmission));
             if (statistics.ProfileMismatches.Count > 0)
                 Add("profile_mismatch", string.Join(",", statistics.ProfileMismatches.Select(each => each.Field)));
             AddMs("horizon_ms", statistics.Horizon);

@@ -49,7 +49,7 @@ namespace Nowpose.Latency.Conditions
             Set(DisplayCondition.RenderPipeline, renderPipeline);
             Set(DisplayCondition.RewriteBeforeRender, rewritesBeforeRender.HasValue ? (rewritesBeforeRender.Value ? On : Off) : null);
             Set(DisplayCondition.LatencyOptimization, latencyOptimization);
-            Set(DisplayCondition.Reprojection, reprojection == ReprojectionMode.Unknown ? null : ReprojectionModeNames.NameOf(reprojection));
+            Set(DisplayCondition.Reprojection, reprojection == ReprojectionMode.Unknown ? null : LatencyNames.Reprojection.NameOf(reprojection));
         }
 
         /// <summary>An instance in which all conditions are unknown.</summary>
@@ -147,8 +147,8 @@ namespace Nowpose.Latency.Conditions
         static ReprojectionMode ReprojectionOf(string text)
         {
             if (string.IsNullOrEmpty(text)) return ReprojectionMode.Unknown;
-            return ReprojectionModeNames.TryParse(text, out var mode) ? mode : throw new InputException(
-                ConditionMessages.NotAMode(DisplayConditionNames.FieldOf(DisplayCondition.Reprojection), text, ReprojectionModeNames.All));
+            return LatencyNames.Reprojection.TryParse(text, out var mode) ? mode : throw new InputException(
+                ConditionMessages.NotAMode(DisplayConditionNames.FieldOf(DisplayCondition.Reprojection), text, LatencyNames.Reprojection.All));
         }
     }
 }

@@ -29,7 +29,8 @@ namespace Nowpose.Latency.Profile
             Add("visu_spread_ms", profile.Spread.TotalMilliseconds);
             Add("limit_render_ms", profile.Range?.Limit.TotalMilliseconds);
             Add("valid_to_render_ms", profile.ValidToRenderTime?.TotalMilliseconds);
-            Add("render_source", profile.RenderTimeSource == RenderTimeSourceKind.None ? null : RenderTimeSourceNames.NameOf(profile.RenderTimeSource));
+            var source = profile.RenderTimeSource;
+            Add("render_source", source == RenderTimeSourceKind.None ? null : LatencyNames.RenderTimeSource.NameOf(source));
             Add("device", profile.Device);
             Add("display_hz", profile.DisplayHz);
             for (var condition = DisplayCondition.GraphicsApi; condition <= DisplayCondition.Reprojection; condition++)
@@ -37,7 +38,7 @@ namespace Nowpose.Latency.Profile
             Add("head_latency_ms", profile.HeadMotion?.Latency.TotalMilliseconds);
             Add("head_latency_uncertainty_ms", profile.HeadMotion?.Uncertainty.TotalMilliseconds);
             Add("measured", profile.MeasuredUtc.ToString("yyyy-MM-dd'T'HH:mm:ss.FFFFFFF'Z'", CultureInfo.InvariantCulture));
-            Add("method", CalibrationMethodNames.NameOf(profile.Method));
+            Add("method", LatencyNames.CalibrationMethod.NameOf(profile.Method));
             Add("measurements", profile.Measurements);
             json.WriteEndObject();
             json.Flush();
@@ -106,15 +107,15 @@ namespace Nowpose.Latency.Profile
         static CalibrationMethod MethodOf(ProfileFields fields)
         {
             var name = fields.Text("method");
-            return CalibrationMethodNames.TryParse(name, out var method)
-                ? method : throw fields.Fault(ProfileMessages.UnknownMethod(name, CalibrationMethodNames.All));
+            return LatencyNames.CalibrationMethod.TryParse(name, out var method)
+                ? method : throw fields.Fault(ProfileMessages.UnknownMethod(name, LatencyNames.CalibrationMethod.All));
         }
 
         static RenderTimeSourceKind SourceOf(ProfileFields fields)
         {
             var name = fields.OptionalText("render_source") ?? "";
-            return RenderTimeSourceNames.TryParse(name, out var source)
-                ? source : throw fields.Fault(ProfileMessages.UnknownSource(name, RenderTimeSourceNames.All));
+            return LatencyNames.RenderTimeSource.TryParse(name, out var source)
+                ? source : throw fields.Fault(ProfileMessages.UnknownSource(name, LatencyNames.RenderTimeSource.All));
         }
     }
 }

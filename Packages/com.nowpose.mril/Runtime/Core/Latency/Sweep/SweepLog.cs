@@ -38,7 +38,7 @@ namespace Nowpose.Latency.Sweep
             to.Write(',');
             if (row.RenderMs is double ms) to.Write(ms.ToString("0.####", Culture));
             to.Write(',');
-            to.Write(RenderTimeSourceNames.NameOf(row.Source));
+            to.Write(LatencyNames.RenderTimeSource.NameOf(row.Source));
             to.Write(',');
             to.Write(Quoted(row.Device));
             to.Write(',');

@@ -36,7 +36,8 @@ namespace Nowpose.Tests.Core.Latency
         public void NameOf_AllStates_AreUnique()
         {
             var names = new List<string>();
-            for (var depth = DepthSubmission.Unknown; depth <= DepthSubmission.NotRequested; depth++) names.Add(DepthSubmissionNames.NameOf(depth));
+            for (var depth = DepthSubmission.Unknown; depth <= DepthSubmission.NotRequested; depth++)
+                names.Add(LatencyNames.DepthSubmission.NameOf(depth));
 
             Assert.That(names, Is.Unique);
             Assert.That(names, Has.All.Match("^[a-z_]+$"));

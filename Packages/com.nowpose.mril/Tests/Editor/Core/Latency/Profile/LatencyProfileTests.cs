@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [Test]
         public void RenderTimeSourceNames_AllSources_RoundTrip([Values] RenderTimeSourceKind source)
         {
-            Assert.That(RenderTimeSourceNames.TryParse(RenderTimeSourceNames.NameOf(source), out var parsed), Is.True);
+            Assert.That(LatencyNames.RenderTimeSource.TryParse(LatencyNames.RenderTimeSource.NameOf(source), out var parsed), Is.True);
             Assert.That(parsed, Is.EqualTo(source));
         }
 
@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase(null)]
         public void RenderTimeSourceNames_OtherText_IsNone(string name)
         {
-            Assert.That(RenderTimeSourceNames.TryParse(name, out _), Is.False);
+            Assert.That(LatencyNames.RenderTimeSource.TryParse(name, out _), Is.False);
         }
     }
 }

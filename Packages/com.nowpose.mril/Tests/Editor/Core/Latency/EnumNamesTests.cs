@@ -3,22 +3,22 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Latency
 {
-    public class ReprojectionModeNamesTests
+    public class EnumNamesTests
     {
         [Test]
         public void TryParse_NameOfAMode_ReturnsTheMode([Values] ReprojectionMode mode)
         {
-            var name = ReprojectionModeNames.NameOf(mode);
+            var name = LatencyNames.Reprojection.NameOf(mode);
 
-            Assert.That(ReprojectionModeNames.TryParse(name, out var parsed), Is.True);
+            Assert.That(LatencyNames.Reprojection.TryParse(name, out var parsed), Is.True);
             Assert.That(parsed, Is.EqualTo(mode));
-            Assert.That(ReprojectionModeNames.All, Does.Contain(name));
+            Assert.That(LatencyNames.Reprojection.All, Does.Contain(name));
         }
 
         [Test]
         public void TryParse_OtherText_ReturnsFalseAndUnknown([Values(null, "", "Depth", "planar")] string name)
         {
-            Assert.That(ReprojectionModeNames.TryParse(name, out var parsed), Is.False);
+            Assert.That(LatencyNames.Reprojection.TryParse(name, out var parsed), Is.False);
             Assert.That(parsed, Is.EqualTo(ReprojectionMode.Unknown));
         }
     }
