@@ -31,7 +31,7 @@ sealed class DemoFrameLoop(DemoSettings settings, IDemoHeadset headset, IHeadset
             waitUntil(begin + due);
             _display.Render();
             ShowFrame(begin, due);
-            report(_display.NextStart.TotalSeconds, () => DemoProgress.Describe(headset.Session, clock.Now));
+            report(_display.NextStart.TotalSeconds, () => ConsoleProgress.Describe(headset.Session, clock.Now));
         }
     }
 

@@ -67,7 +67,7 @@ static class DemoStage
             settings.Robot, session, clock, (int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000, recordingPath);
         using var never = new ManualResetEventSlim();
         var loop = new DemoFrameLoop(settings, headset, clock, truth, time => PreciseWait.While(() => time - clock.Now, never));
-        DemoProgress.Run(settings.Seconds, report => loop.Run(report, cancel));
+        ConsoleProgress.Run(settings.Seconds, report => loop.Run(report, cancel));
         if (headset.EndRecording() is string problem) Console.Error.WriteLine(ConsoleMessages.Line(problem));
         if (headset.Complaint is string complaint) throw new DemoFailedException(DemoMessages.SceneError(complaint));
         return new DemoRun(settings, truth, loop.Frames, headset.Log.ApplicationLatencies, headset.Session.Statistics(clock.Now),

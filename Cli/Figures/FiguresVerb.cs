@@ -39,7 +39,8 @@ static class FiguresVerb
     {
         var output = FiguresOutput.At(folder, pictures);
         var run = new FigureRun(FigureSet.Studies(settings));
-        var figures = FiguresProgress.Run(run.Total, done => run.Run(done, cancel));
+        IReadOnlyList<Figure> figures = null;
+        ConsoleProgress.Run("computing", "studies", run.Total, report => figures = run.Run(report, cancel));
         output.Write(figures, settings);
         Print(figures, output);
         if (opens) Browser.OpenOrExplain(output.PagePath);

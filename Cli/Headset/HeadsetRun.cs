@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using Nowpose.Cli.Demo;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
@@ -55,7 +54,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             Count(now - start, frame, session);
             if (frame.ClockState is ClockState.Coarse or ClockState.Synchronised) _coarseAfter ??= now - start;
             if (frame.ClockState == ClockState.Synchronised) _synchronisedAfter ??= now - start;
-            report((now - start).TotalSeconds, () => DemoProgress.Describe(session, _clock.Now));
+            report((now - start).TotalSeconds, () => ConsoleProgress.Describe(session, _clock.Now));
         }
     }
 

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.Net;
-using Nowpose.Cli.Demo;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
@@ -65,7 +64,7 @@ static class HeadsetVerb
     {
         var run = new HeadsetRun(settings, line => Console.Error.WriteLine(line));
         var result = default(HeadsetResult);
-        DemoProgress.Run(settings.Seconds, report => result = run.Play(report, cancel));
+        ConsoleProgress.Run(settings.Seconds, report => result = run.Play(report, cancel));
         if (isJson) Console.Out.WriteLine(result.Json());
         else HeadsetTable.Print(result, ResultConsole.Create());
         if (cancel.IsCancellationRequested) return ExitStatus.Interrupted;

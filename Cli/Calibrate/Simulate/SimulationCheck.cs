@@ -22,7 +22,7 @@ sealed class SimulationCheck
         var reader = new PictureReader(settings.ReadoutMs, 0);
         var defects = new string[settings.Pictures];
         using var pool = new VisionPool();
-        CountProgress.Run("reading pictures", "pictures", settings.Pictures, report => pool.Look(
+        ConsoleProgress.Run("reading pictures", "pictures", settings.Pictures, report => pool.Look(
             Enumerable.Range(0, settings.Pictures).Select(i => PictureRequest.Made(camera.Take(i, out defects[i]))),
             (place, seen) =>
             {

@@ -28,7 +28,7 @@ static class SimulationOutput
         string NameOf(int picture) => FormattableString.Invariant($"picture-{picture + 1:00000}.jpg");
         var done = 0;
         using var pool = new VisionPool();
-        CountProgress.Run("taking pictures", "pictures", settings.Pictures, report => pool.Look(
+        ConsoleProgress.Run("taking pictures", "pictures", settings.Pictures, report => pool.Look(
             Enumerable.Range(0, settings.Pictures).Select(i => PictureRequest.Made(camera.Take(i, out defects[i]), Path.Combine(pictures, NameOf(i)))),
             (_, made) =>
             {

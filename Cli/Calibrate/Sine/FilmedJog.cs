@@ -17,7 +17,7 @@ static class FilmedJog
         var times = VideoFrames.TimesOf(path);
         var places = new List<IReadOnlyList<TrackedPlace>>(times.Length);
         using var tracker = new MotionTracker([robot, hologram]);
-        CountProgress.Run(SinePageTexts.Tracking, "pictures", times.Length, report =>
+        ConsoleProgress.Run(SinePageTexts.Tracking, "pictures", times.Length, report =>
         {
             foreach (var (width, height, bytes) in VideoFrames.Read(path))
             {

@@ -23,7 +23,7 @@ sealed class VlcRun(PictureReader reader)
     public VlcResult Run(IEnumerable<PictureRequest> requests, int? count, Func<int, string> nameOf, CancellationToken cancellation)
     {
         using var pool = new VisionPool();
-        CountProgress.Run("reading pictures", "pictures", count, report => pool.Look(
+        ConsoleProgress.Run("reading pictures", "pictures", count, report => pool.Look(
             requests,
             (place, seen) =>
             {
