@@ -49,5 +49,15 @@ namespace Nowpose.Sync
 
         /// <summary>Number of exchanges since the start or the last reset. If it is 0, the other values are undefined.</summary>
         public int Exchanges { get; }
+
+        public ClockOffset OffsetAt(HeadsetTime t) => Offset + ClockTicks.Span(ClockTicks.Seconds(t - Reference) * Skew);
+
+        /// <summary>Returns the standard error of <see cref="OffsetAt"/>, s; it grows quickly for a line through few points.</summary>
+        public double ErrorAt(HeadsetTime t)
+        {
+            var change = SkewError * ClockTicks.Seconds(t - Reference);
+            var offset = ClockTicks.Seconds(OffsetError);
+            return Math.Sqrt(offset * offset + change * change);
+        }
     }
 }

@@ -3,38 +3,15 @@ using MathNet.Numerics.LinearRegression;
 
 namespace Nowpose.Sync.Ransac
 {
-    /// <summary>Least-squares line through offsets over the headset clock, Eq. (6), relative to a reference time.</summary>
-    readonly struct FittedLine
+    /// <summary>Fits a least-squares line to offsets over the headset clock, Eq. (6).</summary>
+    static class FittedLine
     {
-        FittedLine(HeadsetTime reference, ClockOffset offset, double skew, TimeSpan offsetError, double skewError)
-        {
-            Reference = reference;
-            Offset = offset;
-            Skew = skew;
-            OffsetError = offsetError;
-            SkewError = skewError;
-        }
-
-        public HeadsetTime Reference { get; }
-        public ClockOffset Offset { get; }
-        public double Skew { get; }
-        public TimeSpan OffsetError { get; }
-        public double SkewError { get; }
-
-        public ClockOffset OffsetAt(HeadsetTime t) => Offset + ClockTicks.Span(ClockTicks.Seconds(t - Reference) * Skew);
-
-        /// <summary>Returns the standard error of <see cref="OffsetAt"/>, s; it grows quickly for a line through few points.</summary>
-        public double ErrorAt(HeadsetTime t)
-        {
-            var change = SkewError * ClockTicks.Seconds(t - Reference);
-            var offset = ClockTicks.Seconds(OffsetError);
-            return Math.Sqrt(offset * offset + change * change);
-        }
-
         /// <param name="x">Seconds relative to <paramref name="reference"/>; at least two values that are not all equal.</param>
         /// <param name="y">Seconds relative to <paramref name="referenceOffset"/>.</param>
         /// <param name="bound">Maximum distance of a point from the line, s.</param>
-        public static FittedLine Through(double[] x, double[] y, HeadsetTime reference, ClockOffset referenceOffset, double bound)
+        /// <param name="exchanges">Number of exchanges since the start or the last reset.</param>
+        public static ClockLine Through(
+            double[] x, double[] y, HeadsetTime reference, ClockOffset referenceOffset, double bound, int exchanges)
         {
             var (intercept, slope) = SimpleRegression.Fit(x, y);
             var meanX = Mean(x);
@@ -48,9 +25,9 @@ namespace Nowpose.Sync.Ransac
             // Includes one virtual point at the maximum distance, because the residuals of a line through two points are always zero.
             var variance = (squares + bound * bound) / (x.Length - 1);
             var offsetError = Math.Sqrt(variance * (1.0 / x.Length + meanX * meanX / spread));
-            return new FittedLine(
+            return new ClockLine(
                 reference, referenceOffset + ClockTicks.Span(intercept), slope,
-                ClockTicks.Span(offsetError), Math.Sqrt(variance / spread));
+                ClockTicks.Span(offsetError), Math.Sqrt(variance / spread), exchanges);
         }
 
         static double Mean(double[] values)

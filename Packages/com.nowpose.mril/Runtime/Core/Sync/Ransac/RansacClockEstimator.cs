@@ -25,7 +25,7 @@ namespace Nowpose.Sync.Ransac
 
         readonly RansacSettings _settings;
         readonly List<OffsetPoint> _points = new List<OffsetPoint>();
-        readonly Queue<FittedLine> _lines = new Queue<FittedLine>();
+        readonly Queue<ClockLine> _lines = new Queue<ClockLine>();
         Random _random;
         int _exchanges;
 
@@ -75,7 +75,7 @@ namespace Nowpose.Sync.Ransac
             return Math.Min(max, standardError + BurstError + server);
         }
 
-        FittedLine Fit()
+        ClockLine Fit()
         {
             // Times and offsets are relative to the newest exchange, because the normal equations lose milliseconds at absolute times.
             var newest = _points[_points.Count - 1];
@@ -88,14 +88,14 @@ namespace Nowpose.Sync.Ransac
             }
             var bound = ClockTicks.Seconds(_settings.InlierBound);
             var inliers = RansacLine.Inliers(x, y, _settings.Hypotheses, bound, _random);
-            return FittedLine.Through(inliers.X, inliers.Y, newest.At, newest.Offset, bound);
+            return FittedLine.Through(inliers.X, inliers.Y, newest.At, newest.Offset, bound, _exchanges);
         }
 
         // Each earlier line is extrapolated to the present by its own slope before averaging: an average of the offsets at their own times
         // would lag behind by half the window times the skew. The weight of a line is the inverse of its variance at the present. With a
         // full history, all weights are nearly equal; in the paper they are equal. The first lines, which are fitted to few points, have little
         // weight; their slopes would otherwise disturb the average for four seconds.
-        ClockLine Averaged(FittedLine fitted)
+        ClockLine Averaged(in ClockLine fitted)
         {
             _lines.Enqueue(fitted);
             if (_lines.Count > _settings.MovingAverage)
