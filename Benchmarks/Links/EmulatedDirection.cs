@@ -1,6 +1,5 @@
 using Microsoft.Win32.SafeHandles;
 using Nowpose.Benchmarks.Load;
-using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 

@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using Nowpose.Benchmarks.Load;
-using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 

@@ -1,6 +1,5 @@
 using System.Globalization;
 using Nowpose.Cli;
-using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 

@@ -1,7 +1,6 @@
 using Nowpose.Cli;
 using Nowpose.Cli.Demo;
 using Nowpose.Gateway.Plants;
-using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 

@@ -1,5 +1,3 @@
-using Nowpose.Simulation;
-
 namespace Nowpose.Benchmarks.Links;
 
 /// <summary>Options of <c>links</c>.</summary>

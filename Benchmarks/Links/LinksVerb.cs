@@ -1,6 +1,5 @@
 using System.CommandLine;
 using Nowpose.Gateway.Options;
-using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 

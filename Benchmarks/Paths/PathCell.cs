@@ -1,5 +1,5 @@
 using System.Globalization;
-using Nowpose.Simulation;
+using Nowpose.Benchmarks.Links;
 
 namespace Nowpose.Benchmarks.Paths;
 

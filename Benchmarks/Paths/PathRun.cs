@@ -1,3 +1,4 @@
+using Nowpose.Benchmarks.Links;
 using Nowpose.Simulation;
 using Nowpose.Sync;
 

@@ -1,7 +1,7 @@
 using System.CommandLine;
 using System.Globalization;
+using Nowpose.Benchmarks.Links;
 using Nowpose.Gateway.Options;
-using Nowpose.Simulation;
 using Nowpose.Sync;
 
 namespace Nowpose.Benchmarks.Paths;

@@ -1,7 +1,6 @@
 using System.Globalization;
 using Nowpose.Benchmarks.Links;
 using Nowpose.Headless.Tests.Cli;
-using Nowpose.Simulation;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Network;

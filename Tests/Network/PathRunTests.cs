@@ -1,6 +1,6 @@
 using System.Collections.Concurrent;
+using Nowpose.Benchmarks.Links;
 using Nowpose.Benchmarks.Paths;
-using Nowpose.Simulation;
 using Nowpose.Sync;
 using NUnit.Framework;
 

@@ -12,7 +12,6 @@ namespace Nowpose.Messages
         public static string OutOfRange(string name, double value, string suffix, double min, double max) =>
             FormattableString.Invariant($"{name}: {value}{suffix} is out of range; allowed: {min} to {max}{suffix}");
 
-        public static string UnknownLinkProfile(string name, string allowed) => $"link profile: '{name}' is unknown; allowed: {allowed}";
         public static string UnknownNetwork(string name, string allowed) => $"network: '{name}' is unknown; allowed: {allowed}";
     }
 }
