@@ -1,8 +1,8 @@
 using Nowpose.Cli.Replay;
+using Nowpose.Cli.Studies;
 using Nowpose.Frames;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Prediction;
-using Nowpose.Studies;
 
 namespace Nowpose.Benchmarks.Ablation;
 

@@ -1,6 +1,6 @@
+using Nowpose.Cli.Studies;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Simulation;
-using Nowpose.Studies;
 
 namespace Nowpose.Benchmarks.Ablation;
 

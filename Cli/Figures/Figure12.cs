@@ -1,7 +1,7 @@
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
+using Nowpose.Cli.Studies;
 using Nowpose.Motion;
-using Nowpose.Studies;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures;

@@ -1,6 +1,6 @@
+using Nowpose.Cli.Studies;
 using Nowpose.Latency;
 using Nowpose.Prediction;
-using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures;
 

@@ -10,6 +10,8 @@ static class FigurePageTexts
         "Latency and sampling compensation in mixed-reality-in-the-loop simulations of production systems, Schnierle & Röck 2022: the "
         + "paper's claims beside the results of Nowpose's classes.";
 
+    public const string MovesOfOneDrive = "moves of one drive";
+    public const string GentleMoves = "gentle pick and place";
     public const string Latency = "Latency L, from t_k to the display time";
     public const string Motion = "Motion of Figs 12 to 14";
 

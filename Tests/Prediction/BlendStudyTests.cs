@@ -1,6 +1,6 @@
+using Nowpose.Cli.Studies;
 using Nowpose.Prediction;
 using Nowpose.Session;
-using Nowpose.Studies;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Prediction;

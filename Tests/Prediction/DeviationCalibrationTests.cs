@@ -1,5 +1,5 @@
+using Nowpose.Cli.Studies;
 using Nowpose.Prediction;
-using Nowpose.Studies;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Prediction;

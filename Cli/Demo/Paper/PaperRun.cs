@@ -1,7 +1,7 @@
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Swing;
 using Nowpose.Cli.Messages;
-using Nowpose.Studies;
+using Nowpose.Cli.Studies;
 
 namespace Nowpose.Cli.Demo.Paper;
 

@@ -1,5 +1,5 @@
 using Nowpose.Cli.Figures.Model;
-using Nowpose.Studies;
+using Nowpose.Cli.Studies;
 
 namespace Nowpose.Cli.Figures.Sweeps;
 

@@ -1,6 +1,6 @@
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
-using Nowpose.Studies;
+using Nowpose.Cli.Studies;
 
 namespace Nowpose.Cli.Figures.Sweeps;
 

@@ -1,6 +1,6 @@
 using System.Text;
+using Nowpose.Cli.Studies;
 using Nowpose.Kinematics;
-using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 

@@ -1,6 +1,6 @@
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
-using Nowpose.Studies;
+using Nowpose.Cli.Studies;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Swing;

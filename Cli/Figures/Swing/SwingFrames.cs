@@ -1,4 +1,4 @@
-using Nowpose.Studies;
+using Nowpose.Cli.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 

@@ -1,5 +1,5 @@
 using Nowpose.Cli.Messages;
-using Nowpose.Studies;
+using Nowpose.Cli.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 

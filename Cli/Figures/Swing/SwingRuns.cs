@@ -2,10 +2,10 @@ using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Demo.Virtual;
 using Nowpose.Cli.Messages;
+using Nowpose.Cli.Studies;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Simulation;
-using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 

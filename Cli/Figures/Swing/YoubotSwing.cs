@@ -1,7 +1,7 @@
+using Nowpose.Cli.Studies;
 using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
 using Nowpose.Motion;
-using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 

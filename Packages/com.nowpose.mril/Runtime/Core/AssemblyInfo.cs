@@ -19,7 +19,7 @@ using System.Runtime.CompilerServices;
 // This assembly exists only in this package's repository. It is a simulated robot controller that computes the pose of its tool.
 [assembly: InternalsVisibleTo("Nowpose.RtdeServer")]
 
-// This assembly exists only in this package's repository. It emulates network links with the same profiles as the tests.
+// This assembly exists only in this package's repository. Its benchmarks use the same internals as the tests.
 [assembly: InternalsVisibleTo("Nowpose.Benchmarks")]
 
 // The package's other assemblies, tools and tests, which also use internals.
@@ -27,7 +27,6 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Nowpose.Editor")]
 [assembly: InternalsVisibleTo("Nowpose.ArFoundation")]
 [assembly: InternalsVisibleTo("Nowpose.Prefabs")]
-[assembly: InternalsVisibleTo("Nowpose.Studies")]
 [assembly: InternalsVisibleTo("Nowpose.Mono.Aot")]
 [assembly: InternalsVisibleTo("Nowpose.Mono.Cost")]
 [assembly: InternalsVisibleTo("Nowpose.NativeWebSocket.Tests")]

@@ -1,7 +1,8 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Motion;
 using Nowpose.Simulation;
 
-namespace Nowpose.Studies;
+namespace Nowpose.Cli.Studies;
 
 /// <summary>Creates simulated motions in mm. The same seed creates the same motion.</summary>
 public static class Motions
@@ -29,11 +30,13 @@ public static class Motions
         Between(random, 400, 1500), Between(random, 3000, 10_000), Between(random, 30_000, 100_000)));
 
     /// <summary>Creates fast moves of a single drive, all with the same limits: 1000 mm/s, 5000 mm/s², 50 000 mm/s³.</summary>
-    public static AxisMotion MovesOfOneDrive(int seed) => RandomMoves("moves of one drive", seed, 40, _ => new Limits(1000, 5000, 50_000));
+    public static AxisMotion MovesOfOneDrive(int seed) => RandomMoves(
+        FigurePageTexts.MovesOfOneDrive, seed, 40, _ => new Limits(1000, 5000, 50_000));
 
     /// <summary>Creates moves of a small robot at teaching speed.</summary>
-    public static AxisMotion GentleMoves(int seed, double seconds = 60) => RandomMoves("gentle pick and place", seed, seconds, random => new Limits(
-        Between(random, 200, 600), Between(random, 600, 2500), Between(random, 5000, 25_000)));
+    public static AxisMotion GentleMoves(int seed, double seconds = 60) => RandomMoves(
+        FigurePageTexts.GentleMoves, seed, seconds, random => new Limits(
+            Between(random, 200, 600), Between(random, 600, 2500), Between(random, 5000, 25_000)));
 
     /// <summary>Creates slow moves with low acceleration and jerk.</summary>
     public static AxisMotion SoftMoves(int seed, double seconds = 60) => RandomMoves("soft moves", seed, seconds, random => new Limits(

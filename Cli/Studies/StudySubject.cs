@@ -1,6 +1,6 @@
 using Nowpose.Prediction;
 
-namespace Nowpose.Studies;
+namespace Nowpose.Cli.Studies;
 
 /// <summary>The object under test: a predictor, or an object that contains a predictor.</summary>
 /// <param name="Add">Adds a sample. The second argument is the newest displayed time, s; NaN before the first frame.</param>

@@ -1,4 +1,4 @@
-namespace Nowpose.Studies;
+namespace Nowpose.Cli.Studies;
 
 /// <summary>Errors over all scored frames, in the unit of the motion.</summary>
 public sealed record StudyResult(ErrorFigures Predicted, ErrorFigures Held)

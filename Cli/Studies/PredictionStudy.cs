@@ -1,6 +1,6 @@
 using Nowpose.Prediction;
 
-namespace Nowpose.Studies;
+namespace Nowpose.Cli.Studies;
 
 /// <summary>Feeds the samples of one axis to a predictor in virtual time, as a headset would receive them.</summary>
 public static class PredictionStudy

@@ -1,7 +1,7 @@
 using Nowpose.Prediction;
 using Nowpose.Simulation;
 
-namespace Nowpose.Studies;
+namespace Nowpose.Cli.Studies;
 
 /// <summary>Samples a motion and delivers each sample to a predictor after its delay.</summary>
 sealed class SampleStream(AxisMotion motion, StudySettings settings, Random random)

@@ -1,4 +1,4 @@
-namespace Nowpose.Studies;
+namespace Nowpose.Cli.Studies;
 
 /// <summary>Conditions of a prediction. The defaults are the paper's values: T_s 50 ms, L 100 ms, 60 frames per second.</summary>
 public sealed record StudySettings

@@ -1,4 +1,4 @@
-namespace Nowpose.Studies;
+namespace Nowpose.Cli.Studies;
 
 /// <summary>The true motion of one simulated axis.</summary>
 /// <param name="name">Name of the motion in tables.</param>

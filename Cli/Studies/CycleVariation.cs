@@ -1,4 +1,4 @@
-namespace Nowpose.Studies;
+namespace Nowpose.Cli.Studies;
 
 /// <summary>Random variation between cycles, as standard deviations of normal distributions.</summary>
 /// <param name="DwellSeconds">Standard deviation of each dwell, s.</param>

@@ -1,4 +1,4 @@
-namespace Nowpose.Studies;
+namespace Nowpose.Cli.Studies;
 
 /// <summary>One frame of a study. Positions are in the unit of the motion.</summary>
 /// <param name="Time">Display time as control time since the start of the motion, s.</param>

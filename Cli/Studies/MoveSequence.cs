@@ -1,6 +1,6 @@
 using Nowpose.Motion;
 
-namespace Nowpose.Studies;
+namespace Nowpose.Cli.Studies;
 
 /// <summary>Builds a motion from moves and dwells.</summary>
 sealed class MoveSequence
