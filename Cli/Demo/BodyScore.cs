@@ -1,5 +1,5 @@
-using Nowpose.Frames;
-using Nowpose.Kinematics;
+using Nowpose.Anchoring;
+using Nowpose.Cli.Replay;
 using Nowpose.Simulation.Work;
 
 namespace Nowpose.Cli.Demo;
@@ -9,12 +9,6 @@ namespace Nowpose.Cli.Demo;
 sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
 {
     const double MillimetresPerMetre = 1000, DegreesPerRadian = 180 / Math.PI;
-
-    /// <summary>An object counts as moving if it moves within this time before and after the display time, s.</summary>
-    const double HalfInterval = 0.005;
-
-    /// <summary>Minimum speeds of a moving object, m/s and rad/s.</summary>
-    const double MinSpeed = 0.001, MinTurning = 0.005;
 
     /// <summary>Gets the results; null if the cell has no objects or no object has moved.</summary>
     public DemoResult.BodyErrors Result()
@@ -36,7 +30,7 @@ sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
                 var shown = run.Bodies.At(frame, body);
                 if (!shown.IsKnown || shown.Parent != run.Settings.Robot.ToolLink.Name) continue;
                 for (var joint = 0; joint < joints.Length; joint++) joints[joint] = run.Frames.Displayed(frame, joint);
-                largest = Math.Max(largest ?? 0, MillimetresPerMetre * DistanceOf(shown.Displayed, tool.PoseAt(joints) * work.Robots[0].InTool));
+                largest = Math.Max(largest ?? 0, MillimetresPerMetre * shown.Displayed.DistanceTo(tool.PoseAt(joints) * work.Robots[0].InTool));
             }
         return largest;
     }
@@ -47,23 +41,13 @@ sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
         for (var body = 0; body < work.Names.Count; body++)
         {
             var shown = run.Bodies.At(frame, body);
-            if (!shown.IsKnown || !IsMoving(work, body, light)) continue;
+            if (!shown.IsKnown || !BodyError.IsMoving(time => work.WorldOf(body, time), light)) continue;
             var truth = work.WorldOf(body, light);
             yield return (
-                MillimetresPerMetre * DistanceOf(shown.Held, truth), MillimetresPerMetre * DistanceOf(shown.Displayed, truth),
-                DegreesPerRadian * AngleOf(shown.Held, truth), DegreesPerRadian * AngleOf(shown.Displayed, truth));
+                MillimetresPerMetre * shown.Held.DistanceTo(truth), MillimetresPerMetre * shown.Displayed.DistanceTo(truth),
+                DegreesPerRadian * shown.Held.AngleTo(truth), DegreesPerRadian * shown.Displayed.AngleTo(truth));
         }
     }
-
-    static bool IsMoving(CellWork work, int body, double light)
-    {
-        var (before, after) = (work.WorldOf(body, light - HalfInterval), work.WorldOf(body, light + HalfInterval));
-        return DistanceOf(before, after) > 2 * HalfInterval * MinSpeed || AngleOf(before, after) > 2 * HalfInterval * MinTurning;
-    }
-
-    static double DistanceOf(in RigidTransform a, in RigidTransform b) => new Vector3D(a.X - b.X, a.Y - b.Y, a.Z - b.Z).Length;
-
-    static double AngleOf(in RigidTransform a, in RigidTransform b) => UnitQuaternion.AngleBetween(UnitQuaternion.Of(a), UnitQuaternion.Of(b));
 
     static DemoResult.PoseErrors Of(List<(double Hold, double Error)> errors)
     {

@@ -1,11 +1,27 @@
+using Nowpose.Anchoring;
+using Nowpose.Kinematics;
+
 namespace Nowpose.Cli.Replay;
 
 /// <summary>Collects the errors of hold and of the prediction for the position or rotation of a body, and computes the results.</summary>
 sealed class BodyError
 {
+    /// <summary>An object counts as moving if it moves within this time before and after the display time, s.</summary>
+    const double HalfInterval = 0.005;
+
+    /// <summary>Minimum speeds of a moving object, m/s and rad/s.</summary>
+    const double MinSpeed = 0.001, MinTurning = 0.005;
+
     readonly List<double> _predicted = [];
     double _squares;
     double _heldSquares;
+
+    /// <param name="poseAt">Returns the true pose of the object at a time, s.</param>
+    public static bool IsMoving(Func<double, RigidTransform> poseAt, double time)
+    {
+        var (before, after) = (poseAt(time - HalfInterval), poseAt(time + HalfInterval));
+        return before.DistanceTo(after) > 2 * HalfInterval * MinSpeed || before.AngleTo(after) > 2 * HalfInterval * MinTurning;
+    }
 
     /// <summary>Adds the absolute errors of one frame.</summary>
     public void Add(double held, double predicted)

@@ -68,9 +68,6 @@ sealed class SessionBodies
     {
         const double MmPerMetre = 1000, DegreesPerRadian = 180 / Math.PI;
 
-        /// <summary>Minimum speeds of a moving object, m/s and rad/s; the same as in the demo.</summary>
-        const double MinSpeed = 0.001, MinTurning = 0.005;
-
         readonly List<Stretch> _stretches = [];
         readonly BodyError _position = new();
         readonly BodyError _rotation = new();
@@ -107,23 +104,21 @@ sealed class SessionBodies
             var time = stretch.Seconds(light);
             _displayed = time + latencyError;
             var predicted = _predictor.At(_displayed);
-            if (_taken < SamplesBeforeScoring || stretch.Truth is not { } truth || truth.GapAt(time) > ClockTicks.Seconds(maximumGap) || !IsMoving(truth, time)) return;
-            var (x, y, z, rotation) = truth.At(time);
-            var pose = rotation.At(x, y, z);
+            if (_taken < SamplesBeforeScoring || stretch.Truth is not { } truth || truth.GapAt(time) > ClockTicks.Seconds(maximumGap)) return;
+            if (!BodyError.IsMoving(PoseAt, time)) return;
+            var pose = PoseAt(time);
             _position.Add(_predictor.Hold.DistanceTo(pose), predicted.DistanceTo(pose));
             _rotation.Add(_predictor.Hold.AngleTo(pose), predicted.AngleTo(pose));
             Frames++;
+
+            RigidTransform PoseAt(double t)
+            {
+                var (x, y, z, rotation) = truth.At(t);
+                return rotation.At(x, y, z);
+            }
         }
 
         public BodyReplayResult Result(string name, string predictor) => new(
             name, predictor, Frames, _position.Summary(MmPerMetre), _rotation.Summary(DegreesPerRadian));
-
-        static bool IsMoving(BodyTruth truth, double time)
-        {
-            const double HalfInterval = 0.005;
-            var ((ax, ay, az, before), (bx, by, bz, after)) = (truth.At(time - HalfInterval), truth.At(time + HalfInterval));
-            return new Vector3D(bx - ax, by - ay, bz - az).Length > 2 * HalfInterval * MinSpeed
-                || UnitQuaternion.AngleBetween(before, after) > 2 * HalfInterval * MinTurning;
-        }
     }
 }

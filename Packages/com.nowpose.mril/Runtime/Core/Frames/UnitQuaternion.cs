@@ -89,11 +89,12 @@ namespace Nowpose.Frames
             get => new UnitQuaternion(-X, -Y, -Z, W);
         }
 
+        // In this order, the rounding errors cancel if b is the inverse of a.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static UnitQuaternion operator *(in UnitQuaternion a, in UnitQuaternion b) => Normalised(
             a.W * b.X + a.X * b.W + a.Y * b.Z - a.Z * b.Y,
-            a.W * b.Y - a.X * b.Z + a.Y * b.W + a.Z * b.X,
-            a.W * b.Z + a.X * b.Y - a.Y * b.X + a.Z * b.W,
+            a.W * b.Y + a.Y * b.W + a.Z * b.X - a.X * b.Z,
+            a.W * b.Z + a.Z * b.W + a.X * b.Y - a.Y * b.X,
             a.W * b.W - a.X * b.X - a.Y * b.Y - a.Z * b.Z);
 
         /// <summary>Interpolates at a constant rate along the shorter arc (spherical linear interpolation).</summary>
@@ -118,9 +119,10 @@ namespace Nowpose.Frames
 
         public override string ToString() => FormattableString.Invariant($"({X:0.######}, {Y:0.######}, {Z:0.######}, {W:0.######})");
 
-        // Normalises each product, because its rounding errors would otherwise accumulate.
+        /// <summary>Returns the rotation of a quaternion of any length except zero.</summary>
+        /// <remarks>Each product is normalised, because its rounding errors would otherwise accumulate.</remarks>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static UnitQuaternion Normalised(double x, double y, double z, double w)
+        public static UnitQuaternion Normalised(double x, double y, double z, double w)
         {
             var scale = 1 / LengthOf(x, y, z, w);
             return new UnitQuaternion(scale * x, scale * y, scale * z, scale * w);

@@ -125,9 +125,9 @@ namespace Nowpose.Anchoring.Fitting
                 if (weights[i] == 0) continue;
                 var share = passed++ < newer ? 1.0 / newer : -1.0 / older;
                 var apart = back * window.PoseOf(i);
-                var (rx, ry, rz) = apart.RotationVector();
+                var turn = apart.RotationVector();
                 (x, y, z) = (x + share * apart.X, y + share * apart.Y, z + share * apart.Z);
-                (turnX, turnY, turnZ) = (turnX + share * rx, turnY + share * ry, turnZ + share * rz);
+                (turnX, turnY, turnZ) = (turnX + share * turn.X, turnY + share * turn.Y, turnZ + share * turn.Z);
             }
             return (PoseNumbers.Length(x, y, z), PoseNumbers.Length(turnX, turnY, turnZ));
         }

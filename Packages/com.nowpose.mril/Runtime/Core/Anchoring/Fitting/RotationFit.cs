@@ -1,5 +1,6 @@
 using MathNet.Numerics.LinearAlgebra;
 using MathNet.Numerics.LinearAlgebra.Double;
+using Nowpose.Frames;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Fitting
@@ -50,17 +51,7 @@ namespace Nowpose.Anchoring.Fitting
             for (var i = 1; i < 4; i++)
                 if (solved.EigenValues[i].Real > solved.EigenValues[largest].Real) largest = i;
             var q = solved.EigenVectors;
-            return Rotation(q[0, largest], q[1, largest], q[2, largest], q[3, largest]);
-        }
-
-        static RigidTransform Rotation(double w, double x, double y, double z)
-        {
-            var s = 2 / (w * w + x * x + y * y + z * z);
-            return new RigidTransform(
-                1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w),
-                s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w),
-                s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y),
-                0, 0, 0);
+            return UnitQuaternion.Normalised(q[1, largest], q[2, largest], q[3, largest], q[0, largest]).At(0, 0, 0);
         }
     }
 }

@@ -46,10 +46,10 @@ namespace Nowpose.Anchoring.Tracking
         public void Add(in RigidTransform expected, in RigidTransform seen, HeadsetTime time)
         {
             var apart = expected.Inverse * seen;
-            var (x, y, z) = apart.RotationVector();
+            var turn = apart.RotationVector();
             var at = _next * Numbers;
             (_values[at], _values[at + 1], _values[at + 2]) = (apart.X, apart.Y, apart.Z);
-            (_values[at + 3], _values[at + 4], _values[at + 5]) = (x, y, z);
+            (_values[at + 3], _values[at + 4], _values[at + 5]) = (turn.X, turn.Y, turn.Z);
             _times[_next] = time;
             _next = (_next + 1) % Capacity;
             if (_count < Capacity) _count++;
