@@ -1,5 +1,6 @@
 using BenchmarkDotNet.Attributes;
 using Nowpose.Frames;
+using Nowpose.Kinematics;
 using Nowpose.Prediction;
 
 namespace Nowpose.Benchmarks;

@@ -1,4 +1,3 @@
-using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Simulation.Work;
 

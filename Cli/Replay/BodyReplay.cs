@@ -2,6 +2,7 @@ using Nowpose.Anchoring;
 using Nowpose.Cli.Messages;
 using Nowpose.Frames;
 using Nowpose.Gateway.MotionRecordings;
+using Nowpose.Kinematics;
 using Nowpose.Prediction;
 
 namespace Nowpose.Cli.Replay;

@@ -1,4 +1,4 @@
-using Nowpose.Frames;
+using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.SessionFiles;
 

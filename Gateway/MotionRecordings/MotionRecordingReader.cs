@@ -1,8 +1,8 @@
 using System.Globalization;
 using CsvHelper;
 using CsvHelper.Configuration;
-using Nowpose.Frames;
 using Nowpose.Gateway.Messages;
+using Nowpose.Kinematics;
 
 namespace Nowpose.Gateway.MotionRecordings;
 

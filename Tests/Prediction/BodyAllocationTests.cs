@@ -1,6 +1,7 @@
 using Nowpose.Frames;
 using Nowpose.Prediction;
 using NUnit.Framework;
+using Nowpose.Kinematics;
 
 namespace Nowpose.Headless.Tests.Prediction;
 

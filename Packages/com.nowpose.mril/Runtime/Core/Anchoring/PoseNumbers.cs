@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Frames;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring

@@ -1,3 +1,4 @@
+using Nowpose.Kinematics;
 using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Frames

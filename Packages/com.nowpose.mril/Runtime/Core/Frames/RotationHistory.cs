@@ -1,3 +1,4 @@
+using Nowpose.Kinematics;
 using System;
 using Nowpose.Prediction;
 

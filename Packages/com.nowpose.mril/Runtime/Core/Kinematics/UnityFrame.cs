@@ -1,4 +1,3 @@
-using Nowpose.Frames;
 
 namespace Nowpose.Kinematics
 {

@@ -1,6 +1,5 @@
 using MathNet.Numerics.LinearAlgebra;
 using MathNet.Numerics.LinearAlgebra.Double;
-using Nowpose.Frames;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Fitting

@@ -4,6 +4,7 @@ using Nowpose.Anchoring;
 using Nowpose.Frames;
 using Nowpose.Prediction;
 using NUnit.Framework;
+using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Frames
 {

@@ -4,6 +4,7 @@ using Nowpose.Frames;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Mixing;
 using NUnit.Framework;
+using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Frames
 {

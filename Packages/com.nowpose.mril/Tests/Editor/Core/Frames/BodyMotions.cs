@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Frames;
+using Nowpose.Kinematics;
 using Nowpose.Simulation;
 
 namespace Nowpose.Tests.Core.Frames

@@ -2,6 +2,7 @@ using System;
 using Nowpose.Frames;
 using Nowpose.Prediction;
 using NUnit.Framework;
+using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Frames
 {

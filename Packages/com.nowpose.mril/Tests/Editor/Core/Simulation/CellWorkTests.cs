@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Motion;
 using Nowpose.Protocol.Cell;

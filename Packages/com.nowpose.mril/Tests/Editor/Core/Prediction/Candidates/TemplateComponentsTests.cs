@@ -1,6 +1,7 @@
 using System;
 using NUnit.Framework;
 using Nowpose.Frames;
+using Nowpose.Kinematics;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Candidates;
 using Nowpose.Prediction.Samples;

@@ -1,8 +1,8 @@
 using System;
-using Nowpose.Frames;
 using NUnit.Framework;
+using Nowpose.Kinematics;
 
-namespace Nowpose.Tests.Core.Frames
+namespace Nowpose.Tests.Core.Kinematics
 {
     public class UnitQuaternionTests
     {

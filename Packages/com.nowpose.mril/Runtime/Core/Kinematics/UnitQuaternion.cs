@@ -1,8 +1,7 @@
 using System;
 using System.Runtime.CompilerServices;
-using Nowpose.Kinematics;
 
-namespace Nowpose.Frames
+namespace Nowpose.Kinematics
 {
     /// <summary>A rotation as a quaternion of length one: x, y, z are the vector part, w is the scalar part.</summary>
     /// <remarks>

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Frames
+namespace Nowpose.Kinematics
 {
     /// <summary>
     /// Three components along x, y and z: a position in m, a rotation vector (along the axis, with the angle in rad as its length), or a sum
