@@ -1,8 +1,8 @@
 // node movingPlant.mjs opcua|ads: starts a control system that moves a youBot. Its clock is minutes ahead and runs too fast.
 // Writes its address, and the time of its clock at a count of this machine's monotonic counter. From these a test can compute the
-// true position of the robot. Reads commands, one per line: "step MS" steps the clock. With opcua also "delete", "stop" (in
-// mid-motion), "bad", "nan" or "repair" with the name of a variable, and "rest MS"; the response is "done COMMAND", the number of the
-// command and the Unix time in s at which the command took effect. The program ends when its input ends.
+// true position of the robot. With opcua, reads commands, one per line: "delete", "stop" (in mid-motion), "bad", "nan" or "repair" with
+// the name of a variable, and "rest MS"; the response is "done COMMAND", the number of the command and the Unix time in s at which the
+// command took effect. The program ends when its input ends.
 import { createInterface } from 'node:readline';
 
 const AHEAD_MS = 754_321.5, PPM = 85;
@@ -16,7 +16,7 @@ const kinds = {
     server.keepsStamps = true;
     server.motion = time => pace.at(time);
     return {
-      endpoint: server.endpoint, thumbprint: server.own.thumbprint, now: () => clock.now, step: ms => clock.step(ms),
+      endpoint: server.endpoint, thumbprint: server.own.thumbprint, now: () => clock.now,
       delete: name => faults.delete(name), stop: name => faults.stop(name), bad: name => faults.bad(name), nan: name => faults.nan(name),
       repair: name => faults.repair(name),
       rest: async ms => {
@@ -30,7 +30,7 @@ const kinds = {
     const { youBot } = await import('./ads/youbot.mjs');
     const plc = youBot({ aheadMs: AHEAD_MS, ppm: PPM, cycleMs: 1 }), netId = '5.24.12.7.1.1';
     const port = await new AdsServer(plc, { netId }).listen(0);
-    return { endpoint: `ads://127.0.0.1:${port}/${netId}:${runtimePort}`, thumbprint: '-', now: () => plc.now(), step: ms => plc.step(ms) };
+    return { endpoint: `ads://127.0.0.1:${port}/${netId}:${runtimePort}`, thumbprint: '-', now: () => plc.now() };
   },
 };
 
@@ -59,10 +59,6 @@ let received = 0;
 
 async function obey(line) {
   const [command, argument] = line.split(' ');
-  if (command === 'step') {
-    plant.step(Number(argument));
-    return writeClock();
-  }
   if (!COMMANDS.includes(command)) throw new Error(`unknown command: ${line}`);
   const number = ++received;
   await plant[command](argument);

@@ -83,8 +83,6 @@ sealed class MovingPlant : IPlantTruth, IDisposable
         return DateTimeOffset.UnixEpoch + TimeSpan.FromSeconds(double.Parse(_program.ValueOf(key), CultureInfo.InvariantCulture));
     }
 
-    public void Step(int milliseconds) => _program.Send($"step {milliseconds}");
-
     public void Dispose() => _program.Dispose();
 
     IEnumerable<string> Joints()

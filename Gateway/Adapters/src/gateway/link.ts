@@ -96,15 +96,11 @@ export class GatewayLink {
     this.#send(this.#kept.get(key)!);
   }
 
-  /** Offers a service until it is withdrawn or the link ends. */
+  /** Offers a service until the link ends. */
   offer(service: string, type: string, answer: Service): void {
     this.#services.set(service, { type, answer, heard: 0 });
     this.#measured = performance.now();
     this.#offer(service);
-  }
-
-  withdraw(service: string): void {
-    if (this.#services.delete(service)) this.#send(JSON.stringify({ op: 'unadvertise_service', service }));
   }
 
   /** Adds callbacks. */

@@ -16,10 +16,6 @@ export class SendQueue<T = string> {
     this.#dropped++;
   }
 
-  clear(): void {
-    this.#waiting.length = 0;
-  }
-
   /**
    * Sends messages while the socket's buffer has room. The other messages stay in this queue, where they can still be dropped.
    * @param again Called after each sent message.

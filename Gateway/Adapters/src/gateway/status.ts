@@ -43,12 +43,6 @@ export class AdapterStatus {
   get state(): PlantState {
     return this.#state;
   }
-  get samples(): number {
-    return this.#samples;
-  }
-  get reconnects(): number {
-    return this.#reconnects;
-  }
 
   /**
    * Sets the state of the connection to the plant.

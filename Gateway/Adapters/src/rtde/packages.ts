@@ -80,11 +80,6 @@ export class PackageReader {
     return this.#rest.length;
   }
 
-  /** Length of the incomplete package according to its header; 0 if the header is incomplete. */
-  get announced(): number {
-    return this.#rest.length < HEADER ? 0 : this.#rest.readUInt16BE(0);
-  }
-
   /**
    * Adds received bytes and returns the packages that are now complete. Their payloads are valid until the next call.
    * @throws NotRtdeError A header is invalid. The packages before it are also lost, and the connection is unusable.

@@ -45,10 +45,6 @@ export class Plc {
     return this.#startTime + BigInt(Math.round(elapsed * 1e6));
   }
 
-  step(milliseconds) {
-    this.#startTime += BigInt(Math.round(milliseconds * 1e6));
-  }
-
   /** Returns the start of the newest cycle that began before `time`, in nanoseconds since 1970. Cycles do not start at round times. */
   cycleTime(time = this.now()) {
     const phase = this.cycle * 3n / 7n / 100n * 100n;
