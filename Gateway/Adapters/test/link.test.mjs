@@ -15,7 +15,7 @@ import { ANY, like, messages } from './messages.mjs';
 
 const { gatewayMessages, logMessages } = messages;
 
-const { SendQueue, Log, Backoff, GatewayLink } = await parts('gateway/sendQueue', 'log', 'backoff', 'gateway/link');
+const { SendQueue, Log, GatewayLink } = await parts('gateway/sendQueue', 'log', 'gateway/link');
 const JOINTS = [{ joint: 'a', node: 'i=1' }];
 const TOKEN = 'a-token-of-a-source';
 
@@ -274,19 +274,5 @@ describe('log', () => {
     assert.deepEqual(lines.slice(11), [`[x] ${logMessages.moreLines('a is good', 990, 60)}\n`]);
     flood();
     assert.equal(lines.length, 22);
-  });
-});
-
-describe('backoff', () => {
-  it('Delays_Repeated_DoubleUpTo1500Ms', () => {
-    const backoff = new Backoff(() => 0.5);
-
-    assert.deepEqual([1, 2, 3, 4, 5].map(() => backoff.next()), [200, 400, 800, 1500, 1500]);
-    backoff.reset();
-    assert.equal(backoff.next(), 200);
-  });
-
-  it('Delays_Randomised_VaryByAtMost20Percent', () => {
-    assert.ok(Math.abs(new Backoff(() => 0).next() - 160) < 1e-9 && Math.abs(new Backoff(() => 1).next() - 240) < 1e-9);
   });
 });

@@ -1,6 +1,6 @@
 import { Agent } from 'node:https';
 import WebSocket, { type RawData } from 'ws';
-import { Backoff, pause } from '../backoff';
+import { reconnecting } from '../backoff';
 import type { GatewayAddress } from '../configuration/configuration';
 import type { Log } from '../log';
 import { advertisement, parsed, subscription, typeOf } from './messages';
@@ -12,7 +12,6 @@ import { gatewayMessages } from '../messages/gateway';
 const HANDSHAKE_MS = 5000;
 const PING_MS = 2000;
 const SILENCE_MS = 6000;
-const STEADY_MS = 2000;
 const CALL_MS = 1500;
 const MAX_MESSAGE = 2 * 1024 * 1024;
 
@@ -137,18 +136,12 @@ export class GatewayLink {
   }
 
   /** Connects, and reconnects after each disconnection, until the signal is aborted. */
-  async run(stop: AbortSignal): Promise<void> {
-    const backoff = new Backoff();
-    while (!stop.aborted) {
-      const opened = performance.now();
-      const reason = await this.#connect(stop);
-      if (stop.aborted) break;
+  run(stop: AbortSignal): Promise<void> {
+    const away = (reason: string): void => {
       this.log.change(this.name, `${this.name} ${this.address.url} disconnected: ${this.log.clean(reason)}`);
       for (const { away } of this.#watchers) away?.(reason);
-      // Keeps the longer delay for a gateway that accepts connections and closes them immediately.
-      if (performance.now() - opened > STEADY_MS) backoff.reset();
-      await pause(backoff.next(), stop);
-    }
+    };
+    return reconnecting(stop, () => this.#connect(stop), away);
   }
 
   // Opens a connection. Resolves with the reason when the connection has ended.

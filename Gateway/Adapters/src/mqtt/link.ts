@@ -1,12 +1,11 @@
 import { randomBytes } from 'node:crypto';
 import { connect, type IClientOptions, type MqttClient } from 'mqtt';
-import { Backoff, pause } from '../backoff';
+import { reconnecting } from '../backoff';
 import type { BrokerAddress } from './address';
 import { brokerMessages } from '../messages/broker';
 
 const KEEP_ALIVE_S = 3;
 const CONNECT_MS = 5000;
-const STEADY_MS = 2000;
 const GOODBYE_MS = 500;
 
 /** Maximum packet size in bytes: a robot description of 1 MiB with a margin. */
@@ -49,16 +48,12 @@ export class MqttLink {
   }
 
   /** Connects, and reconnects after each disconnection, until the signal is aborted. */
-  async run(stop: AbortSignal): Promise<void> {
-    const backoff = new Backoff();
-    while (!stop.aborted) {
-      const began = performance.now();
-      const reason = await this.#connect(stop);
-      if (stop.aborted) return;
-      this.events.away(reason);
-      if (performance.now() - began > STEADY_MS) backoff.reset();
-      await pause(backoff.next(), stop);
-    }
+  run(stop: AbortSignal): Promise<void> {
+    return reconnecting(
+      stop,
+      () => this.#connect(stop),
+      reason => this.events.away(reason),
+    );
   }
 
   #connect(stop: AbortSignal): Promise<string> {

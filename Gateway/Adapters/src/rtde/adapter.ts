@@ -1,5 +1,5 @@
 import type { AdapterContext } from '../adapter';
-import { Backoff, pause } from '../backoff';
+import { reconnecting } from '../backoff';
 import { publishCalibrated } from './calibration/calibration';
 import { at, RefusalError } from './connection';
 import { fieldsOf, MissingFieldsError, RecipeError } from './recipe';
@@ -7,36 +7,32 @@ import { RtdeSession } from './session';
 import { settingsOf } from './settings';
 import { fieldMessages, rtdeMessages } from '../messages/rtde';
 
-const STEADY_MS = 2000;
-
 /** Reads a robot's controller over RTDE, until the adapter is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
   const { configuration, status, log, stopping } = context;
   const settings = settingsOf(configuration);
-  const backoff = new Backoff();
   let fields = fieldsOf(settings.source, settings.addresses);
   log.line(rtdeMessages.notSecure);
   status.detail('endpoint', at(settings));
   status.detail('security', 'none');
   if (settings.isCalibrated) void publishCalibrated(context, settings);
   status.enter('connecting');
-  while (!stopping.aborted) {
-    const began = performance.now();
+  const read = async (): Promise<{ reason: string; isRefused: boolean }> => {
     try {
-      status.enter('waiting', await new RtdeSession(context, settings, fields).run());
+      return { reason: await new RtdeSession(context, settings, fields).run(), isRefused: false };
     } catch (error) {
-      if (stopping.aborted) break;
-      if (error instanceof MissingFieldsError) {
+      if (error instanceof MissingFieldsError && !stopping.aborted) {
         log.line(fieldMessages.readWithout(error.message));
         fields = fields.filter(field => !error.names.includes(field.name));
-        continue;
+        return read();
       }
-      const isRefused = error instanceof RefusalError || error instanceof RecipeError;
-      status.enter(isRefused ? 'refused' : 'waiting', (error as Error).message);
+      return { reason: (error as Error).message, isRefused: error instanceof RefusalError || error instanceof RecipeError };
     }
-    if (stopping.aborted) break;
-    if (performance.now() - began > STEADY_MS) backoff.reset();
-    await pause(backoff.next(), stopping);
-    status.reconnected();
-  }
+  };
+  await reconnecting(
+    stopping,
+    read,
+    ({ reason, isRefused }) => status.enter(isRefused ? 'refused' : 'waiting', reason),
+    () => status.reconnected(),
+  );
 }
