@@ -1,5 +1,6 @@
 import { isStationary, type Frame } from '../configuration/frames';
 import type { OfferedClock } from '../clock/offeredClock';
+import type { Publisher } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
 import { grouped } from '../samples/grouping';
 import type { SourceStop } from '../samples/jointOutput';
@@ -26,11 +27,6 @@ export interface PoseOptions {
 
 /** Maximum interval between the values of a moving component, as a multiple of the source's sampling interval. */
 const PATIENCE_INTERVALS = 5;
-
-interface Publisher {
-  publish(topic: string, msg: object): void;
-  publishKept(topic: string, msg: object): void;
-}
 
 /** Computes the poses of frames from a plant's values, and publishes them. A pose needs a valid value for each of its components. */
 export class PoseOutput {

@@ -1,5 +1,6 @@
 import type { OfferedClock } from '../clock/offeredClock';
 import type { Signal } from '../configuration/signals';
+import type { Publisher } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
 import { numberIn } from '../samples/number';
 import type { PlantValue } from '../samples/plantOutput';
@@ -10,10 +11,6 @@ import { SignalSender } from './signalSender';
 
 /** Maximum age of a stamp: unlimited, because a signal may have changed at any time in the past. */
 const ANY_AGE: Nanoseconds = 1n << 80n;
-
-interface Publisher {
-  publish(topic: string, msg: object): void;
-}
 
 /** Publishes the signals from a plant's values. A signal is published when its value changes, with the stamp of the change. */
 export class SignalOutput {

@@ -1,4 +1,5 @@
 import type { OfferedClock } from '../clock/offeredClock';
+import type { Publisher } from '../gateway/link';
 import type { Nanoseconds } from '../times';
 import { SIGNALS, signals } from './messages';
 
@@ -28,7 +29,7 @@ export class SignalSender {
    */
   constructor(
     readonly clock: Pick<OfferedClock, 'isSettled'>,
-    readonly gateway: { publish(topic: string, msg: object): void },
+    readonly gateway: Publisher,
     readonly sent: () => void,
     readonly counter: () => number,
   ) {}

@@ -42,6 +42,9 @@ export interface LinkEvents {
   refused?(reason: string): void;
 }
 
+/** The part of a link that outputs use. */
+export type Publisher = Pick<GatewayLink, 'publish' | 'publishKept'>;
+
 /**
  * The connection to a gateway or a robot with the rosbridge protocol. After a disconnection, it reconnects and repeats advertisements, subscriptions,
  * services and kept messages.

@@ -2,6 +2,7 @@ import { type Pose, TF, TF_STATIC, tooFar, transform } from '../cell/messages';
 import { unit } from '../cell/rotation';
 import type { OfferedClock } from '../clock/offeredClock';
 import { WORLD } from '../configuration/frames';
+import type { Publisher } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
 import type { SampleSilence } from '../samples/sampleSilence';
 import { StampRule } from '../samples/stampRule';
@@ -25,11 +26,6 @@ interface RosTransform {
 
 /** Key of the kept message with the stationary frames of ROS. The stationary frames of the configuration have a message of their own. */
 const STATIONARY_KEY = `${TF_STATIC} of ROS`;
-
-interface Publisher {
-  publish(topic: string, msg: object): void;
-  publishKept(topic: string, msg: object, key: string): void;
-}
 
 interface Names {
   frames: RosFrame[];

@@ -1,5 +1,6 @@
 import type { OfferedClock } from '../clock/offeredClock';
 import { shown } from '../configuration/problem';
+import type { Publisher } from '../gateway/link';
 import { JOINT_STATES, jointState, topicOf } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
 import { decelerationFloor, EndOfData } from '../samples/endOfData';
@@ -11,10 +12,6 @@ import { malformedMessages } from '../messages/broker';
 import { refusalMessages, silenceMessages } from '../messages/values';
 
 const MAX_JOINTS = 256;
-
-interface Publisher {
-  publish(topic: string, msg: object): void;
-}
 
 interface RosJointState {
   header?: { stamp?: unknown };

@@ -1,5 +1,6 @@
 import type { OfferedClock } from '../clock/offeredClock';
 import type { Joint } from '../configuration/configuration';
+import type { Publisher } from '../gateway/link';
 import { JOINT_STATES, jointState, topicOf } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
 import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
@@ -50,10 +51,6 @@ const REPETITION: Nanoseconds = 50n * NS_PER_MS;
 
 /** Time after the last sample of a joint at which it is clear whether the other joints have also stopped, as in an emergency stop. */
 const OTHERS_KNOWN: Nanoseconds = 500n * NS_PER_MS;
-
-interface Publisher {
-  publish(topic: string, msg: object): void;
-}
 
 /** Publishes joint states from a plant's values. Refuses values that are not a valid position with a valid stamp. */
 export class JointOutput {

@@ -2,6 +2,7 @@ import { PoseOutput } from '../cell/poseOutput';
 import { SignalOutput } from '../cell/signalOutput';
 import type { OfferedClock } from '../clock/offeredClock';
 import type { Configuration } from '../configuration/configuration';
+import type { Publisher } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
 import type { Nanoseconds } from '../times';
 import { JointOutput, type JointOutputOptions, type SourceStop } from './jointOutput';
@@ -20,11 +21,6 @@ export interface PlantValue {
   refusal?: Refusal;
   /** Whether the control system no longer has the variable. `refusal` then contains the reason, which the caller has counted. */
   isLost?: boolean;
-}
-
-interface Publisher {
-  publish(topic: string, msg: object): void;
-  publishKept(topic: string, msg: object): void;
 }
 
 /** Publishes joint states, poses and signals from a plant's values. */
