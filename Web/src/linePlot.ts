@@ -4,7 +4,7 @@ import type { Ink } from './theme';
 import { colour } from './theme';
 import { Legend } from './legend';
 import { axisLabels } from './messages/plots';
-import { format } from './numbers';
+import { format, lastUpTo } from './numbers';
 import type { Playhead } from './playhead';
 import type { Trace } from './traces';
 
@@ -213,14 +213,8 @@ function bandsOf(traces: Trace[], ink: Ink): uPlot.Band[] {
 /** Returns the value of a trace at a given time: for a stepped trace the last value up to this time, otherwise the nearest value. */
 function valueAt(trace: Trace, time: number): number | null {
   const { t, v } = trace;
-  let low = 0;
-  let high = t.length - 1;
-  while (low < high) {
-    const middle = (low + high + 1) >> 1;
-    if (t[middle] <= time) low = middle;
-    else high = middle - 1;
-  }
-  if (trace.stepped) return t[low] <= time ? v[low] : null;
-  const next = Math.min(low + 1, t.length - 1);
-  return Math.abs(t[next] - time) < Math.abs(t[low] - time) ? v[next] : v[low];
+  const last = lastUpTo(t, time);
+  if (trace.stepped) return last < 0 ? null : v[last];
+  const next = Math.min(last + 1, t.length - 1);
+  return last < 0 || Math.abs(t[next] - time) < Math.abs(t[last] - time) ? v[next] : v[last];
 }

@@ -28,6 +28,18 @@ export function quantile(values: ArrayLike<number>, share: number): number {
   return sorted[below] + (rank - below) * ((sorted[below + 1] ?? sorted[below]) - sorted[below]);
 }
 
+/** Returns the index of the last of some ascending numbers that is at most a given number; -1 if there is none. */
+export function lastUpTo(numbers: number[], limit: number): number {
+  let low = 0;
+  let high = numbers.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (numbers[middle] <= limit) low = middle + 1;
+    else high = middle;
+  }
+  return low - 1;
+}
+
 /** Returns the statistics of the finite numbers among the values; null if there are none. p95 is the 95th percentile of the absolute values. */
 export function statistics(values: ArrayLike<Value>): Statistics | null {
   const numbers = Array.from(values).filter((v): v is number => v != null && Number.isFinite(v));

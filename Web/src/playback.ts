@@ -4,6 +4,7 @@ import { Legend } from './legend';
 import { traceLabels } from './messages/plots';
 import { reportLabels, reportMessages } from './messages/report';
 import { robotDescriptions } from './messages/robot';
+import { lastUpTo } from './numbers';
 import type { Playhead } from './playhead';
 import type { Part } from './robot/bodies';
 import { Objects } from './robot/objects';
@@ -105,7 +106,7 @@ export class Playback {
     this.slider.setAttribute('aria-valuetext', words);
     const { bodies } = this.view;
     if (!bodies) return;
-    const i = indexAt(t, this.time);
+    const i = lastUpTo(t, this.time);
     const poses = { truth, displayed, hold };
     for (const part of Object.keys(poses) as Part[]) bodies.pose(part, names, poses[part][i]);
     const [compensated, held] = [bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth')];
@@ -123,16 +124,4 @@ export class Playback {
     const [compensated, held] = [poses.displayed, poses.hold].map(shown => shown && this.objects!.largestDistance(shown, poses.truth));
     return reportMessages.workpieceError(compensated, held);
   }
-}
-
-/** Returns the index of the last time that is not later than a given time; 0 if there is none. */
-function indexAt(t: number[], time: number): number {
-  let low = 0;
-  let high = t.length - 1;
-  while (low < high) {
-    const middle = (low + high + 1) >> 1;
-    if (t[middle] <= time) low = middle;
-    else high = middle - 1;
-  }
-  return low;
 }

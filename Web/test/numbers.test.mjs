@@ -1,10 +1,10 @@
-// Tests the statistics of the pages.
+// Tests the statistics and the search of the pages.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { buildSync } from 'esbuild';
 
 const { outputFiles } = buildSync({ entryPoints: [new URL('../src/numbers.ts', import.meta.url).pathname], bundle: true, write: false, format: 'esm' });
-const { quantile, statistics } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString('base64')}`);
+const { lastUpTo, quantile, statistics } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString('base64')}`);
 
 describe('quantile', () => {
   // The command line computes the same numbers (R7).
@@ -18,4 +18,12 @@ describe('quantile', () => {
 
 describe('statistics', () => {
   it('use the absolute values for the percentile', () => assert.equal(Number(statistics([-10, 1, null, 5, -2, NaN]).p95.toFixed(9)), 9.25));
+});
+
+describe('the search in ascending numbers', () => {
+  it('finds the last number up to a limit, as a search from the end does', () => {
+    for (const numbers of [[], [3], [1, 2], [0, 0, 1, 4, 4, 4, 9]])
+      for (let limit = -1; limit <= 10; limit += 0.5)
+        assert.equal(lastUpTo(numbers, limit), numbers.findLastIndex(number => number <= limit), `${limit} in ${numbers}`);
+  });
 });

@@ -1,3 +1,5 @@
+import { lastUpTo } from '../numbers';
+
 /** Where a time is between two samples: `share` is 0 at `from` and 1 at `to`. After the last sample, both are this sample, and `share` is 0. */
 export interface Place<T> {
   from: T;
@@ -46,21 +48,10 @@ export class Track<T> {
 
   /** Returns the samples around a time; null before the first one. */
   at(time: number): Place<T> | null {
-    const i = this.indexAt(time);
+    const i = lastUpTo(this.times, time);
     if (i < 0) return null;
     const from = this.values[i];
     if (i === this.times.length - 1) return { from, to: from, share: 0 };
     return { from, to: this.values[i + 1], share: (time - this.times[i]) / (this.times[i + 1] - this.times[i]) };
-  }
-
-  private indexAt(time: number): number {
-    let low = 0;
-    let high = this.times.length;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.times[middle] <= time) low = middle + 1;
-      else high = middle;
-    }
-    return low - 1;
   }
 }
