@@ -9,7 +9,16 @@ export function scrollable(caption: string, table: HTMLTableElement): HTMLElemen
   return el('div', { class: 'table', role: 'region', 'aria-label': caption, tabindex: 0 }, table);
 }
 
-export function header(...labels: string[]): HTMLElement {
+/**
+ * Creates a table in an element that scrolls.
+ * @param style Names of its CSS classes.
+ * @param name Name of the scrolling element.
+ */
+export function tableOf(caption: string, style: string, labels: string[], rows: HTMLElement[], name = caption): HTMLElement {
+  return scrollable(name, el('table', { class: style }, el('caption', {}, caption), header(labels), el('tbody', {}, ...rows)));
+}
+
+function header(labels: string[]): HTMLElement {
   return el('thead', {}, el('tr', {}, ...labels.map(label => el('th', { scope: 'col' }, term(label)))));
 }
 
@@ -18,18 +27,9 @@ export function row(label: string, ...cells: string[]): HTMLElement {
 }
 
 export function summaryTable(rows: SummaryRow[]): HTMLElement {
-  const caption = tableLabels.comparison;
+  const labels = [tableLabels.quantity, tableLabels.uncompensated, tableLabels.compensated, tableLabels.change];
   const body = rows.map(r => row(r.unit ? `${r.label} (${r.unit})` : r.label, format(r.uncompensated), format(r.compensated), change(r)));
-  return scrollable(
-    caption,
-    el(
-      'table',
-      { class: 'numbers' },
-      el('caption', {}, caption),
-      header(tableLabels.quantity, tableLabels.uncompensated, tableLabels.compensated, tableLabels.change),
-      el('tbody', {}, ...body),
-    ),
-  );
+  return tableOf(tableLabels.comparison, 'numbers', labels, body);
 }
 
 function change(row: SummaryRow): string {
@@ -45,20 +45,11 @@ export function reductionOf(row: SummaryRow): number | null {
 
 export function factTable(caption: string, facts: Fact[], labels = [tableLabels.name, tableLabels.value]): HTMLElement {
   const body = facts.map(([label, value]) => row(String(label), value == null ? '–' : String(value)));
-  return scrollable(caption, el('table', { class: 'facts' }, el('caption', {}, caption), header(...labels), el('tbody', {}, ...body)));
+  return tableOf(caption, 'facts', labels, body);
 }
 
 export function statisticsTable(name: string, unit: string, rows: [string, Statistics | null][]): HTMLElement {
-  const caption = `${name} (${unit})`;
+  const labels = [tableLabels.signal, tableLabels.points, tableLabels.minimum, tableLabels.maximum, tableLabels.rms, tableLabels.p95];
   const body = rows.map(([label, s]) => row(label, format(s?.count ?? 0), format(s?.min), format(s?.max), format(s?.rms), format(s?.p95)));
-  return scrollable(
-    caption,
-    el(
-      'table',
-      { class: 'numbers' },
-      el('caption', {}, caption),
-      header(tableLabels.signal, tableLabels.points, tableLabels.minimum, tableLabels.maximum, tableLabels.rms, tableLabels.p95),
-      el('tbody', {}, ...body),
-    ),
-  );
+  return tableOf(`${name} (${unit})`, 'numbers', labels, body);
 }

@@ -1,7 +1,7 @@
 import type { ClaimData } from '../data';
 import { el } from '../dom';
 import { figuresLabels, paperLabels } from '../messages/report';
-import { header, scrollable } from '../tables';
+import { tableOf } from '../tables';
 import { anchorOf } from './section';
 import { text } from './text';
 import { badge } from './verdict';
@@ -16,6 +16,7 @@ export function claimsSection(claims: ClaimData[], figures: string[]): HTMLEleme
     const words = paperLabels.figure(figure);
     return figures.includes(figure) ? el('a', { href: `#${anchorOf(figure)}` }, words) : words;
   };
+  const labels = [figuresLabels.figure, figuresLabels.claim, figuresLabels.paper, figuresLabels.measured, figuresLabels.verdict];
   const rows = claims.map(c =>
     el(
       'tr',
@@ -31,15 +32,6 @@ export function claimsSection(claims: ClaimData[], figures: string[]): HTMLEleme
     'section',
     { id: 'claims', 'aria-labelledby': 'claims-heading' },
     el('h2', { id: 'claims-heading' }, caption),
-    scrollable(
-      caption,
-      el(
-        'table',
-        { class: 'contents' },
-        el('caption', {}, figuresLabels.claims),
-        header(figuresLabels.figure, figuresLabels.claim, figuresLabels.paper, figuresLabels.measured, figuresLabels.verdict),
-        el('tbody', {}, ...rows),
-      ),
-    ),
+    tableOf(figuresLabels.claims, 'contents', labels, rows, caption),
   );
 }
