@@ -23,12 +23,16 @@ export function withGraphics() {
   after(() => { graphics = NO_WEBGL; });
 }
 
-/** @param isReady Whether to wait for the first response. */
-export async function open(options = {}, isReady = true) {
+/**
+ * @param options Options of the browser context. With `hasVirtualTime`, `page.clock` can skip time.
+ * @param isReady Whether to wait for the first response.
+ */
+export async function open({ hasVirtualTime = false, ...options } = {}, isReady = true) {
   if (!browsers.has(graphics)) browsers.set(graphics, await Browser.start('operations', graphics));
   const context = await browsers.get(graphics).browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
   contexts.push(context);
   const page = await context.newPage();
+  if (hasVirtualTime) await page.clock.install();
   page.setDefaultTimeout(60_000);
   page.complaints = [];
   page.on('console', m => m.type() !== 'log' && page.complaints.push(`console ${m.type()}: ${m.text()}`));

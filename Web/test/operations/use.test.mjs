@@ -114,7 +114,9 @@ describe('actions', () => {
   });
 
   it('show and hide the pairing code', async () => {
-    const page = await open();
+    const page = await open({ hasVirtualTime: true });
+    const requests = [];
+    page.on('request', request => requests.push(request.url()));
     assert.deepEqual(gateway.posts, []);
 
     await page.click('#show-code');
@@ -124,9 +126,10 @@ describe('actions', () => {
 
     assert.ok(await page.locator('#code').isHidden());
     assert.equal(await page.locator('#token svg').count(), 0);
-    const asked = gateway.posts.length;
-    await page.waitForTimeout(2500);
-    assert.equal(gateway.posts.length, asked);
+    requests.length = 0;
+    await page.clock.fastForward(2500);
+    await page.waitForRequest(/state$/);
+    assert.deepEqual(requests.filter(url => url.includes('/pair/')), []);
   });
 });
 
@@ -150,28 +153,33 @@ describe('the pairing code', () => {
 });
 
 describe('a gateway that does not respond', () => {
-  withGraphics();
-
   it('is reported once and its data are marked as stale until it responds', async () => {
-    const page = await open();
+    const page = await open({ hasVirtualTime: true });
+    // The page waits 4 s for a response.
+    const failure = () => Promise.all([page.waitForEvent('requestfailed'), page.clock.runFor(5000)]);
 
     gateway.isSilent = true;
+    await failure();
     await becomes(page, '#trouble', operationsMessages.noNewState(gatewayReasons.noAnswer, ''));
     assert.ok(await page.locator('#content.stale').count());
     assert.ok(await weakestText(page) > 4.5, 'stale data are readable');
-    const changes = await page.evaluate(async () => {
-      let count = 0;
-      const watch = new MutationObserver(() => count++);
+    await page.evaluate(() => {
+      window.changes = 0;
+      const watch = new MutationObserver(() => window.changes++);
       watch.observe(document.querySelector('#trouble'), { childList: true, characterData: true, subtree: true });
-      await new Promise(done => setTimeout(done, 2500));
-      return count;
     });
-    assert.equal(changes, 0, 'repeated announcements of the live region');
+    // The page has processed the first two failures when the third request fails.
+    for (let i = 0; i < 3; i++) await failure();
+    assert.equal(await page.evaluate(() => window.changes), 0, 'repeated announcements of the live region');
 
     gateway.isSilent = false;
     await page.waitForFunction(() => document.querySelector('#trouble').textContent === '');
     assert.equal(await page.locator('#content.stale').count(), 0);
   });
+});
+
+describe('a gateway that restarts', () => {
+  withGraphics();
 
   it('is reconnected, and its robot moves again', async () => {
     const page = await open();
@@ -260,16 +268,18 @@ describe('accessibility in any window', () => {
 
   it('redraws only once a second with reduced motion', async () => {
     const frames = async reducedMotion => {
-      const page = await open({ reducedMotion });
+      const page = await open({ reducedMotion, hasVirtualTime: true });
       await showsToolError(page);
       await page.locator('.stage').scrollIntoViewIfNeeded();
-      return page.evaluate(async () => {
-        let count = 0;
+      await page.evaluate(() => {
+        window.clears = 0;
         const { clear } = WebGL2RenderingContext.prototype;
-        WebGL2RenderingContext.prototype.clear = function (...all) { count++; return clear.apply(this, all); };
-        await new Promise(done => setTimeout(done, 2000));
-        return count;
+        WebGL2RenderingContext.prototype.clear = function (...all) { window.clears++; return clear.apply(this, all); };
       });
+      await page.waitForFunction(() => window.clears > 0);
+      await page.evaluate(() => { window.clears = 0; });
+      await page.clock.runFor(2000);
+      return page.evaluate(() => window.clears);
     };
 
     const [calm, moving] = [await frames('reduce'), await frames('no-preference')];
