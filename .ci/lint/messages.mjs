@@ -13,7 +13,7 @@ const UNITS = new Set(['ms', 'µs', 'ns', 'mm', 'rad', 'Hz', 'kHz', 'kB', 'MB', 
 
 const partsOf = text => text.split(/\s+/).filter(Boolean);
 
-export const wordsIn = text => partsOf(text).filter(part => WORD.test(part)).length;
+const wordsIn = text => partsOf(text).filter(part => WORD.test(part)).length;
 
 /** Gets the words of a string without units and identifiers. */
 const plainWords = text =>

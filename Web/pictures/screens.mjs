@@ -4,7 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { gunzipSync } from 'node:zlib';
 
 /** Fixed time of the pictures, in UTC. */
-export const NOW = new Date('2026-01-15T10:00:00Z');
+const NOW = new Date('2026-01-15T10:00:00Z');
 
 export const path = relative => fileURLToPath(new URL(relative, import.meta.url));
 export const stored = name => JSON.parse(gunzipSync(readFileSync(path(`${name}.json.gz`))));

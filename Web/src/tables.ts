@@ -11,11 +11,10 @@ export function scrollable(caption: string, table: HTMLTableElement): HTMLElemen
 
 /**
  * Creates a table in an element that scrolls.
- * @param style Names of its CSS classes.
  * @param name Name of the scrolling element.
  */
-export function tableOf(caption: string, style: string, labels: string[], rows: HTMLElement[], name = caption): HTMLElement {
-  return scrollable(name, el('table', { class: style }, el('caption', {}, caption), header(labels), el('tbody', {}, ...rows)));
+export function tableOf(caption: string, style: { class: string }, labels: string[], rows: HTMLElement[], name = caption): HTMLElement {
+  return scrollable(name, el('table', style, el('caption', {}, caption), header(labels), el('tbody', {}, ...rows)));
 }
 
 function header(labels: string[]): HTMLElement {
@@ -29,7 +28,7 @@ export function row(label: string, ...cells: string[]): HTMLElement {
 export function summaryTable(rows: SummaryRow[]): HTMLElement {
   const labels = [tableLabels.quantity, tableLabels.uncompensated, tableLabels.compensated, tableLabels.change];
   const body = rows.map(r => row(r.unit ? `${r.label} (${r.unit})` : r.label, format(r.uncompensated), format(r.compensated), change(r)));
-  return tableOf(tableLabels.comparison, 'numbers', labels, body);
+  return tableOf(tableLabels.comparison, { class: 'numbers' }, labels, body);
 }
 
 function change(row: SummaryRow): string {
@@ -45,11 +44,11 @@ export function reductionOf(row: SummaryRow): number | null {
 
 export function factTable(caption: string, facts: Fact[], labels = [tableLabels.name, tableLabels.value]): HTMLElement {
   const body = facts.map(([label, value]) => row(String(label), value == null ? '–' : String(value)));
-  return tableOf(caption, 'facts', labels, body);
+  return tableOf(caption, { class: 'facts' }, labels, body);
 }
 
 export function statisticsTable(name: string, unit: string, rows: [string, Statistics | null][]): HTMLElement {
   const labels = [tableLabels.signal, tableLabels.points, tableLabels.minimum, tableLabels.maximum, tableLabels.rms, tableLabels.p95];
   const body = rows.map(([label, s]) => row(label, format(s?.count ?? 0), format(s?.min), format(s?.max), format(s?.rms), format(s?.p95)));
-  return tableOf(`${name} (${unit})`, 'numbers', labels, body);
+  return tableOf(`${name} (${unit})`, { class: 'numbers' }, labels, body);
 }

@@ -3,7 +3,7 @@ import jsQR from 'jsqr';
 import { drawn } from './drawn.mjs';
 
 /** Reads the code in a picture of 8-bit grey values, row by row; null if there is none. */
-export function readGreys(greys, width, height) {
+function readGreys(greys, width, height) {
   const pixels = new Uint8ClampedArray(width * height * 4);
   greys.forEach((grey, i) => pixels.fill(grey, 4 * i, 4 * i + 3).fill(255, 4 * i + 3, 4 * i + 4));
   return jsQR(pixels, width, height, { inversionAttempts: 'dontInvert' })?.data ?? null;

@@ -32,6 +32,6 @@ export function claimsSection(claims: ClaimData[], figures: string[]): HTMLEleme
     'section',
     { id: 'claims', 'aria-labelledby': 'claims-heading' },
     el('h2', { id: 'claims-heading' }, caption),
-    tableOf(figuresLabels.claims, 'contents', labels, rows, caption),
+    tableOf(figuresLabels.claims, { class: 'contents' }, labels, rows, caption),
   );
 }

@@ -19,6 +19,6 @@ export function contents(figures: FigureData[]): HTMLElement {
   return el(
     'nav',
     { 'aria-label': figuresLabels.contents },
-    tableOf(figuresLabels.figures, 'contents', [figuresLabels.figure, figuresLabels.title, figuresLabels.claim], rows),
+    tableOf(figuresLabels.figures, { class: 'contents' }, [figuresLabels.figure, figuresLabels.title, figuresLabels.claim], rows),
   );
 }

@@ -5,7 +5,7 @@ import { connect, type ConnectionOptions, type TLSSocket } from 'node:tls';
 import { gatewayMessages } from '../messages/gateway';
 
 /** Gets the pin of a public key: its SHA-256 in the form of RFC 7469. */
-export const pinOf = (publicKeyInfo: Buffer): string => `sha256/${createHash('sha256').update(publicKeyInfo).digest('base64')}`;
+const pinOf = (publicKeyInfo: Buffer): string => `sha256/${createHash('sha256').update(publicKeyInfo).digest('base64')}`;
 
 /**
  * Connects only to a server with the pinned key. Another server receives nothing beyond the TLS handshake.

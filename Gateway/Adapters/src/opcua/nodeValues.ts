@@ -21,7 +21,7 @@ const GONE = ['BadNodeIdUnknown', 'BadNodeIdInvalid'];
 
 /** Reasons for a node without values: the server does not have the node, or it does not monitor the node for another reason. */
 export const NODE_GONE = 'node-gone';
-export const NOT_MONITORED = 'not-monitored';
+const NOT_MONITORED = 'not-monitored';
 
 /** Gets the reason for a node that the server does not monitor, from the name of the status that the server returned. */
 export const reasonNotMonitored = (status: string): string => (GONE.includes(status) ? NODE_GONE : NOT_MONITORED);

@@ -1,8 +1,7 @@
 import { type Nanoseconds, NS_PER_MS, NS_PER_S, ofFileTime } from '../times';
 
 /** Units of a number that represents a point in time. The epoch is 1601 for filetime, 2000 for dctime (EtherCAT), and 1970 for the others. */
-export const TIME_UNITS = ['ns', 'us', 'ms', 's', 'filetime', 'dctime'] as const;
-export type TimeUnit = (typeof TIME_UNITS)[number];
+export type TimeUnit = 'ns' | 'us' | 'ms' | 's' | 'filetime' | 'dctime';
 
 const DCTIME_ZERO: Nanoseconds = 946_684_800n * NS_PER_S;
 

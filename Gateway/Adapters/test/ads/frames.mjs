@@ -27,7 +27,7 @@ const response = 0x0005;
 const request = 0x0004;
 
 export const netIdBytes = text => Buffer.from(text.split('.').map(Number));
-export const netIdText = bytes => [...bytes].join('.');
+const netIdText = bytes => [...bytes].join('.');
 
 /** Returns a frame: an AMS/TCP header with `kind` (a value of tcpCommand, 2 bytes) and the length of the data (4 bytes), then the data. */
 export function tcpFrame(kind, data) {

@@ -6,7 +6,7 @@ import { symbolEntry } from './symbols.mjs';
 /** Interval between 1601-01-01 and 1970-01-01, both UTC, in units of 100 ns. */
 const fileTimeOf1970 = 116444736000000000n;
 
-export const fileTime = nanoseconds => nanoseconds / 100n + fileTimeOf1970;
+const fileTime = nanoseconds => nanoseconds / 100n + fileTimeOf1970;
 
 export class Plc {
   #startedAt = performance.now();
