@@ -8,9 +8,9 @@ namespace Nowpose.Prediction.Candidates
     {
         /// <summary>
         /// Approximate maximum number of compared samples, which limits the time per sample: each search compares them at several lags. Of 24
-        /// samples, for example, every third is compared.
+        /// samples, for example, every fifth is compared. With 8, the errors change by at most 0.1 %.
         /// </summary>
-        const int ComparedSamples = 8;
+        const int ComparedSamples = 5;
 
         /// <summary>Number of Gauss-Newton steps. With one step, the errors of simulated motions are 0.4 % larger; with six, 0.2 % smaller.</summary>
         const int Refinements = 3;
