@@ -19,12 +19,12 @@ public sealed partial class FolderTests
     const string Common = "Tests/Common";
 
     /// <summary>
-    /// Folders that may have fewer than three files: those that GitHub, Unity, MSBuild or the include of a shader requires, and three folders
+    /// Folders that may have fewer than three files: those that GitHub, Unity, MSBuild or the include of a shader requires, and two folders
     /// whose files fit into no other folder.
     /// </summary>
     static readonly string[] Small =
     [
-        ".config", ".github", "Assets", "Cli/Properties", "Gateway/Adapters/licences", "Gateway/Adapters/src/clock", "Gateway/Properties",
+        ".config", ".github", "Assets", "Cli/Properties", "Gateway/Adapters/licences", "Gateway/Properties",
         RepositoryFiles.Package + "/Runtime/Settings", "ProjectSettings", "Tests/Shaders/StandIns",
     ];
 
