@@ -28,7 +28,7 @@ static class LinkRun
             using var output = JsonDocument.Parse(await RunHeadsetAsync(link, settings.Seconds, file, stop));
             link.Stop();
             var clock = output.RootElement.GetProperty("clock");
-            return new LinkScore(SessionFrames.Read(file), truth, Robot, Visualisation, FramesPerSecond).Result(profile, start, seed) with
+            return new LinkScore(RecordedFrames.Read(file), truth, Robot, Visualisation, FramesPerSecond).Result(profile, start, seed) with
             {
                 FinalClockErrorUs = ErrorUs(clock, truth),
                 FinalStatedErrorUs = Number(clock, "estimated_error_us"),

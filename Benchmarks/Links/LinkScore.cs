@@ -7,14 +7,14 @@ namespace Nowpose.Benchmarks.Links;
 /// <summary>Compares the frames of a session with the true values.</summary>
 sealed class LinkScore
 {
-    readonly SessionFrames _session;
+    readonly RecordedFrames _session;
     readonly IDemoTruth _truth;
     readonly TimeSpan _visualisation;
     readonly double _framesPerSecond;
-    readonly IReadOnlyList<SessionFrames.Frame> _scored;
+    readonly IReadOnlyList<RecordedFrames.Frame> _scored;
     readonly ToolKinematics _kinematics;
 
-    public LinkScore(SessionFrames session, IDemoTruth truth, string robot, TimeSpan visualisation, double framesPerSecond)
+    public LinkScore(RecordedFrames session, IDemoTruth truth, string robot, TimeSpan visualisation, double framesPerSecond)
     {
         if (session.All.Count == 0) throw new InputException("the headset recorded no frame");
         (_session, _truth, _visualisation, _framesPerSecond) = (session, truth, visualisation, framesPerSecond);
@@ -60,7 +60,7 @@ sealed class LinkScore
         return 1000 * (Quantile.Of(late, fraction) - late.Min());
     }
 
-    TimeSpan ClockError(SessionFrames.Frame frame) =>
+    TimeSpan ClockError(RecordedFrames.Frame frame) =>
         (frame.Light.Value - _visualisation - _truth.ControlAt(frame.Start)).Duration();
 
     double? Since(HeadsetTime? time) => time is { } t ? (t - _session.All[0].Start).TotalSeconds : null;

@@ -3,7 +3,7 @@ using System.Text.Json;
 namespace Nowpose.Benchmarks.Links;
 
 /// <summary>The frames and clock states of a headset's session file.</summary>
-sealed class SessionFrames
+sealed class RecordedFrames
 {
     readonly Dictionary<string, HeadsetTime> _clockStates = [];
     readonly List<Frame> _frames = [];
@@ -15,9 +15,9 @@ sealed class SessionFrames
     public sealed record Frame(
         HeadsetTime Start, ControlTime? Light, bool IsCurrent, double[] Joints, double[] Held, TimeSpan? StatedError);
 
-    public static SessionFrames Read(string path)
+    public static RecordedFrames Read(string path)
     {
-        var session = new SessionFrames();
+        var session = new RecordedFrames();
         foreach (var text in File.ReadLines(path))
         {
             using var json = JsonDocument.Parse(text);

@@ -29,7 +29,7 @@ sealed class DemoHeadset : IDemoHeadset
     public DemoHeadset(RobotModel robot, SessionSettings settings, IHeadsetClock clock, int samples, string recordingPath = null)
     {
         _recordingPath = recordingPath;
-        Log = new SessionLog(samples);
+        Log = new DemoLog(samples);
         var assets = new AssetLibrary(Path.Combine(AppContext.BaseDirectory, "UnityProject"));
         _player = new Player(assets);
         _player.ConnectDisplay(DemoDisplay.FramesPerSecond);
@@ -58,7 +58,7 @@ sealed class DemoHeadset : IDemoHeadset
 
     public CompensationSession Session => _component.Session;
 
-    public SessionLog Log { get; }
+    public DemoLog Log { get; }
 
     /// <summary>Displayed position of the tool, in the base frame of the robot; the origin before the robot is known.</summary>
     public ToolPosition Tool => ToolOf(_displayed);

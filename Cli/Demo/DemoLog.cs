@@ -4,7 +4,7 @@ using Nowpose.Sync;
 namespace Nowpose.Cli.Demo;
 
 /// <summary>Collects the sync exchanges and the application latencies of a session.</summary>
-sealed class SessionLog
+sealed class DemoLog
 {
     const int ExpectedExchanges = 4096;
 
@@ -15,7 +15,7 @@ sealed class SessionLog
     readonly List<TimeSpan> _latencies;
 
     /// <param name="samples">Expected number of samples. More samples are accepted.</param>
-    public SessionLog(int samples) => _latencies = new List<TimeSpan>(samples);
+    public DemoLog(int samples) => _latencies = new List<TimeSpan>(samples);
 
     /// <summary>L_app of each sample that arrived while the clock was synchronised.</summary>
     public IReadOnlyList<TimeSpan> ApplicationLatencies => _latencies;

@@ -11,7 +11,7 @@ interface IDemoHeadset : IDisposable
     CompensationSession Session { get; }
 
     /// <summary>Sync exchanges and application latencies of the session so far.</summary>
-    SessionLog Log { get; }
+    DemoLog Log { get; }
 
     /// <summary>Displayed position of the tool; the origin before the robot is known.</summary>
     ToolPosition Tool { get; }

@@ -83,7 +83,7 @@ sealed class RecordedSession
             case PoseLine { Dropped: null, IsStationary: false } pose: Add(pose); break;
             case SignalLine { Dropped: null } signal: Add(signal); break;
             case FrameLine frame: Add(frame); break;
-            case ClockLine { IsNewStart: true }: StartTimeLine(); break;
+            case ClockChangeLine { IsNewStart: true }: StartTimeLine(); break;
             case LostLine lost: Lost += lost.Count; break;
         }
         if (_values.Count + _displayed.Count + _planned + NumbersPerPose * (long)_poses.Count > MaxNumbers)

@@ -4,4 +4,4 @@ namespace Nowpose.Cli.SessionFiles;
 /// <param name="IsNewStart">
 /// Whether the session discarded all samples, because their time stamps precede a clock step or were never checked.
 /// </param>
-sealed record ClockLine(bool IsNewStart) : SessionLine;
+sealed record ClockChangeLine(bool IsNewStart) : SessionLine;

@@ -54,7 +54,7 @@ static class SessionLines
             HeadsetTime.FromNanoseconds(line.Whole("start_ns")),
             line.Has("light_ns") ? ControlTime.FromNanoseconds(line.Whole("light_ns")) : null,
             line.Numbers("joints")),
-        "clock" => new ClockLine(line.FlagOr("new_start", false)),
+        "clock" => new ClockChangeLine(line.FlagOr("new_start", false)),
         "lost" => new LostLine(line.Whole("count")),
         _ => null,
     };

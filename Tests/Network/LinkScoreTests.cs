@@ -141,7 +141,7 @@ public class LinkScoreTests
         }
 
         using var file = new TemporaryFile(string.Join('\n', lines), ".jsonl");
-        return new LinkScore(SessionFrames.Read(file.Path), Truth, "youbot", Visualisation, FramesPerSecond)
+        return new LinkScore(RecordedFrames.Read(file.Path), Truth, "youbot", Visualisation, FramesPerSecond)
             .Result(profile ?? LinkProfile.Clean, Start, seed: 1);
     }
 

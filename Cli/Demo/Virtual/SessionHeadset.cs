@@ -15,7 +15,7 @@ sealed class SessionHeadset : IDemoHeadset
         _clock = clock;
         _kinematics = new ToolKinematics(robot);
         Session = new CompensationSession(settings, robot, clock);
-        Log = new SessionLog(samples);
+        Log = new DemoLog(samples);
         Log.Follow(Session);
     }
 
@@ -23,7 +23,7 @@ sealed class SessionHeadset : IDemoHeadset
 
     public CompensationSession Session { get; }
 
-    public SessionLog Log { get; }
+    public DemoLog Log { get; }
 
     public ToolPosition Tool => Frame == null ? default : _kinematics.At(Frame.Joints);
 

@@ -20,10 +20,10 @@ sealed class DisplayStudy : IFigureStudy
 
     const int NormalLoad = 300_000, HighLoad = 1_500_000;
 
-    static readonly DisplayPipelineSettings Usual = new(refreshMs: DisplayConditions.RefreshMs);
+    static readonly DisplayPipelineSettings Usual = new(refreshMs: StudiedDisplay.RefreshMs);
 
     /// <summary>A display whose scene takes twice as long to render per vertex.</summary>
-    static readonly DisplayPipelineSettings Costly = new(refreshMs: DisplayConditions.RefreshMs, msPerMillion: 2 * Usual.MsPerMillion);
+    static readonly DisplayPipelineSettings Costly = new(refreshMs: StudiedDisplay.RefreshMs, msPerMillion: 2 * Usual.MsPerMillion);
 
     readonly int _seed;
     List<MeasuredPicture> _sweep, _costly;

@@ -22,7 +22,7 @@ static class Figure10
         {
             Claim = Figure10Texts.Claim,
             Criteria = Criteria(normal, high),
-            Conditions = DisplayConditions.Words,
+            Conditions = StudiedDisplay.Words,
             Table = table,
             Plots = [RangePlots.OverPictures("300 000 vertices", normal), RangePlots.OverPictures("1 500 000 vertices", high)],
         };

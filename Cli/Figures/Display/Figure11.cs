@@ -28,7 +28,7 @@ static class Figure11
             Claim = Figure11Texts.OverLoadClaim,
             Criteria = LoadCriteria(sweep, fit.VisuMs),
             Beyond = Beyond,
-            Conditions = DisplayConditions.Words,
+            Conditions = StudiedDisplay.Words,
             Table = table,
             Plots = [plot],
         };
@@ -43,8 +43,8 @@ static class Figure11
         {
             Claim = Figure11Texts.OverRenderTimeClaim,
             Criteria = RangeCriteria(sweep, fit.VisuMs, fit.LimitRenderMs, other.LimitRenderMs),
-            Beyond = Figure11Texts.Beyond(Text(DisplayConditions.TrueLimitMs), Beyond),
-            Conditions = DisplayConditions.Words,
+            Beyond = Figure11Texts.Beyond(Text(StudiedDisplay.TrueLimitMs), Beyond),
+            Conditions = StudiedDisplay.Words,
             Table = table,
             Plots = [RangePlots.OverRenderTime(sweep, fit)],
         };
@@ -54,7 +54,7 @@ static class Figure11
     {
         var loads = sweep.GroupBy(each => each.Vertices.Value).OrderBy(load => load.Key).ToArray();
         var inside = loads.TakeWhile(IsInside).ToArray();
-        var beyond = loads.Where(load => Quantile.Of(load.Select(each => each.RenderMs.Value), 0.5) > DisplayConditions.TrueLimitMs);
+        var beyond = loads.Where(load => Quantile.Of(load.Select(each => each.RenderMs.Value), 0.5) > StudiedDisplay.TrueLimitMs);
         var worst = inside.Select(load => Math.Abs(Quantile.Of(load.Select(each => each.VisuMs), 0.5) - storedMs))
             .DefaultIfEmpty(double.PositiveInfinity).Max();
         return
@@ -89,7 +89,7 @@ static class Figure11
     static bool IsInside(IEnumerable<MeasuredPicture> load)
     {
         var (median, deviation) = Middle.Of(load.Select(each => each.RenderMs.Value));
-        return median + 2 * deviation < DisplayConditions.TrueLimitMs;
+        return median + 2 * deviation < StudiedDisplay.TrueLimitMs;
     }
 
     static string Limit(double? ms) => ms is double limit ? $"{Text(limit)} ms" : "none";

@@ -26,7 +26,7 @@ static class SpreadCriteria
         [
             Judge(Figure11Texts.Deviation(where, Factor),
                 beyond, within, spread => spread.Deviation, Factor * within.Deviation),
-            Judge(Figure11Texts.Spread(where, Percent(RefreshShare), Text(DisplayConditions.RefreshMs)), beyond, within, spread => spread.Range, RefreshShare * DisplayConditions.RefreshMs),
+            Judge(Figure11Texts.Spread(where, Percent(RefreshShare), Text(StudiedDisplay.RefreshMs)), beyond, within, spread => spread.Range, RefreshShare * StudiedDisplay.RefreshMs),
         ];
     }
 

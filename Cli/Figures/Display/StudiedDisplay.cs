@@ -3,8 +3,8 @@ using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Figures.Display;
 
-/// <summary>Conditions of Figs 10 and 11.</summary>
-static class DisplayConditions
+/// <summary>The simulated display of Figs 10 and 11.</summary>
+static class StudiedDisplay
 {
     /// <summary>Refresh interval of the simulated display, ms.</summary>
     public const double RefreshMs = SimulatedSweep.RefreshMs;

@@ -1,7 +1,7 @@
 namespace Nowpose.Cli.Figures.Pictures;
 
 /// <summary>Computes round numbers along an axis: four to ten steps of 1, 2 or 5 times a power of ten.</summary>
-static class Ticks
+static class AxisTicks
 {
     public static IEnumerable<double> Of(double low, double high)
     {

@@ -19,8 +19,8 @@ sealed class SvgPlot(FigurePlot plot, int width)
     readonly StringBuilder _svg = new();
     readonly double _x0 = plot.Traces.Min(t => t.X[0]);
     readonly double _x1 = plot.Traces.Max(t => t.X[^1]);
-    readonly double _y0 = plot.YRange?.From ?? (plot.FromZero ? 0 : Ticks.Floor(plot.Traces.Min(t => t.Y.Min()!.Value), Span(plot)));
-    readonly double _y1 = plot.YRange?.To ?? Ticks.Ceiling(plot.Traces.Max(t => t.Y.Max()!.Value), Span(plot));
+    readonly double _y0 = plot.YRange?.From ?? (plot.FromZero ? 0 : AxisTicks.Floor(plot.Traces.Min(t => t.Y.Min()!.Value), Span(plot)));
+    readonly double _y1 = plot.YRange?.To ?? AxisTicks.Ceiling(plot.Traces.Max(t => t.Y.Max()!.Value), Span(plot));
 
     public string Draw()
     {
@@ -45,12 +45,12 @@ sealed class SvgPlot(FigurePlot plot, int width)
 
     void Axes()
     {
-        foreach (var y in Ticks.Of(_y0, _y1))
+        foreach (var y in AxisTicks.Of(_y0, _y1))
         {
             Append($"<path d=\"M{Left} {Y(y):0.#}H{width - Right}\" stroke=\"#e3e7ec\"/>");
             Text(Left - 6, Y(y) + 4, "end", Number(y));
         }
-        foreach (var x in Ticks.Of(_x0, _x1)) Text(X(x), Height - Bottom + 16, "middle", Number(x));
+        foreach (var x in AxisTicks.Of(_x0, _x1)) Text(X(x), Height - Bottom + 16, "middle", Number(x));
         Append($"<path d=\"M{Left} {Height - Bottom}H{width - Right}\" stroke=\"#55616f\"/>\n");
         Text((Left + width - Right) / 2.0, Height - 8, "middle", plot.X.Label);
         Append($"<text transform=\"translate(13 {(Top + Height - Bottom) / 2}) rotate(-90)\" text-anchor=\"middle\" fill=\"#55616f\" {Font} font-size=\"12\">{plot.Y.Label}</text>\n");

@@ -97,7 +97,7 @@ namespace Nowpose.Prediction
         /// <param name="path">Null if the plan is cancelled.</param>
         /// <param name="start">Stamp of the plan, in s since the epoch of the samples.</param>
         /// <param name="displayed">See <see cref="Add"/>.</param>
-        internal void Follow(PlannedPath path, double start, double displayed = double.NaN)
+        internal void Follow(JointPath path, double start, double displayed = double.NaN)
         {
             var shown = ShownAt(displayed);
             if (path == null) _plan.Drop();
@@ -164,7 +164,7 @@ namespace Nowpose.Prediction
         static JointSample Unwrapped(in JointSample sample, double turns) =>
             new JointSample(sample.Time, sample.Position + turns, sample.Order, sample.Velocity, sample.Acceleration);
 
-        void StartPlan(PlannedPath path, double start, double displayed)
+        void StartPlan(JointPath path, double start, double displayed)
         {
             // A plan with a later first set-point starts from the position that the joint reaches, after its delay, at the plan's start.
             var reached = start + _plan.Delay;

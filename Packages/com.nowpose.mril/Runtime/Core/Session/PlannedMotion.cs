@@ -11,9 +11,9 @@ namespace Nowpose.Session
     sealed class PlannedMotion
     {
         readonly int[] _joints;
-        readonly PlannedPath[] _paths;
+        readonly JointPath[] _paths;
 
-        PlannedMotion(in PlanArrival arrival, int[] joints, PlannedPath[] paths)
+        PlannedMotion(in PlanArrival arrival, int[] joints, JointPath[] paths)
         {
             Arrival = arrival;
             _joints = joints;
@@ -32,14 +32,14 @@ namespace Nowpose.Session
         public int JointAt(int i) => _joints[i];
 
         /// <summary>Returns the path of a planned joint; null if the message ends the plan.</summary>
-        public PlannedPath PathAt(int i) => _paths[i];
+        public JointPath PathAt(int i) => _paths[i];
 
         /// <param name="jointOf">Returns the index of the moving joint with the given name; negative if the robot has none.</param>
         public static PlannedMotion Of(in PlanArrival arrival, Func<string, int> jointOf)
         {
             var message = arrival.Message;
             var joints = new List<int>();
-            var paths = new List<PlannedPath>();
+            var paths = new List<JointPath>();
             var times = TimesOf(message.Points);
             for (var place = 0; place < message.Names.Length; place++)
             {
@@ -58,7 +58,7 @@ namespace Nowpose.Session
             return times;
         }
 
-        static PlannedPath PathOf(IReadOnlyList<JointTrajectoryPoint> points, double[] times, int place)
+        static JointPath PathOf(IReadOnlyList<JointTrajectoryPoint> points, double[] times, int place)
         {
             var (positions, velocities, accelerations) = (new double[times.Length], new double[times.Length], new double[times.Length]);
             for (var i = 0; i < times.Length; i++)
@@ -67,7 +67,7 @@ namespace Nowpose.Session
                 velocities[i] = points[i].Velocities == null ? double.NaN : points[i].Velocities[place];
                 accelerations[i] = points[i].Accelerations == null ? double.NaN : points[i].Accelerations[place];
             }
-            return new PlannedPath(times, positions, velocities, accelerations);
+            return new JointPath(times, positions, velocities, accelerations);
         }
     }
 }

@@ -10,7 +10,7 @@ namespace Nowpose.Prediction.Planning
     /// Interpolates linearly between positions; with cubics if the velocities are known; with quintics if the accelerations are also known. Immutable
     /// and thread-safe.
     /// </remarks>
-    sealed class PlannedPath
+    sealed class JointPath
     {
         readonly double[] _times;
         readonly double[] _positions;
@@ -22,7 +22,7 @@ namespace Nowpose.Prediction.Planning
         /// <param name="velocities">rad/s or m/s, one for each time, NaN if unknown; null if all are unknown.</param>
         /// <param name="accelerations">rad/s² or m/s², one for each time, NaN if unknown; null if all are unknown.</param>
         /// <exception cref="ArgumentException">The lengths differ, or the times do not increase.</exception>
-        public PlannedPath(double[] times, double[] positions, double[] velocities = null, double[] accelerations = null)
+        public JointPath(double[] times, double[] positions, double[] velocities = null, double[] accelerations = null)
         {
             if (times.Length == 0 || positions.Length != times.Length)
                 throw new ArgumentException(PredictionMessages.PositionCount(positions.Length, times.Length));

@@ -31,7 +31,7 @@ namespace Nowpose.Prediction.Planning
         /// <param name="turns">See <see cref="ActivePlan"/>.</param>
         /// <param name="now">Last display time, in s.</param>
         /// <param name="newest">Time of the newest sample, in s.</param>
-        public void Replace(PlannedPath path, double start, double from, double turns, double now, double newest)
+        public void Replace(JointPath path, double start, double from, double turns, double now, double newest)
         {
             var before = PlanAt(start + _filter.Delay);
             var plan = new ActivePlan(path, start, from, turns, IsFollowedAt(start + _filter.Delay, newest) ? before.Since : start);
@@ -112,7 +112,7 @@ namespace Nowpose.Prediction.Planning
     /// <summary>A path and its start time; <c>default</c> means that no plan is active.</summary>
     readonly struct ActivePlan
     {
-        readonly PlannedPath _path;
+        readonly JointPath _path;
         readonly double _from;
         readonly double _turns;
 
@@ -122,7 +122,7 @@ namespace Nowpose.Prediction.Planning
         /// </param>
         /// <param name="turns">Whole turns of a continuous joint that are added to the path's positions, rad.</param>
         /// <param name="since">See <see cref="Since"/>.</param>
-        public ActivePlan(PlannedPath path, double start, double from, double turns, double since) =>
+        public ActivePlan(JointPath path, double start, double from, double turns, double since) =>
             (_path, Start, _from, _turns, Since) = (path, start, from, turns, since);
 
         public bool IsNone => _path == null;

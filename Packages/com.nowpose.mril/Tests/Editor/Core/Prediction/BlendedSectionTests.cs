@@ -87,7 +87,7 @@ namespace Nowpose.Tests.Core.Prediction
         {
             const double step = 1e-4;
             var (blended, _) = Moving(1);
-            var path = new PlannedPath(new[] { 0.0, 0.25 }, new[] { start + beside, start + beside + 0.25 }, new[] { 1.0, 1 });
+            var path = new JointPath(new[] { 0.0, 0.25 }, new[] { start + beside, start + beside + 0.25 }, new[] { 1.0, 1 });
             var last = blended.Show(1.1);
             blended.Follow(path, start);
             var (kinds, max) = (0, 0.0);
@@ -110,7 +110,7 @@ namespace Nowpose.Tests.Core.Prediction
         public void DropPlan_WhileFollowingThePlan_DoesNotJump()
         {
             var (blended, bare) = Moving(1);
-            blended.Follow(new PlannedPath(new[] { 0.0, 1 }, new[] { 1.07, 2.07 }, new[] { 1.0, 1 }), 1.05);
+            blended.Follow(new JointPath(new[] { 0.0, 1 }, new[] { 1.07, 2.07 }, new[] { 1.0, 1 }), 1.05);
             var shown = blended.Show(1.12);
             Assert.That(shown.Kind, Is.EqualTo(PredictionKind.Planned));
 

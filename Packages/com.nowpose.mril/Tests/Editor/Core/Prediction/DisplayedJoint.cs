@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Prediction
 
         public DropReason Add(in JointSample sample) => Predictor.Add(sample, _displayed);
 
-        public void Follow(PlannedPath path, double start) => Predictor.Follow(path, start, _displayed);
+        public void Follow(JointPath path, double start) => Predictor.Follow(path, start, _displayed);
 
         public void DropPlan() => Predictor.Follow(null, 0, _displayed);
 

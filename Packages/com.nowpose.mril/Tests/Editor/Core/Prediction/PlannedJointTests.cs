@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core.Prediction
         static readonly PredictionLimits Limits = new PredictionLimits(lower: -10, upper: 10);
 
         // Moves from 0 to 1 within one second from t = 5 on, at rest at both ends.
-        static readonly PlannedPath Move = new PlannedPath(new[] { 0.0, 1 }, new[] { 0.0, 1 }, new[] { 0.0, 0 });
+        static readonly JointPath Move = new JointPath(new[] { 0.0, 1 }, new[] { 0.0, 1 }, new[] { 0.0, 0 });
 
         static double Planned(double t)
         {
@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core.Prediction
             joint.Follow(Move, 5);
             // The delay is estimated during the first move. The second move, which leads back, is corrected from its start on.
             Play(joint, 4.9, 7, Truth);
-            joint.Follow(new PlannedPath(new[] { 0.0, 1 }, new[] { 1.0, 0 }, new[] { 0.0, 0 }), 7.1);
+            joint.Follow(new JointPath(new[] { 0.0, 1 }, new[] { 1.0, 0 }, new[] { 0.0, 0 }), 7.1);
             double Back(double t) => 1 - Planned(t - 2.1 - lag) + offset;
 
             foreach (var (at, shown) in Play(joint, 7, 8, Back))
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Prediction
         {
             var joint = New();
             Play(joint, 4, 5, t => t);
-            joint.Follow(new PlannedPath(new[] { 0.0, 1 }, new[] { 5.0, 6 }, new[] { 1.0, 1 }), 5);
+            joint.Follow(new JointPath(new[] { 0.0, 1 }, new[] { 5.0, 6 }, new[] { 1.0, 1 }), 5);
             Play(joint, 5, 6, t => t);
 
             foreach (var (at, shown) in Play(joint, 6, 6.5, t => t))
@@ -113,7 +113,7 @@ namespace Nowpose.Tests.Core.Prediction
             joint.Follow(Move, 5);
             Play(joint, 4.9, 7, Truth);
 
-            joint.Follow(new PlannedPath(new[] { 0.0, 1 }, new[] { 0.5, 1 }, new[] { 0.0, 0 }), 7);
+            joint.Follow(new JointPath(new[] { 0.0, 1 }, new[] { 0.5, 1 }, new[] { 0.0, 0 }), 7);
             var shown = Play(joint, 7, 8, Truth);
 
             Assert.That(shown[10].Shown.Kind, Is.EqualTo(PredictionKind.Predicted));
@@ -127,7 +127,7 @@ namespace Nowpose.Tests.Core.Prediction
             Play(joint, 4, 4.9, Planned);
             joint.Follow(Move, 5);
             Play(joint, 4.9, 5.4, Planned);
-            joint.Follow(new PlannedPath(new[] { 0.0, 1 }, new[] { 1.0, 0 }, new[] { 0.0, 0 }), 6);
+            joint.Follow(new JointPath(new[] { 0.0, 1 }, new[] { 1.0, 0 }, new[] { 0.0, 0 }), 6);
             double Truth(double t) => t < 6 ? Planned(t) : 1 - Planned(t - 1);
 
             foreach (var (at, shown) in Play(joint, 5.4, 7, Truth))
@@ -143,7 +143,7 @@ namespace Nowpose.Tests.Core.Prediction
             var joint = New();
             double Truth(double t) => t < 5 ? 0.4 : 0.4 + Math.Min(t - 5, 1) * 0.6;
             Play(joint, 4, 4.9, Truth);
-            joint.Follow(new PlannedPath(new[] { 1.0 }, new[] { 1.0 }), 5);
+            joint.Follow(new JointPath(new[] { 1.0 }, new[] { 1.0 }), 5);
 
             foreach (var (at, shown) in Play(joint, 4.9, 6, Truth))
                 Assert.That(shown.Position, Is.EqualTo(Truth(at)).Within(2e-3), "at " + at);
@@ -157,9 +157,9 @@ namespace Nowpose.Tests.Core.Prediction
             var joint = New();
             double Truth(double t) => Math.Min(Math.Max(t - lag - 5, 0), 4) + offset;
             Play(joint, 4, 4.9, Truth);
-            joint.Follow(new PlannedPath(new[] { 0.0, 2 }, new[] { 0.0, 2 }), 5);
+            joint.Follow(new JointPath(new[] { 0.0, 2 }, new[] { 0.0, 2 }), 5);
             Play(joint, 4.9, 6.9, Truth);
-            joint.Follow(new PlannedPath(new[] { 0.5, 2 }, new[] { 2.5, 4 }), 7);
+            joint.Follow(new JointPath(new[] { 0.5, 2 }, new[] { 2.5, 4 }), 7);
 
             foreach (var (at, shown) in Play(joint, 6.9, 8, Truth))
                 Assert.That(shown.Position, Is.EqualTo(Truth(at)).Within(3e-3), "at " + at);
