@@ -1,4 +1,3 @@
-
 namespace Nowpose.Kinematics
 {
     /// <summary>
