@@ -61,20 +61,7 @@ namespace Nowpose.Tests.Core.Recording
         [Test]
         public void Sample_OtherRobot_HasItsNamespaceBeforeTheJointNames()
         {
-            var session = NewSession();
-            RecordedRun run;
-            using (run = new RecordedRun(session))
-            {
-                Synchronise(session);
-                var other = session.Robots.Add("arm2", TestRobot.Model);
-                session.Tick(Start + Lengths.Ms(1000));
-                var names = TestRobot.Model.MovingJoints.Select(joint => joint.Name).ToArray();
-                var message = new JointStateMessage(new ControlTime((Start + Lengths.Ms(1000)).SinceEpoch), names, new double[names.Length]);
-                other.Intake.Add(message, Start + Lengths.Ms(1050));
-                session.Intake.Add(message, Start + Lengths.Ms(1060));
-                session.Tick(Start + Lengths.Ms(1100));
-                run.Flush();
-            }
+            var run = RunWithAnotherRobot();
 
             Assert.That(run.Of("sample").Select(line => (string)line["names"][0]), Is.EquivalentTo(
                 new[] { "arm2/" + TestRobot.Model.MovingJoints[0].Name, TestRobot.Model.MovingJoints[0].Name }));
@@ -83,25 +70,29 @@ namespace Nowpose.Tests.Core.Recording
         [Test]
         public void Robot_AddedDuringTheRecording_IsDescribedBeforeItsSamples()
         {
-            var session = NewSession();
-            RecordedRun run;
-            using (run = new RecordedRun(session))
-            {
-                Synchronise(session);
-                var other = session.Robots.Add("arm2", TestRobot.Model);
-                session.Tick(Start + Lengths.Ms(1000));
-                var names = TestRobot.Model.MovingJoints.Select(joint => joint.Name).ToArray();
-                other.Intake.Add(
-                    new JointStateMessage(new ControlTime((Start + Lengths.Ms(1000)).SinceEpoch), names, new double[names.Length]), Start + Lengths.Ms(1050));
-                session.Tick(Start + Lengths.Ms(1100));
-                run.Flush();
-            }
+            var run = RunWithAnotherRobot();
 
             var robot = run.Of("robot").Single();
             Assert.That((string)robot["namespace"], Is.EqualTo("arm2"));
             Assert.That(robot["joints"].ToString(), Is.EqualTo(run.Lines[0]["robot"]["joints"].ToString()));
             var kinds = run.Lines.Select(line => (string)line["kind"]).ToList();
             Assert.That(kinds.IndexOf("sample"), Is.GreaterThan(kinds.IndexOf("robot")));
+        }
+
+        static RecordedRun RunWithAnotherRobot()
+        {
+            var session = NewSession();
+            using var run = new RecordedRun(session);
+            Synchronise(session);
+            var other = session.Robots.Add("arm2", TestRobot.Model);
+            session.Tick(Start + Lengths.Ms(1000));
+            var names = TestRobot.Model.MovingJoints.Select(joint => joint.Name).ToArray();
+            var message = new JointStateMessage(new ControlTime((Start + Lengths.Ms(1000)).SinceEpoch), names, new double[names.Length]);
+            other.Intake.Add(message, Start + Lengths.Ms(1050));
+            session.Intake.Add(message, Start + Lengths.Ms(1060));
+            session.Tick(Start + Lengths.Ms(1100));
+            run.Flush();
+            return run;
         }
     }
 }
