@@ -34,8 +34,10 @@ export interface Track {
   intervals: Nanoseconds[];
   isRepeated: boolean;
   motion: FrameMotion;
-  /** Whether the data have ended: during a motion, or for longer than the setting silence allows. Only a newer pose ends this state. */
+  /** Whether the data ended during a motion. Only a newer pose, or the loss of a variable, ends this state. */
   hasEnded: boolean;
+  /** Whether the silence is longer than the setting allows. It ends in the same way. */
+  isSilent: boolean;
 }
 
 export const trackOf = (frame: Frame, index: number): Track => ({
@@ -51,6 +53,7 @@ export const trackOf = (frame: Frame, index: number): Track => ({
   isRepeated: false,
   motion: new FrameMotion(frame.maxDeceleration),
   hasEnded: false,
+  isSilent: false,
 });
 
 /**

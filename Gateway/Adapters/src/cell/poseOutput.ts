@@ -101,7 +101,7 @@ export class PoseOutput {
       const unmatched = this.#unmatchedSince(track);
       if (unmatched !== null) return time - unmatched >= this.#skew ? this.#accept(track, time, pose, now) : [];
       const isDue = track.newest === null || time - track.newest >= silenceOf(track, silence);
-      if (!isDue || this.#hasEnded(track) || this.#rule.judge(track.index, time, now) !== null) return [];
+      if (!isDue || track.isSilent || this.#hasEnded(track) || this.#rule.judge(track.index, time, now) !== null) return [];
       [track.newest, track.isRepeated, track.choice] = [time, true, this.#choiceOf(track)];
       this.silence.confirm(track.frame.frame, this.#uncertaintyOf(track));
       return [{ stamp: time, pose }];
@@ -112,10 +112,10 @@ export class PoseOutput {
   /** Updates the state of frames that have been silent for too long. */
   checkSilence(): void {
     const faults = new Set(this.silence.check());
-    for (const track of this.#tracks) track.hasEnded ||= faults.has(track.frame.frame);
+    for (const track of this.#tracks) track.isSilent ||= faults.has(track.frame.frame);
   }
 
-  /** Whether the value belongs to a frame whose data have ended. */
+  /** Whether the value belongs to a frame whose data ended during a motion. */
   hasEnded(value: number): boolean {
     return this.#tracksOf(value).some(({ hasEnded }) => hasEnded);
   }
@@ -137,9 +137,11 @@ export class PoseOutput {
   /** Reports that the plant no longer has this value. */
   lose(value: number, refusal: Refusal): void {
     this.#components[value].forget();
-    for (const { frame } of this.#tracksOf(value)) {
-      this.silence.arrived(frame.frame);
-      this.status.frames.fault(frame.frame, refusal);
+    for (const track of this.#tracksOf(value)) {
+      const { frame } = track.frame;
+      [track.hasEnded, track.isSilent] = [false, false];
+      this.silence.arrived(frame);
+      this.status.frames.fault(frame, refusal);
     }
   }
 
@@ -167,11 +169,11 @@ export class PoseOutput {
     return stamp === null ? { reason: 'stamp-missing', text: refusalMessages.noStamp } : number;
   }
 
-  /** Reports a first value. It ends the state of a frame whose data had ended only if the source has written it since. */
+  /** Reports a first value. If its stamp shows that the source has not written it since, it does not end the fault of a frame. */
   #arrive(track: Track, stamp: Nanoseconds | null): void {
-    const isNewer = stamp !== null && track.changed !== null && stamp > track.changed;
-    if (track.hasEnded && !isNewer) return;
-    track.hasEnded = false;
+    const isKnown = stamp !== null && (track.changed === null || stamp <= track.changed);
+    if ((track.hasEnded || track.isSilent) && isKnown) return;
+    [track.hasEnded, track.isSilent] = [false, false];
     this.silence.arrived(track.frame.frame);
   }
 
@@ -237,7 +239,7 @@ export class PoseOutput {
     // The numbers before a change of the parent are coordinates in the previous parent.
     if (this.#isHandedOver(track)) for (const index of track.values) this.#components[index].settle();
     if (track.changed !== null) track.intervals = [...track.intervals.slice(-1), stamp - track.changed];
-    [track.newest, track.changed, track.isRepeated, track.hasEnded] = [stamp, stamp, false, false];
+    [track.newest, track.changed, track.isRepeated, track.hasEnded, track.isSilent] = [stamp, stamp, false, false, false];
     [track.choice, track.jumped] = [this.#choiceOf(track), null];
     track.motion.add(stamp, pose as Pose);
     this.status.accept(frame);

@@ -74,6 +74,24 @@ describe('the end of the data of objects', () => {
     assert.deepEqual([repeated - before, poses().length - before], [0, 1]);
   });
 
+  it('Frame_InFaultAfterSilence_HasNotEndedDuringAMotion', () => {
+    // Otherwise, each new subscription of a node would end the fault, and the next silence would begin it again.
+    const { output, stateOf } = moving(stopped, 4000, { faultAfterMs: 2000 });
+
+    assert.deepEqual([stateOf('frame/part'), output.hasEnded(0)], ['fault', false]);
+  });
+
+  it('Frame_InFaultAfterSilence_IsAtRestAfterItsVariableWasMissingAndReturned', () => {
+    const { output, take, poses, time, clock, stateOf } = moving(stopped, 4000, { faultAfterMs: 2000 }), before = poses().length;
+
+    output.lose(0, { reason: 'not-readable', text: 'the symbol is missing' });
+    take({ 0: 0.225 }, { stamp: null, isFirst: true });
+    time.ms += 100;
+    output.hold(clock.now - 50n * MS, 150n * MS, new Set());
+
+    assert.deepEqual([stateOf('frame/part'), poses().length - before], ['rest', 1]);
+  });
+
   it('Frame_AtRestSinceBeforeTheConnection_HasTheStateRest', () => {
     const { output, take, poses, time, stateOf } = cell({ frames: [part], values: ['part x', 'part angle z'] });
     time.ms = 3_600_000;
