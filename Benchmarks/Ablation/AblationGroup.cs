@@ -39,6 +39,9 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
         return groups;
     }
 
+    /// <summary>Gets the RMS errors of the default predictor, for each group.</summary>
+    public static double[][] Errors(IReadOnlyList<AblationGroup> groups) => [.. groups.Select(group => group.Errors(Predictors.Default))];
+
     /// <summary>Gets the RMS errors of a predictor in all runs.</summary>
     /// <param name="without">Parts that are removed from the default predictor.</param>
     public double[] Errors(string predictor, PredictionParts without = PredictionParts.None) =>

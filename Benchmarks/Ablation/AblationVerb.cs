@@ -19,11 +19,7 @@ static class AblationVerb
 
     public static Task<int> RunAsync(string[] args)
     {
-        var recordings = new Option<DirectoryInfo>("--recordings")
-        {
-            Description = "Folder with motions in the format of replay (*.csv, *.csv.gz). Default: simulated motions only", HelpName = "DIR",
-        };
-        recordings.AcceptExistingOnly();
+        var recordings = Recordings();
         var command = new Command("ablation", "Compare the errors of the default predictor with and without each of its parts, in virtual time") { recordings };
         command.SetAction((parsed, stop) =>
         {
@@ -33,11 +29,21 @@ static class AblationVerb
         return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
     }
 
+    /// <summary>Creates the option for the folder with recorded motions.</summary>
+    public static Option<DirectoryInfo> Recordings() => new Option<DirectoryInfo>("--recordings")
+    {
+        Description = "Folder with motions in the format of replay (*.csv, *.csv.gz). Default: simulated motions only", HelpName = "DIR",
+    }.AcceptExistingOnly();
+
+    /// <summary>Returns the headings of the columns of all groups.</summary>
+    public static string Headings(IReadOnlyList<AblationGroup> groups) =>
+        string.Join(" | ", groups.Select(group => $"{group.Name} ({group.Names.Count} errors)"));
+
     static void Write(string recordings, CancellationToken stop)
     {
         var groups = AblationGroup.All(recordings);
-        var whole = groups.Select(group => group.Errors(Predictors.Default)).ToArray();
-        Console.WriteLine($"| without | {string.Join(" | ", groups.Select(group => $"{group.Name} ({group.Names.Count} errors)"))} |");
+        var whole = AblationGroup.Errors(groups);
+        Console.WriteLine($"| without | {Headings(groups)} |");
         Console.WriteLine($"| --- | {string.Join(" | ", groups.Select(_ => "---"))} |");
         foreach (var part in Parts)
         {

@@ -9,6 +9,8 @@ static class ObjectMotions
 {
     const double RowsPerSecond = 200, Seconds = 30, Mm = 1e-3;
 
+    const int Rows = (int)(Seconds * RowsPerSecond) + 1;
+
     static readonly string[] Columns = ["x", "y", "z", "qx", "qy", "qz", "qw"];
 
     public static IReadOnlyList<(string Name, MotionRecording Recording)> All(int seed) =>
@@ -41,15 +43,14 @@ static class ObjectMotions
 
     static Func<double, Pose> Vehicle(Func<double, double> distance, Func<double, double> turned)
     {
-        var rows = (int)(Seconds * RowsPerSecond) + 1;
-        var poses = new Pose[rows];
-        for (var row = 1; row < rows; row++)
+        var poses = new Pose[Rows];
+        for (var row = 1; row < Rows; row++)
         {
             var (from, to) = ((row - 1) / RowsPerSecond, row / RowsPerSecond);
             var (step, angle) = (distance(to) - distance(from), turned(to));
             poses[row] = new Pose(poses[row - 1].X + step * Math.Cos(angle), poses[row - 1].Y + step * Math.Sin(angle), angle);
         }
-        return t => poses[Math.Clamp((int)Math.Round(t * RowsPerSecond), 0, rows - 1)];
+        return t => poses[Math.Clamp((int)Math.Round(t * RowsPerSecond), 0, Rows - 1)];
     }
 
     // Distance of a drive that is switched between constant speeds at random times: forwards, backwards or off.
@@ -76,18 +77,17 @@ static class ObjectMotions
     static (string, MotionRecording) Tracked(string name, int seed, double noise, double angleNoise, double outliers, Func<double, Pose> at)
     {
         var random = new Random(seed);
-        var rows = (int)(Seconds * RowsPerSecond) + 1;
-        var (times, positions) = (new double[rows], new List<double>(rows * Columns.Length));
-        for (var row = 0; row < rows; row++)
+        var (times, positions) = (new double[Rows], new List<double>(Rows * Columns.Length));
+        for (var row = 0; row < Rows; row++)
         {
             times[row] = row / RowsPerSecond;
             var (x, y, angle) = at(times[row]);
             var outlier = random.NextDouble() < outliers ? 0.3 : 0;
-            var half = (angle + angleNoise * Normal()) / 2;
-            positions.AddRange([x + noise * Normal() + outlier, y + noise * Normal(), noise * Normal(), 0, 0, Math.Sin(half), Math.Cos(half)]);
+            var half = (angle + angleNoise * random.NextNormal()) / 2;
+            positions.AddRange([
+                x + noise * random.NextNormal() + outlier, y + noise * random.NextNormal(), noise * random.NextNormal(), 0, 0, Math.Sin(half), Math.Cos(half),
+            ]);
         }
         return (name, new MotionRecording(Columns, 0, times, [.. positions]) { IsBody = true });
-
-        double Normal() => random.NextNormal();
     }
 }

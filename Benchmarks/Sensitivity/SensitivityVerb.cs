@@ -15,11 +15,7 @@ static class SensitivityVerb
 
     public static Task<int> RunAsync(string[] args)
     {
-        var recordings = new Option<DirectoryInfo>("--recordings")
-        {
-            Description = "Folder with motions in the format of replay (*.csv, *.csv.gz). Default: simulated motions only", HelpName = "DIR",
-        };
-        recordings.AcceptExistingOnly();
+        var recordings = AblationVerb.Recordings();
         var names = new Option<string[]>("--constants")
         {
             Description = "Constants by class or by class and name, such as CandidateGate or CandidateGate.MinScores. Default: all of the prediction",
@@ -46,8 +42,9 @@ static class SensitivityVerb
         var folder = Path.GetFullPath("../../../../" + Core, AppContext.BaseDirectory);
         var source = new CoreSource(folder);
         var constants = Selected(source.ConstantsOf(Path.Combine(folder, "Prediction")), names);
-        var whole = VariantContext.ErrorsHere(recordings);
-        Console.WriteLine($"| constant | value | factor | {string.Join(" | ", AblationGroup.All(recordings).Select(group => $"{group.Name} ({group.Names.Count} errors)"))} |");
+        var groups = AblationGroup.All(recordings);
+        var whole = AblationGroup.Errors(groups);
+        Console.WriteLine($"| constant | value | factor | {AblationVerb.Headings(groups)} |");
         Console.WriteLine($"| --- | ---: | ---: | {string.Join(" | ", whole.Select(_ => "---"))} |");
         foreach (var (index, constant) in constants.Index())
         {

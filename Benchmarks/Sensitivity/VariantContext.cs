@@ -17,8 +17,7 @@ sealed class VariantContext(byte[] core, string coreName) : AssemblyLoadContext(
     }
 
     /// <summary>Gets the errors with the Core of the assembly's own context.</summary>
-    internal static double[][] ErrorsHere(string recordings) =>
-        [.. AblationGroup.All(recordings).Select(group => group.Errors(Prediction.Predictors.Default))];
+    static double[][] ErrorsHere(string recordings) => AblationGroup.Errors(AblationGroup.All(recordings));
 
     protected override Assembly Load(AssemblyName assemblyName)
     {
