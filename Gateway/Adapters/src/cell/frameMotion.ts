@@ -69,7 +69,7 @@ export class FrameMotion {
    * @param maxDeceleration Maximum deceleration of the frame in m/s² and rad/s²; null if unknown. An object that runs against a stopper stops at once, and so
    * does a simulated belt. Only with this limit is a sudden stop therefore the end of the data; without it, the rest is uncertain.
    */
-  constructor(readonly maxDeceleration: number | null) {
+  constructor(maxDeceleration: number | null) {
     this.#distance = new Path(LINEAR, maxDeceleration);
     this.#angle = new Path(ROTARY, maxDeceleration);
   }
@@ -122,10 +122,9 @@ export class FrameMotion {
     const reasons = this.#paths.map(({ end, kind: { unit } }): End => {
       // Independent objects may decelerate differently, so the motion of other frames is not evidence.
       const verdict = end.verdict(samplingS);
-      const isImpossible = verdict !== null && this.maxDeceleration !== null;
       const required = end.unobserved(samplingS) ?? verdict?.required ?? null;
       return {
-        impossible: isImpossible ? silenceMessages.stopTooHard(verdict.required, verdict.limit, unit, verdict.basis) : null,
+        impossible: verdict?.basis === 'configured' ? silenceMessages.stopTooHard(verdict.required, verdict.limit, unit, verdict.basis) : null,
         unobserved: required === null ? null : silenceMessages.unobservedStop(required, unit),
       };
     });

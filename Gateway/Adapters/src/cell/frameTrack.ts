@@ -34,10 +34,11 @@ export interface Track {
   intervals: Nanoseconds[];
   isRepeated: boolean;
   motion: FrameMotion;
-  /** Whether the data ended during a motion. Only a newer pose, or the loss of a variable, ends this state. */
-  hasEnded: boolean;
-  /** Whether the silence is longer than the setting allows. It ends in the same way. */
-  isSilent: boolean;
+  /**
+   * How the data have ended: during a motion, or by a silence that is longer than the setting allows; null if they have not. Only a newer pose, or the
+   * loss of a variable, ends this state.
+   */
+  end: 'in-motion' | 'silent' | null;
 }
 
 export const trackOf = (frame: Frame, index: number): Track => ({
@@ -52,8 +53,7 @@ export const trackOf = (frame: Frame, index: number): Track => ({
   intervals: [],
   isRepeated: false,
   motion: new FrameMotion(frame.maxDeceleration),
-  hasEnded: false,
-  isSilent: false,
+  end: null,
 });
 
 /**

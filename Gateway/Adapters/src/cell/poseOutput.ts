@@ -101,7 +101,7 @@ export class PoseOutput {
       const unmatched = this.#unmatchedSince(track);
       if (unmatched !== null) return time - unmatched >= this.#skew ? this.#accept(track, time, pose, now) : [];
       const isDue = track.newest === null || time - track.newest >= silenceOf(track, silence);
-      if (!isDue || track.isSilent || this.#hasEnded(track) || this.#rule.judge(track.index, time, now) !== null) return [];
+      if (!isDue || this.#hasEnded(track) || this.#rule.judge(track.index, time, now) !== null) return [];
       [track.newest, track.isRepeated, track.choice] = [time, true, this.#choiceOf(track)];
       this.silence.confirm(track.frame.frame, this.#uncertaintyOf(track));
       return [{ stamp: time, pose }];
@@ -112,12 +112,12 @@ export class PoseOutput {
   /** Updates the state of frames that have been silent for too long. */
   checkSilence(): void {
     const faults = new Set(this.silence.check());
-    for (const track of this.#tracks) track.isSilent ||= faults.has(track.frame.frame);
+    for (const track of this.#tracks) if (faults.has(track.frame.frame)) track.end ??= 'silent';
   }
 
   /** Whether the value belongs to a frame whose data ended during a motion. */
   hasEnded(value: number): boolean {
-    return this.#tracksOf(value).some(({ hasEnded }) => hasEnded);
+    return this.#tracksOf(value).some(({ end }) => end === 'in-motion');
   }
 
   /** Reports the reason why the frames of a value are not published yet although the value has arrived. */
@@ -139,7 +139,7 @@ export class PoseOutput {
     this.#components[value].forget();
     for (const track of this.#tracksOf(value)) {
       const { frame } = track.frame;
-      [track.hasEnded, track.isSilent] = [false, false];
+      track.end = null;
       this.silence.arrived(frame);
       this.status.frames.fault(frame, refusal);
     }
@@ -172,19 +172,19 @@ export class PoseOutput {
   /** Reports a first value. If its stamp shows that the source has not written it since, it does not end the fault of a frame. */
   #arrive(track: Track, stamp: Nanoseconds | null): void {
     const isKnown = stamp !== null && (track.changed === null || stamp <= track.changed);
-    if ((track.hasEnded || track.isSilent) && isKnown) return;
-    [track.hasEnded, track.isSilent] = [false, false];
+    if (track.end !== null && isKnown) return;
+    track.end = null;
     this.silence.arrived(track.frame.frame);
   }
 
   /** Determines whether the data of a frame without newer values have ended, and sets its state if they ended during a motion. */
   #hasEnded(track: Track): boolean {
-    if (track.hasEnded) return true;
+    if (track.end !== null) return true;
     const { impossible, unobserved } = track.motion.end(this.samplingS);
     const isAbandoned = unobserved !== null && track.values.some(value => this.sourceStopOf(value) === 'after-change');
     const reason = impossible ?? (isAbandoned ? `${unobserved}, and ${silenceMessages.notWritten}` : null);
     if (reason === null) return false;
-    track.hasEnded = true;
+    track.end = 'in-motion';
     const { frame } = track.frame;
     this.status.frames.fault(frame, { reason: ENDED_IN_MOTION, text: silenceMessages.endedBecause(reason) }, this.silence.lastSample(frame));
     return true;
@@ -239,7 +239,7 @@ export class PoseOutput {
     // The numbers before a change of the parent are coordinates in the previous parent.
     if (this.#isHandedOver(track)) for (const index of track.values) this.#components[index].settle();
     if (track.changed !== null) track.intervals = [...track.intervals.slice(-1), stamp - track.changed];
-    [track.newest, track.changed, track.isRepeated, track.hasEnded, track.isSilent] = [stamp, stamp, false, false, false];
+    [track.newest, track.changed, track.isRepeated, track.end] = [stamp, stamp, false, null];
     [track.choice, track.jumped] = [this.#choiceOf(track), null];
     track.motion.add(stamp, pose as Pose);
     this.status.accept(frame);
