@@ -25,9 +25,9 @@ namespace Nowpose.Session
             _linkPoses = new RigidTransform[robot.Links.Count];
             _heldLinkPoses = new RigidTransform[robot.Links.Count];
             _toolLink = robot.IndexOfLink(robot.ToolLink.Name);
-            _toolJoints = ToolJoints.Of(robot);
             _jointsOfLinks = new int[robot.Links.Count][];
             for (var link = 0; link < _jointsOfLinks.Length; link++) _jointsOfLinks[link] = ToolJoints.OfLink(link, robot);
+            _toolJoints = _jointsOfLinks[_toolLink];
             Frame = new DisplayFrame(tracks, _linkPoses, _toolLink, outsideRange);
         }
 
