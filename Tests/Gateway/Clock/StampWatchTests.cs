@@ -5,44 +5,8 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
 /// <summary>Tests sources whose time stamps are on the gateway's own clock or on the system clock, in virtual time.</summary>
-public class StampWatchTests
+public class StampWatchTests : StampWatchFixture
 {
-    static readonly TimeSpan Second = TimeSpan.FromSeconds(1);
-    static readonly TimeSpan Acquisition = TimeSpan.FromMilliseconds(70);
-
-    readonly List<string> _log = [];
-    readonly OwnClock _own = new();
-    HubSource[] _sources;
-    SteppedTime _time;
-    StampWatch _watch;
-    TimeSpan _correction;
-    TimeSpan _errorBound;
-    TimeSpan _plantAhead;
-    bool _isOwnServed;
-
-    ControlTime System => _own.Now + _correction;
-
-    [SetUp]
-    public void SetUp()
-    {
-        (_time, _correction, _errorBound, _isOwnServed) = (new SteppedTime(), TimeSpan.Zero, TimeSpan.Zero, true);
-        _own.Time = _time;
-        var hub = new MessageHub();
-        _sources = [.. new[] { "first", "second", "third" }.Select(name => Open(hub, name))];
-        _log.Clear();
-        _plantAhead = TimeSpan.Zero;
-        _watch = new StampWatch(
-            () => _own.Now + _plantAhead, () => _isOwnServed ? "own" : "plc", () => _errorBound, () => _isOwnServed ? _own : null, () => System, false, _time);
-        _watch.Look(_log.Add);
-    }
-
-    static HubSource Open(MessageHub hub, string name)
-    {
-        var source = hub.OpenSource();
-        source.Name = name;
-        return source;
-    }
-
     [TestCase(3600.0)]
     [TestCase(-3600.0)]
     [TestCase(2.0)]
@@ -193,86 +157,6 @@ public class StampWatchTests
         Assert.That(_watch.Found.Remedy, Is.EqualTo("Set the clock of the source, or let its adapter offer that clock."));
     }
 
-    [TestCase(755.0, "are 12.6 minutes ")]
-    [TestCase(-36_000.0, "are 10.0 hours ")]
-    [TestCase(1_795_288_273.0, "are 20779 days ")]
-    public void Look_TimeStampsFarFromTheControlClock_ReportsTheDifferenceInAReadableUnit(double seconds, string expected)
-    {
-        _isOwnServed = false;
-        _correction = TimeSpan.FromSeconds(seconds);
-        Run(5, () => System);
-
-        Assert.That(_watch.Warning, Does.Contain(expected));
-    }
-
-    [TestCase(0.3, "230 ms")]
-    [TestCase(0.5, "430 ms")]
-    public void Look_AcceptedTimeStampsAheadForFiveSeconds_ReportsTheSourceAndTheDifference(double seconds, string by)
-    {
-        var ahead = TimeSpan.FromSeconds(seconds);
-        Run(StampWatch.Seconds - 1, () => System, () => System + ahead);
-        Assert.That(_watch.Ahead, Is.Empty, "the condition has not lasted long enough");
-
-        Run(2, () => System, () => System + ahead);
-        Assert.That(_watch.Ahead, Is.EqualTo(new[] { ("second", by) }));
-        Assert.That(_watch.IsContradicted, Is.False, "stamps that are slightly ahead do not contradict the clock");
-
-        Run(StampWatch.Seconds, () => System, () => System);
-        Assert.That(_watch.Ahead, Is.Empty, "the clock of the source was set");
-    }
-
-    [TestCase(0.1, 0.0)]
-    [TestCase(0.3, 0.2)]
-    public void Look_TimeStampsAheadWithinTheErrorsOfTheClocks_ReportsNoSource(double seconds, double errorBound)
-    {
-        _errorBound = TimeSpan.FromSeconds(errorBound);
-        Run(10, () => System + TimeSpan.FromSeconds(seconds));
-
-        Assert.That(_watch.Ahead, Is.Empty);
-    }
-
-    [Test]
-    public void Look_TimeStampsDiverge_ReportsTheNewestDifference()
-    {
-        _isOwnServed = false;
-        for (var seconds = 10; seconds < 20; seconds++)
-        {
-            var ahead = TimeSpan.FromSeconds(seconds);
-            Run(1, () => _own.Now + ahead);
-            if (seconds >= 12) Assert.That(_watch.Warning, Does.Contain($"are {seconds - 1}.9 s ahead"));
-        }
-    }
-
-    [Test]
-    public void Look_OneOfThreeSourcesIsWrong_ReportsThatSource()
-    {
-        Run(5, () => System, () => System, () => System + TimeSpan.FromSeconds(5));
-
-        Assert.That(_watch.IsContradicted, Is.True);
-        Assert.That(_watch.Found.Reason, Does.StartWith("100 % of the samples of the source third have stamps").And.Not.Contain("first"));
-    }
-
-    [Test]
-    public void Look_TwoOfThreeSourcesAreWrong_ReportsBoth()
-    {
-        Run(5, () => System, () => _own.Now, () => System);
-        _correction = TimeSpan.FromHours(1);
-        Run(StampWatch.Seconds, () => System, () => _own.Now, () => System);
-
-        Assert.That(_watch.Found.Reason, Does.Contain("source first").And.EndWith("; the same is true of third"));
-    }
-
-    [Test]
-    public void Look_WrongSourceStops_IsNoLongerReported()
-    {
-        Run(5, () => System + TimeSpan.FromSeconds(5));
-        Assert.That(_watch.IsContradicted, Is.True);
-
-        Run(StampWatch.Seconds + 1);
-
-        Assert.That(_watch.IsContradicted, Is.False);
-    }
-
     [Test]
     public void Look_OwnClockWithADifferentRate_GivesNoWarning()
     {
@@ -285,30 +169,5 @@ public class StampWatchTests
         }
 
         Assert.That(_watch.Warning, Is.Null);
-    }
-
-    void Run(int seconds, params Func<ControlTime>[] sources) => Run(_watch, _own, seconds, sources);
-
-    // Adds ten samples per second from each source, and checks the time stamps once per second.
-    void Run(StampWatch watch, IControlClock control, int seconds, params Func<ControlTime>[] sources)
-    {
-        for (var i = 0; i < seconds * 10; i++)
-        {
-            _time.Advance(Second / 10);
-            foreach (var (source, name) in sources.Zip(_sources))
-            {
-                var stamp = source() - Acquisition;
-                watch.Add(name, stamp, stamp > control.Now + Second);
-            }
-
-            if (i % 10 == 9) watch.Look(_log.Add);
-        }
-    }
-
-    sealed class OwnClock : IControlClock
-    {
-        public TimeProvider Time { get; set; }
-        public double Skew { get; set; }
-        public ControlTime Now => ControlTime.FromSeconds(1e9 + Time.GetElapsedTime(0).TotalSeconds);
     }
 }

@@ -1,6 +1,7 @@
 // Tests the view of the robot on the operations page.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
+import { drawn } from '../drawn.mjs';
 import { JOINTS, UPRIGHT } from '../fakeGateway.mjs';
 import { messages } from '../messages.mjs';
 import { picture } from '../pixels.mjs';
@@ -55,17 +56,12 @@ describe('the robot', () => {
 
     gateway.robots = ['arm2'];
     for (const joint of JOINTS) gateway.state.joints.push({ ...gateway.state.joints[0], name: `arm2/${joint}` });
-    let both = alone;
-    for (let i = 0; i < 20 && both === alone; i++) {
-      await page.waitForTimeout(500);
-      both = await bodiesDrawn(page);
-    }
+    const both = await drawn(() => bodiesDrawn(page), bodies => bodies > alone);
     assert.ok(both > alone, `${both} bodies instead of ${alone}`);
 
     // Only the robot whose joint is not live loses the links below this joint.
     gateway.state.joints.at(-JOINTS.length).state = 'stale';
-    await page.waitForTimeout(3000);
-    const part = await bodiesDrawn(page);
+    const part = await drawn(() => bodiesDrawn(page), bodies => bodies > alone && bodies < both);
     assert.ok(part > alone && part < both, `${part} bodies, between ${alone} and ${both}`);
     assert.deepEqual(page.complaints, []);
   });
@@ -175,10 +171,10 @@ describe('the robot', () => {
     gateway.isSilent = true;
     await page.waitForSelector('#content.stale');
     // The headset's pose disappears with the next picture, and the robot stands still.
-    await page.waitForTimeout(2000);
+    const canvas = page.locator('.stage canvas');
     const shot = async () => {
-      await page.waitForTimeout(150);
-      return (await page.locator('.stage canvas').screenshot()).toString('base64');
+      let last;
+      return drawn(async () => [last, last = (await canvas.screenshot()).toString('base64')], ([one, next]) => one === next).then(([, next]) => next);
     };
     await page.locator('.stage').focus();
     await page.keyboard.press('0');
@@ -211,12 +207,11 @@ describe('the robot', () => {
     await page.locator('.stage').scrollIntoViewIfNeeded();
     const meshes = gateway.urdf.replace(/<geometry>[^]*?<\/geometry>/g, '<geometry><mesh filename="link.stl"/></geometry>');
     const solid = gateway.urdf;
-    await page.waitForTimeout(1500);
-    const before = await page.evaluate(() => buffers);
+    const whole = await bodiesDrawn(page), before = await page.evaluate(() => buffers);
 
     for (const urdf of [meshes, solid, meshes, solid]) {
       gateway.describe(urdf);
-      await page.waitForTimeout(1500);
+      await drawn(() => bodiesDrawn(page), bodies => (bodies === whole) === (urdf === solid));
     }
 
     assert.ok(before > 10, `${before} buffers`);

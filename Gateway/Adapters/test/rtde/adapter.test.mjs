@@ -1,37 +1,14 @@
 // Runs the adapter as a process that connects test doubles of a controller and of a gateway.
 import assert from 'node:assert/strict';
-import { createServer } from 'node:net';
 import { describe, it } from 'node:test';
 import { wrongIn } from '../checking.mjs';
-import { check, start, until } from '../program.mjs';
-import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
-import { seeded } from '../seeded.mjs';
+import { check, until } from '../program.mjs';
 import { temporaryFile } from '../temporary.mjs';
-import { byte, packageOf } from './bytes.mjs';
 import { angle, LAG_S, RtdeRobot } from './robot.mjs';
 import { ANY, like, messages } from '../messages.mjs';
+import { ARMS, JOINTS, cell, configuration, plantLines, seconds, statesOf } from './cell.mjs';
 
-const { configurationMessages, fieldMessages, robotMessages, robotStateMessages, rtdeMessages, rtdeSettingMessages, safetyStops } = messages;
-
-const ARMS = ['ur3e', 'ur5e', 'ur10e', 'ur16e', 'ur5'];
-const JOINTS = ['shoulder_pan_joint', 'shoulder_lift_joint', 'elbow_joint', 'wrist_1_joint', 'wrist_2_joint', 'wrist_3_joint'];
-
-const configuration = ({ url, port, host = '127.0.0.1', more = '', rest = '' }) =>
-  temporaryFile('rtde.yaml', `gateway: { url: "${url}" }\nplant: { kind: rtde, name: arm, host: "${host}", port: ${port}${more} }\n${rest}`);
-
-/** Starts a controller, a gateway, and an adapter that connects them. */
-async function cell(t, robot = new RtdeRobot(), { more, rest } = {}) {
-  await robot.listen(t);
-  const bridge = await RosbridgeDouble.start(t);
-  return { robot, bridge, adapter: start(t, [configuration({ url: bridge.url, port: robot.port, more, rest })]) };
-}
-
-const statesOf = (bridge, count = 1) => until(() => bridge.jointStates.length >= count && bridge.jointStates, () => `${count} joint states; ${JSON.stringify(bridge.state)}`);
-
-const seconds = stamp => Number(nanoseconds(stamp)) / 1e9;
-
-/** Returns the log lines of the adapter about the state of its plant. */
-const plantLines = adapter => adapter.err.split('\n').filter(line => /\[plant\/arm\] (waiting|refused|connected)/.test(line));
+const { configurationMessages, fieldMessages, robotMessages, rtdeMessages, rtdeSettingMessages } = messages;
 
 describe('rtde adapter', { concurrency: 4 }, () => {
   it('Adapter_DataPackages_ArePublishedWithTheirTimestamp', async t => {
@@ -190,154 +167,6 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.doesNotMatch(adapter.err, /refused \(/);
   });
 
-  it('Robot_InProtectiveStop_IsReportedAndPositionsContinue', async t => {
-    const { bridge, robot, adapter } = await cell(t);
-    await statesOf(bridge);
-
-    robot.state = { runtime: 1, mode: 7, safety: 3, bits: 1 << 2 };
-
-    await until(() => bridge.status?.level === 1, 'a warning');
-    assert.ok(bridge.status.message.endsWith(safetyStops[3]), bridge.status.message);
-    assert.equal(bridge.joint('elbow_joint').state, 'live');
-    await statesOf(bridge, bridge.jointStates.length + 20);
-    robot.state = { runtime: 2, mode: 7, safety: 1, bits: 1 };
-    await until(() => bridge.status.level === 0, 'no warning');
-    const lines = adapter.err.split('\n').filter(line => /protective|program/.test(line));
-    assert.deepEqual(lines.map(line => line.slice(12)), [
-      robotStateMessages.programStopped('stopped'), safetyStops[3], robotStateMessages.programRuns, `ended: ${safetyStops[3]}`,
-    ]);
-  });
-
-  it('Robot_WithoutPower_SendsNoPositionsUntilPowerOn', async t => {
-    const robot = new RtdeRobot({ stands: true });
-    Object.assign(robot.state, { mode: 3, runtime: 1 });
-    const { bridge, adapter } = await cell(t, robot);
-
-    await adapter.said(`waiting: ${robotStateMessages.noPower('power off')}`);
-    await until(() => bridge.state?.program === 'stopped', 'the state of the program');
-    assert.deepEqual(bridge.jointStates, []);
-    assert.doesNotMatch(adapter.err, /program/);
-    robot.state.mode = 7;
-
-    await statesOf(bridge);
-    assert.equal(plantLines(adapter).length, 2, adapter.err);
-    assert.equal(adapter.err.split(robotStateMessages.programStopped('stopped')).length, 2, adapter.err);
-  });
-
-  for (const [what, safety, bits] of [['SafetyMode', 4, 0], ['SafetyBit', null, 1 << 3]])
-    it(`Robot_InRecovery_IsRecognisedByThe${what}`, async t => {
-      const robot = new RtdeRobot({ missing: safety === null ? ['safety_mode'] : [] });
-      Object.assign(robot.state, { safety: safety ?? 0, bits });
-      const { bridge } = await cell(t, robot);
-
-      await until(() => bridge.status?.level === 1, 'a warning');
-
-      assert.ok(bridge.status.message.endsWith(safetyStops[4]), bridge.status.message);
-      await statesOf(bridge);
-    });
-
-  it('Robot_MovesInAModeWithoutPower_PositionsAreRead', async t => {
-    const robot = new RtdeRobot();
-    robot.state.mode = 0;
-
-    const { bridge } = await cell(t, robot);
-
-    await statesOf(bridge);
-  });
-
-  it('Packages_Lost_AreLoggedOnce', async t => {
-    const { bridge, adapter } = await cell(t, new RtdeRobot({ losesEach: 5 }));
-
-    await until(() => Number(bridge.state?.['refused/package-lost']) > 5, 'lost packages');
-
-    assert.equal(adapter.err.split(rtdeMessages.lostPackages).length, 2, adapter.err);
-    assert.equal(bridge.status.level, 0);
-  });
-
-  for (const [what, bytes, text] of [
-    ['WithBytesThatAreNoPackage', Buffer.alloc(64), rtdeMessages.damaged(ANY)],
-    ['WithAPackageOfAnotherSize', packageOf('U', byte(1), 'short'), rtdeMessages.invalidData(ANY, fieldMessages.packageSize(6, ANY))],
-  ])
-    it(`Stream_${what}_AdapterReadsAgain`, async t => {
-      const { bridge, robot, adapter } = await cell(t);
-      await statesOf(bridge, 10);
-
-      robot.send(bytes);
-
-      await until(() => plantLines(adapter).length === 3, () => `three lines; ${adapter.err}`);
-      assert.match(plantLines(adapter)[1], like(`waiting: ${text}`));
-      await statesOf(bridge, bridge.jointStates.length + 10);
-    });
-
-  it('Controller_TextMessage_IsLogged', async t => {
-    const { bridge, robot, adapter } = await cell(t);
-    await statesOf(bridge);
-
-    robot.send(packageOf('M', byte(4), 'tool', byte(2), 'UR', byte(1)));
-
-    await adapter.said(rtdeMessages.message('UR: tool'));
-  });
-
-  for (const [what, robot, text, state] of [
-    ['WithVersion1Only', { accepts: 1 }, rtdeMessages.oldProtocol(ANY), 'refused'],
-    ['WithoutAField', { missing: ['actual_q'] }, fieldMessages.needed('actual_q'), 'refused'],
-    ['WithAFieldOfAnotherType', { types: { actual_q: 'DOUBLE' } }, fieldMessages.otherType('actual_q', 'DOUBLE', 'VECTOR6D'), 'refused'],
-    ['ThatNeverAnswers', { isMute: true }, rtdeMessages.noRtdeAnswer(ANY), 'refused'],
-    ['WithHalfPackages', { sendsHalf: true }, rtdeMessages.halfPackage(ANY, 2), 'waiting'],
-    ['ThatClosesTheConnection', { onConnection: socket => socket.destroy() }, rtdeMessages.endedBeforeAnswer(rtdeMessages.ended(ANY)), 'waiting'],
-    ['ThatSendsGarbage', { isMute: true, onConnection: pour }, rtdeMessages.notRtde(ANY), 'refused'],
-  ])
-    it(`Controller_${what}_IsLoggedInOneLineAndRetried`, async t => {
-      let connections = 0;
-      const double = new RtdeRobot(robot), { bridge, adapter } = await cell(t, double);
-      double.onConnection = socket => {
-        connections++;
-        robot.onConnection?.(socket);
-      };
-
-      await until(() => connections >= 3 && plantLines(adapter).length > 0, () => `three attempts; ${adapter.err}`);
-
-      const lines = plantLines(adapter);
-      assert.equal(lines.length, 1, adapter.err);
-      assert.match(lines[0], like(`] ${state}: ${text}`));
-      await until(() => bridge.status?.level === 2, 'an error in the diagnostics');
-      assert.deepEqual(bridge.jointStates, []);
-    });
-
-  it('Host_DoesNotExist_IsLoggedInOneLine', async t => {
-    const bridge = await RosbridgeDouble.start(t), adapter = start(t, [configuration({ url: bridge.url, host: 'no-such-robot.invalid', port: 30004 })]);
-
-    await adapter.said(rtdeMessages.unknownHost('no-such-robot.invalid'));
-
-    assert.equal(plantLines(adapter).length, 1);
-  });
-
-  it('Port_Closed_IsLoggedInOneLineAndConnectedWhenItOpens', async t => {
-    const free = createServer();
-    await new Promise(resolve => free.listen(0, '127.0.0.1', resolve));
-    const { port } = free.address(), bridge = await RosbridgeDouble.start(t);
-    await new Promise(resolve => free.close(resolve));
-    const adapter = start(t, [configuration({ url: bridge.url, port })]);
-
-    await adapter.said(rtdeMessages.refuses(`127.0.0.1:${port}`, 'RTDE'));
-    await new RtdeRobot().listen(t, port);
-
-    await statesOf(bridge);
-    assert.equal(plantLines(adapter).length, 2, adapter.err);
-  });
-
-  it('Connection_Lost_IsReopened', async t => {
-    const { bridge, robot, adapter } = await cell(t);
-    await statesOf(bridge, 10);
-
-    robot.drop();
-
-    await adapter.said('waiting: 127.0.0.1');
-    const before = bridge.jointStates.length;
-    await statesOf(bridge, before + 10);
-    assert.equal(plantLines(adapter).length, 3, adapter.err);
-  });
-
   it('Check_ValidFile_ListsTheDataThatTheAdapterReads', async t => {
     const { status, out } = await check(t, configuration({ url: 'ws://127.0.0.1:1', port: 30004, rest: 'robot: ur5e\n' }));
 
@@ -369,9 +198,3 @@ describe('rtde adapter', { concurrency: 4 }, () => {
       assert.match(lines[0], like(text));
     });
 });
-
-/** Sends random bytes until the connection is closed. */
-function pour(socket) {
-  const random = seeded(7), timer = setInterval(() => socket.write(Buffer.from(Array.from({ length: 1024 }, () => Math.floor(256 * random())))), 1);
-  socket.on('error', () => {}).on('close', () => clearInterval(timer));
-}

@@ -3,44 +3,12 @@ using System.Linq;
 using Nowpose.Latency;
 using Nowpose.Simulation;
 using NUnit.Framework;
+using static Nowpose.Tests.Core.Latency.MonitoredDisplay;
 
 namespace Nowpose.Tests.Core.Latency
 {
     public class ConstantLatencyMonitorTests
     {
-        static readonly double Limit = new DisplayPipeline(1).TrueLimit.TotalMilliseconds;
-        const RenderTimeSourceKind Source = RenderTimeSourceKind.DisplayGpuTime;
-        static readonly DisplayPipelineSettings Display = new DisplayPipelineSettings();
-        static readonly int[] Seeds = Enumerable.Range(1, 20).ToArray();
-
-        static ConstantLatencyMonitor Monitor() => Monitor(Limit);
-
-        static ConstantLatencyMonitor Monitor(double limitMs) =>
-            new ConstantLatencyMonitor(new ConstantLatencyRange(limitMs, Source));
-
-        static void Add(ConstantLatencyMonitor monitor, double renderMs, int frames = 1, RenderTimeSourceKind source = Source)
-        {
-            for (var i = 0; i < frames; i++) monitor.Add(TimeSpan.FromTicks((long)(renderMs * TimeSpan.TicksPerMillisecond)), source);
-        }
-
-        // Returns the number of state changes per minute for the monitor and, for comparison, for a rule that judges each frame alone.
-        static (double Monitor, double SingleFrame) FlipsPerMinute(double renderMs, int seed, double minutes)
-        {
-            var monitor = Monitor();
-            var display = new DisplayPipeline(seed);
-            var (flips, singleFlips, wasOutside, wasSingle) = (0, 0, false, false);
-            for (var frame = 0; frame < minutes * 3600; frame++)
-            {
-                var render = display.Next(Display.VerticesOf(renderMs)).RenderTime.TotalMilliseconds;
-                Add(monitor, render);
-                var (isOutside, isSingle) = (monitor.State == RangeState.Outside, render > Limit);
-                if (isOutside != wasOutside) flips++;
-                if (isSingle != wasSingle) singleFlips++;
-                (wasOutside, wasSingle) = (isOutside, isSingle);
-            }
-            return (flips / minutes, singleFlips / minutes);
-        }
-
         // Returns the numbers of frames until the state is outside, at most 60, for 1000 seeds. The numbers are in ascending order.
         static int[] FramesToLeave(double renderMs) => Enumerable.Range(1, 1000).Select(seed =>
         {
@@ -121,20 +89,6 @@ namespace Nowpose.Tests.Core.Latency
             Assert.That(wrong, Is.LessThan(0.15 * frames), "38 of 300 frames until inside, 8 until outside, and single slow frames");
         }
 
-        [Test]
-        public void Add_FewerThanEightFrames_IsUnknownWithTheReason()
-        {
-            var monitor = Monitor();
-            Add(monitor, 20, 7);
-            var (early, reason) = (monitor.State, monitor.UnknownReason);
-            Add(monitor, 20);
-
-            Assert.That(early, Is.EqualTo(RangeState.Unknown));
-            Assert.That(reason, Is.EqualTo(RangeUnknownReason.TooFewFrames));
-            Assert.That(monitor.State, Is.EqualTo(RangeState.Outside));
-            Assert.That(monitor.UnknownReason, Is.EqualTo(RangeUnknownReason.None));
-        }
-
         [TestCase(9.3, 37, true, TestName = "Add_ClearlyInsideForThirtyFrames_IsInsideAgain")]
         [TestCase(9.3, 36, false, TestName = "Add_ClearlyInsideForTwentyNineFrames_IsStillOutside")]
         [TestCase(9.5, 2000, false, TestName = "Add_JustInsideForALongTime_IsStillOutside")]
@@ -164,48 +118,6 @@ namespace Nowpose.Tests.Core.Latency
             Assert.That(monitor.State, Is.EqualTo(RangeState.Inside));
         }
 
-        [Test]
-        public void Add_SourceDiffersFromTheSourceOfTheLimit_IsUnknownWithTheReason()
-        {
-            var monitor = Monitor();
-            Add(monitor, 20, 100);
-
-            Add(monitor, 20, 100, RenderTimeSourceKind.GpuCompletion);
-
-            Assert.That(monitor.State, Is.EqualTo(RangeState.Unknown));
-            Assert.That(monitor.UnknownReason, Is.EqualTo(RangeUnknownReason.OtherSource));
-            Assert.That(monitor.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
-            Assert.That(monitor.RenderTime.Value.TotalMilliseconds, Is.EqualTo(20).Within(1e-3));
-        }
-
-        [Test]
-        public void Add_SourceOfTheLimitReturns_DiscardsEarlierFrames()
-        {
-            var monitor = Monitor();
-            Add(monitor, 20, 100);
-            Add(monitor, 20, 1, RenderTimeSourceKind.CameraCpu);
-            Add(monitor, 10, 7);
-            var early = monitor.State;
-
-            Add(monitor, 10);
-
-            Assert.That(early, Is.EqualTo(RangeState.Unknown));
-            Assert.That(monitor.State, Is.EqualTo(RangeState.Inside));
-        }
-
-        [Test]
-        public void Add_SourceStopped_IsUnknown()
-        {
-            var monitor = Monitor();
-            Add(monitor, 10, 100);
-
-            Add(monitor, 10, 1, RenderTimeSourceKind.None);
-
-            Assert.That(monitor.State, Is.EqualTo(RangeState.Unknown));
-            Assert.That(monitor.UnknownReason, Is.EqualTo(RangeUnknownReason.NoRenderTime));
-            Assert.That(monitor.RenderTime, Is.Null);
-        }
-
         [TestCase(0)]
         [TestCase(-3)]
         public void Add_InvalidMeasurement_IsIgnored(double renderMs)
@@ -216,55 +128,6 @@ namespace Nowpose.Tests.Core.Latency
 
             Assert.That(monitor.State, Is.EqualTo(RangeState.Unknown));
             Assert.That(monitor.RenderTime, Is.Null);
-        }
-
-        [Test]
-        public void State_NoRange_IsUnknownForAnyLoad()
-        {
-            var monitor = new ConstantLatencyMonitor(null);
-
-            Add(monitor, 100, 100);
-
-            Assert.That(monitor.State, Is.EqualTo(RangeState.Unknown));
-            Assert.That(monitor.UnknownReason, Is.EqualTo(RangeUnknownReason.NoLimit));
-            Assert.That(monitor.RenderTime.Value.TotalMilliseconds, Is.EqualTo(100).Within(1e-3));
-        }
-
-        [TestCase(16, RangeUnknownReason.NoLimit)]
-        [TestCase(18, RangeUnknownReason.LongerThanRefresh)]
-        public void UnknownReason_NoRange_ReportsMissedRefreshes(double renderMs, object reason)
-        {
-            var monitor = new ConstantLatencyMonitor(null) { RefreshInterval = Lengths.Ms(1000 / 60.0) };
-
-            Add(monitor, renderMs, 100);
-
-            Assert.That((monitor.State, monitor.UnknownReason), Is.EqualTo((RangeState.Unknown, (RangeUnknownReason)reason)));
-        }
-
-        // Other sources include waiting times of up to a frame.
-        [TestCase(RenderTimeSourceKind.CameraCpu)]
-        [TestCase(RenderTimeSourceKind.GpuCompletion)]
-        [TestCase(RenderTimeSourceKind.EngineGpuTime)]
-        public void UnknownReason_NoRangeAndAnotherSource_IsNoLimit(RenderTimeSourceKind source)
-        {
-            var monitor = new ConstantLatencyMonitor(null) { RefreshInterval = Lengths.Ms(1000 / 60.0) };
-
-            for (var i = 0; i < 100; i++) monitor.Add(Lengths.Ms(18), source);
-
-            Assert.That(monitor.UnknownReason, Is.EqualTo(RangeUnknownReason.NoLimit));
-        }
-
-        [Test]
-        public void UnknownReason_NoRangeAndLoadNearARefresh_DoesNotAlternate()
-        {
-            var monitor = new ConstantLatencyMonitor(null) { RefreshInterval = Lengths.Ms(1000 / 60.0) };
-            Add(monitor, 18, 100);
-
-            Add(monitor, 16.5, 100);
-            var near = monitor.UnknownReason;
-            Add(monitor, 12, 100);
-
-            Assert.That((near, monitor.UnknownReason), Is.EqualTo((RangeUnknownReason.LongerThanRefresh, RangeUnknownReason.NoLimit)));
         }
 
         [Test]
@@ -282,20 +145,6 @@ namespace Nowpose.Tests.Core.Latency
             Assert.That(between, Is.EqualTo(RangeState.Unknown));
             Assert.That(reason, Is.EqualTo(RangeUnknownReason.TooFewFrames));
             Assert.That(monitor.State, Is.EqualTo(RangeState.Inside));
-        }
-
-        [Test]
-        public void State_LimitNotReached_IsInsideUpToTheMeasuredMaximumAndUnknownBeyond()
-        {
-            var monitor = new ConstantLatencyMonitor(new ConstantLatencyRange(12, Source, isLimitReached: false));
-            Add(monitor, 11, 100);
-            var inside = monitor.State;
-
-            Add(monitor, 14, 100);
-
-            Assert.That(inside, Is.EqualTo(RangeState.Inside));
-            Assert.That(monitor.State, Is.EqualTo(RangeState.Unknown));
-            Assert.That(monitor.UnknownReason, Is.EqualTo(RangeUnknownReason.BeyondMeasured));
         }
 
         [TestCase(0, RenderTimeSourceKind.DisplayGpuTime, "render time limit: 0 ms is out of range; allowed: 0.1 to 1000 ms")]

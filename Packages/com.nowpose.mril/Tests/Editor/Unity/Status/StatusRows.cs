@@ -1,3 +1,4 @@
+using System.Linq;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Unity;
@@ -16,6 +17,9 @@ namespace Nowpose.Tests.Unity.Status
             statistics.ChangeableJointStatuses.AddRange(joints);
             return statistics;
         }
+
+        /// <summary>A message of this many words; null for none.</summary>
+        public static string Words(int count) => count == 0 ? null : string.Join(" ", Enumerable.Repeat("word", count));
 
         /// <summary>Returns the value and the note of a row, separated by a vertical bar.</summary>
         /// <param name="statistics">Statistics to show; null for the statistics of a new session.</param>

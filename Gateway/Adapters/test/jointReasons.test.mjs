@@ -1,0 +1,66 @@
+// Tests the word for the reason why a joint has no current data.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { MS, plant } from './outputInVirtualTime.mjs';
+import { parts } from './parts.mjs';
+import { messages } from './messages.mjs';
+
+const { AdapterStatus, Log, diagnostics } = await parts('gateway/status', 'log', 'gateway/messages');
+
+/** Moves joint a at 1 rad/s for half a second and then sends no more values of this joint. Joint b keeps moving. */
+function moveAndStop(cell, seconds, hold = true) {
+  for (; cell.time.ms < 1000 * seconds; cell.time.ms += 10) {
+    const s = cell.time.ms / 1000;
+    if (s < 0.5) cell.value(0, s < 0.1 ? 5 * s * s : s - 0.05);
+    cell.value(1, Math.sin(s));
+    if (hold) cell.output.hold(cell.clock.now - 10n * MS, 30n * MS, new Set([1]));
+    cell.output.checkSilence();
+  }
+}
+
+describe('word for the reason of a joint', () => {
+  const wordOf = ({ status }) => status.values()['reason/a'];
+
+  for (const [name, word, act, options] of [
+    ['NeverReceived', 'never-received', () => {}],
+    ['NeverReceivedValid', 'not-finite', cell => cell.value(0, NaN)],
+    ['TypeWrong', 'type', cell => cell.value(0, 'text')],
+    ['StampRepeated', 'stamp-not-newer', cell => [1, 2].forEach(position => cell.value(0, position))],
+    ['Lost', 'node-gone', cell => cell.output.lose(0, { reason: 'node-gone', text: 'gone' })],
+    ['Explained', 'retained', cell => cell.output.explain(0, { reason: 'retained', text: 'it may be old' })],
+    ['EndedInMotion', 'ended-in-motion', cell => moveAndStop(cell, 1)],
+    ['NotConfirmed', 'not-confirmed', cell => moveAndStop(cell, 3, false), { maxDeceleration: 200 }],
+    ['SilentTooLong', 'silent-too-long', cell => moveAndStop(cell, 3), { maxDeceleration: 200, faultAfterMs: 2000 }],
+    ['Disconnected', 'not-connected', cell => {
+      cell.value(0, 1);
+      cell.status.enter('waiting', 'the connection was lost');
+    }],
+  ]) {
+    it(`Joint_${name}_IsNamedInTheDiagnostics`, () => {
+      const cell = plant([{ joint: 'a', ...options }, { joint: 'b' }]);
+
+      act(cell);
+
+      assert.equal(wordOf(cell), word);
+    });
+  }
+
+  it('Joint_LiveOrAtRest_HasNoWord', () => {
+    const cell = plant([{ joint: 'a', maxDeceleration: 200 }, { joint: 'b', maxDeceleration: 200 }]);
+
+    cell.value(0, NaN);
+    cell.time.ms = 10;
+    cell.value(0, 1);
+    const live = [cell.stateOf('a'), wordOf(cell)];
+    moveAndStop(cell, 2);
+
+    assert.deepEqual([...live, cell.stateOf('a'), wordOf(cell)], ['live', undefined, 'rest', undefined]);
+  });
+
+  it('FrameAndSignal_InFault_HaveNoKeyThatAJointOfTheSameNameHas', () => {
+    const { status } = plant();
+    for (const conditions of [status.frames, status.signals]) conditions.fault('other', { reason: 'node-gone', text: 'gone' });
+
+    assert.equal(status.values()['reason/other'], undefined);
+  });
+});

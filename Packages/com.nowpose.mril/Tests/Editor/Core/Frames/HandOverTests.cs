@@ -1,0 +1,146 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using Nowpose.Frames;
+using Nowpose.Kinematics;
+using Nowpose.Prediction;
+using Nowpose.Tests.Core.Session;
+using static Nowpose.Tests.Core.Frames.TreePoses;
+
+namespace Nowpose.Tests.Core.Frames
+{
+    public class HandOverTests
+    {
+        [Test]
+        public void HandOver_FromAConveyorToAGripper_IsContinuousAndThenExact()
+        {
+            const double frameSeconds = 1 / 60.0, speed = 0.3, taken = 1.0;
+            var arm = new MovingLinks("", TestRobot.Model);
+            var tool = TestRobot.Model.IndexOfLink("tool_centre_point");
+            var tree = NewTree();
+            tree.Add(arm);
+            RigidTransform? last = null;
+            var sample = 0;
+            for (var frame = 0; frame * frameSeconds < 2; frame++)
+            {
+                var now = frame * frameSeconds;
+                // The gripper moves with the conveyor, 5 mm beside the part.
+                var link = arm.Move(tool, UnitQuaternion.Identity.At(speed * now, 0, 0.1));
+                for (; sample * Sampling <= now - 0.1; sample++)
+                {
+                    var t = sample * Sampling;
+                    tree.Add(t < taken ? Pose(t, "world", "part", speed * t) : Pose(t, "tool_centre_point", "part", 0.005, 0, -0.1), isStationary: false);
+                }
+                tree.Evaluate(At(now));
+                if (sample < 3) continue;
+                var world = FrameOf(tree, "part").World;
+                if (last is RigidTransform before)
+                    Assert.That(Distance(before, world), Is.EqualTo(speed * frameSeconds).Within(1e-3), "moved at " + now + " s");
+                last = world;
+                if (now > taken + 0.1 + 2 * Sampling + PoseFade.Seconds)
+                    Assert.That(Distance(world, link * UnitQuaternion.Identity.At(0.005, 0, -0.1)), Is.LessThan(1e-9), "at " + now + " s");
+            }
+        }
+
+        [Test]
+        public void HandOver_FastObjectStopsAndItsPoseArrivesLate_MovesToItsPlaceWithoutAJump()
+        {
+            const double frameSeconds = 1 / 60.0, speed = 2, stopped = 1.0, late = 0.2;
+            var tree = NewTree();
+            tree.Add(Pose(0, "world", "stop", speed * stopped), isStationary: true);
+            var (sample, greatest, last) = (0, 0.0, (RigidTransform?)null);
+            for (var frame = 0; frame * frameSeconds < 2; frame++)
+            {
+                var now = frame * frameSeconds;
+                for (; sample * Sampling <= now - late; sample++)
+                {
+                    var t = sample * Sampling;
+                    tree.Add(t < stopped ? Pose(t, "world", "part", speed * t) : Pose(t, "stop", "part"), isStationary: false);
+                }
+                tree.Evaluate(At(now));
+                if (sample < 6) continue;
+                var world = FrameOf(tree, "part").World;
+                if (last is RigidTransform before) greatest = System.Math.Max(greatest, Distance(before, world));
+                last = world;
+            }
+
+            Assert.That(last.Value.X, Is.EqualTo(speed * stopped).Within(1e-9));
+            Assert.That(greatest, Is.LessThan(0.1), "m in a frame; the jump would be 0.4 m");
+        }
+
+        [Test]
+        public void HandOver_OnePoseInTheNewParent_IsAssumedAtRestUpToTheHorizonCap()
+        {
+            var tree = NewTree();
+            tree.Add(Pose(0, "world", "fixture", 1), isStationary: true);
+            tree.Add(Pose(0, "world", "part"), isStationary: false);
+            tree.Evaluate(At(0.1));
+            Assert.That(FrameOf(tree, "part").State, Is.EqualTo(FrameState.Held), "a single pose does not determine a speed");
+
+            tree.Add(Pose(0.2, "fixture", "part", 0.5), isStationary: false);
+            tree.Evaluate(At(0.3));
+
+            Assert.That(FrameOf(tree, "part").State, Is.EqualTo(FrameState.Current));
+            tree.Evaluate(At(0.45));
+            Assert.That(FrameOf(tree, "part").World.X, Is.EqualTo(1.5).Within(1e-9));
+            tree.Evaluate(At(0.55));
+            Assert.That(FrameOf(tree, "part").State, Is.EqualTo(FrameState.Held), "0.35 s exceeds the horizon cap");
+        }
+
+        [Test]
+        public void Add_PoseInThePreviousParentAfterTheHandOver_IsLate()
+        {
+            var tree = NewTree();
+            tree.Add(Pose(1, "world", "a"), isStationary: false);
+            tree.Add(Pose(1.1, "b", "a"), isStationary: false);
+            tree.Evaluate(At(1.1));
+
+            Assert.That(tree.Add(Pose(1.05, "world", "a"), isStationary: false), Is.EqualTo(DropReason.LateSample));
+            tree.Evaluate(At(1.12));
+            Assert.That(FrameOf(tree, "a").Parent, Is.EqualTo("b"));
+        }
+
+        [Test]
+        public void Add_PoseInThePreviousParentWhileTheNewParentIsPending_IsLate()
+        {
+            var tree = NewTree();
+            tree.Add(Pose(1, "world", "a"), isStationary: false);
+            tree.Add(Pose(1.1, "b", "a"), isStationary: false);
+
+            Assert.That(tree.Add(Pose(1.05, "world", "a"), isStationary: false), Is.EqualTo(DropReason.LateSample));
+            tree.Evaluate(At(1.12));
+            Assert.That(FrameOf(tree, "a").Parent, Is.EqualTo("b"));
+        }
+
+        [Test]
+        public void Reset_StationaryPosePending_IsUsedAfterTheReset()
+        {
+            var tree = NewTree();
+            tree.Add(Pose(1, "world", "a", 1), isStationary: false);
+            tree.Evaluate(At(1));
+            tree.Add(Pose(0, "world", "a", 2), isStationary: true);
+
+            tree.Reset();
+            tree.Evaluate(At(1));
+
+            Assert.That(FrameOf(tree, "a").IsStationary, Is.True);
+            Assert.That(FrameOf(tree, "a").State, Is.EqualTo(FrameState.Current));
+        }
+
+        [TestCase(0, false)]
+        [TestCase(0.01, true)]
+        public void Add_DisplayedObject_IsContinuousIfBlended(double blend, bool isContinuous)
+        {
+            var tree = new FrameTree(() => new BodyPredictor("linear", new PredictionLimits(), blend));
+            for (var k = 0; k <= 10; k++) tree.Add(Pose(k * Sampling, "world", "box", k * k * Sampling * Sampling), isStationary: false);
+            var now = At(11 * Sampling + 0.05);
+            tree.Evaluate(now);
+            var before = FrameOf(tree, "box").World.X;
+
+            tree.Add(Pose(11 * Sampling, "world", "box", 11 * 11 * Sampling * Sampling), isStationary: false);
+            tree.Evaluate(now);
+
+            Assert.That(Math.Abs(FrameOf(tree, "box").World.X - before), isContinuous ? Is.LessThan(1e-9) : Is.GreaterThan(1e-3));
+        }
+    }
+}

@@ -1,0 +1,98 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.Session;
+using Nowpose.Unity.Cell;
+using Nowpose.Unity.Status;
+using NUnit.Framework;
+using static Nowpose.Tests.Unity.Status.StatusRows;
+
+namespace Nowpose.Tests.Unity.Status
+{
+    public class StatusRowTests
+    {
+        [Test]
+        public void Update_WithoutStatistics_ShowsDashesAndNoRowForObjects()
+        {
+            var texts = new StatusTexts();
+
+            texts.Update(null, null, null, null);
+
+            for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
+            {
+                Assert.That(texts.ValueOf(row), Is.EqualTo(row >= StatusRow.Objects ? "" : "–"), row.ToString());
+                Assert.That(texts.NoteOf(row), Is.Empty, row.ToString());
+            }
+            Assert.That(texts.IsShown(StatusRow.Objects), Is.False, "a cell without objects has no row for objects");
+            Assert.That(texts.ValueOf(StatusRow.Message), Is.Empty);
+        }
+
+        [TestCase(1)]
+        [TestCase(6)]
+        [TestCase(20)]
+        public void Update_PartsNotCurrent_HaveARowEachAndTheLastRowStatesTheRest(int count)
+        {
+            var parts = new ShownParts();
+            for (var i = 0; i < count; i++) parts.Add(new Part("object box_" + i));
+            var texts = new StatusTexts();
+
+            texts.Update(new SessionStatistics { Pose = PoseState.Held }, Loopback, "test", null, parts: parts);
+
+            var rows = Enumerable.Range((int)StatusRow.FirstPart, 6).Select(row => (StatusRow)row).ToArray();
+            var named = count <= 6 ? count : 5;
+            Assert.That(rows.Take(named).Select(texts.ValueOf), Is.EqualTo(Enumerable.Range(0, named).Select(i => "! object box_" + i)));
+            Assert.That(rows.Take(named).Select(texts.NoteOf), Is.All.EqualTo("no new poses are arriving"));
+            Assert.That(texts.ValueOf(StatusRow.LastPart), Is.EqualTo(count < 6 ? "" : count == 6 ? "! object box_5" : "! and 15 more"));
+            Assert.That(rows.Count(texts.IsShown), Is.EqualTo(Math.Min(6, count)));
+        }
+
+        [Test]
+        public void Update_LongMessage_LeavesFewerRowsForParts()
+        {
+            var parts = new ShownParts();
+            for (var i = 0; i < 20; i++) parts.Add(new Part("object box_" + i));
+            var texts = new StatusTexts();
+            var shown = new List<int>();
+            for (var words = 0; words < 200; words += 5)
+            {
+                texts.Update(new SessionStatistics { Pose = PoseState.Current }, Loopback, "test", Words(words), parts: parts);
+                var rows = Enumerable.Range((int)StatusRow.FirstPart, 6).Count(row => texts.IsShown((StatusRow)row));
+                Assert.That(rows, Is.EqualTo(Math.Min(6, Math.Max(0, 7 - texts.MessageLines))), texts.MessageLines + " lines");
+                if (rows > 0) Assert.That(texts.ValueOf(StatusRow.FirstPart + rows - 1), Is.EqualTo("! and " + (21 - rows) + " more"));
+                shown.Add(rows);
+            }
+            Assert.That(shown.Distinct(), Is.EquivalentTo(Enumerable.Range(0, 7)));
+        }
+
+        [Test]
+        public void Update_TimeNotKnown_NamesNoPartBecauseAllAreAffected()
+        {
+            var parts = new ShownParts();
+            parts.Add(new Part("object box"));
+            var texts = new StatusTexts();
+
+            texts.Update(new SessionStatistics { Pose = PoseState.Unsynchronised }, Loopback, "test", null, parts: parts);
+
+            Assert.That(texts.ValueOf(StatusRow.Objects), Is.EqualTo("! 1 not current"));
+            Assert.That(texts.IsShown(StatusRow.FirstPart), Is.False);
+        }
+
+        [Test]
+        public void Update_MovingBaseNotCurrent_StatesItAsTheReason()
+        {
+            var texts = new StatusTexts();
+
+            texts.Update(new SessionStatistics { Pose = PoseState.Held, IsLimitedByBase = true }, Loopback, "test", null);
+
+            Assert.That((texts.ValueOf(StatusRow.Pose), texts.NoteOf(StatusRow.Pose)), Is.EqualTo(("! held", "its base is not current")));
+        }
+
+        sealed class Part : IShownPart
+        {
+            public Part(string title) => Title = title;
+
+            public string Title { get; }
+            public string Fault => "no new poses are arriving";
+        }
+    }
+}

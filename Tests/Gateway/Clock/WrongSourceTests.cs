@@ -1,0 +1,87 @@
+using Nowpose.Gateway.Clock;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Clock;
+
+public class WrongSourceTests : StampWatchFixture
+{
+    [TestCase(755.0, "are 12.6 minutes ")]
+    [TestCase(-36_000.0, "are 10.0 hours ")]
+    [TestCase(1_795_288_273.0, "are 20779 days ")]
+    public void Look_TimeStampsFarFromTheControlClock_ReportsTheDifferenceInAReadableUnit(double seconds, string expected)
+    {
+        _isOwnServed = false;
+        _correction = TimeSpan.FromSeconds(seconds);
+        Run(5, () => System);
+
+        Assert.That(_watch.Warning, Does.Contain(expected));
+    }
+
+    [TestCase(0.3, "230 ms")]
+    [TestCase(0.5, "430 ms")]
+    public void Look_AcceptedTimeStampsAheadForFiveSeconds_ReportsTheSourceAndTheDifference(double seconds, string by)
+    {
+        var ahead = TimeSpan.FromSeconds(seconds);
+        Run(StampWatch.Seconds - 1, () => System, () => System + ahead);
+        Assert.That(_watch.Ahead, Is.Empty, "the condition has not lasted long enough");
+
+        Run(2, () => System, () => System + ahead);
+        Assert.That(_watch.Ahead, Is.EqualTo(new[] { ("second", by) }));
+        Assert.That(_watch.IsContradicted, Is.False, "stamps that are slightly ahead do not contradict the clock");
+
+        Run(StampWatch.Seconds, () => System, () => System);
+        Assert.That(_watch.Ahead, Is.Empty, "the clock of the source was set");
+    }
+
+    [TestCase(0.1, 0.0)]
+    [TestCase(0.3, 0.2)]
+    public void Look_TimeStampsAheadWithinTheErrorsOfTheClocks_ReportsNoSource(double seconds, double errorBound)
+    {
+        _errorBound = TimeSpan.FromSeconds(errorBound);
+        Run(10, () => System + TimeSpan.FromSeconds(seconds));
+
+        Assert.That(_watch.Ahead, Is.Empty);
+    }
+
+    [Test]
+    public void Look_TimeStampsDiverge_ReportsTheNewestDifference()
+    {
+        _isOwnServed = false;
+        for (var seconds = 10; seconds < 20; seconds++)
+        {
+            var ahead = TimeSpan.FromSeconds(seconds);
+            Run(1, () => _own.Now + ahead);
+            if (seconds >= 12) Assert.That(_watch.Warning, Does.Contain($"are {seconds - 1}.9 s ahead"));
+        }
+    }
+
+    [Test]
+    public void Look_OneOfThreeSourcesIsWrong_ReportsThatSource()
+    {
+        Run(5, () => System, () => System, () => System + TimeSpan.FromSeconds(5));
+
+        Assert.That(_watch.IsContradicted, Is.True);
+        Assert.That(_watch.Found.Reason, Does.StartWith("100 % of the samples of the source third have stamps").And.Not.Contain("first"));
+    }
+
+    [Test]
+    public void Look_TwoOfThreeSourcesAreWrong_ReportsBoth()
+    {
+        Run(5, () => System, () => _own.Now, () => System);
+        _correction = TimeSpan.FromHours(1);
+        Run(StampWatch.Seconds, () => System, () => _own.Now, () => System);
+
+        Assert.That(_watch.Found.Reason, Does.Contain("source first").And.EndWith("; the same is true of third"));
+    }
+
+    [Test]
+    public void Look_WrongSourceStops_IsNoLongerReported()
+    {
+        Run(5, () => System + TimeSpan.FromSeconds(5));
+        Assert.That(_watch.IsContradicted, Is.True);
+
+        Run(StampWatch.Seconds + 1);
+
+        Assert.That(_watch.IsContradicted, Is.False);
+    }
+}

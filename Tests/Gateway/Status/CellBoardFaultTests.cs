@@ -1,0 +1,110 @@
+using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Status;
+using Nowpose.Gateway.Status.Cell;
+using Nowpose.Gateway.Status.Joints;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Status;
+
+public class CellBoardFaultTests : CellBoardFixture
+{
+    [Test]
+    public void Frames_Silent_HaveReasonAndStart()
+    {
+        var start = _time.GetUtcNow();
+        _board.Add(_source, Pose("box", 5, "nowhere"), isStationary: false);
+        _time.Advance(TimeSpan.FromSeconds(1.5));
+
+        var frame = _board.Frames(At(6.5)).Single();
+
+        Assert.That((frame.State, frame.Reason, frame.Since), Is.EqualTo(("stale", CellReasons.PosesStopped, start)));
+    }
+
+    [Test]
+    public void Frames_SilentAtRest_HaveTheReasonOfTheAdapter()
+    {
+        _source.Name = "cell";
+        _board.Add(_source, Pose("box", 5), isStationary: false);
+        _time.Advance(TimeSpan.FromSeconds(1.5));
+        _reports.Add("cell", [KeyValuePair.Create("frame/box", "rest 1700000000.000 assumed at rest")]);
+
+        var frame = _board.Frames(At(6.5)).Single();
+
+        Assert.That((frame.State, frame.Reason, frame.IsAtRest), Is.EqualTo(("stale", "assumed at rest", true)));
+    }
+
+    [TestCase(false)]
+    [TestCase(true)]
+    public void FramesAndSignals_SourceEnded_AreRemovedOnlyAfterANormalEnd(bool isNormal)
+    {
+        _board.Add(_source, Pose("box", 5), isStationary: false);
+        _board.Add(_source, Pose("table", 5), isStationary: true);
+        _board.Add(_source, new SignalsMessage(At(5), new SignalValue("grip", 1)));
+        if (isNormal) _board.Leave(_source);
+        _board.End(_source, ["grip"]);
+        _time.Advance(JointBoard.ForgottenAfter);
+        Assert.That(_board.Frames(At(600)).Count + _board.Signals(At(600)).Count, Is.EqualTo(3));
+
+        _time.Advance(TimeSpan.FromSeconds(1));
+
+        Assert.That(_board.Frames(At(601)).Select(frame => frame.Name), Is.EqualTo(isNormal ? new[] { "table" } : ["box", "table"]));
+        Assert.That(_board.Signals(At(601)).Count, Is.EqualTo(isNormal ? 0 : 1));
+    }
+
+    [Test]
+    public void Frames_ReportedInFault_HaveTheReasonUntilPosesArrive()
+    {
+        _source.Name = "cell";
+        _board.Add(_source, Pose("box", 5), isStationary: false);
+        _reports.Add("cell", [KeyValuePair.Create("frame/box", "fault 1700000000.000 node deleted"), KeyValuePair.Create("frame/lid", "missing 1700000000.000 no value")]);
+
+        Assert.That(_board.Frames(At(5)).Select(frame => (frame.Name, frame.State, frame.Reason)), Is.EqualTo(new[]
+        {
+            ("box", "live", null), ("lid", "missing", "no value"),
+        }), "a pose that arrives is not in fault");
+
+        _time.Advance(TimeSpan.FromSeconds(1.5));
+
+        Assert.That(_board.Frames(At(7)).Select(frame => (frame.Name, frame.State, frame.Reason, frame.AgeS)), Is.EqualTo(new (string, string, string, double?)[]
+        {
+            ("box", "fault", "node deleted", 2), ("lid", "missing", "no value", null),
+        }));
+
+        _time.Advance(TimeSpan.FromSeconds(1.5));
+
+        Assert.That(_board.Frames(At(9)).Select(frame => (frame.Name, frame.State)), Is.EqualTo(new[] { ("box", "stale") }), "the source has stopped reporting");
+    }
+
+    [Test]
+    public void Signals_ReportedInFaultByTheirSource_AreNotLive()
+    {
+        _source.Name = "cell";
+        _board.Add(_source, new SignalsMessage(At(5), new SignalValue("grip", 1)));
+        _reports.Add("other", [KeyValuePair.Create("signal/grip", "missing 1700000000.000 no value")]);
+        Assert.That(_board.Signals(At(5)).Single().State, Is.EqualTo("live"), "another adapter does not publish this signal");
+
+        _reports.Add("other", []);
+        _reports.Add("cell", [KeyValuePair.Create("signal/grip", "refused 1700000000.000 BadSensorFailure"), KeyValuePair.Create("signal/lamp", "missing 1700000000.000 no value")]);
+
+        Assert.That(_board.Signals(At(6)), Is.EqualTo(new[]
+        {
+            new SignalView("grip", 1, "cell", "refused", 1, "BadSensorFailure") { Since = DateTimeOffset.FromUnixTimeSeconds(1_700_000_000) },
+            new SignalView("lamp", null, "cell", "missing", null, "no value") { Since = DateTimeOffset.FromUnixTimeSeconds(1_700_000_000) },
+        }));
+    }
+
+    [Test]
+    public void Reports_FromManyAdaptersWithManyNames_AreBounded()
+    {
+        for (var adapter = 0; adapter < 100; adapter++)
+            _reports.Add($"a{adapter}", [.. Enumerable.Range(0, 1000).Select(i => KeyValuePair.Create($"frame/{adapter}-{i}", "fault 1700000000.000 gone"))]);
+        _reports.Add("damaged", [KeyValuePair.Create("frame/x", "gone"), KeyValuePair.Create("frame/y", "stale 1 x")]);
+
+        var troubled = _reports.Troubled("frame/");
+
+        Assert.That(troubled, Has.Count.EqualTo(CellReports.MaxAdapters * ProtocolLimits.Frames));
+        Assert.That(troubled.Select(one => one.Adapter), Has.None.EqualTo("damaged"));
+    }
+}

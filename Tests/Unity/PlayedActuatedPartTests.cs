@@ -1,0 +1,130 @@
+using Nowpose.Protocol;
+using Nowpose.Session;
+using NUnit.Framework;
+using UnityEngine;
+using static Nowpose.Unity.Tests.Hatched;
+
+namespace Nowpose.Unity.Tests;
+
+public class PlayedActuatedPartTests : PlayedParts
+{
+    [Test]
+    public void ActuatedPart_ChangeReceivedLate_JoinsTheMotionOfATimelyChange()
+    {
+        var part = Below<ActuatedPart>("jaw", _session.transform).With("_wayMetres", new Vector3(0, 0, 0.02f)).With("_strokeMs", 300f);
+        Run(1);
+        SendSignal("jaw", _cell.Now - 1, 0);
+        Run(0.5);
+        Assert.That(part.Share, Is.Zero);
+
+        var change = _cell.Now - Latency;
+        SendSignal("jaw", change, 1);
+        Run(0.1);
+
+        var passed = _cell.Now + Visu - change;
+        Assert.That(passed, Is.InRange(0.2, 0.25));
+        var stroke = new Signals.ActuatedStroke(0, 1, 0.3);
+        stroke.Change(0, At(0));
+        stroke.Change(1, At(1));
+        Assert.That(part.Share, Is.EqualTo(stroke.At(At(1 + passed))).Within(1e-4));
+        Assert.That(part.transform.localPosition.z, Is.EqualTo(0.02 * part.Share).Within(1e-6));
+
+        Run(0.5);
+        Assert.That(part.Share, Is.EqualTo(1).Within(1e-6));
+    }
+
+    [Test]
+    public void ActuatedPart_SignalNotCurrent_LooksDifferentUntilItIsCurrent()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var appearance = rig.gameObject.AddComponent<PoseAppearance>();
+        var jaw = Below<ActuatedPart>("jaw", rig.transform);
+        var (moved, other) = (Rendering.PlayedAppearance.Part("moved", jaw.transform), Rendering.PlayedAppearance.Part("other", rig.transform));
+        appearance.Refresh();
+        Run(1);
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
+        Assert.That((IsHatched(moved), IsHatched(other), appearance.Look.Label), Is.EqualTo((true, false, "signal not current")), jaw.Fault);
+
+        SendSignal("jaw", _cell.Now - 1, 1);
+        Run(0.5);
+        Assert.That((IsHatched(moved), IsHatched(other), appearance.Look.Label), Is.EqualTo((false, false, "")));
+
+        _session.Session.Listener.SignalStatusReceived(
+            new JointStatusMessage([new JointReport("jaw", JointDataState.Refused, At(0), "signal jaw has the value NaN")]), HeadsetTime.FromSeconds(1000));
+        Run(0.1);
+        Assert.That((IsHatched(moved), IsHatched(other), appearance.Look.Reason), Is.EqualTo((true, false, "signal jaw has the value NaN")));
+
+        jaw.enabled = false;
+        Run(0.1);
+        Assert.That(IsHatched(moved), Is.False, "a disabled part follows no signal");
+    }
+
+    [Test]
+    public void ActuatedPart_OnAnother_LooksDifferentIfEitherSignalIsNotCurrent()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var appearance = rig.gameObject.AddComponent<PoseAppearance>();
+        var slide = Below<ActuatedPart>("slide", rig.transform);
+        var jaw = Below<ActuatedPart>("jaw", slide.transform).With("_wayMetres", new Vector3(0, 0, 1));
+        var box = Below<TrackedObject>("box", jaw.transform);
+        var (moved, shown) = (Rendering.PlayedAppearance.Part("moved", jaw.transform), Rendering.PlayedAppearance.Part("shown", box.transform));
+        void Send(double t) => SendPose("world", "box", t, Along(t));
+        appearance.Refresh();
+        Run(1, Send);
+        SendSignal("jaw", _cell.Now - 1, 1);
+        Run(0.5, Send);
+        Assert.That((IsHatched(moved), IsHatched(shown), appearance.Look.Label), Is.EqualTo((true, false, "signal not current")), "the slide has no value");
+
+        SendSignal("slide", _cell.Now - 1, 1);
+        Run(0.5, Send);
+        Assert.That((IsHatched(moved), appearance.Look.Label), Is.EqualTo((false, "")));
+
+        jaw.enabled = false;
+        jaw.enabled = true;
+        var frames = 0;
+        Run(0.1, Send, () => { if (frames++ > 0) Assert.That(jaw.Share, Is.EqualTo(1), "from the first frame on, because its signal changed long ago"); });
+    }
+
+    [Test]
+    public void ActuatedPart_OnATrackedObject_ReportsTheConflictAndDoesNotMoveIt()
+    {
+        var box = Below<TrackedObject>("box", _session.transform);
+        var part = box.gameObject.AddComponent<ActuatedPart>().With("_wayMetres", new Vector3(0, 0, 1)).With("_signal", "jaw");
+        Run(1, t => SendPose("world", "box", t, Along(t)));
+        SendSignal("jaw", _cell.Now - 1, 1);
+
+        Run(1, t => SendPose("world", "box", t, Along(t)), () => AssertAt(box.transform, _session.transform, Along(_cell.Now + Visu), 1e-3));
+
+        Assert.That(box.GetComponent<PoseAppearance>().Look.IsHatched, Is.False, "the tracked object itself is shown correctly");
+        Assert.That(part.Fault, Is.EqualTo("the tracked or stationary object on the same object moves it; put the actuated part on a child object"));
+        Assert.That(_cell.Player.Logs.Count(log => log.Type == LogType.Error && log.Message.Contains("put the actuated part on a child object")), Is.EqualTo(1));
+    }
+
+    [TestCase(-3600)]
+    [TestCase(3600)]
+    public void ActuatedPart_ControlClockSteps_StaysAtItsPositionAndMovesFromThere(double step)
+    {
+        // With this start value, control times stay positive after the step.
+        _cell.ControlStepSeconds = 7200;
+        void Send(double value) =>
+            SendSignal("jaw", _cell.Now - Latency + _cell.ControlStepSeconds, value, Latency - _cell.ControlStepSeconds);
+        var part = Below<ActuatedPart>("jaw", _session.transform).With("_strokeMs", 300f);
+        Run(1);
+        Send(0);
+        Run(0.5);
+        Send(1);
+        Run(1);
+        var restarts = 0;
+        _session.Session.Restarted += (_, _) => restarts++;
+
+        _cell.ControlStepSeconds += step;
+        Run(5, seen: () => Assert.That(part.Share, Is.EqualTo(1).Within(1e-6)));
+        Assert.That(restarts, Is.EqualTo(1));
+
+        Send(0);
+        Run(0.03);
+        Assert.That(part.Share, Is.InRange(0.05, 0.95), "moves");
+        Run(0.5);
+        Assert.That(part.Share, Is.Zero.Within(1e-6));
+    }
+}

@@ -1,0 +1,73 @@
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests;
+
+public class PlayedGripTests : PlayedParts
+{
+    [Test]
+    public void GripByReach_SignalCloses_CarriesTheObjectInTheDisplayedTool()
+    {
+        var (rig, grip, box) = NewGrip();
+        Run(2, _ => { });
+        var tool = rig.Tool;
+        var pose = UnityPoses.ToRoom(tool.position, tool.rotation) * Along(0.01);
+        void Send(double t) => SendPose("world", "box", t, pose);
+        Run(1, Send);
+        SendSignal("grip", _cell.Now - 1, 0);
+        Run(0.5, Send);
+        Assert.That((grip.Held, grip.Fault), Is.EqualTo(((string)null, (string)null)));
+
+        SendSignal("grip", _cell.Now - Latency, 1);
+        Run(0.5, Send);
+        var inHand = Quaternion.Inverse(rig.Tool.rotation) * (box.transform.position - rig.Tool.position);
+        var moved = 0f;
+        var start = box.transform.position;
+        Run(2, Send, () =>
+        {
+            Assert.That(grip.Held, Is.EqualTo("box"));
+            var now = Quaternion.Inverse(rig.Tool.rotation) * (box.transform.position - rig.Tool.position);
+            Assert.That(Vector3.Distance(now, inHand), Is.LessThan(1e-4), "0.1 mm");
+            moved = Mathf.Max(moved, Vector3.Distance(start, box.transform.position));
+        });
+
+        Assert.That(moved, Is.GreaterThan(0.001), "the arm moves");
+        Assert.That(_session.Parts.Objects, Is.EqualTo(new[] { "box" }));
+        grip.gameObject.SetActive(false);
+        Run(1, Send);
+        Assert.That(Vector3.Distance(box.transform.position, UnityPoses.ToWorld(pose).position), Is.LessThan(1e-4), "a hidden gripper returns the object to its source");
+        Assert.That(_session.Parts.Count, Is.EqualTo(1));
+    }
+
+    (RobotRig Rig, GripByReach Grip, TrackedObject Box) NewGrip(string link = "")
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var made = new GameObject("grip");
+        made.SetActive(false);
+        made.transform.SetParent(rig.transform, false);
+        var grip = made.AddComponent<GripByReach>().With("_link", link).With("_reachMetres", 0.5f);
+        made.SetActive(true);
+        return (rig, grip, Below<TrackedObject>("box", _session.transform));
+    }
+
+    [Test]
+    public void GripByReach_UnknownLink_IsLoggedOnceAndShownOnThePanel()
+    {
+        var (_, grip, _) = NewGrip("hand");
+        Run(1);
+
+        Assert.That(grip.Fault, Does.Match("^the robot '.+' has no link 'hand'; correct Link$"));
+        Assert.That(_cell.Messages, Has.Exactly(1).Matches("grip by reach 'grip': the robot '.+' has no link 'hand'"));
+        Assert.That(FaultsNow(), Does.Contain("gripper grip: " + grip.Fault));
+    }
+
+    [Test]
+    public void GripByReach_NoRig_StatesWhatToAssign()
+    {
+        var grip = Below<GripByReach>("grip", _session.transform);
+        Run(0.5);
+
+        Assert.That(grip.Fault, Is.EqualTo("no rig"));
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains("grip by reach 'grip' has no rig on a parent; assign one"));
+    }
+}

@@ -1,0 +1,122 @@
+using Nowpose.Gateway.Plants;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using NUnit.Framework;
+using UnityEngine;
+using static Nowpose.Unity.Tests.Hatched;
+
+namespace Nowpose.Unity.Tests;
+
+public class PlayedNamespaceTests : PlayedParts
+{
+    [Test]
+    public void Rig_ListenerEndsTheSession_TheRobotDoesNotLookCurrent()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var grip = Below<GripByReach>("grip", rig.transform);
+        var appearance = rig.gameObject.AddComponent<PoseAppearance>();
+        var part = Rendering.PlayedAppearance.Part("part", rig.transform);
+        Below<TrackedObject>("box", rig.transform);
+        appearance.Refresh();
+        Run(1);
+        Assert.That(IsHatched(part), Is.False);
+
+        rig.Posed += () => _session.enabled = false;
+        Run(0.1);
+
+        Assert.That((_session.Session, IsHatched(part), grip.Fault), Is.EqualTo(((CompensationSession)null, true, grip.Fault)));
+        Assert.That(_cell.Player.Logs.Where(log => log.Exception != null), Is.Empty);
+    }
+
+    [Test]
+    public void Rig_WithNamespace_ShowsItsRobotOnItsMovingBase()
+    {
+        var text = RobotFiles.LoadText("youbot");
+        var rig = Second(text);
+        var joints = RobotFiles.Load("youbot").MovingJoints.Select(joint => joint.Name).ToArray();
+        void Send(double t, bool isBaseSent = true)
+        {
+            _session.Session.Listener.Received(
+                new JointStateMessage(At(t), joints, joints.Select(_ => 0.003).ToArray()), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2");
+            if (isBaseSent) SendPose("world", "arm2/arm_link_0", t, Along(0.1 * t));
+        }
+        Run(2, t => Send(t));
+
+        Assert.That(rig.IsFollowing, Is.True);
+        Assert.That(rig.Joints[0], Is.EqualTo(0.003).Within(1e-6));
+        AssertAt(rig.transform, _session.transform, Along(0.1 * (_cell.Now + Visu)), 1e-3);
+        Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Current));
+
+        Assert.That(FaultsNow(), Is.Empty);
+        Run(1, t => Send(t, isBaseSent: false));
+        Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Held), "the robot is not where its base was");
+        Assert.That(FaultsNow(), Is.EqualTo("robot arm2: its base is not current"));
+        Run(2, t => Send(t));
+        Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Current));
+
+        Run(1);
+        Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Held), "only the robot whose source has ended is held");
+        Assert.That(FaultsNow(), Is.EqualTo("robot arm2: too few recent samples"));
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
+        rig.gameObject.SetActive(false);
+        Assert.That(FaultsNow(), Is.Empty, "a robot that is not shown has no row");
+    }
+
+    RobotRig Second(string urdf)
+    {
+        var made = new GameObject("Second");
+        made.SetActive(false);
+        made.transform.SetParent(_session.transform, false);
+        var rig = made.AddComponent<RobotRig>().With("_robotNamespace", "arm2");
+        if (urdf != null) rig.With("_description", RobotDescriptionAsset.Create("second", urdf));
+        made.SetActive(true);
+        return rig;
+    }
+
+    [Test]
+    public void Rig_WithNamespaceButNoDescription_StatesWhatToAssign()
+    {
+        var rig = Second(null);
+        Run(0.5);
+
+        Assert.That(rig.IsFollowing, Is.False);
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains("assign a Robot Description to the rig 'Second'"));
+    }
+
+    [Test]
+    public void Cell_ObjectsAndSignals_AllocateNothing()
+    {
+        Below<TrackedObject>("box", _session.transform);
+        Below<CellSignal>("grip", _session.transform);
+        Below<ActuatedPart>("jaw", _session.transform);
+        Run(2, t => SendPose("world", "box", t, Along(t)));
+        SendSignal("grip", _cell.Now - 1, 1);
+        Run(1);
+
+        Assert.That(_cell.AllocatedIn(() => _cell.Run(1, _session)), Is.Zero);
+    }
+
+    [Test]
+    public void CellParts_NotCurrent_AreNamedWithTheirFaults()
+    {
+        Below<TrackedObject>("part", _session.transform);
+        Below<TrackedObject>("lid", _session.transform);
+        var parts = _session.Parts;
+        Run(6, t => SendPose("world", "part", t, Along(0.1 * t)));
+
+        Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("object lid: no pose received", "! 1 not current")));
+
+        SendPose("world", "lid", _cell.Now - Latency, Along(1));
+        Run(2);
+
+        Assert.That(FaultsNow(), Is.EqualTo("object part: no new poses are arriving; object lid: no new poses are arriving"));
+        Assert.That(parts.Summary, Is.EqualTo("! 2 not current"));
+        var signal = Below<CellSignal>("closed", _session.transform);
+        _session.transform.Find("part").gameObject.SetActive(false);
+        Run(0.1);
+        Assert.That(FaultsNow(), Is.EqualTo("object lid: no new poses are arriving; signal closed: " + signal.Fault), "a hidden object is not shown");
+        Run(1, t => SendPose("world", "lid", t, Along(1)));
+        signal.gameObject.SetActive(false);
+        Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("", "1 current")));
+    }
+}

@@ -1,0 +1,99 @@
+using Nowpose.Kinematics;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests;
+
+public class PlayedPathTests : PlayedParts
+{
+    [Test]
+    public void PlannedPath_SetPointsPublished_FollowsThePathOfTheTool()
+    {
+        var (rig, path, line) = NewPath();
+        Run(1);
+        Assert.That((line.enabled, path.DrawnSeconds), Is.EqualTo((false, 0f)), "no plan");
+
+        SendPlan(_cell.Now, 3);
+        Run(0.2);
+        Assert.That(path.DrawnSeconds, Is.EqualTo(1).Within(1e-6));
+        var expected = line.GetPosition(line.positionCount - 1);
+        Assert.That(Vector3.Distance(line.GetPosition(0), rig.Tool.position), Is.LessThan(2e-4), "begins at the displayed tool");
+        Run(1);
+        Assert.That(Vector3.Distance(expected, rig.Tool.position), Is.LessThan(1e-3), "one second later, the tool is where the line ended");
+        Assert.That(Vector3.Distance(expected, line.GetPosition(line.positionCount - 1)), Is.GreaterThan(1e-3), "the tool moves");
+
+        Run(2.5);
+        Assert.That((line.enabled, path.DrawnSeconds), Is.EqualTo((false, 0f)));
+    }
+
+    [Test]
+    public void PlannedPath_PoseNotCurrent_IsHidden()
+    {
+        var (_, path, line) = NewPath();
+        Run(1);
+        SendPlan(_cell.Now, 6);
+        Run(0.2);
+        Assert.That(line.enabled, Is.True);
+
+        _cell.IsPlantUp = false;
+        Run(1.5);
+
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Held));
+        Assert.That((line.enabled, path.DrawnSeconds), Is.EqualTo((false, 0f)));
+        _cell.IsPlantUp = true;
+        Run(1);
+        Assert.That(line.enabled, Is.True);
+        _session.enabled = false;
+        Assert.That(line.enabled, Is.False, "no session");
+    }
+
+    [Test]
+    public void PlannedPath_Drawn_AllocatesNothing()
+    {
+        var (_, path, _) = NewPath();
+        Run(1);
+        SendPlan(_cell.Now, 9);
+        Run(1);
+
+        Assert.That(_cell.AllocatedIn(() => _cell.Run(1, _session)), Is.Zero);
+        Assert.That(path.DrawnSeconds, Is.GreaterThan(0.9));
+    }
+
+    (RobotRig Rig, PlannedPath Path, LineRenderer Line) NewPath()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var path = Below<PlannedPath>("path", rig.transform);
+        return (rig, path, path.GetComponent<LineRenderer>());
+    }
+
+    // Sends the set-points that the robot follows. They arrive with the latency of the samples.
+    void SendPlan(double from, double seconds)
+    {
+        var robot = _session.Session.Robot;
+        var joints = robot.MovingJoints.Select(joint => joint.Name).ToArray();
+        var points = new List<JointTrajectoryPoint>();
+        for (var t = 0.0; t <= seconds; t += 0.02)
+        {
+            var at = HeadsetTime.FromSeconds(1000 + from + t);
+            points.Add(new JointTrajectoryPoint(TimeSpan.FromSeconds(t), [.. joints.Select((_, j) => PlayedCell.PositionAt(robot, at, j))]));
+        }
+        _session.Session.Listener.Planned(new JointTrajectoryMessage(At(from), joints, points.ToArray()), HeadsetTime.FromSeconds(1000 + from));
+    }
+
+    [Test]
+    public void PlannedPath_RobotNoLongerKnown_IsHidden()
+    {
+        var (_, path, line) = NewPath();
+        Run(1);
+        SendPlan(_cell.Now, 6);
+        Run(0.2);
+        Assert.That(line.enabled, Is.True);
+
+        _session.RobotAsset = null;
+        Run(0.5);
+
+        Assert.That((_session.Robot, line.enabled, path.DrawnSeconds), Is.EqualTo(((RobotModel)null, false, 0f)));
+    }
+}

@@ -1,0 +1,128 @@
+using Nowpose.Frames;
+using Nowpose.Protocol.Cell;
+using Nowpose.Session;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests;
+
+public class PlayedStationaryObjectTests : PlayedParts
+{
+    [Test]
+    public void StationaryObject_InvalidName_IsReportedOnceAndKeepsTheSavedPlaces()
+    {
+        var file = Path.Combine(_folder, "stationary-objects.json");
+        StationaryFrameFile.Save(file, new TransformsMessage(Along(2).ToTransform(default, "world", "other")));
+        var before = File.ReadAllText(file);
+        var wrong = Below<StationaryObject>(new string('x', 129), _session.transform);
+        Run(0.5);
+
+        wrong.BeginMove();
+        Run(0.5);
+        wrong.EndMove();
+
+        Assert.That(File.ReadAllText(file), Is.EqualTo(before));
+        Assert.That(wrong.Fault, Does.StartWith("the frame 'xxx").And.Contain("allowed: 1 to 128 characters, not 'world'"));
+        Assert.That(_cell.Player.Logs.Count(log => log.Type == LogType.Error), Is.EqualTo(1));
+    }
+
+    [Test]
+    public void StationaryObject_RenamedAtRunTime_IsSavedUnderTheNameOfItsFrame()
+    {
+        var fixture = Below<StationaryObject>("fixture", _session.transform).With("_fileName", "");
+        Run(0.5);
+        fixture.name = "renamed";
+
+        fixture.BeginMove();
+        Run(0.1);
+        fixture.EndMove();
+
+        Assert.That(fixture.Frame, Is.EqualTo("fixture"));
+        Assert.That(StationaryFrameFile.Load(Path.Combine(_folder, "stationary-objects.json"))[0].Child, Is.EqualTo("fixture"));
+    }
+
+    [Test]
+    public void StationaryObject_PlacedByHand_StaysSavedAndCarriesItsChildren()
+    {
+        var anchor = Below<BaseAnchor>("Base Anchor", _session.transform);
+        anchor.transform.position = new Vector3(1, 2, 3);
+        var fixture = Below<StationaryObject>("fixture", anchor.transform);
+        var lid = Below<TrackedObject>("lid", anchor.transform);
+        void Send(double t) => SendPose("fixture", "lid", t, Along(0.05));
+        Run(1, Send);
+        Assert.That(FaultsNow(), Does.Contain("object fixture: not placed; place it by hand, or publish its frame on /tf_static"));
+        var look = fixture.GetComponent<PoseAppearance>().Look;
+        Assert.That((look.Label, look.IsDrawn, look.IsHatched), Is.EqualTo(("not placed", true, true)));
+
+        fixture.BeginMove();
+        fixture.transform.SetPositionAndRotation(new Vector3(2, 2.5f, 3), Quaternion.Euler(0, 30, 0));
+        Run(0.5, Send);
+        fixture.EndMove();
+        Run(0.5, Send);
+
+        Assert.That((fixture.State, fixture.IsMoving, lid.State), Is.EqualTo((PoseState.Current, false, PoseState.Current)));
+        Assert.That(Vector3.Distance(fixture.transform.position, new Vector3(2, 2.5f, 3)), Is.LessThan(1e-5));
+        AssertAt(lid.transform, fixture.transform, Along(0.05));
+        Assert.That(fixture.GetComponent<PoseAppearance>().Look.IsHatched, Is.False);
+
+        // Simulates a new run of the application, with the base in another place.
+        var place = anchor.transform.InverseTransformPoint(fixture.transform.position);
+        _cell.Dispose();
+        Begin();
+        anchor = Below<BaseAnchor>("Base Anchor", _session.transform);
+        anchor.transform.position = new Vector3(-4, 0, 1);
+        fixture = Below<StationaryObject>("fixture", anchor.transform);
+        Run(0.5);
+        Assert.That(fixture.State, Is.EqualTo(PoseState.Current));
+        Assert.That(Vector3.Distance(anchor.transform.InverseTransformPoint(fixture.transform.position), place), Is.LessThan(1e-5));
+    }
+
+    [Test]
+    public void StationaryObject_SourcePublishesItsFrame_ReplacesTheHandPlacedPose()
+    {
+        StationaryFrameFile.Save(Path.Combine(_folder, "stationary-objects.json"), new TransformsMessage(
+            Along(1).ToTransform(default, "world", "fixture"), Along(2).ToTransform(default, "world", "other")));
+        var fixture = Below<StationaryObject>("fixture", _session.transform);
+        Run(0.5);
+        AssertAt(fixture.transform, _session.transform, Along(1));
+
+        _session.Session.Listener.FramesReceived(
+            new TransformsMessage(Along(3).ToTransform(default, "world", "fixture")), true, HeadsetTime.FromSeconds(1000 + _cell.Now));
+        Run(0.5);
+        AssertAt(fixture.transform, _session.transform, Along(3));
+
+        fixture.BeginMove();
+        fixture.transform.position = new Vector3(7, 0, 0);
+        Run(0.2);
+        fixture.EndMove();
+        Run(0.2);
+        Assert.That(fixture.transform.position.x, Is.EqualTo(7).Within(1e-5));
+        var saved = StationaryFrameFile.Load(fixture.SavedPath);
+        Assert.That(new[] { saved[0].Child, saved[1].Child }, Is.EqualTo(new[] { "other", "fixture" }), "the places of other objects are kept");
+    }
+
+    [Test]
+    public void StationaryObject_MovedByItsSource_CannotBePlaced()
+    {
+        var fixture = Below<StationaryObject>("box", _session.transform);
+        Run(2, t => SendPose("world", "box", t, Along(0.1 * t)));
+
+        fixture.BeginMove();
+
+        Assert.That(fixture.IsMoving, Is.False);
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains("stationary object 'box': its source or a gripper moves it, so it cannot be placed by hand"));
+    }
+
+    [Test]
+    public void StationaryObject_InvalidFile_IsRenamedAndReported()
+    {
+        var path = Path.Combine(_folder, "stationary-objects.json");
+        File.WriteAllText(path, "{");
+        Below<StationaryObject>("fixture", _session.transform);
+
+        Run(0.1);
+
+        Assert.That(_cell.Messages, Has.Exactly(1).Matches("stationary-objects.json, line 1: .*; the file is kept as .*; place the objects again"));
+        Assert.That((File.Exists(path), File.Exists(path + ".bad")), Is.EqualTo((false, true)));
+    }
+}
