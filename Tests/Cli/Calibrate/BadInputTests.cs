@@ -55,7 +55,7 @@ public sealed class BadInputTests : CalibrationFolder
     /// <summary>Renders a picture of both codes side by side with an L_visu of 40 ms. <paramref name="change"/> modifies the shot.</summary>
     string Picture(string name, Func<Shot, Shot> change = null, double scale = 1)
     {
-        if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs"))) Assert.Ignore("Node.js was missing when this was built");
+        Needs.Vision();
         var shot = new Shot(
             (int)(scale * Width), (int)(scale * Height), Scene: 1, SceneLight: 0.1,
             [Code(CodeKind.Control, 30_040, 0.25 * scale, scale, panel: 0.02), Code(CodeKind.Headset, 30_000, 0.75 * scale, scale, panel: null)],

@@ -12,7 +12,7 @@ public abstract class VideoFolder : CalibrationFolder
     [SetUp]
     public void RememberPath()
     {
-        if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs"))) Assert.Ignore("Node.js was missing when this was built");
+        Needs.Vision();
         _path = Environment.GetEnvironmentVariable("PATH");
     }
 

@@ -20,7 +20,7 @@ public sealed class VisionPoolTests
     [OneTimeSetUp]
     public void WriteStandIn()
     {
-        if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs"))) Assert.Ignore("Node.js was missing when this was built");
+        Needs.Vision();
         _script = Path.Combine(Path.GetTempPath(), $"nowpose-{Guid.NewGuid():N}.mjs");
         File.WriteAllText(_script, StandIn);
     }

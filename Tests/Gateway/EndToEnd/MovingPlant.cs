@@ -27,8 +27,7 @@ sealed class MovingPlant : IPlantTruth, IDisposable
     /// <param name="kind">Kind of the control system: opcua or ads.</param>
     public static async Task<MovingPlant> StartAsync(string kind)
     {
-        if (!Directory.Exists(Path.Combine(RepositoryFiles.Root, "Gateway", "Adapters", "node_modules")))
-            Assert.Ignore("Node.js was missing when this was built");
+        Needs.Adapters();
         var program = PeerProcess.OfNode("Gateway/Adapters/test/movingPlant.mjs", kind);
         await program.PrintsAsync("state serving");
         return new MovingPlant(program, kind);

@@ -20,8 +20,7 @@ public abstract class PlantFileFixture
     [SetUp]
     public void MakeFolder()
     {
-        if (!Directory.Exists(Path.Combine(RepositoryFiles.Root, "Gateway", "Adapters", "node_modules")))
-            Assert.Ignore("Node.js was missing when this was built");
+        Needs.Adapters();
         _folder = new TemporaryFolder();
     }
 

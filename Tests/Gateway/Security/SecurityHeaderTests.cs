@@ -20,7 +20,7 @@ public sealed class SecurityHeaderTests : IDisposable
     [TestCase("/pair")]
     public async Task Page_Served_AllowsOnlyItsOwnScript(string path)
     {
-        if (OperationsPage.Html == null) Assert.Ignore("built without Node.js");
+        Needs.BuiltByNode(OperationsPage.Html != null);
         using var folder = new TemporaryFolder();
         var headsets = new Nowpose.Gateway.Pairing.HeadsetList(Path.Combine(folder.Path, "headsets.txt"));
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Headsets = headsets });
@@ -43,7 +43,7 @@ public sealed class SecurityHeaderTests : IDisposable
     [TestCase("/nowhere", HttpStatusCode.Unauthorized)]
     public async Task Answer_WithAnyStatus_ForbidsSniffingAndFraming(string path, HttpStatusCode status)
     {
-        if (OperationsPage.Html == null) Assert.Ignore("built without Node.js");
+        Needs.BuiltByNode(OperationsPage.Html != null);
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
 
         using var answer = await GetAsync(gateway, path);
@@ -58,7 +58,7 @@ public sealed class SecurityHeaderTests : IDisposable
     [Test]
     public void Pages_OpenedFromDisk_AllowOnlyTheirOwnScript()
     {
-        if (!ReportPage.HasPlots) Assert.Ignore("built without Node.js");
+        Needs.BuiltByNode(ReportPage.HasPlots);
 
         foreach (var page in new[] { ReportPage.Render("{}"), FiguresPage.Render("{}"), CalibrationPage.Render("{}") })
         {

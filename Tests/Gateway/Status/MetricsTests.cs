@@ -45,7 +45,7 @@ public class MetricsTests
 
     static JsonNode Parse(string text)
     {
-        if (!File.Exists(Python)) Assert.Ignore($"{Python} is not installed");
+        Needs.Program(File.Exists(Python), "python3");
         var start = new ProcessStartInfo(Python) { RedirectStandardInput = true, RedirectStandardOutput = true, RedirectStandardError = true };
         start.ArgumentList.Add("-c");
         start.ArgumentList.Add(Parser);
@@ -55,7 +55,7 @@ public class MetricsTests
         process.StandardInput.Close();
         var output = process.StandardOutput.ReadToEnd();
         Assert.That(process.WaitForExit(Soon.Limit), Is.True);
-        if (errors.Result.Contains("No module named 'prometheus_client'")) Assert.Ignore("python3-prometheus-client is not installed");
+        Needs.Program(!errors.Result.Contains("No module named 'prometheus_client'"), "python3-prometheus-client");
         Assert.That(process.ExitCode, Is.EqualTo(0), errors.Result);
         return JsonNode.Parse(output);
     }
