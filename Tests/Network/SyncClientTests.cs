@@ -126,21 +126,23 @@ public class SyncClientTests
     [Test]
     public async Task Exchange_ReplySentByteByByte_TimesOut()
     {
+        var sent = 0;
         using var listener = new FakeTcpServer(stream =>
         {
             stream.ReadExactly(new byte[SyncFrame.Size]);
-            for (var i = 0; i < SyncFrame.Size; i++)
+            for (; sent < SyncFrame.Size; sent++)
             {
                 stream.WriteByte(0);
+                // Until the client closes the connection, its next byte takes 0.3 s.
                 Thread.Sleep(300);
             }
         });
         var (client, _) = Connect(listener.Port);
         using (client)
         {
-            var took = await Soon.BecomesAsync(() => listener.Connections >= 2, "a second connection");
+            await Soon.BecomesAsync(() => listener.Connections >= 2, "a second connection");
 
-            Assert.That(took, Is.LessThan(TimeSpan.FromSeconds(12)), "48 bytes would take 14 s");
+            Assert.That(sent, Is.LessThan(SyncFrame.Size));
         }
     }
 

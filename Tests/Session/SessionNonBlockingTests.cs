@@ -40,21 +40,20 @@ public class SessionNonBlockingTests
         Assert.That(Stopwatch.GetElapsedTime(since), Is.LessThan(Bearable), what);
     }
 
-    static void RequireQuick(CompensationSession session, Action meanwhile)
+    static void RequireQuick(CompensationSession session, Action meanwhile = null)
     {
         using (session)
         {
             RequireQuick(session.Connect, "connect");
-            meanwhile();
+            meanwhile?.Invoke();
             RequireQuick(session.Disconnect, "disconnect");
             RequireQuick(session.Connect, "connect again");
-            meanwhile();
+            meanwhile?.Invoke();
             RequireQuick(session.Dispose, "dispose");
         }
     }
 
-    // Gives the connections time to start waiting for a response. No event indicates when they wait.
-    static void AMoment() => Thread.Sleep(50);
+    static void Until(Func<bool> condition, string what) => Soon.BecomesAsync(condition, what).GetAwaiter().GetResult();
 
     [Test]
     public async Task Session_ServerAcceptsWithoutAnswer_DoesNotBlock()
@@ -64,11 +63,8 @@ public class SessionNonBlockingTests
         using var webSocket = new FakeTcpServer(_ => release.Wait(Soon.Limit));
         using var session = Session("127.0.0.1", sync.Port, webSocket.Port);
 
-        await Task.Run(() => RequireQuick(session, () =>
-        {
-            Soon.BecomesAsync(() => sync.Connections > 0 && webSocket.Connections > 0, "both connections").GetAwaiter().GetResult();
-            AMoment();
-        }));
+        await Task.Run(() => RequireQuick(
+            session, () => Until(() => sync.Connections > 0 && webSocket.Connections > 0, "both connections")));
 
         release.Set();
     }
@@ -96,7 +92,7 @@ public class SessionNonBlockingTests
         using var deaf = new UnresponsiveHost();
         using var session = Session("127.0.0.1", deaf.Port, deaf.Port);
 
-        RequireQuick(session, AMoment);
+        RequireQuick(session, () => Until(() => deaf.Dials >= 2, "both connections wait"));
     }
 
     [Test]
@@ -104,7 +100,7 @@ public class SessionNonBlockingTests
     {
         using var session = Session("gateway.invalid", 47010, 47011);
 
-        RequireQuick(session, AMoment);
+        RequireQuick(session);
     }
 
     [Test]
@@ -112,9 +108,10 @@ public class SessionNonBlockingTests
     {
         using var release = new ManualResetEventSlim();
         using var sync = new FakeTcpServer(_ => release.Wait(Soon.Limit));
-        using var session = Session("127.0.0.1", sync.Port, 1, (_, _) => new BlockingLink(release));
+        var opened = 0;
+        using var session = Session("127.0.0.1", sync.Port, 1, (_, _) => new BlockingLink(() => Interlocked.Increment(ref opened), release));
 
-        RequireQuick(session, AMoment);
+        RequireQuick(session, () => Until(() => sync.Connections > 0 && Volatile.Read(ref opened) > 0, "both connections wait"));
 
         release.Set();
     }
@@ -129,7 +126,7 @@ public class SessionNonBlockingTests
             new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
         var sync = new SyncClient(settings, clock, synchroniser, new SyncFaultCounters(), new ExchangePace(TimeSpan.FromMilliseconds(200), TimeSpan.FromSeconds(2), new Random(1)));
         var rosbridge = new RosbridgeClient(() => WebSocketLinks.Create(settings, clock), clock, Session("127.0.0.1", 1, 1).Listener, Subscribed.ToRobot());
-        await Task.Run(AMoment);
+        await Soon.BecomesAsync(() => deaf.Dials >= 2, "both connections wait");
 
         sync.Dispose();
         rosbridge.Dispose();
@@ -143,13 +140,18 @@ public class SessionNonBlockingTests
     {
         readonly Socket _listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
         readonly List<Socket> _fill = [];
+        readonly int _ownDials;
 
         public UnresponsiveHost()
         {
             _listener.Bind(new IPEndPoint(IPAddress.Loopback, 0));
             _listener.Listen(1);
             while (_fill.Count < 16 && Connects()) { }
+            _ownDials = UnansweredDials();
         }
+
+        /// <summary>Number of connection requests of the tested code that wait for a response.</summary>
+        public int Dials => UnansweredDials() - _ownDials;
 
         public int Port => ((IPEndPoint)_listener.LocalEndPoint).Port;
 
@@ -158,6 +160,9 @@ public class SessionNonBlockingTests
             _listener.Dispose();
             foreach (var socket in _fill) socket.Dispose();
         }
+
+        // 02 is the state SYN_SENT. The local port differs from this one.
+        int UnansweredDials() => File.ReadLines("/proc/net/tcp").Count(line => line.Contains($"0100007F:{Port:X4} 02 "));
 
         bool Connects()
         {
@@ -168,10 +173,11 @@ public class SessionNonBlockingTests
     }
 
     /// <summary>A link that blocks the calling thread when it is opened or disposed.</summary>
-    sealed class BlockingLink(ManualResetEventSlim release) : IWebSocketLink
+    sealed class BlockingLink(Action opened, ManualResetEventSlim release) : IWebSocketLink
     {
         public Task OpenAsync(CancellationToken cancel)
         {
+            opened();
             release.Wait(Soon.Limit, CancellationToken.None);
             return Task.FromException(new IOException("released"));
         }

@@ -65,11 +65,9 @@ public class PlantEndToEndTests
         Assert.That(score.CurrentShare, Is.GreaterThan(0), score.ToString());
         // Each exchange measures the bound, so the bound holds even on a busy machine.
         Assert.That(score.BoundHolds, Is.EqualTo(1), score.ToString());
-        // The other limits are wide, because a busy machine delays samples and frames. They only detect a wrong clock, unit or order of joints.
-        // Tests in virtual time check by how much prediction reduces the error.
-        Assert.That(score.Reduction, Is.GreaterThan(0.3), score.ToString());
-        Assert.That(score.ClockErrorMs, Is.LessThan(Math.Max(1, score.ClockBoundMs)), score.ToString());
-        Assert.That(score.HoldRms, Is.GreaterThan(8), "without prediction, the error of a moving robot is large");
+        // The newest sample is at most two sampling intervals older than the newest stamp. A wrong clock, unit or order of joints gives a larger
+        // difference. Tests in virtual time check by how much prediction reduces the error.
+        Assert.That(score.SampleError, Is.LessThan(0.05), score.ToString());
     }
 
     static ConnectionSettings ConnectionTo(PeerProcess gateway) => new(

@@ -14,7 +14,7 @@ sealed class PlantScore(IPlantTruth plant, RobotModel robot, TimeSpan visualisat
 
     readonly ToolKinematics _kinematics = new(robot);
     readonly double[] _truth = new double[robot.MovingJoints.Count];
-    readonly List<double> _shown = [], _held = [], _clock = [], _bound = [], _light = [];
+    readonly List<double> _shown = [], _held = [], _clock = [], _bound = [], _light = [], _sample = [];
     int _played;
 
     public double Rms => Root(_shown);
@@ -32,6 +32,12 @@ sealed class PlantScore(IPlantTruth plant, RobotModel robot, TimeSpan visualisat
 
     /// <summary>Fraction of the frames in which the true error of the clock was within the error bound.</summary>
     public double BoundHolds => _clock.Zip(_bound).Count(pair => pair.First <= pair.Second) / (double)_clock.Count;
+
+    /// <summary>
+    /// Median over the frames of the largest difference between the newest sample of a joint and its true position at the sample's time stamp, in rad
+    /// or m.
+    /// </summary>
+    public double SampleError => _sample.Order().ElementAt(_sample.Count / 2);
 
     /// <summary>95th percentile of the absolute error of the display time for which a pose was predicted, in ms.</summary>
     public double LightErrorMs => P95(_light);
@@ -52,7 +58,7 @@ sealed class PlantScore(IPlantTruth plant, RobotModel robot, TimeSpan visualisat
     public override string ToString() => string.Create(CultureInfo.InvariantCulture,
         $"{_shown.Count} of {_played} frames, tool {HoldRms:0.0} -> {Rms:0.00} mm RMS ({100 * Reduction:0.0} %), "
         + $"clock P95 {ClockErrorMs:0.000} ms, bound P95 {ClockBoundMs:0.000} ms "
-        + $"(holds in {100 * BoundHolds:0.0} %), light P95 {LightErrorMs:0.000} ms");
+        + $"(holds in {100 * BoundHolds:0.0} %), light P95 {LightErrorMs:0.000} ms, samples {SampleError:0.0000} rad");
 
     void Score(DisplayFrame frame, in ClockModel clock, HeadsetTime now)
     {
@@ -63,6 +69,10 @@ sealed class PlantScore(IPlantTruth plant, RobotModel robot, TimeSpan visualisat
         _held.Add(tool.DistanceMm(_kinematics.At(frame.HeldJoints)));
         _clock.Add(Math.Abs((clock.ToControl(now) - plant.TimeAt(now)).TotalMilliseconds));
         _bound.Add(clock.ErrorBound.TotalMilliseconds);
+        plant.TruthAt(robot, frame.DisplayTime.Value - frame.Horizon.Value, _truth);
+        var largest = 0.0;
+        for (var i = 0; i < _truth.Length; i++) largest = Math.Max(largest, Math.Abs(frame.HeldJoints[i] - _truth[i]));
+        _sample.Add(largest);
         _light.Add(Math.Abs((frame.DisplayTime.Value - light).TotalMilliseconds));
     }
 

@@ -26,6 +26,13 @@ sealed record ShownStatus(JsonElement State, HttpStatusCode ReadyCode, string Re
 
     public static string Text(JsonElement element, string key) => element.TryGetProperty(key, out var value) ? value.ToString() : "";
 
+    /// <summary>Whether all joints have this state.</summary>
+    public bool AreAll(string state) => Joints.All(joint => Text(joint, "state") == state);
+
+    /// <summary>Whether all joints except this one have values of the last second.</summary>
+    public bool AreOthersLive(string joint) => Joints.Where(other => Text(other, "name") != joint)
+        .All(other => Text(other, "state") == "live" && other.GetProperty("age_s").GetDouble() < 1);
+
     /// <summary>Whether the headset is synchronised but has no current pose only because this joint is missing.</summary>
     public bool IsHeadsetWithout(string joint) => Headset is { } headset && Text(headset, "level") == "2"
         && GoodClocks.Contains(ValueOf(headset, "state")) && !GoodPoses.Contains(ValueOf(headset, "pose")) && ValueOf(headset, "missing_joints") == joint;

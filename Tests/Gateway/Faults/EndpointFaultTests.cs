@@ -14,14 +14,14 @@ public class EndpointFaultTests
     [Test]
     public async Task Gateway_KilledAndRestarted_HeadsetShowsTheFaultAndRecovers()
     {
-        using var first = await SimulateAsync(0, 0);
-        var (sync, positions) = (int.Parse(first.ValueOf("sync").Split(':')[1]), new Uri(first.ValueOf("websocket")).Port);
-        using var headset = new FaultHeadset(sync, positions);
+        using ReservedPort sync = new(), positions = new();
+        using var first = await SimulateAsync(sync.Port, positions.Port);
+        using var headset = new FaultHeadset(sync.Port, positions.Port);
         await headset.BecomesAsync(PoseState.Current);
 
         await first.SignalAsync("KILL");
         await headset.BecomesAsync(() => headset.State != PoseState.Current, "no longer shown as current");
-        using var second = await SimulateAsync(sync, positions);
+        using var second = await SimulateAsync(sync.Port, positions.Port);
         var took = await headset.BecomesAsync(PoseState.Current);
 
         Recovery.Print("gateway process killed and started again, from serving to a current pose", took);
@@ -77,21 +77,12 @@ public class EndpointFaultTests
         await headset.BecomesAsync(PoseState.Current);
     }
 
-    // Repeats a failed start, because another program may use one of the ports for a moment after the first gateway has ended.
-    static async Task<PeerProcess> SimulateAsync(int sync, int positions, int attempts = 5)
+    static async Task<PeerProcess> SimulateAsync(int sync, int positions)
     {
         var gateway = new PeerProcess(
             "Nowpose.Gateway.dll", "simulate", "--sync-port", sync.ToString(), "--ws-port", positions.ToString(), "--acquisition-ms", "10-20");
-        try
-        {
-            await gateway.PrintsAsync("state serving");
-            return gateway;
-        }
-        catch (InvalidOperationException) when (attempts > 1)
-        {
-            gateway.Dispose();
-            return await SimulateAsync(sync, positions, attempts - 1);
-        }
+        await gateway.PrintsAsync("state serving");
+        return gateway;
     }
 
     static async Task PublishAsync(RawRosbridgeClient plant, StopwatchControlClock clock, CancellationToken stop)

@@ -12,6 +12,7 @@ namespace Nowpose.Headless.Tests.Gateway.Faults;
 
 /// <summary>Tests that a flood of fast or slow connections does not affect a connected headset.</summary>
 /// <remarks>These tests run alone, because they count handles and threads of the process, and the flood would disturb other tests.</remarks>
+[NonParallelizable]
 public class FloodTests
 {
     const int Connects = 10_000;

@@ -12,7 +12,7 @@ namespace Nowpose.Headless.Tests.Gateway.Faults;
 public class PathFaultTests
 {
     [Test]
-    public async Task Wifi_LostFor30Seconds_HeadsetShowsTheFaultAndRecovers()
+    public async Task Wifi_LostUntilTheGatewayGivesUp_HeadsetShowsTheFaultAndRecovers()
     {
         var clock = new StopwatchControlClock(Gateways.Start);
         await using var gateway = await Gateways.StartAsync(clock: clock);
@@ -21,20 +21,17 @@ public class PathFaultTests
         using var positions = new QuietPath(gateway.WebSocketEndPoint);
         using var headset = new FaultHeadset(sync.Port, positions.Port);
         await headset.BecomesAsync(PoseState.Current);
-        var since = Stopwatch.GetTimestamp();
 
         sync.GoQuiet();
         positions.GoQuiet();
         await headset.BecomesAsync(() => headset.State != PoseState.Current, "no longer shown as current");
         await headset.BecomesAsync(
             () => headset.State != PoseState.Current && gateway.WebSocketConnections.Open == 0, "the gateway has given up the WebSocket");
-        await headset.BecomesAsync(() => Stopwatch.GetElapsedTime(since) > TimeSpan.FromSeconds(30), "30 s");
-        Assert.That(headset.State, Is.Not.EqualTo(PoseState.Current));
         sync.Recover();
         positions.Recover();
         var took = await headset.BecomesAsync(PoseState.Current);
 
-        Recovery.Print("WiFi gone for 30 s", took);
+        Recovery.Print("WiFi gone until the gateway has given up the WebSocket", took);
         await headset.BecomesAsync(() => headset.IsClockCorrect(clock), "the estimate of the clock is correct");
     }
 
