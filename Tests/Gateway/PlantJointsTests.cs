@@ -1,11 +1,9 @@
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Plants;
 using Nowpose.Headless.Tests.Cli;
-using Nowpose.Headless.Tests.Replay;
 using Nowpose.Kinematics;
 using Nowpose.Motion;
 using NUnit.Framework;
-using RecordedPlant = Nowpose.Gateway.Plants.RecordedMotion;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
@@ -17,10 +15,10 @@ public class PlantJointsTests
         + "</robot>",
         "chain.urdf");
 
-    static RecordedPlant Recorded(RobotModel robot)
+    static RecordedMotion Recorded(RobotModel robot)
     {
         using var file = new TemporaryFile("t,j1\n0,0\n1,1\n");
-        return new RecordedPlant(MotionRecording.Read(file.Path), robot);
+        return new RecordedMotion(MotionRecording.Read(file.Path), robot);
     }
 
     [Test]

@@ -1,9 +1,7 @@
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Plants;
 using Nowpose.Headless.Tests.Cli;
-using Nowpose.Headless.Tests.Replay;
 using NUnit.Framework;
-using RecordedPlant = Nowpose.Gateway.Plants.RecordedMotion;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
@@ -11,13 +9,13 @@ public class RecordedPlantTests
 {
     const string Rows = "0,0.1,0.2\n1,0.3,0.6\n3,0.5,0.4\n";
 
-    static RecordedPlant Played(string header, string robot)
+    static RecordedMotion Played(string header, string robot)
     {
         using var file = new TemporaryFile(header + "\n" + Rows);
-        return new RecordedPlant(MotionRecording.Read(file.Path), RobotFiles.Load(robot));
+        return new RecordedMotion(MotionRecording.Read(file.Path), RobotFiles.Load(robot));
     }
 
-    static double[] At(RecordedPlant motion, double seconds)
+    static double[] At(RecordedMotion motion, double seconds)
     {
         var positions = new double[motion.JointNames.Count];
         motion.At(seconds, positions);
@@ -67,7 +65,7 @@ public class RecordedPlantTests
     {
         using var file = new TemporaryFile("t,a,b,c,d,e,f,g\n0,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1\n");
 
-        var error = Assert.Throws<InputException>(() => new RecordedPlant(MotionRecording.Read(file.Path), RobotFiles.Load("ur5")));
+        var error = Assert.Throws<InputException>(() => new RecordedMotion(MotionRecording.Read(file.Path), RobotFiles.Load("ur5")));
 
         Assert.That(error.Message, Does.Contain("7 columns").And.Contain("6 joints").And.Not.Contain("\n"));
     }

@@ -5,12 +5,13 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Repository;
 
 /// <summary>
-/// Checks that each namespace is the assembly's root namespace plus the folder path below it, and that each folder holds at least three
-/// files.
+/// Checks that each namespace is the assembly's root namespace plus the folder path below it, that each folder holds at least three files, and that
+/// no source file is long.
 /// </summary>
 public sealed partial class FolderTests
 {
     const int MinFiles = 3;
+    const int MaxLines = 300;
 
     /// <summary>The stand-ins have the namespaces of the packages that they replace.</summary>
     const string StandIn = "Headless/StandIn/";
@@ -71,6 +72,15 @@ public sealed partial class FolderTests
             .Where(folder => files.Count(file => IsBelow(file, folder)) < MinFiles);
 
         Assert.That(small, Is.Empty, "move their files to a folder with the same subject");
+    }
+
+    [Test]
+    public void SourceFile_Each_HasAtMost300Lines()
+    {
+        var tooLong = RepositoryFiles.All.Where(file => Path.GetExtension(file) is ".cs" or ".ts" or ".mjs" or ".css" or ".html" or ".shader" or ".hlsl")
+            .Where(file => File.ReadLines(Path.Combine(RepositoryFiles.Root, file)).Count() > MaxLines);
+
+        Assert.That(tooLong, Is.Empty, "split them by subject");
     }
 
     static IEnumerable<string> FoldersOf(string path)

@@ -40,35 +40,35 @@ namespace Nowpose.Sync
         internal bool IsRestarted { get; private set; }
 
         /// <summary>Returns the clock model for a frame.</summary>
-        /// <param name="believed">The synchroniser's model at <paramref name="now"/>.</param>
+        /// <param name="estimate">The synchroniser's model at <paramref name="now"/>.</param>
         /// <param name="now">Start of the frame. If it is before the start in the last call, the last model is returned and nothing changes.</param>
-        public ClockModel Follow(in ClockModel believed, HeadsetTime now)
+        public ClockModel Follow(in ClockModel estimate, HeadsetTime now)
         {
-            IsRestarted = believed.Steps != _shown.Steps || believed.IsKnown != _shown.IsKnown;
+            IsRestarted = estimate.Steps != _shown.Steps || estimate.IsKnown != _shown.IsKnown;
             // An early line through two late replies can be so steep that time would go back.
-            var skew = ClockLine.LimitSkew(believed.Skew);
-            if (!believed.IsKnown || !_shown.IsKnown || believed.Steps != _shown.Steps)
+            var skew = ClockLine.LimitSkew(estimate.Skew);
+            if (!estimate.IsKnown || !_shown.IsKnown || estimate.Steps != _shown.Steps)
             {
                 _isCatchingUp = false;
                 return Show(new ClockModel(
-                    now, believed.OffsetAt(now), skew, believed.ErrorBound, believed.State, believed.Steps, believed.EstimatedError), now);
+                    now, estimate.OffsetAt(now), skew, estimate.ErrorBound, estimate.State, estimate.Steps, estimate.EstimatedError), now);
             }
             if (now < _at) return _shown;
 
             var passed = now - _at;
-            _isCatchingUp |= believed.State == ClockState.Converging;
-            var allowed = (long)(passed.Ticks * RateOf(_isCatchingUp ? ClockState.Converging : believed.State));
+            _isCatchingUp |= estimate.State == ClockState.Converging;
+            var allowed = (long)(passed.Ticks * RateOf(_isCatchingUp ? ClockState.Converging : estimate.State));
             // The change of the offset due to the skew does not count as a correction.
             var carried = _shown.OffsetAt(_at) + new TimeSpan((long)Math.Round(passed.Ticks * skew));
-            var correction = (believed.OffsetAt(now) - carried).Ticks;
+            var correction = (estimate.OffsetAt(now) - carried).Ticks;
             var taken = Math.Max(-allowed, Math.Min(allowed, correction));
             var left = new TimeSpan(Math.Abs(correction - taken));
-            _isCatchingUp &= believed.State == ClockState.Converging || left > TimeSpan.Zero;
-            var state = _isCatchingUp ? ClockState.Converging : believed.State;
+            _isCatchingUp &= estimate.State == ClockState.Converging || left > TimeSpan.Zero;
+            var state = _isCatchingUp ? ClockState.Converging : estimate.State;
             return Show(
                 new ClockModel(
-                    now, carried + new TimeSpan(taken), skew, believed.ErrorBound + left, state, believed.Steps,
-                    believed.EstimatedError + left), now);
+                    now, carried + new TimeSpan(taken), skew, estimate.ErrorBound + left, state, estimate.Steps,
+                    estimate.EstimatedError + left), now);
         }
 
         static double RateOf(ClockState state) =>

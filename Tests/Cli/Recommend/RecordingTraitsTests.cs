@@ -1,0 +1,87 @@
+using Nowpose.Cli.Recommend;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Recommend;
+
+public class RecordingTraitsTests
+{
+    const int Seed = 11;
+
+    // Returns the traits of a recording of 12 s at 100 Hz.
+    static RecordingTraits Traits(Func<double, double> position, Func<int, double> time = null, int count = 1201)
+    {
+        var times = Enumerable.Range(0, count).Select(i => time?.Invoke(i) ?? i * 0.01).ToArray();
+        return new RecordingTraits([new JointSeries("a", times, [.. times.Select(position)])]);
+    }
+
+    [Test]
+    public void Warnings_CleanSwing_AreEmpty()
+    {
+        var traits = Traits(Math.Sin);
+
+        Assert.That(traits.Duration, Is.EqualTo(12).Within(1e-9));
+        Assert.That(traits.Interval, Is.EqualTo(0.01).Within(1e-9));
+        Assert.That(traits.Repeats, Is.EqualTo(0));
+        Assert.That(traits.RoundingSteps, Is.Empty);
+        Assert.That(traits.Warnings(), Is.Empty);
+    }
+
+    [Test]
+    public void Warnings_ShortRecording_StateTheDuration()
+    {
+        Assert.That(Traits(Math.Sin, count: 501).Warnings().Single(), Does.StartWith("the recording is only 5.0 s long"));
+    }
+
+    [Test]
+    public void Warnings_NoMotion_ReportThatNoJointMoves()
+    {
+        Assert.That(Traits(t => 1 + 1e-6 * Math.Sin(t)).Warnings().Single(), Does.StartWith("no joint moves"));
+    }
+
+    [Test]
+    public void Warnings_UnevenStamps_StateTheirSpread()
+    {
+        var random = new Random(Seed);
+
+        var traits = Traits(Math.Sin, i => i * 0.01 + 0.004 * random.NextDouble());
+
+        Assert.That(traits.Warnings().Single(), Does.Match(@"time stamps are (6|7)\.\d to 1(2|3)\.\d ms long"), $"seed {Seed}");
+    }
+
+    [Test]
+    public void Repeats_RecordingRateAboveTheUpdateRate_IsTheShareOfRepeatedSamples()
+    {
+        // Every fifth sample repeats the previous one.
+        var traits = Traits(t => Math.Sin(Math.Round(t * 100) % 5 == 4 ? Math.Round(t * 100 - 1) / 100 : Math.Round(t * 100) / 100));
+
+        Assert.That(traits.Repeats, Is.EqualTo(0.2).Within(0.01));
+        Assert.That(traits.Warnings().Single(), Does.Contain("% of a moving joint's samples repeat"));
+    }
+
+    [TestCase(1e-4)]
+    [TestCase(0.0005)]
+    public void RoundingSteps_RoundedValues_ContainTheStep(double step)
+    {
+        var traits = Traits(t => Math.Round(Math.Sin(t) / step) * step);
+
+        Assert.That(traits.RoundingSteps.Single().Step, Is.EqualTo(step).Within(1e-9));
+    }
+
+    [Test]
+    public void MiddleOf_MotionEndsAtRest_IsAtHalfTheDistance()
+    {
+        double[] ways = [.. Enumerable.Repeat(1.0, 40), .. Enumerable.Repeat(0.0, 40)];
+
+        Assert.That(MotionHalves.MiddleOf(ways), Is.EqualTo(20));
+        Assert.That(MotionHalves.MiddleOf([.. ways.Reverse()]), Is.EqualTo(60));
+    }
+
+    [Test]
+    public void MiddleOf_JumpOrStandstill_KeepsTheMinimumOnBothSides()
+    {
+        double[] jump = [1.0, .. Enumerable.Repeat(0.0, 99)];
+
+        Assert.That(MotionHalves.MiddleOf(jump), Is.EqualTo(20));
+        Assert.That(MotionHalves.MiddleOf(new double[100]), Is.EqualTo(50));
+    }
+}

@@ -1,0 +1,179 @@
+using System.Text.Json;
+using Nowpose.Headless.Tests.Cli;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Replay;
+
+public class ReplayVerbTests
+{
+    string _folder;
+    string _file;
+
+    [SetUp]
+    public void WriteRecording()
+    {
+        _folder = Directory.CreateTempSubdirectory("nowpose-replay-").FullName;
+        _file = new MotionFile(10, MotionFile.EvenTimes(4, 0.01m), Math.Sin, t => Math.Cos(2 * t)).WriteTo(_folder);
+    }
+
+    [TearDown]
+    public void DeleteFolder() => Directory.Delete(_folder, recursive: true);
+
+    static Task<CliRun> Run(params string[] arguments) => CliRun.OfAsync(["replay", .. arguments]);
+
+    async Task<JsonElement> RunJson(params string[] arguments)
+    {
+        var run = await Run([_file, "--json", .. arguments]);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        using var json = JsonDocument.Parse(run.Output);
+        return json.RootElement.Clone();
+    }
+
+    static string[] Keys(JsonElement element) => [.. element.EnumerateObject().Select(property => property.Name)];
+
+    [Test]
+    public async Task Replay_MotionAsJson_HasTheDocumentedKeys()
+    {
+        var result = await RunJson();
+
+        Assert.That(Keys(result), Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction" }));
+        Assert.That(Keys(result.GetProperty("axes")[1]), Is.EqualTo(new[] { "name", "rms_hold", "rms", "p95", "max" }));
+        Assert.That(result.GetProperty("axes").EnumerateArray().Select(axis => axis.GetProperty("name").GetString()),
+            Is.EqualTo(new[] { "q1", "q2" }));
+        Assert.That(result.GetProperty("file").GetString(), Is.EqualTo(_file));
+        Assert.That(result.GetProperty("predictor").GetString(), Is.EqualTo("adaptive"));
+        Assert.That(result.GetProperty("reduction").GetDouble(), Is.GreaterThan(0.9));
+    }
+
+    [Test]
+    public async Task Replay_RobotAtRest_HasNullReduction()
+    {
+        File.WriteAllText(_file, "t,a\n0,1\n2,1\n");
+
+        Assert.That((await RunJson()).GetProperty("reduction").ValueKind, Is.EqualTo(JsonValueKind.Null));
+    }
+
+    // Each option alone must change one result in the expected direction.
+    [TestCase("--sampling-ms=100", "rms", 1)]
+    [TestCase("--latency-ms=200", "rms_hold", 1)]
+    [TestCase("--latency-ms=50", "rms_hold", -1)]
+    [TestCase("--fps=120", "frames", 1)]
+    [TestCase("--predictor=linear", "rms", 1)]
+    [TestCase("--latency-error-ms=20", "rms", 1)]
+    [TestCase("--stamp-error-ms=5", "rms", 1)]
+    [TestCase("--jitter-ms=40", "rms_hold", 1)]
+    [TestCase("--loss=0.3", "rms_hold", 1)]
+    [TestCase("--blend-ms=50", "rms", 1)]
+    public async Task Replay_Option_IsApplied(string option, string key, int sign)
+    {
+        var plain = (await RunJson()).GetProperty(key).GetDouble();
+
+        var joined = (await RunJson(option)).GetProperty(key).GetDouble();
+        var apart = (await RunJson(option.Split('='))).GetProperty(key).GetDouble();
+
+        Assert.That(sign * (joined - plain), Is.GreaterThan(0.01 * plain));
+        Assert.That(apart, Is.EqualTo(joined));
+    }
+
+    [Test]
+    public async Task Replay_SeedOption_ChangesOnlyRandomConditions()
+    {
+        var jittered = (await RunJson("--jitter-ms", "40", "--seed", "1")).GetProperty("rms").GetDouble();
+
+        Assert.That((await RunJson("--jitter-ms", "40", "--seed", "2")).GetProperty("rms").GetDouble(), Is.Not.EqualTo(jittered));
+        Assert.That((await RunJson("--seed", "2")).GetProperty("rms").GetDouble(),
+            Is.EqualTo((await RunJson()).GetProperty("rms").GetDouble()));
+    }
+
+    [Test]
+    public async Task Replay_Motion_PrintsEveryAxisToStdout()
+    {
+        var run = await Run(_file);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0));
+        Assert.That(run.Errors, Is.Empty);
+        Assert.That(run.Output, Does.Contain("q1").And.Contain("q2")
+            .And.Contain("uncompensated RMS").And.Contain("motion.csv: adaptive"));
+    }
+
+    [TestCase("--sampling-ms", "0", "0.1 to 10000 ms")]
+    [TestCase("--sampling-ms", "-5", "0.1 to 10000 ms")]
+    [TestCase("--sampling-ms", "NaN", "0.1 to 10000 ms")]
+    [TestCase("--sampling-ms", "fast", "0.1 to 10000 ms")]
+    [TestCase("--sampling-ms", "5,5", "0.1 to 10000 ms")]
+    [TestCase("--latency-ms", "-1", "0 to 10000 ms")]
+    [TestCase("--latency-ms", "Infinity", "0 to 10000 ms")]
+    [TestCase("--fps", "0", "1 to 1000")]
+    [TestCase("--fps", "1e9", "1 to 1000")]
+    [TestCase("--latency-error-ms", "1e5", "-10000 to 10000 ms")]
+    [TestCase("--stamp-error-ms", "-1", "0 to 10000 ms")]
+    [TestCase("--jitter-ms", "-1", "0 to 10000 ms")]
+    [TestCase("--loss", "1.1", "0 to 1")]
+    [TestCase("--loss", "-0.1", "0 to 1")]
+    [TestCase("--seed", "1.5", "")]
+    [TestCase("--predictor", "quartic", "hold, linear, quadratic, cubic")]
+    [TestCase("--window", "3", "--window")]
+    public async Task Replay_InvalidOption_PrintsOneLineAndExitsWith2(string option, string value, string allowed)
+    {
+        var run = await Run(_file, option, value);
+
+        AssertRefused(run, option, allowed);
+    }
+
+    [TestCase("--fps")]
+    [TestCase("--sampling-ms")]
+    [TestCase("--predictor")]
+    public async Task Replay_OptionWithoutValue_PrintsOneLineAndExitsWith2(string option)
+    {
+        var run = await Run(_file, option);
+
+        AssertRefused(run, option);
+    }
+
+    [Test]
+    public async Task Replay_NoFile_PrintsOneLineAndExitsWith2()
+    {
+        var run = await Run();
+
+        AssertRefused(run, "'FILE'");
+    }
+
+    [Test]
+    public async Task Replay_FileMissing_PrintsOneLineAndExitsWith2()
+    {
+        var run = await Run(Path.Combine(_folder, "none.csv"));
+
+        AssertRefused(run, "none.csv", "file not found");
+    }
+
+    [TestCase("t,a\n0,1\n1,\n", "motion.csv:3: field 'a' is empty")]
+    [TestCase("t,a\n0,1\n1,x\n", "motion.csv:3: field 'a': 'x' is not a number")]
+    [TestCase("t,a\n1,1\n0,1\n", "motion.csv:3: field t: '0' s is not later than")]
+    [TestCase("t,a\n1,1\n", "motion.csv: 1 rows of data")]
+    [TestCase("t,a\n0,1\n0.2,2\n", "is too short")]
+    public async Task Replay_InvalidFile_PrintsOneLineAndExitsWith2(string content, string expected)
+    {
+        File.WriteAllText(_file, content);
+
+        var run = await Run(_file);
+
+        AssertRefused(run, expected);
+    }
+
+    [Test]
+    public async Task Replay_AllSamplesLost_PrintsOneLineAndExitsWith2()
+    {
+        var run = await Run(_file, "--loss", "1");
+
+        AssertRefused(run, "--loss 1", "no sample arrived");
+    }
+
+    static void AssertRefused(CliRun run, params string[] expected)
+    {
+        Assert.That(run.ExitStatus, Is.EqualTo(2), run.Errors);
+        Assert.That(run.Output, Is.Empty);
+        Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1), run.Errors);
+        foreach (var text in expected) Assert.That(run.Errors, Does.Contain(text));
+    }
+}

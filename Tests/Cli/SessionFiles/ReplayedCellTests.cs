@@ -1,0 +1,117 @@
+using System.Text.Json;
+using System.Text.Json.Nodes;
+using Nowpose.Cli.Replay;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.SessionFiles;
+
+public class ReplayedCellTests : SessionReplayFixture
+{
+    [Test]
+    public void Replay_FurtherRobotWithTheSameSamples_HasTheSameErrors()
+    {
+        VirtualRecording.To(_path, seconds: 8);
+        var lines = new List<string>();
+        foreach (var line in File.ReadLines(_path))
+        {
+            var fields = JsonNode.Parse(line);
+            var kind = (string)fields["kind"];
+            lines.Add(line);
+            if (kind == "session") lines.Add(RobotLine("arm2", fields["robot"]));
+            if (kind != "sample") continue;
+            fields["names"] = new JsonArray([.. fields["names"].AsArray().Select(name => (JsonNode)("arm2/" + name))]);
+            lines.Add(fields.ToJsonString());
+        }
+        File.WriteAllLines(_path, lines);
+
+        var session = RecordedSession.Read(_path);
+        var axes = new SessionReplay(_path, session, new SessionTruth(session), new ReplaySettings()).Run().Axes;
+
+        var (own, further) = (axes.Take(axes.Count / 2).ToArray(), axes.Skip(axes.Count / 2).ToArray());
+        Assert.That(further.Select(axis => axis.Name), Is.EqualTo(own.Select(axis => "arm2/" + axis.Name)));
+        Assert.That(further.Select(axis => axis.Rms), Is.EqualTo(own.Select(axis => axis.Rms)));
+        Assert.That(own.Max(axis => axis.Rms), Is.GreaterThan(0));
+    }
+
+    static string RobotLine(string name, JsonNode robot)
+    {
+        var line = new JsonObject { ["kind"] = "robot", ["namespace"] = name };
+        foreach (var (field, value) in robot.AsObject()) line[field] = value.DeepClone();
+        return line.ToJsonString();
+    }
+
+    [Test]
+    public async Task Replay_ObjectsAndSignals_ReportsErrorsOfObjectsAndChangesOfSignals()
+    {
+        VirtualRecording.To(_path, predictor: "adaptive", jitterMs: 20, loss: 0.02, hasWork: true);
+
+        var run = await Run("replay", _path, "--json");
+        var hold = await Run("replay", _path, "--json", "--predictor", "hold");
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        var result = JsonDocument.Parse(run.Output).RootElement;
+        var bodies = result.GetProperty("bodies").EnumerateArray().ToList();
+        Assert.That(bodies.Select(body => body.GetProperty("name").GetString()), Is.EqualTo(new[] { "workpiece_1", "workpiece_2", "workpiece_3" }));
+        foreach (var body in bodies)
+        {
+            Assert.That(body.GetProperty("frames").GetInt32(), Is.GreaterThan(50));
+            var error = body.GetProperty("error_mm");
+            Assert.That(error.GetProperty("rms").GetDouble(), Is.LessThan(0.3 * error.GetProperty("rms_hold").GetDouble()));
+        }
+
+        var held = JsonDocument.Parse(hold.Output).RootElement.GetProperty("bodies")[0].GetProperty("error_mm");
+        Assert.That(held.GetProperty("rms").GetDouble(), Is.EqualTo(held.GetProperty("rms_hold").GetDouble()).Within(1e-9));
+        var signals = result.GetProperty("signals").EnumerateArray().ToDictionary(one => one.GetProperty("name").GetString(), one => one.GetProperty("changes").GetInt32());
+        Assert.That(signals.Keys, Is.EquivalentTo(new[] { "gripper_closed", "belt_running", "part_present" }));
+        Assert.That(signals["gripper_closed"], Is.GreaterThan(2));
+        var table = await Run("replay", _path);
+        Assert.That(table.Output, Does.Contain("workpiece_1").And.Contain("signals: ").And.Contain("gripper_closed ("));
+    }
+
+    [Test]
+    public async Task Replay_SessionWithoutARobot_ReportsErrorsOfObjects()
+    {
+        VirtualRecording.To(_path, hasWork: true);
+        File.WriteAllLines(_path, File.ReadLines(_path).Where(line => !line.Contains("\"kind\":\"sample\"")).ToArray());
+
+        var run = await Run("replay", _path, "--json");
+        var table = await Run("replay", _path);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        var result = JsonDocument.Parse(run.Output).RootElement;
+        Assert.That(result.GetProperty("axes").GetArrayLength(), Is.Zero);
+        Assert.That(result.GetProperty("reduction").ValueKind, Is.EqualTo(JsonValueKind.Null));
+        Assert.That(result.GetProperty("bodies").GetArrayLength(), Is.EqualTo(3));
+        Assert.That(table.Output, Does.Contain("workpiece_1").And.Not.Contain("axis"));
+    }
+
+    [Test]
+    public async Task Replay_SessionWithoutObjects_ResultContainsNoObjects()
+    {
+        VirtualRecording.To(_path, seconds: 6);
+
+        var run = await Run("replay", _path, "--json");
+
+        var names = JsonDocument.Parse(run.Output).RootElement.EnumerateObject().Select(one => one.Name);
+        Assert.That(names, Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction" }));
+    }
+
+    [TestCase("\"rotation\":[0,0,0,2]", "field 'rotation' is not a rotation")]
+    [TestCase("\"rotation\":[0,0,1]", "field 'rotation' has 3 numbers; it must have 4")]
+    [TestCase("\"rotation\":\"none\"", "field 'rotation' must be an array")]
+    [TestCase("\"rotation\":[0,0,0,1]", "field 'position' has 2000000 m; allowed: -1000000 to 1000000 m", "[0,2e6,0]")]
+    [TestCase("\"rotation\":[0,0,0,1]", "field 'parent' is the frame itself; a frame must have another parent", "[0,0,0]", "part")]
+    [TestCase("\"rotation\":[0,0,0,1]", "field 'parent' is ''; allowed: 1 to 128 characters", "[0,0,0]", "")]
+    public async Task Replay_DamagedPose_NamesItsLineAndField(string rotation, string expected, string position = "[0,0,0]", string parent = "world")
+    {
+        VirtualRecording.To(_path, seconds: 6);
+        var lines = File.ReadAllLines(_path).ToList();
+        lines.Insert(5, $"{{\"kind\":\"pose\",\"arrival_ns\":1,\"stamp_ns\":1,\"frame\":\"part\",\"parent\":\"{parent}\",\"position\":{position},{rotation}}}");
+        File.WriteAllLines(_path, lines);
+
+        var run = await Run("replay", _path);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.Contain($"{_path}:6: {expected}"));
+    }
+}
