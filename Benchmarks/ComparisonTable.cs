@@ -9,13 +9,13 @@ static class ComparisonTable
     public static void Write(CostTable costs, TextWriter to)
     {
         if (costs.IsEmpty) return;
-        var errors = new ErrorStudy(Conditions.CheckingSeeds);
-        var baseline = Candidates.Named(Candidates.Baseline);
+        var errors = new ErrorStudy(ComparedMotions.CheckingSeeds);
+        var baseline = ComparedPredictors.Named(ComparedPredictors.Baseline);
 
         to.WriteLine();
-        to.WriteLine("| RMS error ÷ hold's | " + string.Join(" | ", Candidates.All.Select(candidate => candidate.Name)) + " |");
-        to.WriteLine("| --- |" + string.Concat(Candidates.All.Select(_ => " ---: |")));
-        foreach (var condition in Conditions.All) Row(to, condition.Name, candidate => Share(errors[candidate, condition]));
+        to.WriteLine("| RMS error ÷ hold's | " + string.Join(" | ", ComparedPredictors.All.Select(candidate => candidate.Name)) + " |");
+        to.WriteLine("| --- |" + string.Concat(ComparedPredictors.All.Select(_ => " ---: |")));
+        foreach (var condition in ComparedMotions.All) Row(to, condition.Name, candidate => Share(errors[candidate, condition]));
         Row(to, "geometric mean", candidate => Share(errors.Mean(candidate)));
         Row(to, "– ÷ quadratic's", candidate => Ratio(errors.Mean(candidate) / errors.Mean(baseline)));
         Row(to, "time per joint and sample, ns", candidate => Number(costs.Sample(candidate)?.Nanoseconds));
@@ -25,11 +25,11 @@ static class ComparisonTable
         Row(to, "allocated per sample, B", candidate => Number(costs.Sample(candidate)?.Bytes));
         Row(to, "allocated per frame, B", candidate => Number(costs.Frame(candidate)?.Bytes));
         to.WriteLine();
-        to.WriteLine($"Errors on seeds {string.Join(", ", Conditions.CheckingSeeds)}; constants of the last three tuned on {string.Join(", ", Conditions.TuningSeeds)}.");
+        to.WriteLine($"Errors on seeds {string.Join(", ", ComparedMotions.CheckingSeeds)}; constants of the last three tuned on {string.Join(", ", ComparedMotions.TuningSeeds)}.");
     }
 
-    static void Row(TextWriter to, string name, Func<Candidate, string> cell) =>
-        to.WriteLine($"| {name} | " + string.Join(" | ", Candidates.All.Select(cell)) + " |");
+    static void Row(TextWriter to, string name, Func<ComparedPredictor, string> cell) =>
+        to.WriteLine($"| {name} | " + string.Join(" | ", ComparedPredictors.All.Select(cell)) + " |");
 
     static string Share(double value) => value.ToString("0.000", CultureInfo.InvariantCulture);
 

@@ -6,7 +6,7 @@ namespace Nowpose.Benchmarks;
 /// <summary>The measured costs of each candidate, per sample and per frame of one joint.</summary>
 sealed class CostTable
 {
-    readonly Dictionary<(string Candidate, string Method), Cost> _costs = [];
+    readonly Dictionary<(string ComparedPredictor, string Method), Cost> _costs = [];
 
     /// <summary>Gets whether a measurement belongs to this table.</summary>
     public static bool Holds(BenchmarkReport report) => report.BenchmarkCase.Descriptor.Type == typeof(PredictorBenchmarks);
@@ -24,9 +24,9 @@ sealed class CostTable
 
     public bool IsEmpty => _costs.Count == 0;
 
-    public Cost? Sample(Candidate candidate) => Find(candidate, nameof(PredictorBenchmarks.Add));
+    public Cost? Sample(ComparedPredictor candidate) => Find(candidate, nameof(PredictorBenchmarks.Add));
 
-    public Cost? Frame(Candidate candidate) => Find(candidate, nameof(PredictorBenchmarks.At));
+    public Cost? Frame(ComparedPredictor candidate) => Find(candidate, nameof(PredictorBenchmarks.At));
 
-    Cost? Find(Candidate candidate, string method) => _costs.TryGetValue((candidate.Name, method), out var cost) ? cost : null;
+    Cost? Find(ComparedPredictor candidate, string method) => _costs.TryGetValue((candidate.Name, method), out var cost) ? cost : null;
 }

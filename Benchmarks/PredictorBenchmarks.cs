@@ -15,7 +15,7 @@ public class PredictorBenchmarks
     SampledJoint _joint;
     int _next;
 
-    public static IEnumerable<string> Names => Candidates.All.Select(candidate => candidate.Name);
+    public static IEnumerable<string> Names => ComparedPredictors.All.Select(candidate => candidate.Name);
 
     [ParamsSource(nameof(Names))]
     public string Predictor { get; set; }
@@ -25,7 +25,7 @@ public class PredictorBenchmarks
     {
         // With several threads, MathNet takes ten times as long for three equations.
         Control.UseSingleThread();
-        _joint = new SampledJoint(Candidates.Named(Predictor).Create(), Joint, VirtualSession.SampleSeconds);
+        _joint = new SampledJoint(ComparedPredictors.Named(Predictor).Create(), Joint, VirtualSession.SampleSeconds);
     }
 
     [Benchmark(Description = "Predictor: a sample of one joint")]

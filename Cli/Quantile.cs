@@ -13,4 +13,11 @@ static class Quantile
         Array.Sort(sorted);
         return SortedArrayStatistics.QuantileCustom(sorted, fraction, QuantileDefinition.R7);
     }
+
+    /// <summary>Returns the quantile; null if there is no value.</summary>
+    public static double? OfOrNull(IEnumerable<double> values, double fraction)
+    {
+        var list = values.ToList();
+        return list.Count == 0 ? null : Of(list, fraction);
+    }
 }

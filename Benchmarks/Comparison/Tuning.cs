@@ -18,22 +18,22 @@ static class Tuning
 
     public static void Run(TextWriter to)
     {
-        to.WriteLine($"Tuned on seeds {string.Join(", ", Conditions.TuningSeeds)}; RMS over hold:");
-        Report(to, "Kalman (jerk to noise, s⁻⁵)", [1e10], x => Candidates.Kalman(x[0]));
-        Report(to, "double exponential (time constant, s)", [0.01], x => Candidates.DoubleExponential(x[0]));
+        to.WriteLine($"Tuned on seeds {string.Join(", ", ComparedMotions.TuningSeeds)}; RMS over hold:");
+        Report(to, "Kalman (jerk to noise, s⁻⁵)", [1e10], x => ComparedPredictors.Kalman(x[0]));
+        Report(to, "double exponential (time constant, s)", [0.01], x => ComparedPredictors.DoubleExponential(x[0]));
         Report(
             to, "One-Euro (minimum cut-off in Hz, Hz per mm/s, cut-off of the velocity in Hz)", [4, 0.01, 30],
-            x => Candidates.OneEuro(x[0], x[1], x[2]));
+            x => ComparedPredictors.OneEuro(x[0], x[1], x[2]));
     }
 
     static void Report(TextWriter to, string name, double[] start, Func<double[], JointPredictor> create)
     {
         to.WriteLine(name);
-        Report(to, "all conditions, geometric mean", start, create, Conditions.All);
-        foreach (var condition in Conditions.All) Report(to, condition.Name, start, create, [condition]);
+        Report(to, "all conditions, geometric mean", start, create, ComparedMotions.All);
+        foreach (var condition in ComparedMotions.All) Report(to, condition.Name, start, create, [condition]);
     }
 
-    static void Report(TextWriter to, string name, double[] start, Func<double[], JointPredictor> create, IReadOnlyList<Condition> conditions)
+    static void Report(TextWriter to, string name, double[] start, Func<double[], JointPredictor> create, IReadOnlyList<ComparedMotion> conditions)
     {
         double[] constants = [.. start];
         var min = double.PositiveInfinity;
@@ -48,7 +48,7 @@ static class Tuning
     }
 
     // Finds the best value of one constant on the grid around its current value, and sets it.
-    static double Improve(double[] constants, int index, Func<double[], JointPredictor> create, IReadOnlyList<Condition> conditions)
+    static double Improve(double[] constants, int index, Func<double[], JointPredictor> create, IReadOnlyList<ComparedMotion> conditions)
     {
         var centre = constants[index];
         var tried = Enumerable.Range(-StepsEachWay, 2 * StepsEachWay + 1).AsParallel()
@@ -67,9 +67,9 @@ static class Tuning
         return best.Error;
     }
 
-    static double Mean(Func<JointPredictor> create, IReadOnlyList<Condition> conditions)
+    static double Mean(Func<JointPredictor> create, IReadOnlyList<ComparedMotion> conditions)
     {
-        var candidate = new Candidate("tried", create);
-        return Means.Geometric(conditions.Select(condition => condition.Ratio(candidate, Conditions.TuningSeeds)));
+        var candidate = new ComparedPredictor("tried", create);
+        return Means.Geometric(conditions.Select(condition => condition.Ratio(candidate, ComparedMotions.TuningSeeds)));
     }
 }

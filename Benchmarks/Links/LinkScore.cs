@@ -42,9 +42,9 @@ sealed class LinkScore
             profile.Name, seed, _session.All.Count, _scored.Count == 0 ? null : Since(_scored[0].Start),
             Since(_session.FirstIn("coarse", "synchronised")), Since(_session.FirstIn("synchronised")),
             _scored.Count == 0 ? null : _scored.Average(frame => frame.IsCurrent ? 1.0 : 0), LongestNotCurrent(),
-            Rms(hold) > 0 ? 1 - Rms(shown) / Rms(hold) : null, Rms(hold), Rms(shown), Percentile(shown, 0.95),
-            Percentile(errors, 0.5), Percentile(errors, 0.99), Percentile(errors, 1),
-            Percentile(stated.Select(frame => frame.StatedError.Value.TotalMicroseconds), 0.5),
+            Rms(hold) > 0 ? 1 - Rms(shown) / Rms(hold) : null, Rms(hold), Rms(shown), Quantile.OfOrNull(shown, 0.95),
+            Quantile.OfOrNull(errors, 0.5), Quantile.OfOrNull(errors, 0.99), Quantile.OfOrNull(errors, 1),
+            Quantile.OfOrNull(stated.Select(frame => frame.StatedError.Value.TotalMicroseconds), 0.5),
             // A frame without a stated error counts as outside the stated error.
             clock.Count == 0 ? null : clock.Average(frame => ClockError(frame) <= frame.StatedError ? 1.0 : 0),
             Greatest(stalls, stall => FirstAfter(stall.From, isCurrent: false)), Greatest(stalls, stall => FirstAfter(stall.To, isCurrent: true)))
@@ -97,10 +97,4 @@ sealed class LinkScore
     static double? Greatest<T>(List<T> items, Func<T, double> value) => items.Count == 0 ? null : items.Max(value);
 
     static double? Rms(List<double> values) => values.Count == 0 ? null : Math.Sqrt(values.Average(v => v * v));
-
-    static double? Percentile(IEnumerable<double> values, double fraction)
-    {
-        var list = values.ToList();
-        return list.Count == 0 ? null : Quantile.Of(list, fraction);
-    }
 }

@@ -55,7 +55,7 @@ static class HeadVerb
         var profile = earlier.With(new HeadMotionLatency(result.LatencyMs, result.UncertaintyMs));
         var page = earlier.WithWarnings(HeadPage.Of(result, profile, earlier.Conditions));
         var written = output.Write(profile, page);
-        ResultTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? HeadJson.Of(result) : null);
+        CalibrationTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? HeadJson.Of(result) : null);
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 

@@ -48,7 +48,7 @@ static class NudgeVerb
             result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, CalibrationMethod.Nudge, result.Count);
         var page = earlier.WithWarnings(NudgePage.Of(marks, result, profile));
         var written = output.Write(profile, page);
-        ResultTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? NudgePage.Json(result) : null);
+        CalibrationTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? NudgePage.Json(result) : null);
         return ExitStatus.Done;
     }
 

@@ -33,7 +33,7 @@ static class RangeVerb
         var profile = RangeProfile.Of(fit, conditions, kind);
         var page = RangeProfile.Page("Constant-latency range", profile, fit, pictures, [["Pairs of", file]]);
         var written = output.Write(profile, page);
-        ResultTable.Print(page, written, output.PagePath, asJson ? RangeJson.Of(fit) : null);
+        CalibrationTable.Print(page, written, output.PagePath, asJson ? RangeJson.Of(fit) : null);
         return ExitStatus.Done;
     }
 

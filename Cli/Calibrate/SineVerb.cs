@@ -63,7 +63,7 @@ static class SineVerb
         var profile = result.VisuMs is double visuMs ? earlier.With(visuMs, result.DeviationMs, CalibrationMethod.Sine, measurements: 1) : null;
         var page = earlier.WithWarnings(SinePage.Of(result, profile, path));
         var written = output.Write(profile, page);
-        ResultTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? SineJson.Of(result) : null);
+        CalibrationTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? SineJson.Of(result) : null);
         return ExitStatus.Done;
     }
 

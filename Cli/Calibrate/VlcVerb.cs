@@ -53,7 +53,7 @@ static class VlcVerb
         var evaluation = new VlcEvaluation(result, sweep, earlier);
         var written = output.Write(evaluation.Profile, evaluation.Page);
         if (sweep != null && result.Read.Count > 0) output.WritePairs(evaluation.Pictures);
-        ResultTable.Print(evaluation.Page, written, output.PagePath, parsed.GetValue(Json) ? VlcJson.Of(result, evaluation.Profile) : null);
+        CalibrationTable.Print(evaluation.Page, written, output.PagePath, parsed.GetValue(Json) ? VlcJson.Of(result, evaluation.Profile) : null);
         return status != ExitStatus.Done || evaluation.Profile != null ? status : result.Read.Count > 0 ? ExitStatus.Failed : ExitStatus.BadInput;
     }
 

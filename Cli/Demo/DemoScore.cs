@@ -24,7 +24,7 @@ sealed class DemoScore
     public IReadOnlyList<DemoError> Errors { get; }
 
     /// <summary>P95 of the error without compensation, mm; null if no frame was scored.</summary>
-    public double? HoldP95Mm => Percentile(Errors.Select(e => e.HoldMm), 0.95);
+    public double? HoldP95Mm => Quantile.OfOrNull(Errors.Select(e => e.HoldMm), 0.95);
 
     /// <summary>Comparison of the cell's objects with their true poses.</summary>
     public BodyScore Bodies => new(_run, ScoredFrames());
@@ -76,14 +76,14 @@ sealed class DemoScore
     {
         var app = _run.ApplicationLatencies.Select(l => l.TotalMilliseconds).ToList();
         return new DemoResult.Latencies(
-            Percentile(app, 0.5), Percentile(app, 0.95), _run.Settings.VisualisationMs,
-            Percentile(Errors.Select(e => Math.Abs(e.LightMs)), 0.95));
+            Quantile.OfOrNull(app, 0.5), Quantile.OfOrNull(app, 0.95), _run.Settings.VisualisationMs,
+            Quantile.OfOrNull(Errors.Select(e => Math.Abs(e.LightMs)), 0.95));
     }
 
     DemoResult.LightErrors LightErrors()
     {
         var errors = Errors.Select(e => Math.Abs(e.LightMs)).ToList();
-        return new DemoResult.LightErrors(Percentile(errors, 0.5), Percentile(errors, 0.95), Percentile(errors, 1));
+        return new DemoResult.LightErrors(Quantile.OfOrNull(errors, 0.5), Quantile.OfOrNull(errors, 0.95), Quantile.OfOrNull(errors, 1));
     }
 
     DemoResult.ClockErrors Clock()
@@ -91,8 +91,8 @@ sealed class DemoScore
         var rows = _run.Frames.Rows.Where(row => row.Elapsed >= _converged).ToList();
         var errors = rows.Select(row => Math.Abs(row.OffsetErrorUs)).ToList();
         return new DemoResult.ClockErrors(
-            Percentile(errors, 0.5), Percentile(errors, 0.95), Percentile(errors, 1), SkewErrorPpm(rows), _converged?.TotalSeconds,
-            Percentile(rows.Select(row => row.Clock.EstimatedError.TotalMicroseconds), 0.5),
+            Quantile.OfOrNull(errors, 0.5), Quantile.OfOrNull(errors, 0.95), Quantile.OfOrNull(errors, 1), SkewErrorPpm(rows), _converged?.TotalSeconds,
+            Quantile.OfOrNull(rows.Select(row => row.Clock.EstimatedError.TotalMicroseconds), 0.5),
             rows.Count == 0 ? null : (double)rows.Count(row => Math.Abs(row.OffsetErrorUs) <= row.Clock.EstimatedError.TotalMicroseconds) / rows.Count);
     }
 
@@ -106,15 +106,15 @@ sealed class DemoScore
     }
 
     DemoResult.ToolErrors Tool() => new(
-        Rms(Errors.Select(e => e.HoldMm)), Percentile(Errors.Select(e => e.HoldMm), 1),
-        Rms(Errors.Select(e => e.Mm)), Percentile(Errors.Select(e => e.Mm), 0.95), Percentile(Errors.Select(e => e.Mm), 1),
+        Rms(Errors.Select(e => e.HoldMm)), Quantile.OfOrNull(Errors.Select(e => e.HoldMm), 1),
+        Rms(Errors.Select(e => e.Mm)), Quantile.OfOrNull(Errors.Select(e => e.Mm), 0.95), Quantile.OfOrNull(Errors.Select(e => e.Mm), 1),
         Reduction(Errors), Reduction(Errors.Where(e => e.Cycle == 0)), Reduction(Errors.Where(e => e.Cycle >= 2)));
 
     DemoResult.FrameCost Frame()
     {
         var warm = _run.Frames.Rows.Where(row => row.Elapsed >= WarmUp).ToList();
         return new DemoResult.FrameCost(
-            Percentile(warm.Select(row => row.CpuUs), 0.5), Percentile(warm.Select(row => row.CpuUs), 0.99),
+            Quantile.OfOrNull(warm.Select(row => row.CpuUs), 0.5), Quantile.OfOrNull(warm.Select(row => row.CpuUs), 0.99),
             warm.Count == 0 ? null : warm.Average(row => (double)row.AllocatedBytes));
     }
 
@@ -137,12 +137,6 @@ sealed class DemoScore
     {
         var list = values.ToList();
         return list.Count == 0 ? null : Math.Sqrt(list.Average(v => v * v));
-    }
-
-    static double? Percentile(IEnumerable<double> values, double fraction)
-    {
-        var list = values.ToList();
-        return list.Count == 0 ? null : Quantile.Of(list, fraction);
     }
 
     static double Round(double seconds) => Math.Round(seconds, 3);

@@ -9,9 +9,9 @@ sealed class BlendCost
     /// <summary>Maximum accepted increase, relative to the RMS error.</summary>
     public const double MaxShare = 0.05;
 
-    public BlendCost(Verdict verdict, CancellationToken cancellation)
+    public BlendCost(Recommendation recommendation, CancellationToken cancellation)
     {
-        var (plain, blended) = (Try(verdict, 0, cancellation), Try(verdict, PredictionSettings.DefaultBlendMs, cancellation));
+        var (plain, blended) = (Try(recommendation, 0, cancellation), Try(recommendation, PredictionSettings.DefaultBlendMs, cancellation));
         if (plain == null || blended == null) return;
         Share = -blended.GainOver(plain);
         ShareOfHalves = [-blended.GainOver(plain, Half.First), -blended.GainOver(plain, Half.Second)];
@@ -29,11 +29,11 @@ sealed class BlendCost
     /// <summary>Recommended time constant of the blend, ms.</summary>
     public double RecommendedMs => Share > MaxShare ? 0 : PredictionSettings.DefaultBlendMs;
 
-    static Trial Try(Verdict verdict, double blendMs, CancellationToken cancellation)
+    static Trial Try(Recommendation recommendation, double blendMs, CancellationToken cancellation)
     {
         if (cancellation.IsCancellationRequested) return null;
-        var predictor = verdict.Recommended.Predictor;
-        var first = verdict.Subject.Try(predictor, Half.First, blendMs, CancellationToken.None);
-        return new Trial(predictor, first, verdict.Subject.Try(predictor, Half.Second, blendMs, CancellationToken.None));
+        var predictor = recommendation.Recommended.Predictor;
+        var first = recommendation.Subject.Try(predictor, Half.First, blendMs, CancellationToken.None);
+        return new Trial(predictor, first, recommendation.Subject.Try(predictor, Half.Second, blendMs, CancellationToken.None));
     }
 }

@@ -43,10 +43,10 @@ sealed class CandidateEvaluation(IReadOnlyList<ISubject> subjects)
     }
 
     /// <summary>
-    /// Gets a verdict for each recording on which the default predictor and at least one other candidate were evaluated on both halves.
+    /// Gets a recommendation for each recording on which the default predictor and at least one other candidate were evaluated on both halves.
     /// </summary>
-    public IReadOnlyList<Verdict> Verdicts() =>
-        [.. subjects.Select(subject => (subject, trials: TrialsOn(subject))).Where(s => s.trials.Count > 1).Select(s => new Verdict(s.subject, s.trials))];
+    public IReadOnlyList<Recommendation> Recommendations() =>
+        [.. subjects.Select(subject => (subject, trials: TrialsOn(subject))).Where(s => s.trials.Count > 1).Select(s => new Recommendation(s.subject, s.trials))];
 
     List<Trial> TrialsOn(ISubject subject)
     {

@@ -5,13 +5,13 @@ namespace Nowpose.Cli.Recommend;
 /// <summary>Formats the recommendation as JSON, with all digits of the numbers.</summary>
 static class RecommendJson
 {
-    public static string Of(string path, RecordingTraits traits, IReadOnlyList<(Verdict Verdict, BlendCost Blend)> results) => JsonText.Of(isIndented: true, json =>
+    public static string Of(string path, RecordingTraits traits, IReadOnlyList<(Recommendation Recommendation, BlendCost Blend)> results) => JsonText.Of(isIndented: true, json =>
     {
         json.WriteStartObject();
         json.WriteString("file", path);
         Write(json, traits);
         json.WriteStartArray("conditions");
-        foreach (var (verdict, blend) in results) Write(json, verdict, blend);
+        foreach (var (recommendation, blend) in results) Write(json, recommendation, blend);
         json.WriteEndArray();
         json.WriteEndObject();
     });
@@ -33,32 +33,32 @@ static class RecommendJson
         json.WriteEndArray();
     }
 
-    static void Write(Utf8JsonWriter json, Verdict verdict, BlendCost blend)
+    static void Write(Utf8JsonWriter json, Recommendation recommendation, BlendCost blend)
     {
         json.WriteStartObject();
-        WriteNumber(json, "sampling_ms", verdict.Subject.SamplingMs);
-        WriteNumber(json, "latency_ms", verdict.Subject.LatencyMs);
-        json.WriteString("recommended", verdict.Recommended.Predictor);
-        json.WriteString("reason", verdict.Reason);
-        WriteNumber(json, "reduction", verdict.Recommended.Reduction);
-        WriteNumber(json, "gain_over_default", verdict.Recommended.GainOver(verdict.Default));
+        WriteNumber(json, "sampling_ms", recommendation.Subject.SamplingMs);
+        WriteNumber(json, "latency_ms", recommendation.Subject.LatencyMs);
+        json.WriteString("recommended", recommendation.Recommended.Predictor);
+        json.WriteString("reason", recommendation.Reason);
+        WriteNumber(json, "reduction", recommendation.Recommended.Reduction);
+        WriteNumber(json, "gain_over_default", recommendation.Recommended.GainOver(recommendation.Default));
         json.WriteNumber("blend_ms", blend.RecommendedMs);
         WriteNumber(json, "blend_cost", blend.Share);
         json.WriteStartArray("candidates");
-        foreach (var trial in verdict.Trials) Write(json, verdict, trial);
+        foreach (var trial in recommendation.Trials) Write(json, recommendation, trial);
         json.WriteEndArray();
         json.WriteEndObject();
     }
 
-    static void Write(Utf8JsonWriter json, Verdict verdict, Trial trial)
+    static void Write(Utf8JsonWriter json, Recommendation recommendation, Trial trial)
     {
         json.WriteStartObject();
         json.WriteString("predictor", trial.Predictor);
         json.WriteNumber("rms", trial.Rms);
         json.WriteNumber("rms_hold", trial.RmsHold);
         WriteNumber(json, "reduction", trial.Reduction);
-        WriteNumber(json, "gain_over_default", trial.GainOver(verdict.Default));
-        json.WriteBoolean("tie", verdict.IsTie(trial));
+        WriteNumber(json, "gain_over_default", trial.GainOver(recommendation.Default));
+        json.WriteBoolean("tie", recommendation.IsTie(trial));
         json.WriteStartArray("halves");
         foreach (var half in Enum.GetValues<Half>())
         {
@@ -67,7 +67,7 @@ static class RecommendJson
             json.WriteNumber("rms", trial.On(half).Rms);
             json.WriteNumber("rms_hold", trial.On(half).RmsHold);
             WriteNumber(json, "reduction", trial.On(half).Reduction);
-            WriteNumber(json, "gain_over_default", trial.GainOver(verdict.Default, half));
+            WriteNumber(json, "gain_over_default", trial.GainOver(recommendation.Default, half));
             json.WriteEndObject();
         }
         json.WriteEndArray();

@@ -45,7 +45,7 @@ static class RecommendVerb
         var recording = SessionFileReader.IsSession(path) ? OfSession(path) : OfMotion(path, conditions);
         var evaluation = new CandidateEvaluation(recording.Subjects);
         ConsoleProgress.Run("trying predictors", "runs", evaluation.Runs, report => evaluation.Run(report, cancel));
-        (Verdict, BlendCost)[] results = [.. evaluation.Verdicts().Select(verdict => (verdict, new BlendCost(verdict, cancel)))];
+        (Recommendation, BlendCost)[] results = [.. evaluation.Recommendations().Select(recommendation => (recommendation, new BlendCost(recommendation, cancel)))];
         if (json) Console.Out.WriteLine(RecommendJson.Of(path, recording.Traits, results));
         else RecommendTable.Write(ResultConsole.Create(), path, recording.Traits, results);
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;

@@ -39,7 +39,7 @@ public class CompetitorTests
     {
         const int seed = 5;
         var random = new Random(seed);
-        var (theirs, ours) = (Candidates.Named("MathNet").Create(), Predictors.Create("quadratic", PredictionLimits.Unlimited));
+        var (theirs, ours) = (ComparedPredictors.Named("MathNet").Create(), Predictors.Create("quadratic", PredictionLimits.Unlimited));
 
         for (var i = 0; i < Samples; i++)
         {
@@ -55,13 +55,13 @@ public class CompetitorTests
     public void OneEuro_NoiseAtRest_SmoothsTheNoise()
     {
         // A low-pass filter of 1 Hz weights each sample with a = 0.24, so the factor for white noise is √(a / (2 − a)) = 0.37.
-        Assert.That(NoiseLeft(Candidates.OneEuro(1, 0, 1), ahead: 0), Is.EqualTo(0.37).Within(0.05));
+        Assert.That(NoiseLeft(ComparedPredictors.OneEuro(1, 0, 1), ahead: 0), Is.EqualTo(0.37).Within(0.05));
     }
 
     [Test]
     public void Kalman_LowerJerkToNoiseRatio_SmoothsMore()
     {
-        var (stiff, limp) = (NoiseLeft(Candidates.Kalman(1e3), Ahead), NoiseLeft(Candidates.Kalman(1e9), Ahead));
+        var (stiff, limp) = (NoiseLeft(ComparedPredictors.Kalman(1e3), Ahead), NoiseLeft(ComparedPredictors.Kalman(1e9), Ahead));
 
         Assert.That(stiff, Is.LessThan(2));
         Assert.That(limp, Is.GreaterThan(2 * stiff));
@@ -69,7 +69,7 @@ public class CompetitorTests
 
     static double ErrorOf(string name, Func<double, double> motion)
     {
-        var predictor = Candidates.Named(name).Create();
+        var predictor = ComparedPredictors.Named(name).Create();
         for (var i = 0; i < Samples; i++)
             if (i != Lost) predictor.Add(new JointSample(i * Interval, motion(i * Interval)));
         var time = (Samples - 1) * Interval + Ahead;

@@ -24,6 +24,14 @@ sealed class RawSyncClient : IDisposable
         return client;
     }
 
+    /// <summary>Whether the gateway accepts a token on a new connection.</summary>
+    public static async Task<bool> IsAcceptedAsync(GatewayServer gateway, string token)
+    {
+        using var client = await ConnectAsync(gateway);
+        await client.SendAsync(SyncToken.Write(token));
+        return (await client.ReceiveAsync()).Value.IsAccepted;
+    }
+
     public Task SendAsync(byte[] bytes) => Stream.WriteAsync(bytes, 0, bytes.Length).Bounded();
 
     public Task SendAsync(SyncFrame frame)

@@ -5,12 +5,12 @@ namespace Nowpose.Headless.Tests.Metas;
 
 public sealed class MetaCheckTests
 {
-    UnityProjectFolder _project;
+    MetaProjectFolder _project;
 
     [SetUp]
     public void SetUp()
     {
-        _project = new UnityProjectFolder();
+        _project = new MetaProjectFolder();
         _project.Add("Assets/Folder/A.cs");
         _project.Add("Packages/com.x/package.json", "{}");
         MetaWriter.WriteMissing(_project.Root);

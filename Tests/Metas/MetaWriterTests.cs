@@ -5,10 +5,10 @@ namespace Nowpose.Headless.Tests.Metas;
 
 public sealed class MetaWriterTests
 {
-    UnityProjectFolder _project;
+    MetaProjectFolder _project;
 
     [SetUp]
-    public void SetUp() => _project = new UnityProjectFolder();
+    public void SetUp() => _project = new MetaProjectFolder();
 
     [TearDown]
     public void TearDown() => _project.Dispose();
@@ -78,7 +78,7 @@ public sealed class MetaWriterTests
     [Test]
     public void WriteMissing_SamePathInAnotherProject_WritesTheSameGuid()
     {
-        using var other = new UnityProjectFolder();
+        using var other = new MetaProjectFolder();
         _project.Add("Assets/A.cs");
         other.Add("Assets/A.cs", "class A { }");
 

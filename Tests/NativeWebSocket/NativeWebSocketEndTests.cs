@@ -144,16 +144,10 @@ public class NativeWebSocketEndTests
             await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 0, "no connection at the gateway");
         }
         await Cycle(20);
-        var before = Threads();
+        var before = ProcessCounts.Threads();
 
         await Cycle(100);
 
-        Assert.That(Threads(), Is.LessThan(before + 10), "the thread pool may grow, but links must not keep threads");
-    }
-
-    static int Threads()
-    {
-        using var process = System.Diagnostics.Process.GetCurrentProcess();
-        return process.Threads.Count;
+        Assert.That(ProcessCounts.Threads(), Is.LessThan(before + 10), "the thread pool may grow, but links must not keep threads");
     }
 }

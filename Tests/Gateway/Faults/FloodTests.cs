@@ -28,14 +28,14 @@ public class FloodTests
         using var headset = new FaultHeadset(gateway.SyncEndPoint.Port, gateway.WebSocketEndPoint.Port);
         await headset.BecomesAsync(PoseState.Current);
         await ConnectAsync(gateway, 200);
-        var (files, threads) = (OpenFiles(), Threads());
+        var (files, threads) = (ProcessCounts.OpenFiles(), ProcessCounts.Threads());
         var since = Stopwatch.GetTimestamp();
 
         await ConnectAsync(gateway, Connects);
 
         TestContext.Out.WriteLine($"{Connects} connects in {Stopwatch.GetElapsedTime(since).TotalSeconds:0.0} s");
         await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 1 && gateway.WebSocketConnections.Open == 1, "only the headset is left");
-        await Soon.BecomesAsync(() => OpenFiles() < files + 50 && Threads() < threads + 30, "no handles and no threads are left");
+        await Soon.BecomesAsync(() => ProcessCounts.OpenFiles() < files + 50 && ProcessCounts.Threads() < threads + 30, "no handles and no threads are left");
         await headset.BecomesAsync(() => headset.IsConnected && headset.State == PoseState.Current, "connected and current");
     }
 
@@ -105,13 +105,5 @@ public class FloodTests
             await socket.ConnectAsync(i % 2 == 0 ? gateway.SyncEndPoint : gateway.WebSocketEndPoint);
             if (i % 4 == 0) await socket.SendAsync(new byte[SyncFrame.Size]);
         }
-    }
-
-    static int OpenFiles() => OperatingSystem.IsLinux() ? Directory.GetFiles("/proc/self/fd").Length : 0;
-
-    static int Threads()
-    {
-        using var process = Process.GetCurrentProcess();
-        return process.Threads.Count;
     }
 }

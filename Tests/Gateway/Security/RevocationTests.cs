@@ -123,7 +123,7 @@ public class RevocationTests
 
         Write("observer first", "source second");
 
-        await Soon.BecomesAsync(() => AcceptsAsync(gateway, "second").Result, "accepted");
+        await Soon.BecomesAsync(() => RawSyncClient.IsAcceptedAsync(gateway, "second").Result, "accepted");
     }
 
     [Test]
@@ -150,7 +150,7 @@ public class RevocationTests
         await Soon.BecomesAsync(() => !_log.IsEmpty, "the error is logged");
         await client.RoundTripAsync();
         Write("observer kept", "observer also-kept", "observer new");
-        await Soon.BecomesAsync(() => AcceptsAsync(gateway, "new").Result, "the new token is accepted");
+        await Soon.BecomesAsync(() => RawSyncClient.IsAcceptedAsync(gateway, "new").Result, "the new token is accepted");
 
         var lines = _log.Where(line => line.Contains(TokensPath)).ToArray();
         Assert.That(lines.Length, Is.EqualTo(1), string.Join('\n', lines));
@@ -201,11 +201,4 @@ public class RevocationTests
 
     static Task<HttpStatusCode> RefusalAsync(GatewayServer gateway, string token) =>
         RosbridgeServerTests.RefusalAsync(gateway, options => options.SetRequestHeader("Authorization", "Bearer " + token));
-
-    static async Task<bool> AcceptsAsync(GatewayServer gateway, string token)
-    {
-        using var client = await RawSyncClient.ConnectAsync(gateway);
-        await client.SendAsync(SyncToken.Write(token));
-        return (await client.ReceiveAsync()).Value.IsAccepted;
-    }
 }

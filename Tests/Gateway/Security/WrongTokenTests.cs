@@ -108,7 +108,7 @@ public class WrongTokenTests
         }
 
         Assert.That((await AskAsync(gateway, valid)).Status, Is.EqualTo(HttpStatusCode.OK));
-        Assert.That(await IsAcceptedAsync(gateway, valid), Is.True);
+        Assert.That(await RawSyncClient.IsAcceptedAsync(gateway, valid), Is.True);
         await guesses.CancelAsync();
         await Task.WhenAll(held).ContinueWith(_ => { }, TaskScheduler.Default);
     }
@@ -258,13 +258,6 @@ public class WrongTokenTests
             lock (_delays)
                 foreach (var (_, end) in _delays) end();
         }
-    }
-
-    static async Task<bool> IsAcceptedAsync(GatewayServer gateway, string token)
-    {
-        using var client = await RawSyncClient.ConnectAsync(gateway);
-        await client.SendAsync(SyncToken.Write(token));
-        return (await client.ReceiveAsync()).Value.IsAccepted;
     }
 
     static async Task<(HttpStatusCode Status, TimeSpan? RetryAfter)> AskAsync(GatewayServer gateway, string token, CancellationToken stop = default)

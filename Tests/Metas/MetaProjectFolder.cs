@@ -1,9 +1,9 @@
 namespace Nowpose.Headless.Tests.Metas;
 
 /// <summary>A Unity project in a temporary folder. Dispose deletes the folder.</summary>
-sealed class UnityProjectFolder : IDisposable
+sealed class MetaProjectFolder : IDisposable
 {
-    public UnityProjectFolder()
+    public MetaProjectFolder()
     {
         Root = Directory.CreateTempSubdirectory("nowpose-metas-").FullName;
         Add("Packages/manifest.json", "{}");

@@ -3,7 +3,7 @@ using Nowpose.Cli.Studies;
 namespace Nowpose.Benchmarks.Comparison;
 
 /// <summary>The conditions of the comparison. The numbers in their names are T_s and L in ms.</summary>
-public static class Conditions
+public static class ComparedMotions
 {
     static readonly StudySettings Usual = new() { Phases = 4 };
     static readonly StudySettings Quick = Usual with { SamplingInterval = 0.020 };
@@ -14,7 +14,7 @@ public static class Conditions
     /// <summary>Seeds for the published results. They were not used for tuning.</summary>
     public static IReadOnlyList<int> CheckingSeeds { get; } = [5201, 5202, 5203];
 
-    public static IReadOnlyList<Condition> All { get; } =
+    public static IReadOnlyList<ComparedMotion> All { get; } =
     [
         new("paper's swing, 50/100", _ => Motions.PaperSwing(30), Usual),
         new("fast moves, 50/100", seed => Motions.FastMoves(seed), Usual),

@@ -4,7 +4,7 @@ using Spectre.Console;
 namespace Nowpose.Cli.Calibrate;
 
 /// <summary>Prints a calibration's result to stdout and its warnings to stderr.</summary>
-static class ResultTable
+static class CalibrationTable
 {
     /// <param name="profilePath">Path of the profile; null if none was written.</param>
     /// <param name="json">JSON to print instead of the table; null prints the table.</param>

@@ -9,7 +9,7 @@ using static Nowpose.Headless.Tests.Network.PlayedServer;
 namespace Nowpose.Headless.Tests.Network;
 
 /// <summary>Tests how a client connects, subscribes, reconnects and ends.</summary>
-public class RosbridgeConnectionTests
+public class RosbridgeClientConnectionTests
 {
     PlayedServer _played;
 

@@ -13,7 +13,7 @@ namespace Nowpose.Unity.Tests.Session;
 /// Tests that objects can be enabled, destroyed or created in any frame without an exception or a leak, and that an old pose never looks
 /// current.
 /// </summary>
-public class LifeCycleTests
+public class SessionLifeCycleTests
 {
     const int Steps = 600;
 

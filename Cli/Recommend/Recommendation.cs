@@ -8,14 +8,14 @@ namespace Nowpose.Cli.Recommend;
 /// A predictor other than the default is recommended only if it is better on both halves and the total gain exceeds the minimum. Among
 /// twenty candidates, one can have a slightly smaller error than the default by chance.
 /// </remarks>
-sealed class Verdict
+sealed class Recommendation
 {
     /// <summary>Minimum gain over the default for recommending another predictor.</summary>
     public const double MinGain = 0.02;
 
     /// <param name="subject">The recording on which the candidates were evaluated.</param>
     /// <param name="trials">The results of all candidates, including the default predictor and <c>hold</c>.</param>
-    public Verdict(ISubject subject, IReadOnlyCollection<Trial> trials)
+    public Recommendation(ISubject subject, IReadOnlyCollection<Trial> trials)
     {
         Subject = subject;
         Trials = [.. trials.OrderBy(trial => trial.Rms)];

@@ -7,14 +7,14 @@ namespace Nowpose.Benchmarks.Comparison;
 /// <summary>The compared predictors: those of Nowpose and others. The others have the constants that are best for all conditions together.</summary>
 /// <remarks>
 /// The constants are results of <see cref="Tuning"/> with its own seeds, for positions in mm. Nowpose's predictors have default settings
-/// and no limits. No predictor was tuned with <see cref="Conditions.CheckingSeeds"/>. The tuned filters smooth very little: in a
+/// and no limits. No predictor was tuned with <see cref="ComparedMotions.CheckingSeeds"/>. The tuned filters smooth very little: in a
 /// prediction 100 ms ahead, the lag caused by smoothing outweighs the reduction of the noise.
 /// </remarks>
-public static class Candidates
+public static class ComparedPredictors
 {
     public const string Baseline = "quadratic";
 
-    public static IReadOnlyList<Candidate> All { get; } =
+    public static IReadOnlyList<ComparedPredictor> All { get; } =
     [
         Ours("hold"), Ours("linear"), Ours(Baseline), Ours(Predictors.Default),
         new("MathNet", () => By(new PolynomialFit())),
@@ -23,7 +23,7 @@ public static class Candidates
         new("double-exponential", () => DoubleExponential(0.0035)),
     ];
 
-    public static Candidate Named(string name) => All.First(candidate => candidate.Name == name);
+    public static ComparedPredictor Named(string name) => All.First(candidate => candidate.Name == name);
 
     /// <param name="jerkToNoise">Spectral density of the jerk divided by the variance of a position, s⁻⁵.</param>
     public static JointPredictor Kalman(double jerkToNoise) => By(new KalmanFilter(jerkToNoise));
@@ -40,5 +40,5 @@ public static class Candidates
     static JointPredictor By(Forecaster forecaster) =>
         new(forecaster, forecaster.RequiredSamples, PredictionParts.None, PredictionLimits.Unlimited, blend: 0);
 
-    static Candidate Ours(string name) => new(name, () => Predictors.Create(name, PredictionLimits.Unlimited));
+    static ComparedPredictor Ours(string name) => new(name, () => Predictors.Create(name, PredictionLimits.Unlimited));
 }

@@ -9,7 +9,7 @@ using static Nowpose.Unity.Tests.Anchoring.PlayedBaseAnchor;
 namespace Nowpose.Unity.Tests.Anchoring;
 
 /// <summary>Tests the base anchor in a running cell of the package, with a device that sees markers.</summary>
-public class BaseAnchorTests
+public class PlayedAnchorTests
 {
     PlayedBaseAnchor _played;
 

@@ -1,0 +1,16 @@
+using System.Diagnostics;
+
+namespace Nowpose.Tests.Common;
+
+/// <summary>What this process uses. Fixtures that read it are marked NonParallelizable.</summary>
+static class ProcessCounts
+{
+    public static int Threads()
+    {
+        using var process = Process.GetCurrentProcess();
+        return process.Threads.Count;
+    }
+
+    /// <summary>Number of open files and sockets; 0 on other systems than Linux.</summary>
+    public static int OpenFiles() => OperatingSystem.IsLinux() ? Directory.GetFiles("/proc/self/fd").Length : 0;
+}
