@@ -165,6 +165,17 @@ namespace Nowpose.Frames
         /// </remarks>
         public bool IsLink(string name) => _links.TryGetValue(name, out var link) && (IndexOf(name) < 0 || name != _rootNames[link.Robot]);
 
+        /// <summary>Returns whether a frame is a link that a joint of its robot can move relative to the robot's root link.</summary>
+        public bool IsMovedByJoints(string name)
+        {
+            if (name == FrameParents.World || !IsLink(name)) return false;
+            var (robot, index) = _links[name];
+            var links = _robots[robot].Robot.Links;
+            for (var link = links[index]; link.ParentIndex >= 0; link = links[link.ParentIndex])
+                if (link.ParentJoint.MovingIndex >= 0) return true;
+            return false;
+        }
+
         /// <summary>Returns the root link of the robot to which a link belongs; null for a frame that is not a link.</summary>
         public string RootOfLink(string frame) => _links.TryGetValue(frame, out var link) ? _rootNames[link.Robot] : null;
 

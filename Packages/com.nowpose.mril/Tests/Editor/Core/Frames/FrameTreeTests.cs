@@ -227,5 +227,25 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(Distance(tree.HeldOf(tree.IndexOf("screw")), expected), Is.LessThan(1e-12));
             Assert.That(tree.HeldOf(tree.IndexOf("orphan")), Is.EqualTo(RigidTransform.Identity), "the displayed pose");
         }
+
+        [TestCase("world", false)]
+        [TestCase("table", false)]
+        [TestCase("arm", true)]
+        [TestCase("tool", true)]
+        [TestCase("elsewhere", false)]
+        public void IsCarried_RobotWhoseRootLinkIsTheWorld_IsTrueOnlyOnLinksThatMove(string parent, bool isCarried)
+        {
+            var tree = NewTree();
+            tree.Add(new MovingLinks("", UrdfReader.Read(@"<robot name='r'>
+                <link name='world'/><link name='table'/><link name='arm'/><link name='tool'/>
+                <joint name='stand' type='fixed'><parent link='world'/><child link='table'/></joint>
+                <joint name='turn' type='continuous'><parent link='table'/><child link='arm'/><axis xyz='0 0 1'/></joint>
+                <joint name='flange' type='fixed'><parent link='arm'/><child link='tool'/></joint>
+            </robot>", "test")));
+            tree.Add(Pose(0, parent, "box"), isStationary: false);
+            tree.Evaluate(At(0));
+
+            Assert.That(tree.IsCarried(tree.IndexOf("box")), Is.EqualTo(isCarried));
+        }
     }
 }
