@@ -129,9 +129,7 @@ namespace Nowpose.Frames
         public void Evaluate(double time, in RigidTransform parent, bool isParentCurrent)
         {
             if (!double.IsNaN(time)) _displayed = time;
-            var kind = PredictionKind.Interpolated;
-            var pose = _reach != null ? _reach.Pose
-                : _isStationary ? _given : double.IsNaN(time) ? _predictor.Newest(out kind) : _predictor.At(time, out kind);
+            var pose = PoseInParent(time, out var kind);
             State = kind == PredictionKind.None ? FrameState.Missing
                 : kind == PredictionKind.Held ? FrameState.Held
                 : isParentCurrent ? FrameState.Current : FrameState.ParentNotCurrent;
@@ -143,6 +141,17 @@ namespace Nowpose.Frames
             Measure(time, displayed);
             World = displayed;
             _hasPose = true;
+        }
+
+        // A released object is current only while its source sends poses, because only the source reports that the object is moved again.
+        RigidTransform PoseInParent(double time, out PredictionKind kind)
+        {
+            kind = PredictionKind.Interpolated;
+            if (_isStationary || _reach?.IsReleased == false) return Held;
+            var pose = double.IsNaN(time) ? _predictor.Newest(out kind) : _predictor.At(time, out kind);
+            if (_reach == null) return pose;
+            if (kind == PredictionKind.None) kind = PredictionKind.Held;
+            return _reach.Pose;
         }
 
         /// <summary>Keeps the displayed pose, because the parent is unknown.</summary>
