@@ -20,6 +20,7 @@ namespace Nowpose.Session.Cell
 
         readonly Arrivals<TransformsMessage> _tracked = new Arrivals<TransformsMessage>(QueueLength);
         readonly Arrivals<TransformsMessage> _stationary = new Arrivals<TransformsMessage>(StationaryQueueLength);
+        readonly StationaryArrivals _stationaryArrivals = new StationaryArrivals();
         readonly NeededFrames _needed;
         readonly DropCounters _drops;
         DisplayMoment _moment;
@@ -108,7 +109,12 @@ namespace Nowpose.Session.Cell
 
         void Take(TransformsMessage message, HeadsetTime arrival)
         {
-            for (var i = 0; i < message.Count; i++) Judge(message[i], true, arrival, _needed.Add(message[i], isStationary: true));
+            for (var i = 0; i < message.Count; i++)
+            {
+                var reason = _needed.Add(message[i], isStationary: true);
+                if (reason == DropReason.None) _stationaryArrivals.Add(message[i].Child, arrival);
+                Judge(message[i], true, arrival, reason);
+            }
             message.Release();
         }
 
@@ -117,8 +123,10 @@ namespace Nowpose.Session.Cell
             var now = clock.ToControl(arrival);
             for (var i = 0; i < message.Count; i++)
             {
-                var isInFuture = StampRule.IsInFuture(message[i].Stamp, now, clock.ErrorBound);
-                Judge(message[i], false, arrival, isInFuture ? DropReason.StampInFuture : _needed.Add(message[i], isStationary: false));
+                var reason = StampRule.IsInFuture(message[i].Stamp, now, clock.ErrorBound) ? DropReason.StampInFuture
+                    : _stationaryArrivals.IsLater(message[i].Child, arrival) ? DropReason.LateSample
+                    : _needed.Add(message[i], isStationary: false);
+                Judge(message[i], false, arrival, reason);
             }
             message.Release();
         }

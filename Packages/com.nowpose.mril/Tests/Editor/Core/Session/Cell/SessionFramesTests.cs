@@ -215,6 +215,28 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(cell.Session.Frames.StateOf(cell.Session.Frames.Find("box")), Is.EqualTo(PoseState.Current));
         }
 
+        // Tracked poses wait for a known control time, and stationary poses do not.
+        [TestCase(true)]
+        [TestCase(false)]
+        public void Frame_StationaryPoseAfterATrackedPose_StaysStationary(bool isClockKnown)
+        {
+            var cell = new CellSession(isClockKnown);
+            cell.Session.Frames.Need("box");
+            cell.Send("world", "box", 19.5, Along(7));
+            if (isClockKnown) cell.Run(0.2);
+
+            cell.Send("world", "box", 19.6, Along(8));
+            cell.Send("world", "box", 19.7, Along(0.5), isStationary: true);
+            cell.Run(0.2);
+            if (!isClockKnown) cell.Synchronise();
+            cell.Run(1);
+
+            Assert.That((cell.Session.Frames.Find("box").IsStationary, cell.Session.Frames.Find("box").World.X), Is.EqualTo((true, 0.5)));
+            cell.Sampling = t => cell.Send("world", "box", t, Along(9));
+            cell.Run(1);
+            Assert.That(cell.Session.Frames.Find("box").World.X, Is.EqualTo(9).Within(1e-9), "a later tracked pose is used");
+        }
+
         [Test]
         public void Frame_StampInTheFuture_IsDroppedAndCounted()
         {
