@@ -33,6 +33,10 @@ sealed class QueuedListener : IRosbridgeListener
 
     public void SignalsReceived(SignalsMessage message, HeadsetTime arrival) => Signals.Enqueue(message);
 
+    public ConcurrentQueue<HeadsetTime> Connections { get; } = [];
+
+    public void Connected(HeadsetTime at) => Connections.Enqueue(at);
+
     public ConcurrentQueue<string> Versions { get; } = [];
 
     public void VersionReceived(string version) => Versions.Enqueue(version);

@@ -36,19 +36,20 @@ public class RosbridgeClientConnectionTests
     }
 
     [Test]
-    public async Task Receive_ConnectionClosedAfterVersion_ResetsTheVersion()
+    public async Task Receive_ConnectionClosedAfterVersion_ReportsTheNextConnection()
     {
         using (var first = await _played.Server.AcceptAsync())
         {
             await Send(first, RosbridgeWriter.PublishString(RosTopics.Version, "9.9.9"));
-            await Soon.BecomesAsync(() => _played.Listener.Versions.Count == 2, "the version");
+            await Soon.BecomesAsync(() => !_played.Listener.Versions.IsEmpty, "the version");
+            Assert.That(_played.Listener.Connections, Has.Count.EqualTo(1), "reported before the first message");
             await first.CloseOutputAsync(WebSocketCloseStatus.NormalClosure, "", CancellationToken.None);
         }
 
         using var second = await _played.Server.AcceptAsync();
 
-        await Soon.BecomesAsync(() => _played.Listener.Versions.Count == 3, "a new connection");
-        Assert.That(_played.Listener.Versions, Is.EqualTo(new[] { null, "9.9.9", null }));
+        await Soon.BecomesAsync(() => _played.Listener.Connections.Count == 2, "a new connection");
+        Assert.That(_played.Listener.Connections, Is.Ordered.Ascending);
     }
 
     [Test]

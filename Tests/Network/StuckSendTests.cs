@@ -85,6 +85,7 @@ public class StuckSendTests
         public void FramesReceived(TransformsMessage message, bool isStationary, HeadsetTime arrival) { }
         public void SignalsReceived(SignalsMessage message, HeadsetTime arrival) { }
         public void StatusReceived(JointStatusMessage message, HeadsetTime arrival) { }
+        public void Connected(HeadsetTime at) { }
         public void VersionReceived(string version) { }
         public void SignalStatusReceived(JointStatusMessage message, HeadsetTime arrival) { }
         public void Described(string urdf, string robot) { }

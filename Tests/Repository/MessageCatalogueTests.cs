@@ -91,6 +91,7 @@ public sealed partial class MessageCatalogueTests
         ["RecorderMessages"] = ["Begun", "Deleted", "Ended", "FolderNotChecked", "UnknownName"],
         ["RequestMessages"] = ["Closed", "ClosedForRate", "Dropped", "NotAccepted"],
         ["SessionMessages"] = ["Description", "DescriptionUnusable", "PlausibleAgain", "Recording", "Stale", "Synchronised", "WithinRange"],
+        ["SignalMessages"] = ["OlderThanConnection"],
         ["SimulationMessages"] = ["Error", "Read", "Written"],
         ["SweepMessages"] = ["Responds"],
         ["SyncServerMessages"] = ["Closed", "NotAccepted"],

@@ -45,6 +45,9 @@ namespace Nowpose.Frames
         /// <summary>Whether the displayed pose comes from /tf_static.</summary>
         public bool IsStationary => _isStationary && _reach == null;
 
+        /// <summary>Whether the pose of a stationary frame is from before the newest connection, so that its source may be gone.</summary>
+        public bool IsOutdated { get; set; }
+
         /// <summary>
         /// Place that a gripper assigns to the object from the next display frame on; null if the object's own source determines the place.
         /// </summary>
@@ -147,7 +150,9 @@ namespace Nowpose.Frames
         RigidTransform PoseInParent(double time, out PredictionKind kind)
         {
             kind = PredictionKind.Interpolated;
-            if (_isStationary || _reach?.IsReleased == false) return Held;
+            if (_reach?.IsReleased == false) return Held;
+            if (_isStationary && IsOutdated) kind = PredictionKind.Held;
+            if (_isStationary) return Held;
             var pose = double.IsNaN(time) ? _predictor.Newest(out kind) : _predictor.At(time, out kind);
             if (_reach == null) return pose;
             if (kind == PredictionKind.None) kind = PredictionKind.Held;

@@ -47,7 +47,10 @@ namespace Nowpose.Network
         /// <param name="robot">Namespace of the robot; empty for the robot without a namespace.</param>
         void Described(string urdf, string robot = "");
 
-        /// <summary>Receives the version of the gateway; null when a connection starts.</summary>
+        /// <summary>Reports that a connection has opened, before its first message. It may lead to another gateway.</summary>
+        void Connected(HeadsetTime at);
+
+        /// <summary>Receives the version of the gateway. An older gateway does not report its version.</summary>
         void VersionReceived(string version);
 
         void Dropped(DropReason reason);

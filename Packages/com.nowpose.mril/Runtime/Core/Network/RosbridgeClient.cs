@@ -123,8 +123,7 @@ namespace Nowpose.Network
             using (var end = CancellationTokenSource.CreateLinkedTokenSource(_stop.Token))
             {
                 await OpenAsync(link).ConfigureAwait(false);
-                // The connection may lead to another gateway, or to an older gateway that does not report its version.
-                _listener.VersionReceived(null);
+                _listener.Connected(_clock.Now);
                 var subscribing = SubscribeAsync(sender, end.Token);
                 var receiving = ReceiveAsync(link, backoff, end.Token);
                 var publishing = PublishAsync(sender, end.Token);

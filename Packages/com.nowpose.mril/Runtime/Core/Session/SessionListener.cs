@@ -49,6 +49,12 @@ namespace Nowpose.Session
             if (receiver != null && !receiver.Description.Receive(urdf)) Dropped(DropReason.NotUrdf);
         }
 
+        public void Connected(HeadsetTime at)
+        {
+            _session.VersionMismatch = null;
+            _session.Connection.Set(at);
+        }
+
         public void VersionReceived(string version) => _session.VersionMismatch = NowposeVersion.MismatchOf(version, "the gateway", "this headset");
 
         public void Dropped(DropReason reason) => _session.Drops.Count(reason);

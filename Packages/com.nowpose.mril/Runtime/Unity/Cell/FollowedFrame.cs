@@ -64,10 +64,16 @@ namespace Nowpose.Unity.Cell
                 {
                     case PoseState.Current: return null;
                     case PoseState.Incomplete: return _frame == null ? _missing : ObjectMessages.ParentUnknown;
-                    case PoseState.Held: return _frame.State == FrameState.ParentNotCurrent ? ObjectMessages.ParentNotCurrent : ObjectMessages.PosesStopped;
+                    case PoseState.Held: return ReasonOf(_frame);
                     default: return PoseMessages.Of(State);
                 }
             }
+        }
+
+        static string ReasonOf(CellFrame held)
+        {
+            if (held.State == FrameState.ParentNotCurrent) return ObjectMessages.ParentNotCurrent;
+            return held.IsStationary ? ObjectMessages.OlderThanConnection : ObjectMessages.PosesStopped;
         }
 
         /// <summary>Starts to follow a frame in the session of a component.</summary>

@@ -15,11 +15,14 @@ namespace Nowpose.Session.Cell
         /// <param name="gate">Lock of the session.</param>
         public SessionCell(SessionSettings settings, ApplicationLatency latency, DropCounters drops, Subscriptions subscriptions, object gate)
         {
-            Frames = new SessionFrames(settings.Prediction, subscriptions, drops);
-            Signals = new SessionSignals(subscriptions, drops);
+            Frames = new SessionFrames(settings.Prediction, subscriptions, drops, Connection);
+            Signals = new SessionSignals(subscriptions, drops, Connection);
             Grips = new SessionGrips(Signals);
             Robots = new SessionRobots(settings, latency, drops, Frames, subscriptions, gate);
         }
+
+        /// <summary>Start of the newest connection. Set on the socket's thread.</summary>
+        public ConnectionStart Connection { get; } = new ConnectionStart();
 
         public SessionRobots Robots { get; }
 

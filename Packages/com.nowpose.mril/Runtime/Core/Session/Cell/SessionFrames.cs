@@ -20,14 +20,15 @@ namespace Nowpose.Session.Cell
 
         readonly Arrivals<TransformsMessage> _tracked = new Arrivals<TransformsMessage>(QueueLength);
         readonly Arrivals<TransformsMessage> _stationary = new Arrivals<TransformsMessage>(StationaryQueueLength);
-        readonly StationaryArrivals _stationaryArrivals = new StationaryArrivals();
+        readonly StationaryArrivals _stationaryArrivals;
         readonly NeededFrames _needed;
         readonly DropCounters _drops;
         DisplayMoment _moment;
 
-        public SessionFrames(PredictionSettings prediction, Subscriptions subscriptions, DropCounters drops)
+        public SessionFrames(PredictionSettings prediction, Subscriptions subscriptions, DropCounters drops, ConnectionStart connection)
         {
             _drops = drops;
+            _stationaryArrivals = new StationaryArrivals(connection);
             Tree = new FrameTree(prediction.BodiesOfACell());
             _needed = new NeededFrames(Tree);
             subscriptions.Add(RosTopics.Tf, RosTopics.TransformsType);
@@ -65,6 +66,7 @@ namespace Nowpose.Session.Cell
         public DropReason Place(string name, in RigidTransform pose)
         {
             _needed.Need(name);
+            _stationaryArrivals.Remove(name);
             return _needed.Add(pose.ToTransform(default, FrameParents.World, name), isStationary: true);
         }
 
@@ -95,6 +97,7 @@ namespace Nowpose.Session.Cell
             _moment = moment;
             while (_stationary.TryTake(out var message, out var arrival)) Take(message, arrival);
             while (moment.Clock.IsKnown && _tracked.TryTake(out var message, out var arrival)) Take(message, arrival, moment.Clock);
+            _stationaryArrivals.Mark(Tree, moment.Start);
         }
 
         /// <summary>Computes the poses of all frames. Call it after the robots have computed their poses.</summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -21,13 +22,16 @@ namespace Nowpose.Session.Cell
         readonly List<ArrivedSignal> _kept = new List<ArrivedSignal>();
         readonly Subscriptions _subscriptions;
         readonly DropCounters _drops;
+        readonly ConnectionStart _connection;
+        readonly Dictionary<string, HeadsetTime> _received = new Dictionary<string, HeadsetTime>(StringComparer.Ordinal);
         // The receiving thread replaces the whole dictionary, so readers need no lock.
         volatile Dictionary<string, string> _ended = new Dictionary<string, string>(StringComparer.Ordinal);
 
         bool _isTimeKnown = true;
 
-        public SessionSignals(Subscriptions subscriptions, DropCounters drops)
+        public SessionSignals(Subscriptions subscriptions, DropCounters drops, ConnectionStart connection)
         {
+            _connection = connection;
             _subscriptions = subscriptions;
             _drops = drops;
         }
@@ -78,6 +82,8 @@ namespace Nowpose.Session.Cell
             if (_ended.TryGetValue(signal, out var reason)) return reason;
             var index = Table.IndexOf(signal);
             if (index < 0 || !Table[index].IsKnown) return "no value received";
+            // The gateway sends each value again at once, unless it has restarted and has no value from the signal's source.
+            if (!_received.TryGetValue(signal, out var arrival) || !_connection.Includes(arrival)) return SignalMessages.OlderThanConnection;
             return _isTimeKnown ? null : "clock unsynchronised";
         }
 
@@ -102,6 +108,7 @@ namespace Nowpose.Session.Cell
             var arrival = clock.ToControl(signal.Arrival);
             var isInFuture = StampRule.IsInFuture(signal.Stamp, arrival, clock.ErrorBound);
             var reason = isInFuture ? DropReason.StampInFuture : Table.Add(signal.Stamp, signal.Value, arrival);
+            if (reason == DropReason.None || reason == DropReason.DuplicateSample) _received[signal.Value.Name] = signal.Arrival;
             _drops.Count(reason);
             Judged?.Invoke(signal.Value, signal.Stamp, signal.Arrival, reason);
         }

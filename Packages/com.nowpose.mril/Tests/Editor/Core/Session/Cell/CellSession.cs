@@ -58,6 +58,9 @@ namespace Nowpose.Tests.Core.Session.Cell
             }
         }
 
+        /// <summary>Starts a new connection, over which no message has arrived yet.</summary>
+        public void Reconnect() => Session.Listener.Connected(At(Now));
+
         /// <param name="pose">Pose of the child in its parent.</param>
         public void Send(string parent, string child, double stamp, in RigidTransform pose, bool isStationary = false) =>
             Session.Listener.FramesReceived(new TransformsMessage(pose.ToTransform(ControlTime.FromSeconds(stamp), parent, child)), isStationary, At(stamp + Latency));
