@@ -90,6 +90,7 @@ public sealed partial class MessageCatalogueTests
         ["ProfileMessages"] = ["OtherKind"],
         ["RecorderMessages"] = ["Begun", "Deleted", "Ended", "FolderNotChecked", "UnknownName"],
         ["RequestMessages"] = ["Closed", "ClosedForRate", "Dropped", "NotAccepted"],
+        ["RobotMessages"] = ["OfRobot"],
         ["SessionMessages"] = ["Description", "DescriptionUnusable", "PlausibleAgain", "Recording", "Stale", "Synchronised", "WithinRange"],
         ["SignalMessages"] = ["OlderThanConnection"],
         ["SimulationMessages"] = ["Error", "Read", "Written"],

@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Plants;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using NUnit.Framework;
@@ -56,10 +57,32 @@ public class PlayedNamespaceTests : PlayedParts
 
         Run(1);
         Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Held), "only the robot whose source has ended is held");
-        Assert.That(FaultsNow(), Is.EqualTo("robot arm2: too few recent samples"));
+        Assert.That(FaultsNow(), Does.StartWith("robot arm2: joints arm_joint_1, arm_joint_2, "));
         Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
         rig.gameObject.SetActive(false);
         Assert.That(FaultsNow(), Is.Empty, "a robot that is not shown has no row");
+    }
+
+    [Test]
+    public void Rig_WithNamespaceBeyondItsLimitsOrWithAnotherDescription_HasAFault()
+    {
+        Second(RobotFiles.LoadText("ur5"));
+        var joints = RobotFiles.Load("ur5").MovingJoints.Select(joint => joint.Name).ToArray();
+        void Send(double t, double first) => _session.Session.Listener.Received(
+            new JointStateMessage(At(t), joints, [first, .. joints[1..].Select(_ => 0.1)]), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2");
+        Run(2, t => Send(t, 0.1));
+        Assert.That(FaultsNow(), Is.Empty);
+
+        _session.Session.Listener.Described(RobotFiles.LoadText("youbot"), "arm2");
+        Run(0.2, t => Send(t, 0.1));
+        Assert.That(FaultsNow(), Is.EqualTo("robot arm2: " + RobotMessages.DescriptionDiffers));
+
+        _session.Session.Listener.Described(RobotFiles.LoadText("ur5"), "arm2");
+        Run(1, t => Send(t, 45));
+        var found = _session.Session.Robots[1].Limits.Present;
+        Assert.That(found.Joint.Name, Is.EqualTo(joints[0]));
+        Assert.That(FaultsNow(), Is.EqualTo("robot arm2: " + found.Words));
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains(RobotMessages.OfRobot("arm2", found.Words)));
     }
 
     RobotRig Second(string urdf)

@@ -12,6 +12,11 @@ namespace Nowpose.Messages
             + FormattableString.Invariant($"{unit}, and is drawn at the limit; check that the robot description belongs to this robot and that ")
             + FormattableString.Invariant($"the source sends {unit}, not {otherUnit}");
 
+        public const string DescriptionDiffers =
+            "its description differs from that of the gateway, so the pose may be wrong; use the gateway's description on this headset";
+
+        public static string OfRobot(string robot, string fault) => $"robot {robot}: {fault}";
+
         public static string ValueCount(int values, int joints) =>
             $"{values} values were passed for {joints} moving joints; pass one value for each moving joint";
 

@@ -221,7 +221,7 @@ namespace Nowpose.Session
                 var displayTime = _display.Selector.LightOf(start, isComparable: isLast && _display.RenderTimes.State != RangeState.Outside);
                 var onControlClock = clock.IsKnown ? clock.ToControl(displayTime) : (ControlTime?)null;
                 _cell.Show(new DisplayMoment(start, onControlClock, clock, Settings.Clock.Trusts(clock), _display.Selector, _display.RenderTimes));
-                if (isLast) _currentShare.Add(start, _main.Frame.State == PoseState.Current);
+                if (isLast) _currentShare.Add(start, Robots.WorstPose == PoseState.Current);
                 Ticked?.Invoke(_main.Frame);
                 return _main.Frame;
             }
@@ -267,19 +267,14 @@ namespace Nowpose.Session
             lock (_gate)
             {
                 _measurements.Fill(into, now, this);
-                into.BeyondLimits = _main.Limits.Present;
                 into.CurrentShare = _currentShare.Value;
-                _main.Joints.Fill(into.ChangeableJointStatuses, now, into.Clock, _main.Frame.DisplayTime);
             }
         }
 
-        /// <summary>State of the pose in the newest frame. Thread-safe.</summary>
-        internal PoseState Pose
+        /// <summary>The most severe state among the poses of all robots in the newest frame. Thread-safe.</summary>
+        internal PoseState ReadWorstPose()
         {
-            get
-            {
-                lock (_gate) return _main.Frame.State;
-            }
+            lock (_gate) return Robots.WorstPose;
         }
 
         /// <summary>

@@ -51,7 +51,8 @@ namespace Nowpose.Session
             AddMs("horizon_ms", statistics.Horizon);
             AddMs("render_ms", statistics.RenderTime);
             if (statistics.Range != RangeState.Unknown) Add("range", statistics.Range.ToString().ToLowerInvariant());
-            if (statistics.BeyondLimits != null) Add("beyond_limits", statistics.BeyondLimits.Joint.Name);
+            if (BeyondLimits(statistics) is { Length: > 0 } beyond) Add("beyond_limits", beyond);
+            if (OtherDescriptions(statistics) is { Length: > 0 } described) Add("description_differs", described);
             if (WithheldErrors.WordsOf(statistics.ErrorWithheld) is { } withheld) Add("error_withheld", withheld);
             AddNumber("error_mm_hold", statistics.HoldErrorMm);
             AddNumber("error_mm", statistics.ErrorMm);
@@ -65,30 +66,59 @@ namespace Nowpose.Session
 
         static (int Level, string Message) Status(SessionStatistics statistics)
         {
-            if (statistics.Pose == PoseState.Current)
+            if (statistics.WorstPose == PoseState.Current)
             {
-                var warnings = string.Join("; ", new[] { UncertainJoints(statistics), DisplayMessages.ProblemOf(statistics) }.Where(text => !string.IsNullOrEmpty(text)));
+                var warnings = string.Join("; ", Warnings(statistics).Where(text => !string.IsNullOrEmpty(text)));
                 return (warnings.Length == 0 ? 0 : 1, warnings);
             }
 
             var missing = MissingJoints(statistics);
-            var pose = "the pose is " + PoseStateName.Of(statistics);
+            var pose = "the pose is " + PoseOf(statistics);
             return missing.Length == 0 ? (1, pose) : (2, pose + "; missing joints: " + missing);
         }
 
+        static IEnumerable<string> Warnings(SessionStatistics statistics)
+        {
+            yield return UncertainJoints(statistics);
+            yield return DisplayMessages.ProblemOf(statistics);
+            foreach (var robot in statistics.OtherRobots)
+                if (robot.BeyondLimits != null) yield return RobotMessages.OfRobot(robot.Namespace, robot.BeyondLimits.Words);
+            if (statistics.RobotDescriptionMatch == RobotDescriptionMatch.Different) yield return RobotMessages.DescriptionDiffers;
+            foreach (var robot in statistics.OtherRobots)
+                if (robot.DescriptionMatch == RobotDescriptionMatch.Different)
+                    yield return RobotMessages.OfRobot(robot.Namespace, RobotMessages.DescriptionDiffers);
+        }
+
+        static string PoseOf(SessionStatistics statistics) => PoseStateName.Of(statistics.WorstPose, statistics.IsClockCoarse);
+
         // Returns for example "joint a1: may not be at rest: the stop itself was not observed"; empty if the rest of all joints is certain.
         static string UncertainJoints(SessionStatistics statistics) =>
-            JointStatusText.Of(statistics.JointStatuses.Where(joint => joint.IsRestUncertain), joint => joint.Reason);
+            JointStatusText.Of(Joints(statistics).Where(joint => joint.IsRestUncertain), joint => joint.Reason);
 
         static string MissingJoints(SessionStatistics statistics) =>
-            string.Join(",", statistics.JointStatuses.Where(each => each.IsMissing).Select(each => each.Joint));
+            string.Join(",", Joints(statistics).Where(each => each.IsMissing).Select(each => each.Joint));
+
+        // The joints of all robots. Those of the other robots have cell-wide names, such as arm2/elbow.
+        static IEnumerable<JointStatus> Joints(SessionStatistics statistics) => statistics.JointStatuses.Concat(
+            from robot in statistics.OtherRobots
+            from joint in robot.JointStatuses
+            select new JointStatus(robot.NameOf(joint.Joint), joint.State, joint.Since, joint.Age, joint.Reason));
+
+        static string BeyondLimits(SessionStatistics statistics) => string.Join(",", new[] { statistics.BeyondLimits?.Joint.Name }
+            .Concat(statistics.OtherRobots.Select(robot => robot.BeyondLimits == null ? null : robot.NameOf(robot.BeyondLimits.Joint.Name)))
+            .Where(name => name != null));
+
+        // The robots whose description differs from that of the gateway; "main" for the robot of the session.
+        static string OtherDescriptions(SessionStatistics statistics) => string.Join(",", new[] { ("main", statistics.RobotDescriptionMatch) }
+            .Concat(statistics.OtherRobots.Select(robot => (robot.Namespace, robot.DescriptionMatch)))
+            .Where(robot => robot.Item2 == RobotDescriptionMatch.Different).Select(robot => robot.Item1));
 
         static void AddPose(SessionStatistics statistics, Action<string, string> add)
         {
-            add("pose", PoseStateName.Of(statistics));
+            add("pose", PoseOf(statistics));
             if (statistics.CurrentShare.HasValue) add("current_share", Number(statistics.CurrentShare.Value));
             add("missing_joints", MissingJoints(statistics));
-            foreach (var joint in statistics.JointStatuses) add("joint_status/" + joint.Joint, joint.Description);
+            foreach (var joint in Joints(statistics)) add("joint_status/" + joint.Joint, joint.Description);
         }
 
         static void AddErrors(SessionStatistics statistics, Action<string, double?> add)

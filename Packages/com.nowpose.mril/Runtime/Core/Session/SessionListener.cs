@@ -11,7 +11,7 @@ namespace Nowpose.Session
 
         readonly CompensationSession _session;
         readonly IHeadsetClock _clock;
-        // State of the pose in the newest diagnostics.
+        // Most severe state of a pose in the newest diagnostics.
         volatile int _reportedPose = NoDiagnostics;
 
         /// <param name="clock">Clock for time stamps of the diagnostics.</param>
@@ -61,7 +61,7 @@ namespace Nowpose.Session
 
         public JointStateMessage Displayed() => _session.Displayed();
 
-        public bool HasPoseChanged => _reportedPose != NoDiagnostics && _reportedPose != (int)_session.Pose;
+        public bool HasPoseChanged => _reportedPose != NoDiagnostics && _reportedPose != (int)_session.ReadWorstPose();
 
         /// <summary>
         /// Returns the diagnostics that this headset publishes once per second, and at once when the state of the pose changes. The time stamp is zero
@@ -71,7 +71,7 @@ namespace Nowpose.Session
         {
             var now = _clock.Now;
             var statistics = _session.Statistics(now);
-            _reportedPose = (int)statistics.Pose;
+            _reportedPose = (int)statistics.WorstPose;
             return SessionDiagnostics.Of(
                 statistics, _session.Settings.Connection.HeadsetName, statistics.Clock.IsKnown ? statistics.Clock.ToControl(now) : default);
         }

@@ -35,16 +35,13 @@ namespace Nowpose.Session
             FillClock(into, now);
             FillLatency(into);
             FillError(into);
-            into.Pose = _frame.State;
-            into.IsLimitedByBase = _frame.IsLimitedByBase;
+            into.Fill(session.Robots, now);
             into.OutsideRange = _frame.OutsideRange;
         }
 
         static void FillSession(SessionStatistics into, CompensationSession session)
         {
             into.ClockSettings = session.Settings.Clock;
-            into.RobotDescriptionMatch = session.RobotDescriptionMatch;
-            into.Samples = session.Intake.Samples;
             into.Dropped = session.Drops.Total + session.SyncFaults.Total;
             into.SyncLink = session.SyncLink;
             into.SampleLink = session.SampleLink;

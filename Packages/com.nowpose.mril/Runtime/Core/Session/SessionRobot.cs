@@ -91,6 +91,18 @@ namespace Nowpose.Session
             Frame.SetBase(state);
         }
 
+        /// <summary>Writes the robot's state into a reusable object; allocates nothing.</summary>
+        /// <param name="now">Headset time at which the states of the joints are evaluated.</param>
+        public void Fill(RobotStatistics into, HeadsetTime now, in ClockModel clock)
+        {
+            into.Pose = Frame.State;
+            into.IsLimitedByBase = Frame.IsLimitedByBase;
+            into.DescriptionMatch = Description.Match;
+            into.BeyondLimits = Limits.Present;
+            into.Samples = Intake.Samples;
+            Joints.Fill(into.JointStatuses, now, clock, Frame.DisplayTime);
+        }
+
         /// <summary>Discards all samples, because their times are no longer valid.</summary>
         public void Restart()
         {

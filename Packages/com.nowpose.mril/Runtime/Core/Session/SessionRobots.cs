@@ -74,6 +74,18 @@ namespace Nowpose.Session
             return null;
         }
 
+        /// <summary>The most severe state among the poses of all robots. Call it under the lock of the session.</summary>
+        public PoseState WorstPose
+        {
+            get
+            {
+                var worst = PoseState.Current;
+                foreach (var robot in _all)
+                    if (robot.Frame.State < worst) worst = robot.Frame.State;
+                return worst;
+            }
+        }
+
         /// <summary>Processes all messages that have arrived.</summary>
         public void Take(in ClockModel clock)
         {

@@ -14,7 +14,8 @@ namespace Nowpose.Session
     /// </summary>
     public sealed class SessionStatistics
     {
-        readonly List<JointStatus> _jointStatuses = new List<JointStatus>();
+        readonly RobotStatistics _robot = new RobotStatistics();
+        readonly List<RobotStatistics> _otherRobots = new List<RobotStatistics>();
         JointError[] _jointErrors = Array.Empty<JointError>();
 
         public ClockModel Clock { get; internal set; }
@@ -133,33 +134,48 @@ namespace Nowpose.Session
         /// </summary>
         public double? ErrorReduction => ToolError?.Reduction;
 
-        public PoseState Pose { get; internal set; }
+        /// <summary>State of the pose of <see cref="CompensationSession.Robot"/>.</summary>
+        public PoseState Pose { get => _robot.Pose; internal set => _robot.Pose = value; }
 
         /// <inheritdoc cref="DisplayFrame.IsLimitedByBase"/>
-        internal bool IsLimitedByBase { get; set; }
+        internal bool IsLimitedByBase { get => _robot.IsLimitedByBase; set => _robot.IsLimitedByBase = value; }
 
-        /// <summary>Fraction of the frames of the last ten seconds that had a current pose, 0 to 1; null before the first frame.</summary>
+        /// <summary>The most severe state among the poses of all robots.</summary>
+        internal PoseState WorstPose
+        {
+            get
+            {
+                var worst = Pose;
+                foreach (var robot in _otherRobots)
+                    if (robot.Pose < worst) worst = robot.Pose;
+                return worst;
+            }
+        }
+
+        /// <summary>
+        /// Fraction of the frames of the last ten seconds in which the poses of all robots were current, 0 to 1; null before the first frame.
+        /// </summary>
         public double? CurrentShare { get; internal set; }
 
         /// <summary>
         /// Joints that are not live, in the robot's order. A joint that does not move the tool is listed only if the gateway
         /// reports it.
         /// </summary>
-        public IReadOnlyList<JointStatus> JointStatuses => _jointStatuses;
+        public IReadOnlyList<JointStatus> JointStatuses => _robot.JointStatuses;
 
         /// <summary>How the robot is displayed outside the constant-latency range.</summary>
         public OutsideRangeResponse OutsideRange { get; internal set; }
 
-        internal RobotDescriptionMatch RobotDescriptionMatch { get; set; }
+        internal RobotDescriptionMatch RobotDescriptionMatch { get => _robot.DescriptionMatch; set => _robot.DescriptionMatch = value; }
 
         /// <summary>
         /// First joint with samples outside its limits, which is drawn at the limit; null if there is none. A possible cause is that the description
         /// belongs to another robot, or that the samples have another unit.
         /// </summary>
-        public JointBeyondLimits BeyondLimits { get; internal set; }
+        public JointBeyondLimits BeyondLimits { get => _robot.BeyondLimits; internal set => _robot.BeyondLimits = value; }
 
         /// <summary>Number of used messages.</summary>
-        public long Samples { get; internal set; }
+        public long Samples { get => _robot.Samples; internal set => _robot.Samples = value; }
 
         /// <summary>Number of dropped messages and dropped sync exchanges.</summary>
         public long Dropped { get; internal set; }
@@ -168,7 +184,19 @@ namespace Nowpose.Session
         public LinkStatus SampleLink { get; internal set; } = LinkStatus.Idle;
         internal TransportSecurity Security { get; set; }
 
-        internal List<JointStatus> ChangeableJointStatuses => _jointStatuses;
+        internal List<JointStatus> ChangeableJointStatuses => _robot.JointStatuses;
+
+        /// <summary>States of the robots other than <see cref="CompensationSession.Robot"/>.</summary>
+        internal IReadOnlyList<RobotStatistics> OtherRobots => _otherRobots;
+
+        /// <summary>Writes the states of all robots.</summary>
+        internal void Fill(SessionRobots robots, HeadsetTime now)
+        {
+            robots[0].Fill(_robot, now, Clock);
+            while (_otherRobots.Count >= robots.Count) _otherRobots.RemoveAt(_otherRobots.Count - 1);
+            while (_otherRobots.Count < robots.Count - 1) _otherRobots.Add(new RobotStatistics { Namespace = robots[_otherRobots.Count + 1].Namespace });
+            for (var i = 0; i < _otherRobots.Count; i++) robots[i + 1].Fill(_otherRobots[i], now, Clock);
+        }
 
         internal JointError[] PlacesForJointErrors(int count)
         {

@@ -1,7 +1,10 @@
+using System;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Session;
 using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
+using Nowpose.Unity.Status;
 using UnityEngine;
 
 namespace Nowpose.Unity.Cell
@@ -16,6 +19,7 @@ namespace Nowpose.Unity.Cell
         readonly RobotDescriptionAsset _description;
         readonly Transform _world;
         readonly MrilSession _source;
+        readonly JointStatusLine _missingJoints = new JointStatusLine(isOfMissing: true, () => DateTime.Now);
         CompensationSession _session;
         SessionRobot _robot;
 
@@ -41,9 +45,24 @@ namespace Nowpose.Unity.Cell
             get
             {
                 if (_robot == null) return _session == null ? StatusMessages.NoSession : StatusMessages.RobotNotAdded;
-                var frame = _robot.Frame;
-                return frame.State == PoseState.Current ? null : StatusMessages.ReasonOf(frame.State, frame.IsLimitedByBase);
+                return FaultOf(_robot.Frame) ?? (StatisticsOf(_source.Statistics) is RobotStatistics robot ? FaultOf(robot) : null);
             }
+        }
+
+        // The time and the render time concern the whole cell, and a base that is not current concerns all joints.
+        static string FaultOf(DisplayFrame frame) => frame.IsLimitedByBase || frame.State == PoseState.Unsynchronised || frame.State == PoseState.OutsideRange
+            ? StatusMessages.ReasonOf(frame.State, frame.IsLimitedByBase) : null;
+
+        string FaultOf(RobotStatistics robot) => _missingJoints.Of(robot.JointStatuses, robot.Samples)
+            ?? (robot.Pose != PoseState.Current ? StatusMessages.ReasonOf(robot.Pose) : null)
+            ?? robot.BeyondLimits?.Words
+            ?? (robot.DescriptionMatch == RobotDescriptionMatch.Different ? RobotMessages.DescriptionDiffers : null);
+
+        RobotStatistics StatisticsOf(SessionStatistics session)
+        {
+            for (var i = 0; i < (session?.OtherRobots.Count ?? 0); i++)
+                if (session.OtherRobots[i].Namespace == _name) return session.OtherRobots[i];
+            return null;
         }
 
         // A rig that shows the newest samples for comparison is not listed, because its pose is never current.

@@ -17,7 +17,8 @@ namespace Nowpose.Unity.Session
         readonly Object _context;
         string _sync, _samples, _versions;
         CompensationSession _followed;
-        int _beyondLimits;
+        // Numbers of the logged joints beyond their limits, one per robot.
+        readonly List<int> _beyondLimits = new List<int>();
         IReadOnlyList<ConditionMismatch> _mismatches = Array.Empty<ConditionMismatch>();
 
         /// <param name="context">Object that is selected by a click on a logged line.</param>
@@ -35,9 +36,9 @@ namespace Nowpose.Unity.Session
         {
             Follow(session.SyncLink, "clock sync", ref _sync);
             Follow(session.SampleLink, "joint positions", ref _samples);
-            if (session != _followed) _beyondLimits = 0;
+            if (session != _followed) _beyondLimits.Clear();
             _followed = session;
-            for (; _beyondLimits < session.BeyondLimits.Count; _beyondLimits++) Warn(session.BeyondLimits[_beyondLimits].Words);
+            FollowLimits(session.Robots);
             Follow(session.ProfileMismatches);
             // Each reconnection reports a version mismatch again, so the same mismatch is logged only once.
             var versions = session.VersionMismatch;
@@ -65,6 +66,16 @@ namespace Nowpose.Unity.Session
             if ((change & SessionChange.DisplayTimePlausible) != 0)
                 Debug.Log(ConsoleLog.Prefix + SessionMessages.PlausibleAgain, _context);
             if ((change & SessionChange.Stale) != 0) Warn(SessionMessages.Stale(MissingJointsOf(statistics)));
+        }
+
+        void FollowLimits(SessionRobots robots)
+        {
+            for (var i = 0; i < robots.Count; i++)
+            {
+                if (_beyondLimits.Count == i) _beyondLimits.Add(0);
+                for (var found = robots[i].Limits.Found; _beyondLimits[i] < found.Count; _beyondLimits[i]++)
+                    Warn(i == 0 ? found[_beyondLimits[i]].Words : RobotMessages.OfRobot(robots[i].Namespace, found[_beyondLimits[i]].Words));
+            }
         }
 
         static string MissingJointsOf(SessionStatistics statistics)

@@ -32,11 +32,16 @@ namespace Nowpose.Unity.Status
 
         /// <summary>Returns the line; null if the list is empty.</summary>
         /// <param name="statistics">Statistics of the session; null if no session exists.</param>
-        public string Of(SessionStatistics statistics)
+        public string Of(SessionStatistics statistics) => Of(statistics?.JointStatuses ?? Array.Empty<JointStatus>(), statistics?.Samples ?? 0);
+
+        /// <inheritdoc cref="Of(SessionStatistics)"/>
+        /// <param name="joints">Joints of a robot that are not live.</param>
+        /// <param name="samples">Number of messages of the robot that were used.</param>
+        public string Of(IReadOnlyList<JointStatus> joints, long samples)
         {
             _chosen.Clear();
-            for (var i = 0; i < (statistics?.JointStatuses.Count ?? 0); i++)
-                if (IsDescribed(statistics.JointStatuses[i], statistics.Samples)) _chosen.Add(statistics.JointStatuses[i]);
+            for (var i = 0; i < joints.Count; i++)
+                if (IsDescribed(joints[i], samples)) _chosen.Add(joints[i]);
             if (IsSame()) return _text;
             _described.Clear();
             _described.AddRange(_chosen);

@@ -166,5 +166,37 @@ namespace Nowpose.Tests.Core.Session.Cell
                 Throws.TypeOf<InputException>().With.Message.Contains("'" + name + "'").And.Message.Contains("32"));
 
         static RobotModel Other() => UrdfReader.Read("<robot name='other'><link name='base'/></robot>", "test");
+
+        [Test]
+        public void Diagnostics_SecondRobotWithFaults_NameItsPoseJointsAndDescription()
+        {
+            var cell = new CellSession();
+            cell.Session.Robots.Add("arm2", TestRobot.Model);
+            cell.Sampling = t => cell.SendJoints(t, 0, 0);
+            cell.Run(1);
+            string[] Of(params string[] keys) => keys.Select(key => DiagnosticsOf(cell).Values.FirstOrDefault(pair => pair.Key == key).Value).ToArray();
+
+            Assert.That(Of("pose", "current_share", "missing_joints", "joint_status/arm2/elbow", "beyond_limits"),
+                Is.EqualTo(new[] { "incomplete", "0", "arm2/shoulder,arm2/elbow", "no value", null }));
+            Assert.That((DiagnosticsOf(cell).Level, cell.Session.ReadWorstPose()), Is.EqualTo((2, PoseState.Incomplete)));
+            Assert.That(cell.Session.Statistics(HeadsetTime.FromSeconds(cell.Now)).Pose, Is.EqualTo(PoseState.Current), "the session's own robot");
+
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, 0, 0);
+                cell.SendJoints(t, 45, 0, "arm2");
+            };
+            cell.Session.Listener.Described(OtherUrdf, "arm2");
+            cell.Run(1);
+
+            Assert.That(Of("pose", "missing_joints", "beyond_limits", "description_differs"),
+                Is.EqualTo(new[] { "current", "", "arm2/shoulder", "arm2" }));
+            Assert.That(DiagnosticsOf(cell).Level, Is.EqualTo(1));
+        }
+
+        const string OtherUrdf = "<robot name='other'><link name='base'/></robot>";
+
+        static DiagnosticsMessage DiagnosticsOf(CellSession cell) =>
+            SessionDiagnostics.Of(cell.Session.Statistics(HeadsetTime.FromSeconds(cell.Now)), "left", default);
     }
 }

@@ -1,0 +1,33 @@
+using System.Collections.Generic;
+using Nowpose.Kinematics;
+using Nowpose.Protocol;
+
+namespace Nowpose.Session
+{
+    /// <summary>State of one robot of a session at one time.</summary>
+    sealed class RobotStatistics
+    {
+        /// <summary>Namespace of the robot; empty for a robot without a namespace.</summary>
+        public string Namespace { get; set; } = "";
+
+        /// <summary>State of the robot's pose.</summary>
+        public PoseState Pose { get; set; }
+
+        /// <inheritdoc cref="DisplayFrame.IsLimitedByBase"/>
+        public bool IsLimitedByBase { get; set; }
+
+        /// <inheritdoc cref="SessionStatistics.JointStatuses"/>
+        public List<JointStatus> JointStatuses { get; } = new List<JointStatus>();
+
+        public RobotDescriptionMatch DescriptionMatch { get; set; }
+
+        /// <inheritdoc cref="SessionStatistics.BeyondLimits"/>
+        public JointBeyondLimits BeyondLimits { get; set; }
+
+        /// <summary>Number of used messages.</summary>
+        public long Samples { get; set; }
+
+        /// <summary>Returns the cell-wide name of one of the robot's joints.</summary>
+        public string NameOf(string joint) => RobotTopic.Qualified(Namespace, joint);
+    }
+}
