@@ -64,7 +64,7 @@ sealed class GatewayStatus : IDisposable
         _drops = drops;
         _connections = [("sync", sync), ("websocket", webSocket)];
         _diagnostics = new DiagnosticsBoard(options.Time);
-        _joints = new JointBoard(options.Time, () => limits.Robot, log);
+        _joints = new JointBoard(options.Time, () => limits.Robots, log);
         _cellReports = new CellReports(options.Time);
         _cell = new CellBoard(options.Time, _cellReports, hub.Links.RootOf);
         _refusals = new RecentRefusals(options.Time);

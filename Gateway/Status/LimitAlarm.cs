@@ -1,49 +1,62 @@
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Recording;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
 /// <summary>
-/// Logs, once per joint, that a published position is beyond the joint's limits in the robot description. Thread-safe; does not block publishers.
+/// Logs, once per joint, that a published position is beyond the joint's limits in the description of its robot. Thread-safe; does not block publishers.
 /// </summary>
 sealed class LimitAlarm : IDisposable
 {
+    readonly MessageHub _hub;
     readonly Action<string> _log;
     readonly Lock _lock = new();
     readonly IDisposable[] _subscriptions;
-    DescribedRobot _described = DescribedRobot.None;
-    LimitWatch _watch;
-    RobotModel _robot;
-    int _logged;
+    // By namespace, in the order of the namespaces.
+    readonly SortedDictionary<string, WatchedRobot> _robots = new(StringComparer.Ordinal);
 
     public LimitAlarm(MessageHub hub, Action<string> log)
     {
+        _hub = hub;
         _log = log;
-        _subscriptions = [hub.Subscribe(RosTopics.RobotDescription, Describe), hub.Subscribe(RosTopics.JointStates, Take)];
+        _subscriptions =
+        [
+            hub.Subscribe(RosTopics.RobotDescription, Describe), hub.Subscribe(RosTopics.JointStates, Take),
+            hub.SubscribeToRobots(RosTopics.RobotDescription, Describe), hub.SubscribeToRobots(RosTopics.JointStates, Take),
+        ];
     }
 
-    /// <summary>The described robot; null without a valid description, or while the description is still being parsed.</summary>
-    public RobotModel Robot
+    /// <summary>The robots with a valid description that has been parsed, and their namespaces.</summary>
+    public IReadOnlyList<(string Namespace, RobotModel Model)> Robots
     {
         get
         {
-            lock (_lock) return _robot;
+            lock (_lock) return [.. _robots.Where(robot => robot.Value.Model != null).Select(robot => (robot.Key, robot.Value.Model))];
         }
     }
 
-    /// <summary>Joints whose current position is beyond their limits.</summary>
-    public IReadOnlyList<JointBeyondLimits> Beyond
+    /// <summary>Joints whose current position is beyond their limits, with their cell-wide names.</summary>
+    public IReadOnlyList<(string Name, JointBeyondLimits Found)> Beyond
     {
         get
         {
-            lock (_lock) return _watch == null ? [] : [.. _watch.Found.Where(_watch.IsBeyond)];
+            lock (_lock)
+                return
+                [
+                    .. from robot in _robots
+                       where robot.Value.Watch != null
+                       from found in robot.Value.Watch.Found
+                       where robot.Value.Watch.IsBeyond(found)
+                       select (RobotTopic.Qualified(robot.Key, found.Joint.Name), found),
+                ];
         }
     }
 
-    /// <summary>Names of the joints whose current position is beyond their limits.</summary>
-    public IReadOnlyList<string> Joints => [.. Beyond.Select(found => found.Joint.Name)];
+    /// <summary>Cell-wide names of the joints whose current position is beyond their limits.</summary>
+    public IReadOnlyList<string> Joints => [.. Beyond.Select(one => one.Name)];
 
     public void Dispose()
     {
@@ -53,25 +66,28 @@ sealed class LimitAlarm : IDisposable
     void Describe(HubMessage message)
     {
         var described = new DescribedRobot((string)message.Content);
+        var present = _hub.Robots;
         lock (_lock)
         {
+            // The hub removes robots without a source to make room for others.
+            foreach (var name in _robots.Keys.Where(name => name.Length > 0 && name != message.Robot && !present.Contains(name)).ToArray()) _robots.Remove(name);
+            if (!_robots.TryGetValue(message.Robot, out var robot)) _robots.Add(message.Robot, robot = new WatchedRobot());
             // Ignores an equal description, which a source sends after each reconnection, so that no joint is logged twice.
-            if (described.Urdf == _described.Urdf) return;
-            _described = described;
+            if (described.Urdf == robot.Described?.Urdf) return;
+            robot.Described = described;
+            _ = Task.Run(() => Follow(robot, described));
         }
-
-        _ = Task.Run(() => Follow(described));
     }
 
     // Parses the description, which is slow.
-    void Follow(DescribedRobot described)
+    void Follow(WatchedRobot robot, DescribedRobot described)
     {
-        var robot = described.Model;
+        var model = described.Model;
         lock (_lock)
         {
-            if (described != _described) return;
-            (_robot, _logged) = (robot, 0);
-            _watch = robot == null ? null : new LimitWatch(robot);
+            if (described != robot.Described) return;
+            (robot.Model, robot.Logged) = (model, 0);
+            robot.Watch = model == null ? null : new LimitWatch(model);
         }
     }
 
@@ -81,16 +97,33 @@ sealed class LimitAlarm : IDisposable
         List<string> words = null;
         lock (_lock)
         {
-            if (_watch == null) return;
+            if (!_robots.TryGetValue(message.Robot, out var robot) || robot.Watch == null) return;
             for (var i = 0; i < state.Names.Length; i++)
             {
-                var joint = _robot.IndexOfMovingJoint(state.Names[i]);
-                if (joint >= 0) _watch.Add(joint, state.Positions[i]);
+                var joint = robot.Model.IndexOfMovingJoint(state.Names[i]);
+                if (joint >= 0) robot.Watch.Add(joint, state.Positions[i]);
             }
 
-            for (; _logged < _watch.Found.Count; _logged++) (words ??= []).Add(_watch.Found[_logged].Words);
+            for (; robot.Logged < robot.Watch.Found.Count; robot.Logged++)
+            {
+                var found = robot.Watch.Found[robot.Logged].Words;
+                (words ??= []).Add(message.Robot.Length == 0 ? found : RobotMessages.OfRobot(message.Robot, found));
+            }
         }
 
         words?.ForEach(_log);
+    }
+
+    sealed class WatchedRobot
+    {
+        public DescribedRobot Described { get; set; }
+
+        /// <summary>Null without a valid description, or while the description is being parsed.</summary>
+        public RobotModel Model { get; set; }
+
+        public LimitWatch Watch { get; set; }
+
+        /// <summary>Number of joints that have been logged.</summary>
+        public int Logged { get; set; }
     }
 }

@@ -235,14 +235,15 @@ sealed class Conditions(
 
     IEnumerable<Condition> OfLimits() => limits.Beyond.Select(Of);
 
-    static Condition Of(JointBeyondLimits found)
+    static Condition Of((string Name, JointBeyondLimits Found) one)
     {
+        var (name, found) = one;
         var (joint, allowed) = (found.Joint, found.Joint.Limits);
         var (unit, other) = joint.Kind == JointKind.Prismatic ? ("m", "mm") : ("rad", "degrees");
         return new Condition(
-            "limit", joint.Name, EventTexts.IsExceeded, EventTexts.BeyondLimits(found.Position, unit, allowed.Lower, allowed.Upper), Level.Warning)
+            "limit", name, EventTexts.IsExceeded, EventTexts.BeyondLimits(found.Position, unit, allowed.Lower, allowed.Upper), Level.Warning)
         {
-            Headline = EventTexts.JointBeyondLimits(joint.Name),
+            Headline = EventTexts.JointBeyondLimits(name),
             Remedy = EventRemedies.Limits(unit, other),
         };
     }

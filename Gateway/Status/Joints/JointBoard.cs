@@ -11,12 +11,13 @@ namespace Nowpose.Gateway.Status.Joints;
 /// a joint that have been gone for the longest time are removed, so that an adapter that changes its name does not add sources without limit. The
 /// joint stays listed with its other sources. Any other joint is removed when its source has ended normally and no sample has arrived for
 /// <see cref="ForgottenAfter"/>. If its source has ended in another way, the joint stays listed as failed until samples arrive again. An arm joint
-/// of the described robot that no source publishes is listed as missing as soon as a source publishes another arm joint.
+/// of a described robot that no source publishes is listed as missing as soon as a source publishes another arm joint.
 /// </remarks>
 /// <param name="time">Time source.</param>
-/// <param name="robot">Returns the described robot; null if no robot is described.</param>
+/// <param name="robots">Returns the described robots with their namespaces; null if no robots are described.</param>
 /// <param name="log">Called once, when an adapter uses a former key; null for no log.</param>
-sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action<string> log = null)
+sealed class JointBoard(
+    TimeProvider time, Func<IReadOnlyList<(string Namespace, RobotModel Model)>> robots = null, Action<string> log = null)
 {
     internal const int MaxJoints = 4 * ProtocolLimits.Joints;
 
@@ -122,7 +123,7 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action
     /// <summary>Gets the state of all joints, sorted by name and source.</summary>
     public IReadOnlyList<JointSnapshot> Read()
     {
-        var expected = robot?.Invoke();
+        var expected = robots?.Invoke() ?? [];
         lock (_lock)
         {
             Forget();

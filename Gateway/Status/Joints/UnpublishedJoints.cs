@@ -18,12 +18,11 @@ sealed class UnpublishedJoints(TimeProvider time)
     readonly Dictionary<string, (long Count, DateTimeOffset Utc)> _since = [];
 
     /// <summary>Gets the unpublished joints.</summary>
-    /// <param name="robot">The described robot; null if no robot is described.</param>
+    /// <param name="robots">The described robots with their namespaces.</param>
     /// <param name="hasSource">Returns whether a source publishes a joint or an adapter has the joint in its configuration.</param>
-    public IEnumerable<JointSnapshot> Judge(RobotModel robot, Func<string, bool> hasSource)
+    public IEnumerable<JointSnapshot> Judge(IEnumerable<(string Namespace, RobotModel Model)> robots, Func<string, bool> hasSource)
     {
-        var names = robot == null ? [] : NamesOf(robot);
-        var missing = names.Exists(hasSource.Invoke) ? names.FindAll(name => !hasSource(name)) : [];
+        var missing = robots.SelectMany(robot => MissingOf(NamesOf(robot.Model).ConvertAll(name => RobotTopic.Qualified(robot.Namespace, name)), hasSource)).ToArray();
         foreach (var name in _since.Keys.Except(missing).ToArray()) _since.Remove(name);
         foreach (var name in missing) _since.TryAdd(name, (time.GetTimestamp(), time.GetUtcNow()));
         return _since.Where(entry => time.GetElapsedTime(entry.Value.Count) >= StartTimeout).Select(entry => new JointSnapshot(
@@ -32,6 +31,9 @@ sealed class UnpublishedJoints(TimeProvider time)
             ReasonWord = JointFaultReasons.NotPublished,
         });
     }
+
+    static List<string> MissingOf(List<string> joints, Func<string, bool> hasSource) =>
+        joints.Exists(hasSource.Invoke) ? joints.FindAll(name => !hasSource(name)) : [];
 
     /// <summary>Gets the names of the joints whose positions headsets need to show the arm.</summary>
     internal static List<string> NamesOf(RobotModel robot) => [.. ToolJoints.Of(robot).Select(joint => robot.MovingJoints[joint].Name)];

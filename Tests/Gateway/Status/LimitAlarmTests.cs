@@ -1,6 +1,7 @@
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Status;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using NUnit.Framework;
 
@@ -51,6 +52,27 @@ public class LimitAlarmTests
         Assert.That(_alarm.Joints, Is.EqualTo(new[] { "elbow_joint" }));
         Assert.That(_lines, Has.Count.EqualTo(1));
         Assert.That(_lines[0], Does.StartWith("joint 'elbow_joint': 90 rad is outside its limits -6.283 to 6.283 rad"));
+    }
+
+    [Test]
+    public async Task Joints_RobotsWithNamespaces_AreCheckedAgainstTheirOwnLimits()
+    {
+        _source.TryDescribe(RobotFiles.LoadText("ur5"));
+        _source.Describe(RobotFiles.LoadText("ur5").Replace("6.283185307179586", "12.6", StringComparison.Ordinal), "arm1");
+        _source.Describe(RobotFiles.LoadText("ur5"), "arm2");
+
+        await Soon.BecomesAsync(
+            () =>
+            {
+                Send(0.5);
+                foreach (var robot in new[] { "arm1", "arm2" })
+                    _source.Publish(new JointStateMessage(ControlTime.FromSeconds(1), Joints, [0.5, 7]), robot: robot);
+                return _alarm.Joints.Count > 0 && _alarm.Robots.Count == 3;
+            },
+            "the joint is found");
+
+        Assert.That(_alarm.Joints, Is.EqualTo(new[] { "arm2/elbow_joint" }));
+        Assert.That(_lines, Is.EqualTo(new[] { RobotMessages.OfRobot("arm2", _alarm.Beyond[0].Found.Words) }));
     }
 
     [Test]

@@ -10,7 +10,7 @@ sealed class SampledBoard
 {
     public SampledBoard(Func<RobotModel> robot = null, Action<string> log = null)
     {
-        Board = new JointBoard(Time, robot, log);
+        Board = new JointBoard(Time, () => robot?.Invoke() is { } model ? [("", model)] : [], log);
         Source = Hub.OpenSource();
     }
 
