@@ -15,6 +15,9 @@ sealed class CellFrames(RobotLinks links)
     readonly Dictionary<string, (HubSource Source, bool IsStationary)> _frames = [];
     readonly FrameParents _parents = new(links.RootOf);
 
+    /// <summary>Raised with a frame that is removed because its source has ended, or because it is in a cycle. Called under the hub's lock.</summary>
+    public event Action<string> Ended;
+
     /// <summary>The sources that publish the frames. A stationary frame whose source has ended has none.</summary>
     public NameOwners<string> Owners { get; } = new();
 
@@ -45,7 +48,7 @@ sealed class CellFrames(RobotLinks links)
     public void Release(HubSource source, string topic)
     {
         foreach (var child in Owners.Release(source, child => topic == null || topic == (IsStationary(child) ? RosTopics.TfStatic : RosTopics.Tf)))
-            if (!IsStationary(child)) Remove(child);
+            if (!IsStationary(child)) Remove(child, Ended);
     }
 
     /// <summary>Removes the frames that form a cycle through a robot, because the robot was described after them.</summary>
@@ -54,7 +57,7 @@ sealed class CellFrames(RobotLinks links)
     {
         var inCycle = _frames.Where(one => _parents.IsInCycle(one.Key))
             .Select(one => (one.Value.Source, LimitBroken(DropReason.FrameCycle, one.Key, _parents[one.Key]))).ToArray();
-        foreach (var (_, frame) in inCycle) Remove(frame.Name);
+        foreach (var (_, frame) in inCycle) Remove(frame.Name, Ended);
         return inCycle;
     }
 
@@ -66,7 +69,7 @@ sealed class CellFrames(RobotLinks links)
         var reason = _parents.TrySet(transform.Child, transform.Parent);
         if (reason == DropReason.TooManyFrames && _frames.Keys.FirstOrDefault(child => Owners[child] == null) is { } abandoned)
         {
-            Remove(abandoned);
+            Remove(abandoned, null);
             reason = _parents.TrySet(transform.Child, transform.Parent);
         }
 
@@ -79,8 +82,9 @@ sealed class CellFrames(RobotLinks links)
 
     bool IsStationary(string child) => _frames.GetValueOrDefault(child).IsStationary;
 
-    void Remove(string child)
+    void Remove(string child, Action<string> removed)
     {
+        removed?.Invoke(child);
         _frames.Remove(child);
         Owners.Release(child);
         _parents.Remove(child);

@@ -12,14 +12,13 @@ public sealed class MessageHub
     readonly Subscribers _subscribers = new();
     readonly Dictionary<(HubSource Source, string Topic), HubMessage> _newest = [];
     readonly RobotRegistry _robots = new();
-    readonly CellFrames _frames;
     readonly CellSignals _signals = new();
     long _sequence;
 
     public MessageHub()
     {
         Links = new RobotLinks(RemoveCycles);
-        _frames = new CellFrames(Links);
+        Frames = new CellFrames(Links);
     }
 
     /// <summary>Number of topics with at least one subscriber.</summary>
@@ -33,6 +32,9 @@ public sealed class MessageHub
             lock (_lock) return [.. _robots.Names];
         }
     }
+
+    /// <summary>The frames of the cell. Outside of the hub, only their events may be used.</summary>
+    internal CellFrames Frames { get; }
 
     /// <summary>The links of the described robots.</summary>
     internal RobotLinks Links { get; }
@@ -94,9 +96,7 @@ public sealed class MessageHub
         lock (_lock) action();
     }
 
-    /// <summary>
-    /// Creates a publisher. A joint belongs to the first source that publishes it, until that source releases the joint or is disposed.
-    /// </summary>
+    /// <summary>Creates a publisher. A joint belongs to its first source, until that source releases the joint or is disposed.</summary>
     public HubSource OpenSource() => new(this);
 
     /// <summary>Subscribes to a topic: passes the kept messages at once, and all later messages when they are published.</summary>
@@ -127,13 +127,11 @@ public sealed class MessageHub
     /// <param name="kind">/joint_states, /joint_trajectory or /robot_description.</param>
     internal IDisposable SubscribeToRobots(string kind, Action<HubMessage> receive) => SubscribeToNew(Subscribers.OfAllRobots(kind), receive);
 
-    /// <summary>
-    /// Gets the current values of a latched topic, in the order of publication. No message is published on the topic during the call.
-    /// </summary>
+    /// <summary>Gets the current values of a latched topic, in the order of publication. During the call, no message is published on it.</summary>
     /// <param name="since">Called first, under the lock; returns the sequence number of the first message to read.</param>
     internal IEnumerable<HubMessage> ReadLatched(string topic, Func<long> since)
     {
-        lock (_lock) return (topic == RosTopics.Signals ? _signals.Newest : _frames.Stationary).Since(since());
+        lock (_lock) return (topic == RosTopics.Signals ? _signals.Newest : Frames.Stationary).Since(since());
     }
 
     internal void Publish(HubMessage message) => _subscribers.Publish(message);
@@ -144,11 +142,11 @@ public sealed class MessageHub
         // Under the lock for the same reason as PublishDescription, and so that no pose of a frame is published after its release.
         lock (_lock)
         {
-            var accepted = _frames.Accept(source, message, isStationary, leftOut);
+            var accepted = Frames.Accept(source, message, isStationary, leftOut);
             foreach (var part in MessageParts.Of(accepted))
             {
                 var published = HubMessage.Of(topic, part, receivedAt, source).With(++_sequence);
-                for (var i = 0; isStationary && i < part.Count; i++) _frames.Stationary.Set(part[i].Child, published);
+                for (var i = 0; isStationary && i < part.Count; i++) Frames.Stationary.Set(part[i].Child, published);
                 Publish(published);
             }
 
@@ -236,7 +234,7 @@ public sealed class MessageHub
     /// <param name="kind"><see cref="CellKinds.Frame"/> or <see cref="CellKinds.Signal"/>.</param>
     internal HubSource OtherOwner(HubSource source, string kind, string name)
     {
-        lock (_lock) return (kind == CellKinds.Signal ? _signals.Owners : _frames.Owners).OtherThan(source, name);
+        lock (_lock) return (kind == CellKinds.Signal ? _signals.Owners : Frames.Owners).OtherThan(source, name);
     }
 
     internal void ReportLeft(string name) => Left?.Invoke(name);
@@ -275,7 +273,7 @@ public sealed class MessageHub
             if (topic != null) TopicReleased?.Invoke(source, topic);
             foreach (var kept in _newest.Keys.Where(kept => kept.Source == source && (topic == null || kept.Topic == topic)).ToList())
                 _newest.Remove(kept);
-            if (topic is null or RosTopics.Tf or RosTopics.TfStatic) _frames.Release(source, topic);
+            if (topic is null or RosTopics.Tf or RosTopics.TfStatic) Frames.Release(source, topic);
             if (topic is null or RosTopics.Signals && _signals.Release(source) is { Count: > 0 } ended) SignalsEnded?.Invoke(source, ended);
             _robots.Release(source, topic);
         }
@@ -288,7 +286,7 @@ public sealed class MessageHub
     void RemoveCycles()
     {
         lock (_lock)
-            foreach (var (source, frame) in _frames.RemoveCycles()) PartDropped?.Invoke(source, RosTopics.Tf, frame);
+            foreach (var (source, frame) in Frames.RemoveCycles()) PartDropped?.Invoke(source, RosTopics.Tf, frame);
     }
 
     // Called under the lock.

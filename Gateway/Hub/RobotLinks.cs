@@ -1,5 +1,7 @@
 using Nowpose.Gateway.Recording;
+using Nowpose.Kinematics;
 using Nowpose.Protocol;
+using Nowpose.Session;
 
 namespace Nowpose.Gateway.Hub;
 
@@ -10,8 +12,8 @@ sealed class RobotLinks(Action changed)
 {
     readonly Lock _lock = new();
     readonly Dictionary<string, DescribedRobot> _described = [];
-    // The links and the root link of each robot.
-    readonly Dictionary<string, (HashSet<string> Links, string Root)> _robots = [];
+    // The root link of each robot, and its links with the joints that decide whether their poses are current.
+    readonly Dictionary<string, (IReadOnlyDictionary<string, string[]> Links, string Root)> _robots = [];
 
     /// <summary>Completes when all descriptions passed so far are parsed.</summary>
     internal Task Read { get; private set; } = Task.CompletedTask;
@@ -42,8 +44,21 @@ sealed class RobotLinks(Action changed)
         lock (_lock)
         {
             foreach (var (links, root) in _robots.Values)
-                if (links.Contains(link)) return root;
+                if (links.ContainsKey(link)) return root;
             return null;
+        }
+    }
+
+    /// <summary>
+    /// Gets the joints that decide whether the pose of a robot's link is current, by their cell-wide names; empty for a frame that is not a robot link.
+    /// </summary>
+    public IReadOnlyList<string> JointsOf(string link)
+    {
+        lock (_lock)
+        {
+            foreach (var (links, _) in _robots.Values)
+                if (links.TryGetValue(link, out var joints)) return joints;
+            return [];
         }
     }
 
@@ -54,9 +69,13 @@ sealed class RobotLinks(Action changed)
         {
             if (_described.GetValueOrDefault(robot) != described) return;
             if (model == null) _robots.Remove(robot);
-            else _robots[robot] = ([.. model.Links.Select(link => RobotTopic.Qualified(robot, link.Name))], RobotTopic.Qualified(robot, model.Root.Name));
+            else _robots[robot] = (LinksOf(robot, model), RobotTopic.Qualified(robot, model.Root.Name));
         }
 
         changed();
     }
+
+    static Dictionary<string, string[]> LinksOf(string robot, RobotModel model) => Enumerable.Range(0, model.Links.Count).ToDictionary(
+        link => RobotTopic.Qualified(robot, model.Links[link].Name),
+        link => Array.ConvertAll(ToolJoints.OfLink(link, model), joint => RobotTopic.Qualified(robot, model.MovingJoints[joint].Name)));
 }

@@ -12,4 +12,9 @@ static class CellReasons
     /// <param name="frame">The frame whose parent is missing.</param>
     public static string ParentMissingAbove(string frame, string parent) =>
         $"its parents end at frame {frame}: no source publishes the parent {parent} of this frame, and no described robot has a link of this name";
+
+    public static string ParentNotCurrent(string parent) => $"its parent {parent} is not current";
+
+    /// <param name="above">A parent of the frame's parent.</param>
+    public static string ParentNotCurrentAbove(string above) => $"frame {above}, on which its parent depends, is not current";
 }

@@ -66,7 +66,7 @@ sealed class GatewayStatus : IDisposable
         _diagnostics = new DiagnosticsBoard(options.Time);
         _joints = new JointBoard(options.Time, () => limits.Robots, log);
         _cellReports = new CellReports(options.Time);
-        _cell = new CellBoard(options.Time, _cellReports, hub.Links.RootOf);
+        _cell = new CellBoard(options.Time, _cellReports, hub.Links.RootOf, hub.Links.JointsOf);
         _refusals = new RecentRefusals(options.Time);
         Events = events;
         _conditions = new Conditions(options, clock, _diagnostics, _refusals, _cellReports, _cell, limits, recorder);
@@ -78,6 +78,7 @@ sealed class GatewayStatus : IDisposable
         hub.SourceLeft += _joints.Leave;
         hub.SourceLeft += _cell.Leave;
         hub.SignalsEnded += _cell.End;
+        hub.Frames.Ended += _cell.EndFrame;
         _started = options.Time.GetUtcNow();
         _subscriptions =
         [
@@ -117,6 +118,7 @@ sealed class GatewayStatus : IDisposable
         _hub.SourceLeft -= _joints.Leave;
         _hub.SourceLeft -= _cell.Leave;
         _hub.SignalsEnded -= _cell.End;
+        _hub.Frames.Ended -= _cell.EndFrame;
         foreach (var subscription in _subscriptions) subscription.Dispose();
     }
 
@@ -129,7 +131,7 @@ sealed class GatewayStatus : IDisposable
         var beyond = _limits.Joints;
         var joints = _joints.Read();
         var conditions = ConditionsOf(joints);
-        var (frames, signals) = (_cell.Frames(_clock.Now), _cell.Signals(_clock.Now));
+        var (frames, signals) = (_cell.Frames(_clock.Now, joints), _cell.Signals(_clock.Now));
         return new StatusSnapshot(
             _options.Cell, Environment.MachineName, Version,
             OverallStatus.Of(conditions, joints, frames, signals, _hub.IsRobotDescribed, reports.Count(one => !IsAdapter(one))),

@@ -40,8 +40,8 @@ sealed record JointView(
 /// <param name="Source">Source of the frame, named like the source of a joint.</param>
 /// <param name="Parent">Parent frame; null before the first pose.</param>
 /// <param name="State">
-/// stationary; live; stale: no pose for a second; orphan: its parents reach neither the world nor a link of a described robot; or the state that its
-/// adapter reports: refused, fault or missing.
+/// stationary; live; stale: no pose for a second; orphan: its parents reach neither the world nor a link of a described robot; parent-stale: one of
+/// its parents is not current; or the state that its adapter reports: refused, fault or missing.
 /// </param>
 /// <param name="AgeS">Control time minus the newest pose's stamp; null for a stationary frame, and before the first pose.</param>
 /// <param name="Reason">The reason for the state; null for a frame that is live or stationary.</param>

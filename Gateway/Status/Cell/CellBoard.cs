@@ -16,7 +16,9 @@ namespace Nowpose.Gateway.Status.Cell;
 /// <param name="time">Time source for the age of poses.</param>
 /// <param name="reports">The adapters' reports, which give the reasons for missing data.</param>
 /// <param name="rootOfLink">Returns the root link of the described robot to which a link belongs; null for a frame that is not a link.</param>
-sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, string> rootOfLink = null)
+/// <param name="jointsOfLink">Returns the joints that decide whether the pose of a link is current.</param>
+sealed class CellBoard(
+    TimeProvider time, CellReports reports, Func<string, string> rootOfLink = null, Func<string, IReadOnlyList<string>> jointsOfLink = null)
 {
     /// <summary>
     /// Maximum number of frames, and of signals, known only from refused messages. They are listed in addition to the maximum number of published ones.
@@ -45,7 +47,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
                 frame.ArrivedAt = time.GetTimestamp();
                 if (!frame.HasAny || isStationary || message[i].Stamp != frame.Stamp || frame.Source != source) (frame.Stamp, frame.SeenAt) = (message[i].Stamp, frame.ArrivedAt);
                 (frame.Source, frame.IsStationary, frame.Parent) = (source, isStationary, message[i].Parent);
-                (frame.HasLeft, frame.HasAny) = (false, true);
+                (frame.HasLeft, frame.IsEnded, frame.HasAny) = (false, false, true);
                 frame.Refusal = null;
             }
     }
@@ -100,6 +102,13 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
                 if (_signals.TryGetValue(name, out var signal)) (signal.IsEnded, signal.EndedAt, signal.EndedUtc) = (true, time.GetTimestamp(), time.GetUtcNow());
     }
 
+    /// <summary>Records that a tracked frame no longer has a source.</summary>
+    public void EndFrame(string name)
+    {
+        lock (_gate)
+            if (_frames.TryGetValue(name, out var frame)) frame.IsEnded = true;
+    }
+
     /// <summary>Records that a source ended normally.</summary>
     public void Leave(HubSource source)
     {
@@ -111,13 +120,17 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
     }
 
     /// <summary>Gets all frames in the order of their names.</summary>
-    public IReadOnlyList<FrameView> Frames(ControlTime now)
+    /// <param name="joints">The latest states of the joint board; null to assume that all joints are current.</param>
+    public IReadOnlyList<FrameView> Frames(ControlTime now, IReadOnlyList<JointSnapshot> joints = null)
     {
+        var current = joints?.Where(row => row.IsGood).Select(row => row.Name).ToHashSet(StringComparer.Ordinal);
+        bool IsLinkCurrent(string link) => current == null || jointsOfLink == null || jointsOfLink(link).All(current.Contains);
         lock (_gate)
         {
+            var ancestors = new FrameAncestors(_frames, IsCurrent, rootOfLink, IsLinkCurrent);
             Forget(_frames, frame => frame.HasAny ? frame.HasLeft && IsSilent(frame) && IsOver(frame.SeenAt) : !IsRefused(frame));
             var troubled = reports.Troubled(AdapterReport.FramePrefix).DistinctBy(one => one.Name).ToDictionary(one => one.Name, StringComparer.Ordinal);
-            var published = _frames.Select(one => Explained(ViewOf(one.Key, one.Value, now), troubled.GetValueOrDefault(one.Key)));
+            var published = _frames.Select(one => Explained(ViewOf(one.Key, one.Value, now, ancestors), troubled.GetValueOrDefault(one.Key)));
             var missing = troubled.Values.Where(one => !_frames.ContainsKey(one.Name)).Select(one => new FrameView(
                 one.Name, null, one.Adapter, JointDataStates.Of(one.Report.State), null, one.Report.Reason)
             {
@@ -144,7 +157,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
         }
     }
 
-    FrameView ViewOf(string name, FrameEntry frame, ControlTime now)
+    FrameView ViewOf(string name, FrameEntry frame, ControlTime now, FrameAncestors ancestors)
     {
         var (state, reason) = (frame.IsStationary ? CellStates.Stationary : CellStates.Live, (string)null);
         var utcNow = time.GetUtcNow();
@@ -155,7 +168,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
             (state, reason) = (CellStates.Stale, time.GetElapsedTime(frame.ArrivedAt) > MaxSilence ? CellReasons.PosesStopped : CellReasons.StampsStopped);
             since = utcNow - time.GetElapsedTime(frame.SeenAt);
         }
-        else if (OrphanReason(name, frame) is { } why) (state, reason) = (CellStates.Orphan, why);
+        else if (ancestors.FaultOf(name, frame) is { } fault) (state, reason) = fault;
         since = frame.Enter(state, since);
         return new FrameView(
             name, frame.Parent, frame.Source.Title, state, frame.IsStationary || !frame.HasAny ? null : Seconds(now - frame.Stamp), reason)
@@ -172,31 +185,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports, Func<string, stri
         return new SignalView(name, signal.Value, signal.Source.Title, state, signal.HasAny ? Seconds(now - signal.Since) : null, reason) { Since = since };
     }
 
-    // Returns null if the parents of the frame reach the world, or a robot whose base is not a frame. The number of steps is limited, because a frame whose source has ended stays
-    // listed, so that the listed parents may form a cycle.
-    string OrphanReason(string name, FrameEntry frame)
-    {
-        var (child, parent) = (name, frame.Parent);
-        for (var steps = 0; steps <= _frames.Count; steps++)
-        {
-            if (parent == FrameParents.World) return null;
-            // A link moves with its robot, even if a source publishes its pose.
-            var root = rootOfLink?.Invoke(parent);
-            if (!Published(root ?? parent, out var above) && root != null) return null;
-            parent = root ?? parent;
-
-            if (above == null) break;
-            (child, parent) = (parent, above.Parent);
-        }
-
-        return child == name ? CellReasons.ParentMissing(parent) : CellReasons.ParentMissingAbove(child, parent);
-    }
-
-    bool Published(string name, out FrameEntry frame)
-    {
-        if (!_frames.TryGetValue(name, out frame) || !frame.HasAny) frame = null;
-        return frame != null;
-    }
+    bool IsCurrent(FrameEntry frame) => !frame.IsEnded && !IsRefused(frame) && !IsSilent(frame);
 
     // Adds the adapter's reason to a stale frame. If poses still arrive, they come from another source or are newer than the report.
     FrameView Explained(FrameView frame, CellReport report)

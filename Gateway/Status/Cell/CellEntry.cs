@@ -31,6 +31,10 @@ sealed class FrameEntry : CellEntry
     DateTimeOffset _since;
 
     public bool IsStationary { get; set; }
+
+    /// <summary>Whether the source of the tracked frame has ended, so that the gateway no longer has the frame.</summary>
+    public bool IsEnded { get; set; }
+
     public string Parent { get; set; }
     public ControlTime Stamp { get; set; }
 

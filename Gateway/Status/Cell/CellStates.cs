@@ -17,11 +17,14 @@ static class CellStates
     /// <summary>State of a frame whose chain of parents reaches neither the world nor a link of a described robot.</summary>
     public const string Orphan = "orphan";
 
+    /// <summary>State of a frame whose own poses are current, but one of its parents is not.</summary>
+    public const string ParentStale = "parent-stale";
+
     /// <summary>State of a signal whose source has ended.</summary>
     public const string Ended = "ended";
 
     static readonly string[] OfReports = [.. new[] { JointDataState.Refused, JointDataState.Fault, JointDataState.Missing }.Select(JointDataStates.Of)];
 
     /// <summary>All states of frames and of signals.</summary>
-    public static readonly IReadOnlyList<string> OfFrames = [Live, Stationary, Stale, Orphan, .. OfReports], OfSignals = [Live, Ended, .. OfReports];
+    public static readonly IReadOnlyList<string> OfFrames = [Live, Stationary, Stale, Orphan, ParentStale, .. OfReports], OfSignals = [Live, Ended, .. OfReports];
 }

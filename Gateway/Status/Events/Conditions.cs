@@ -44,7 +44,7 @@ sealed class Conditions(
         [
             .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(reports)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfUncertainRests(joints))
                 .Concat(OfCell("frame", AdapterReport.FramePrefix)).Concat(OfCell("signal", AdapterReport.SignalPrefix))
-                .Concat(OfFrames()).Concat(OfSignals())
+                .Concat(OfFrames(joints)).Concat(OfSignals())
                 .Concat(reports.SelectMany(Of)).Concat(OfRefusals()).Concat(OfLimits()).Concat(OfRecording()).Concat(OfCertificate())
                 .DistinctBy(condition => condition.Key).OrderByDescending(condition => condition.Level),
         ];
@@ -86,9 +86,9 @@ sealed class Conditions(
             IsNormalAtStart = one.Report.State == JointDataState.Missing,
         });
 
-    // Frames whose adapter reports a fault have a condition of OfCell.
-    IEnumerable<Condition> OfFrames() =>
-        from frame in board.Frames(clock.Now)
+    // Frames whose adapter reports a fault have a condition of OfCell. A parent that is not current has a condition of its own, or its robot's joints have.
+    IEnumerable<Condition> OfFrames(IReadOnlyList<JointSnapshot> joints) =>
+        from frame in board.Frames(clock.Now, joints)
         where frame is { State: CellStates.Stale, IsAtRest: false } || IsRefused(frame.State)
             || frame.State == CellStates.Orphan && options.Time.GetUtcNow() - frame.Since >= OrphanTimeout
         let isOrphan = frame.State == CellStates.Orphan

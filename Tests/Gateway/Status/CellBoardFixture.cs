@@ -18,7 +18,7 @@ public abstract class CellBoardFixture
     public void Start()
     {
         _reports = new CellReports(_time);
-        _board = new CellBoard(_time, _reports, link => link is "tool0" or "base" ? "base" : null);
+        _board = new CellBoard(_time, _reports, link => link is "tool0" or "base" ? "base" : null, link => link == "tool0" ? ["elbow"] : []);
         _source = new MessageHub().OpenSource();
     }
 

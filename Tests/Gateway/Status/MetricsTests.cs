@@ -121,7 +121,7 @@ public class MetricsTests
 
         var lines = Metrics.Of(state, new ForwardingTimes()).Split('\n').Where(line => Regex.IsMatch(line, "^nowpose_(frame|signal)_state{")).ToList();
 
-        Assert.That(lines, Has.Count.EqualTo(2 * 7 + 5));
+        Assert.That(lines, Has.Count.EqualTo(2 * 8 + 5));
         Assert.That(lines.Where(line => line.EndsWith(" 1", StringComparison.Ordinal)), Is.EqualTo(new[]
         {
             "nowpose_frame_state{frame=\"box\",source=\"twin\",state=\"orphan\"} 1", "nowpose_frame_state{frame=\"table\",source=\"twin\",state=\"stationary\"} 1",
@@ -137,7 +137,7 @@ public class MetricsTests
 
         var lines = Metrics.Of(state, new ForwardingTimes()).Split('\n').Where(line => line.StartsWith("nowpose_frame_state{", StringComparison.Ordinal)).ToList();
 
-        Assert.That(lines, Has.Count.EqualTo(7 * 257).And.Some.Contains("frame=\"box\""));
+        Assert.That(lines, Has.Count.EqualTo(8 * 257).And.Some.Contains("frame=\"box\""));
     }
 
     [TestCase("status-bad", "status-bad")]

@@ -46,7 +46,7 @@ export interface CellFrame {
   /** Parent frame; null before the first pose. */
   parent: string | null;
   source: string;
-  state: 'live' | 'stale' | 'orphan' | 'stationary' | 'refused' | 'fault' | 'missing';
+  state: 'live' | 'stale' | 'orphan' | 'parent-stale' | 'stationary' | 'refused' | 'fault' | 'missing';
   /** Age of the newest pose; null for a stationary object and before the first pose. */
   age_s?: number | null;
   /** Reason why the pose is not current; null if it is current. */

@@ -62,6 +62,19 @@ public class CellFaultTests
     }
 
     [Test]
+    public async Task Frame_SourceOfItsParentEnds_IsAnOrphan()
+    {
+        using (var other = _gateway.Server.Hub.OpenSource())
+        {
+            other.Publish(new TransformsMessage([Frame("belt")]), isStationary: false, []);
+            Publish(Frame("box", "belt"));
+            Assert.That((await FrameAsync("box")).State, Is.EqualTo("live"));
+        }
+
+        Assert.That((await FrameAsync("box")).State, Is.EqualTo("orphan"));
+    }
+
+    [Test]
     public async Task Frame_PosesStop_IsAnEventUntilTheNextPose()
     {
         Publish(Frame("box"), Frame("lid"));
