@@ -18,6 +18,9 @@ sealed class CellFrames(RobotLinks links)
     /// <summary>Raised with a frame that is removed because its source has ended, or because it is in a cycle. Called under the hub's lock.</summary>
     public event Action<string> Ended;
 
+    /// <summary>Raised with a stationary frame without a source that is removed to make room for a new frame. Called under the hub's lock.</summary>
+    public event Action<string> Replaced;
+
     /// <summary>The sources that publish the frames. A stationary frame whose source has ended has none.</summary>
     public NameOwners<string> Owners { get; } = new();
 
@@ -69,7 +72,7 @@ sealed class CellFrames(RobotLinks links)
         var reason = _parents.TrySet(transform.Child, transform.Parent);
         if (reason == DropReason.TooManyFrames && _frames.Keys.FirstOrDefault(child => Owners[child] == null) is { } abandoned)
         {
-            Remove(abandoned, null);
+            Remove(abandoned, Replaced);
             reason = _parents.TrySet(transform.Child, transform.Parent);
         }
 

@@ -79,6 +79,7 @@ sealed class GatewayStatus : IDisposable
         hub.SourceLeft += _cell.Leave;
         hub.SignalsEnded += _cell.End;
         hub.Frames.Ended += _cell.EndFrame;
+        hub.Frames.Replaced += _cell.RemoveFrame;
         _started = options.Time.GetUtcNow();
         _subscriptions =
         [
@@ -119,6 +120,7 @@ sealed class GatewayStatus : IDisposable
         _hub.SourceLeft -= _cell.Leave;
         _hub.SignalsEnded -= _cell.End;
         _hub.Frames.Ended -= _cell.EndFrame;
+        _hub.Frames.Replaced -= _cell.RemoveFrame;
         foreach (var subscription in _subscriptions) subscription.Dispose();
     }
 

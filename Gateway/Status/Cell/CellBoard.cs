@@ -43,7 +43,7 @@ sealed class CellBoard(
         lock (_gate)
             for (var i = 0; i < message.Count; i++)
             {
-                if (!TryGet(_frames, message[i].Child, ProtocolLimits.Frames, IsSilent, out var frame)) continue;
+                if (!TryGet(_frames, message[i].Child, ProtocolLimits.Frames, frame => frame.IsEnded, out var frame)) continue;
                 frame.ArrivedAt = time.GetTimestamp();
                 if (!frame.HasAny || isStationary || message[i].Stamp != frame.Stamp || frame.Source != source) (frame.Stamp, frame.SeenAt) = (message[i].Stamp, frame.ArrivedAt);
                 (frame.Source, frame.IsStationary, frame.Parent) = (source, isStationary, message[i].Parent);
@@ -107,6 +107,12 @@ sealed class CellBoard(
     {
         lock (_gate)
             if (_frames.TryGetValue(name, out var frame)) frame.IsEnded = true;
+    }
+
+    /// <summary>Removes a frame that the gateway no longer publishes, because another frame has replaced it.</summary>
+    public void RemoveFrame(string name)
+    {
+        lock (_gate) _frames.Remove(name);
     }
 
     /// <summary>Records that a source ended normally.</summary>

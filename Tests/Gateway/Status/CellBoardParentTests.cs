@@ -1,6 +1,8 @@
+using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;
@@ -68,5 +70,25 @@ public class CellBoardParentTests : CellBoardFixture
         _board.EndFrame("base");
 
         Assert.That(Of("part", JointDataState.Live), Is.EqualTo(("parent-stale", CellReasons.ParentNotCurrent("base"))));
+    }
+
+    [Test]
+    public void Frames_FullCellWithoutSource_ListTheFramesThatTheGatewayPublishes()
+    {
+        var hub = new MessageHub();
+        hub.Frames.Replaced += _board.RemoveFrame;
+        hub.Frames.Ended += _board.EndFrame;
+        using var subscription = hub.Subscribe(RosTopics.TfStatic, message => _board.Add(message.Source, (TransformsMessage)message.Content, true));
+        var ended = hub.OpenSource();
+        for (var i = 0; i < ProtocolLimits.Frames; i++) ended.Publish(Pose($"f{i:000}", 5), isStationary: true, []);
+        ended.Dispose();
+
+        using var next = hub.OpenSource();
+        next.Publish(Pose("new", 6), isStationary: true, []);
+
+        var published = hub.ReadLatched(RosTopics.TfStatic, () => 0)
+            .SelectMany(message => Enumerable.Range(0, ((TransformsMessage)message.Content).Count)
+                .Select(i => ((TransformsMessage)message.Content)[i].Child)).Order(StringComparer.Ordinal);
+        Assert.That(_board.Frames(At(6)).Select(frame => frame.Name), Has.Member("new").And.EqualTo(published));
     }
 }

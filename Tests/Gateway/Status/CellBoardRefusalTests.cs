@@ -123,15 +123,17 @@ public class CellBoardRefusalTests : CellBoardFixture
     }
 
     [Test]
-    public void Frames_MoreThanAllowed_ReplaceOnlySilentFrames()
+    public void Frames_MoreThanAllowed_ReplaceOnlyFramesWithoutASource()
     {
         for (var i = 0; i < ProtocolLimits.Frames; i++) _board.Add(_source, Pose($"box{i}", 5), isStationary: false);
         _board.Add(_source, Pose("one more", 5), isStationary: false);
         Assert.That(_board.Frames(At(5)).Select(frame => frame.Name), Has.None.EqualTo("one more"));
 
         _time.Advance(TimeSpan.FromSeconds(2));
+        _board.EndFrame("box3");
         _board.Add(_source, Pose("one more", 7), isStationary: false);
 
+        Assert.That(_board.Frames(At(7)).Select(frame => frame.Name), Has.None.EqualTo("box3"));
         Assert.That(_board.Frames(At(7)).Select(frame => frame.Name), Has.Member("one more").And.Exactly(ProtocolLimits.Frames).Items);
     }
 }
