@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Session;
@@ -18,6 +19,19 @@ sealed class DemoBodies(CellWork work)
     /// <summary>Gets whether samples of all objects had arrived before a frame.</summary>
     public bool AreKnown(int frame) => Enumerable.Range(0, _names.Count).All(body => At(frame, body).IsKnown);
 
+    /// <summary>Gets the message about the first pose that is not finite; null if all are finite.</summary>
+    public string FirstNotFinite()
+    {
+        for (var i = 0; i < _shown.Count; i++)
+        {
+            var (frame, name) = (i / _names.Count, _names[i % _names.Count]);
+            if (!IsFinite(_shown[i].Displayed)) return DemoMessages.BodyNotFinite(frame, name);
+            if (!IsFinite(_shown[i].Held)) return DemoMessages.GhostBodyNotFinite(frame, name);
+        }
+
+        return null;
+    }
+
     /// <summary>Requests the frames of all objects in a session and records them from now on.</summary>
     public void Follow(CompensationSession session)
     {
@@ -37,10 +51,15 @@ sealed class DemoBodies(CellWork work)
         {
             var tree = frame == null ? null : _followed?.Frames.Tree;
             var index = tree == null ? -1 : tree.IndexOf(name);
-            _shown.Add(index < 0 || tree[index].State == FrameState.Missing ? default
+            Add(index < 0 || tree[index].State == FrameState.Missing ? default
                 : new Shown(true, tree[index].World, tree.HeldOf(index), tree[index].Parent));
         }
     }
+
+    /// <summary>Records the pose of the next object.</summary>
+    internal void Add(in Shown shown) => _shown.Add(shown);
+
+    static bool IsFinite(in RigidTransform pose) => Array.TrueForAll(pose.ToRowMajor16(), double.IsFinite);
 
     /// <param name="IsKnown">Whether a pose of the object had arrived before the frame.</param>
     /// <param name="Displayed">Displayed pose of the object in the frame world.</param>

@@ -29,7 +29,8 @@ sealed record DemoResult(
 
     /// <summary>Errors of the cell's objects while they move.</summary>
     /// <param name="LargestSlipMm">
-    /// Largest distance between an object displayed as gripped and its place in the displayed gripper, mm; null if none was gripped.
+    /// Largest distance between an object displayed as gripped and its place in the displayed gripper, mm; null if none was gripped. Frames between the
+    /// true grip and the first frame that displays it are not included; their errors are in the errors of the position.
     /// </param>
     public sealed record BodyErrors(PoseErrors ErrorMm, PoseErrors ErrorDeg, double? LargestSlipMm);
 

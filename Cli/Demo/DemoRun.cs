@@ -23,7 +23,7 @@ sealed record DemoRun(
     /// <param name="needsClock">Whether a run is also invalid if the clock was never synchronised.</param>
     public string Failure(bool needsClock = true)
     {
-        var broken = Frames.FirstNotFinite();
+        var broken = Frames.FirstNotFinite() ?? Bodies?.FirstNotFinite();
         if (broken != null) return broken;
         var links = DemoMessages.Links(Statistics.SampleLink, Statistics.SyncLink);
         if (Statistics.Samples == 0) return DemoMessages.NoSample(Statistics.Dropped, links);

@@ -8,6 +8,8 @@ static class DemoMessages
     public static string ToolNotFinite(int frame) => $"frame {frame}: the position of the displayed tool is not finite; {Report}";
     public static string GhostNotFinite(int frame) => $"frame {frame}: the position of the ghost's tool is not finite; {Report}";
     public static string JointNotFinite(int frame, int joint) => $"frame {frame}: the position of moving joint {joint} is not finite; {Report}";
+    public static string BodyNotFinite(int frame, string name) => $"frame {frame}: the pose of the displayed object {name} is not finite; {Report}";
+    public static string GhostBodyNotFinite(int frame, string name) => $"frame {frame}: the pose of the ghost of object {name} is not finite; {Report}";
     public static string ClockNotFinite(int frame) => $"frame {frame}: the clock offset is not finite; {Report}";
     public static string Links(Network.LinkStatus joints, Network.LinkStatus clock) => $"joint positions {joints}; clock sync {clock}";
     public static string NoSample(long dropped, string links) => $"no sample was used, and {dropped} were dropped: check that no other program uses the ports, and run longer (--seconds); {links}";

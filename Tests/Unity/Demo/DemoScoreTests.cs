@@ -1,4 +1,5 @@
 using Nowpose.Cli.Demo;
+using Nowpose.Cli.Messages;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Network;
@@ -150,6 +151,22 @@ public class DemoScoreTests
     {
         Assert.That(Run(10, _ => new Wrong(1, 1), Converged, nan: double.NaN).Failure(), Does.StartWith("frame 0: the position of moving joint 0"));
         Assert.That(Run(4, _ => new Wrong(1, 1), Converged).Failure(), Does.Contain("no sample was used"));
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Failure_PoseOfAnObjectIsNotFinite_NamesTheObject(bool isDisplayed)
+    {
+        var work = VirtualDemo.Settings(20, "wifi", 1).Work;
+        var (good, bad) = (RigidTransform.Identity, RigidTransform.FromXyzRpy(0, double.NaN, 0, 0, 0, 0));
+        var bodies = new DemoBodies(work);
+        for (var body = 0; body < 2 * work.Names.Count; body++)
+            bodies.Add(body <= work.Names.Count ? default : new DemoBodies.Shown(true, isDisplayed ? bad : good, isDisplayed ? good : bad, "world"));
+
+        var run = Run(10, _ => new Wrong(1, 1), Converged) with { Bodies = bodies };
+
+        var name = work.Names[1];
+        Assert.That(run.Failure(), Is.EqualTo(isDisplayed ? DemoMessages.BodyNotFinite(1, name) : DemoMessages.GhostBodyNotFinite(1, name)));
     }
 
     static SessionStatistics Statistics()
