@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>What this process uses. Fixtures that read it are marked NonParallelizable.</summary>
+/// <summary>Counts the threads and open files of this process. Fixtures that use it are marked NonParallelizable.</summary>
 static class ProcessCounts
 {
     public static int Threads()
