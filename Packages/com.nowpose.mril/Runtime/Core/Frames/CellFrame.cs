@@ -48,6 +48,9 @@ namespace Nowpose.Frames
         /// <summary>Whether the pose of a stationary frame is from before the newest connection, so that its source may be gone.</summary>
         public bool IsOutdated { get; set; }
 
+        /// <summary>Whether the displayed pose is the same at any display time, because this frame and all frames above it are stationary.</summary>
+        public bool IsFixed { get; private set; }
+
         /// <summary>
         /// Place that a gripper assigns to the object from the next display frame on; null if the object's own source determines the place.
         /// </summary>
@@ -129,8 +132,10 @@ namespace Nowpose.Frames
         /// <summary>Computes the displayed pose.</summary>
         /// <param name="time">Display time since the epoch, s; NaN while it is unknown.</param>
         /// <param name="parent">Displayed pose of the parent in the world.</param>
-        public void Evaluate(double time, in RigidTransform parent, bool isParentCurrent)
+        /// <param name="isParentFixed">Whether the parent is the world or a frame that <see cref="IsFixed"/>.</param>
+        public void Evaluate(double time, in RigidTransform parent, bool isParentCurrent, bool isParentFixed)
         {
+            IsFixed = IsStationary && isParentFixed;
             if (!double.IsNaN(time)) _displayed = time;
             var pose = PoseInParent(time, out var kind);
             State = kind == PredictionKind.None ? FrameState.Missing

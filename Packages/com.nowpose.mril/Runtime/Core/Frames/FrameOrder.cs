@@ -55,10 +55,11 @@ namespace Nowpose.Frames
             for (var i = 0; i < _frames.Count; i++) Put(i);
         }
 
+        /// <param name="isFixed">Whether the parent has the same pose at any display time.</param>
         /// <returns>False if the parent is unknown.</returns>
-        public bool TryFindParent(in Place place, out RigidTransform pose, out bool isCurrent)
+        public bool TryFindParent(in Place place, out RigidTransform pose, out bool isCurrent, out bool isFixed)
         {
-            (pose, isCurrent) = (RigidTransform.Identity, true);
+            (pose, isCurrent, isFixed) = (RigidTransform.Identity, true, place.IsInWorld);
             if (place.Robot >= 0)
             {
                 var robot = _robots[place.Robot];
@@ -69,6 +70,7 @@ namespace Nowpose.Frames
             if (place.Parent < 0) return place.IsInWorld;
             pose = _frames[place.Parent].World;
             isCurrent = _frames[place.Parent].State == FrameState.Current;
+            isFixed = isCurrent && _frames[place.Parent].IsFixed;
             return true;
         }
 

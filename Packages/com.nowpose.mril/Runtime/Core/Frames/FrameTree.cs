@@ -178,7 +178,7 @@ namespace Nowpose.Frames
             foreach (var place in _order.Places)
             {
                 var frame = _frames[place.Frame];
-                if (_order.TryFindParent(place, out var parent, out var isCurrent)) frame.Evaluate(time, parent, isCurrent);
+                if (_order.TryFindParent(place, out var parent, out var isCurrent, out var isFixed)) frame.Evaluate(time, parent, isCurrent, isFixed);
                 else frame.Orphan();
             }
         }

@@ -1,6 +1,5 @@
 using Nowpose.Frames;
 using Nowpose.Latency;
-using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Session
 {
@@ -23,8 +22,7 @@ namespace Nowpose.Session
         public static PoseState Of(in DisplayMoment moment, CellFrame frame)
         {
             if (frame == null || frame.State == FrameState.Missing || frame.State == FrameState.Orphan) return PoseState.Incomplete;
-            // This pose is the same at any display time.
-            if (frame.IsStationary && frame.Parent == FrameParents.World && frame.State == FrameState.Current) return PoseState.Current;
+            if (frame.IsFixed && frame.State == FrameState.Current) return PoseState.Current;
             // Outside the range, no robot is current, and a frame on a robot's link is therefore not current either. The range is the reason to report.
             return Of(moment, isIncomplete: false, isHeld: frame.State != FrameState.Current && moment.Range != RangeState.Outside);
         }

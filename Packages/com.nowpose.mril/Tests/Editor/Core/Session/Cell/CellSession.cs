@@ -19,12 +19,14 @@ namespace Nowpose.Tests.Core.Session.Cell
 
         double _nextSample;
 
-        public CellSession(bool isClockKnown = true, string predictor = "linear", string robotNamespace = "")
+        public CellSession(
+            bool isClockKnown = true, string predictor = "linear", string robotNamespace = "", ConstantLatencyRange range = null,
+            OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)
         {
             Session = new CompensationSession(
                 new SessionSettings(
                     new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Lengths.Seconds(Visu)), new PredictionSettings(predictor, blendMs: 0),
-                    robotNamespace: robotNamespace),
+                    robotNamespace: robotNamespace, range: range, outsideRange: outsideRange),
                 TestRobot.Model, new SetClock());
             if (isClockKnown) Synchronise();
         }
