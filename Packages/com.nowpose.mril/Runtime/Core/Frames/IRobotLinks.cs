@@ -11,7 +11,7 @@ namespace Nowpose.Frames
 
         RobotModel Robot { get; }
 
-        /// <summary>Returns whether the pose of a link is valid for the display time.</summary>
+        /// <summary>Returns whether the pose of a link is valid for the display time, apart from the range of the render time.</summary>
         bool IsCurrentAt(int link);
 
         /// <summary>Poses of all links relative to the robot's root link, right-handed, in m, in the order of the robot's links.</summary>

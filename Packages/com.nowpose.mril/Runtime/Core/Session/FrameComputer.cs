@@ -42,21 +42,23 @@ namespace Nowpose.Session
             var state = StateAt(moment, isJointReportedMissing);
             Frame.Set(moment, moment.DisplayTime - _tracks.Newest, state);
             // Holds the joints only after the state is determined, because a pose that is held on purpose must not count as stale.
-            if (state == PoseState.OutsideRange && Frame.OutsideRange == OutsideRangeResponse.Hold) _tracks.Hold();
+            if (IsHeldOnPurpose) _tracks.Hold();
             _kinematics.Compute(_tracks.Positions, _linkPoses);
             _isHeldComputed = false;
         }
 
         /// <summary>
-        /// Returns whether the pose of a link is current: the robot's pose is current, and the joints between base and link are predicted. The link can be
-        /// on another branch than the tool, such as a second arm.
+        /// Returns whether the pose of a link is current, apart from the range of the render time, which affects all poses alike: the robot's pose is
+        /// current, and the joints between base and link are predicted. The link can be on another branch than the tool, such as a second arm.
         /// </summary>
         public bool IsCurrentAt(int link)
         {
-            if (Frame.State != PoseState.Current) return false;
+            if (Frame.State != PoseState.Current && Frame.State != PoseState.OutsideRange) return false;
             Tally(_jointsOfLinks[link], out var isIncomplete, out var isHeld);
-            return !isIncomplete && !isHeld;
+            return !isIncomplete && (!isHeld || IsHeldOnPurpose);
         }
+
+        bool IsHeldOnPurpose => Frame.State == PoseState.OutsideRange && Frame.OutsideRange == OutsideRangeResponse.Hold;
 
         /// <summary>Returns the link poses for <see cref="DisplayFrame.HeldJoints"/>. Computes them on the first call in a frame.</summary>
         public RigidTransform[] HeldLinkPoses()

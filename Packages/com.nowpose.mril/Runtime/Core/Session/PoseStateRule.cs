@@ -23,8 +23,7 @@ namespace Nowpose.Session
         {
             if (frame == null || frame.State == FrameState.Missing || frame.State == FrameState.Orphan) return PoseState.Incomplete;
             if (frame.IsFixed && frame.State == FrameState.Current) return PoseState.Current;
-            // Outside the range, no robot is current, and a frame on a robot's link is therefore not current either. The range is the reason to report.
-            return Of(moment, isIncomplete: false, isHeld: frame.State != FrameState.Current && moment.Range != RangeState.Outside);
+            return Of(moment, isIncomplete: false, isHeld: frame.State != FrameState.Current);
         }
     }
 }

@@ -56,6 +56,7 @@ namespace Nowpose.Session
         {
             var clock = _clock.ModelAt(now);
             into.Clock = clock;
+            into.Now = clock.IsKnown ? clock.ToControl(now) : (ControlTime?)null;
             into.Offset = clock.IsKnown ? clock.OffsetAt(now) : (ClockOffset?)null;
             into.RoundTripTime = clock.IsKnown ? _clock.RoundTripTime : (TimeSpan?)null;
             into.ClockSteps = clock.Steps;

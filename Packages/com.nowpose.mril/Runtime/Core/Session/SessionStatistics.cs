@@ -18,6 +18,9 @@ namespace Nowpose.Session
         readonly List<RobotStatistics> _otherRobots = new List<RobotStatistics>();
         JointError[] _jointErrors = Array.Empty<JointError>();
 
+        /// <summary>Control time of the measurements; null while the clock is unsynchronised.</summary>
+        internal ControlTime? Now { get; set; }
+
         public ClockModel Clock { get; internal set; }
 
         /// <summary>See <see cref="CompensationSession.VersionMismatch"/>.</summary>

@@ -81,6 +81,19 @@ namespace Nowpose.Session.Cell
         /// <param name="frame">A frame of <see cref="Tree"/>; null for an unknown frame.</param>
         public PoseState StateOf(CellFrame frame) => PoseStateRule.Of(_moment, frame);
 
+        /// <summary>Whether poses of tracked frames wait until the control time is known.</summary>
+        public bool IsWaitingForClock => !_moment.Clock.IsKnown;
+
+        /// <summary>
+        /// Returns the time since which a held frame has had no newer pose: the stamp of its newest pose, or that of the frame above it whose poses
+        /// have stopped; null if the frame is not held, or is held because of a robot.
+        /// </summary>
+        public ControlTime? HeldSince(CellFrame frame)
+        {
+            while (frame != null && frame.State == FrameState.ParentNotCurrent) frame = Tree.IsLink(frame.Parent) ? null : Find(frame.Parent);
+            return frame != null && frame.State == FrameState.Held ? frame.Newest : null;
+        }
+
         /// <summary>
         /// Queues a message for the next display frame. Messages of tracked frames wait for a display frame with a known control time. Thread-safe.
         /// </summary>

@@ -17,6 +17,9 @@ namespace Nowpose.Session.Cell
         /// <summary>Queue capacity in messages. Messages wait for a display frame with a known control time.</summary>
         const int QueueLength = 1000;
 
+        /// <summary>Reason why a value is not current while the display time is not known well enough. It affects all signals alike.</summary>
+        public const string ClockUnsynchronised = "clock unsynchronised";
+
         readonly Arrivals<SignalsMessage> _arrivals = new Arrivals<SignalsMessage>(QueueLength);
         readonly NewestSignals _overflow = new NewestSignals();
         readonly List<ArrivedSignal> _kept = new List<ArrivedSignal>();
@@ -25,9 +28,9 @@ namespace Nowpose.Session.Cell
         readonly ConnectionStart _connection;
         readonly Dictionary<string, HeadsetTime> _received = new Dictionary<string, HeadsetTime>(StringComparer.Ordinal);
         // The receiving thread replaces the whole dictionary, so readers need no lock.
-        volatile Dictionary<string, string> _ended = new Dictionary<string, string>(StringComparer.Ordinal);
+        volatile Dictionary<string, JointReport> _ended = new Dictionary<string, JointReport>(StringComparer.Ordinal);
 
-        bool _isTimeKnown = true;
+        bool _isTimeKnown = true, _isWaitingForClock;
 
         public SessionSignals(Subscriptions subscriptions, DropCounters drops, ConnectionStart connection)
         {
@@ -65,12 +68,12 @@ namespace Nowpose.Session.Cell
             oldest.Release();
         }
 
-        /// <summary>Stores the signals whose source has ended, with the reasons. Thread-safe.</summary>
+        /// <summary>Stores the reports of the signals whose source has ended. Thread-safe.</summary>
         public void Take(JointStatusMessage message)
         {
-            var ended = new Dictionary<string, string>(StringComparer.Ordinal);
+            var ended = new Dictionary<string, JointReport>(StringComparer.Ordinal);
             foreach (var report in message.Joints)
-                if (!report.State.IsGood()) ended[report.Joint] = report.Reason;
+                if (!report.State.IsGood()) ended[report.Joint] = report;
             _ended = ended;
         }
 
@@ -79,18 +82,25 @@ namespace Nowpose.Session.Cell
         public string FaultOf(string signal, bool isConnected)
         {
             if (!isConnected) return "no connection";
-            if (_ended.TryGetValue(signal, out var reason)) return reason;
+            if (_ended.TryGetValue(signal, out var report)) return report.Reason;
             var index = Table.IndexOf(signal);
-            if (index < 0 || !Table[index].IsKnown) return "no value received";
+            if (index < 0 || !Table[index].IsKnown)
+            {
+                if (!_isWaitingForClock) return "no value received";
+            }
             // The gateway sends each value again at once, unless it has restarted and has no value from the signal's source.
-            if (!_received.TryGetValue(signal, out var arrival) || !_connection.Includes(arrival)) return SignalMessages.OlderThanConnection;
-            return _isTimeKnown ? null : "clock unsynchronised";
+            else if (!_received.TryGetValue(signal, out var arrival) || !_connection.Includes(arrival)) return SignalMessages.OlderThanConnection;
+            return _isTimeKnown ? null : ClockUnsynchronised;
         }
+
+        /// <summary>Returns the time at which the source of a signal ended; null if it has not ended.</summary>
+        public ControlTime? EndOf(string signal) => _ended.TryGetValue(signal, out var report) ? report.Since : (ControlTime?)null;
 
         /// <summary>Processes the queued messages, and shows each change whose stamp the display time has reached.</summary>
         public void Show(in DisplayMoment moment)
         {
             _isTimeKnown = moment.IsTrusted;
+            _isWaitingForClock = !moment.DisplayTime.HasValue;
             if (!(moment.DisplayTime is ControlTime displayTime)) return;
             _overflow.Take(_kept);
             foreach (var kept in _kept) Take(kept, moment.Clock);

@@ -1,7 +1,6 @@
 using System;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
-using Nowpose.Latency;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
@@ -200,34 +199,6 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(cell.Session.Frames.Find("fixture").World.X, Is.EqualTo(0.5));
             Assert.That(cell.Session.Frames.StateOf(cell.Session.Frames.Find("fixture")), Is.EqualTo(PoseState.Current));
         }
-
-        // The pose of a chain of stationary frames needs no display time. A frame on a moving frame or on a link needs it.
-        [TestCase(true)]
-        [TestCase(false)]
-        public void StateOf_StationaryOnAStationaryFrame_IsCurrentAtAnyDisplayTime(bool isClockKnown)
-        {
-            var cell = new CellSession(isClockKnown, range: SmallRange);
-            foreach (var name in new[] { "screw", "on_turntable", "on_link", "lost" }) cell.Session.Frames.Need(name);
-            cell.Send("world", "table", 0, Along(0.5), isStationary: true);
-            cell.Send("table", "plate", 0, Along(0.1), isStationary: true);
-            cell.Send("plate", "screw", 0, Along(0.01), isStationary: true);
-            cell.Send("turntable", "on_turntable", 0, Along(0.1), isStationary: true);
-            cell.Send("tool_centre_point", "on_link", 0, Along(0.1), isStationary: true);
-            cell.Send("unknown parent", "lost", 0, Along(0.1), isStationary: true);
-            cell.Sampling = t => cell.Send("world", "turntable", t, Along(0));
-            for (var i = 0; i < 60; i++) cell.Session.Rendered(Lengths.Ms(20), RenderTimeSourceKind.DisplayGpuTime);
-
-            cell.Run(1);
-
-            Assert.That(StateOf(cell, "screw"), Is.EqualTo(PoseState.Current));
-            Assert.That(StateOf(cell, "on_link"), Is.Not.EqualTo(PoseState.Current));
-            Assert.That(StateOf(cell, "on_turntable"), Is.EqualTo(isClockKnown ? PoseState.OutsideRange : PoseState.Incomplete));
-            Assert.That(StateOf(cell, "lost"), Is.EqualTo(PoseState.Incomplete));
-        }
-
-        static ConstantLatencyRange SmallRange => new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime);
-
-        static PoseState StateOf(CellSession cell, string frame) => cell.Session.Frames.StateOf(cell.Session.Frames.Find(frame));
 
         [Test]
         public void Frame_SentBeforeTheClockIsKnown_WaitsForTheClock()

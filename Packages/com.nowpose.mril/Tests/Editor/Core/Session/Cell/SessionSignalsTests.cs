@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
+using Nowpose.Session.Cell;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session.Cell
@@ -115,12 +116,27 @@ namespace Nowpose.Tests.Core.Session.Cell
             cell.Run(0.2);
             Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
 
+            var end = ControlTime.FromSeconds(12);
             cell.Session.Listener.SignalStatusReceived(
-                new JointStatusMessage(new[] { new JointReport("grip", JointDataState.Stale, default, "its source has ended") }), default);
+                new JointStatusMessage(new[] { new JointReport("grip", JointDataState.Stale, end, "its source has ended") }), default);
             Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo("its source has ended"));
+            Assert.That((cell.Session.Signals.EndOf("grip"), cell.Session.Signals.EndOf("door")), Is.EqualTo(((ControlTime?)end, (ControlTime?)null)));
 
             cell.Session.Listener.SignalStatusReceived(new JointStatusMessage(Array.Empty<JointReport>()), default);
             Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
+        }
+
+        // Values wait for the clock, so a value that is not known yet may already have arrived.
+        [Test]
+        public void FaultOf_NoValueWhileTheClockIsUnknown_NamesTheClock()
+        {
+            var cell = new CellSession(isClockKnown: false);
+            cell.Run(0.1);
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo(SessionSignals.ClockUnsynchronised));
+
+            cell.Synchronise();
+            cell.Run(0.1);
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo("no value received"));
         }
 
         [Test]

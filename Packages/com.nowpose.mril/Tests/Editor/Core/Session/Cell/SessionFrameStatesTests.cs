@@ -1,0 +1,92 @@
+using Nowpose.Frames;
+using Nowpose.Kinematics;
+using Nowpose.Latency;
+using Nowpose.Session;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Session.Cell
+{
+    /// <summary>Tests the states of displayed frames whose data, clock or render time are not as they should be.</summary>
+    public class SessionFrameStatesTests
+    {
+        // The pose of a chain of stationary frames needs no display time. A frame on a moving frame or on a link needs it.
+        [TestCase(true)]
+        [TestCase(false)]
+        public void StateOf_StationaryOnAStationaryFrame_IsCurrentAtAnyDisplayTime(bool isClockKnown)
+        {
+            var cell = new CellSession(isClockKnown, range: SmallRange);
+            foreach (var name in new[] { "screw", "on_turntable", "on_link", "lost" }) cell.Session.Frames.Need(name);
+            cell.Send("world", "table", 0, Along(0.5), isStationary: true);
+            cell.Send("table", "plate", 0, Along(0.1), isStationary: true);
+            cell.Send("plate", "screw", 0, Along(0.01), isStationary: true);
+            cell.Send("turntable", "on_turntable", 0, Along(0.1), isStationary: true);
+            cell.Send("tool_centre_point", "on_link", 0, Along(0.1), isStationary: true);
+            cell.Send("unknown parent", "lost", 0, Along(0.1), isStationary: true);
+            cell.Sampling = t => cell.Send("world", "turntable", t, Along(0));
+            for (var i = 0; i < 60; i++) cell.Session.Rendered(Lengths.Ms(20), RenderTimeSourceKind.DisplayGpuTime);
+
+            cell.Run(1);
+
+            Assert.That(StateOf(cell, "screw"), Is.EqualTo(PoseState.Current));
+            Assert.That(StateOf(cell, "on_link"), Is.Not.EqualTo(PoseState.Current));
+            Assert.That(StateOf(cell, "on_turntable"), Is.EqualTo(isClockKnown ? PoseState.OutsideRange : PoseState.Incomplete));
+            Assert.That(StateOf(cell, "lost"), Is.EqualTo(PoseState.Incomplete));
+        }
+
+        // The range affects all poses; a frame whose own data, or whose robot's data, have stopped has a more severe state.
+        [TestCase(OutsideRangeResponse.Fade)]
+        [TestCase(OutsideRangeResponse.Hold)]
+        public void StateOf_OutsideRange_IsHeldOnlyIfItsDataHaveStopped(OutsideRangeResponse response)
+        {
+            var cell = new CellSession(range: SmallRange, outsideRange: response);
+            foreach (var name in new[] { "box", "stopped", "on_stopped", "in_hand" }) cell.Session.Frames.Need(name);
+            var isRobotSent = true;
+            cell.Sampling = t =>
+            {
+                if (isRobotSent) cell.SendJoints(t, 0, 0);
+                cell.Send("world", "box", t, Along(t));
+                if (t < 20.5) cell.Send("world", "stopped", t, Along(t));
+                cell.Send("stopped", "on_stopped", t, Along(0.1));
+                cell.Send("tool_centre_point", "in_hand", t, Along(0.1));
+            };
+            for (var i = 0; i < 60; i++) cell.Session.Rendered(Lengths.Ms(20), RenderTimeSourceKind.DisplayGpuTime);
+
+            cell.Run(2);
+            Assert.That((StateOf(cell, "box"), StateOf(cell, "in_hand")), Is.EqualTo((PoseState.OutsideRange, PoseState.OutsideRange)));
+            Assert.That((StateOf(cell, "stopped"), StateOf(cell, "on_stopped")), Is.EqualTo((PoseState.Held, PoseState.Held)));
+
+            isRobotSent = false;
+            cell.Run(1);
+            Assert.That((StateOf(cell, "box"), StateOf(cell, "in_hand")), Is.EqualTo((PoseState.OutsideRange, PoseState.Held)));
+        }
+
+        [Test]
+        public void HeldSince_FrameOrItsParentStopped_IsTheStampOfTheNewestPose()
+        {
+            var cell = new CellSession();
+            foreach (var name in new[] { "table", "on_table", "in_hand" }) cell.Session.Frames.Need(name);
+            var newest = 0.0;
+            cell.Sampling = t =>
+            {
+                if (t < 20.5) cell.Send("world", "table", newest = t, Along(t));
+                cell.Send("table", "on_table", t, Along(0.1));
+                cell.Send("tool_centre_point", "in_hand", t, Along(0.1));
+            };
+            ControlTime? SinceOf(string frame) => cell.Session.Frames.HeldSince(cell.Session.Frames.Find(frame));
+            cell.Run(0.3);
+            Assert.That((SinceOf("table"), SinceOf("on_table"), SinceOf("none")), Is.EqualTo(((ControlTime?)null, (ControlTime?)null, (ControlTime?)null)));
+
+            cell.Run(2);
+
+            Assert.That(SinceOf("table"), Is.EqualTo(ControlTime.FromSeconds(newest)));
+            Assert.That(SinceOf("on_table"), Is.EqualTo(ControlTime.FromSeconds(newest)), "the frame above it has stopped");
+            Assert.That(SinceOf("in_hand"), Is.Null, "its robot has stopped");
+        }
+
+        static ConstantLatencyRange SmallRange => new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime);
+
+        static PoseState StateOf(CellSession cell, string frame) => cell.Session.Frames.StateOf(cell.Session.Frames.Find(frame));
+
+        static RigidTransform Along(double x) => RigidTransform.FromXyzRpy(x, 0, 0, 0, 0, 0);
+    }
+}
