@@ -85,12 +85,24 @@ public class PlayedNamespaceTests : PlayedParts
         Assert.That(_cell.Messages, Has.Exactly(1).Contains(RobotMessages.OfRobot("arm2", found.Words)));
     }
 
-    RobotRig Second(string urdf)
+    // The uncompensated robot stands on the newest pose of its base, not on the predicted one.
+    [Test]
+    public void Rig_ShowsHeldPoseOnAMovingBase_StandsOnTheNewestPoseOfTheBase()
+    {
+        var ghost = Second(RobotFiles.LoadText("youbot"), RigPose.Held);
+        void Send(double t) => SendPose("world", "arm2/arm_link_0", t, Along(0.3 * t));
+        Run(2, Send);
+
+        // The pose that was sent in the previous frame arrived after that frame, so it is the newest pose.
+        Run(1, Send, () => AssertAt(ghost.transform, _session.transform, Along(0.3 * (_cell.Now - 1 / 60.0 - Latency)), 1e-4));
+    }
+
+    RobotRig Second(string urdf, RigPose shows = RigPose.Displayed)
     {
         var made = new GameObject("Second");
         made.SetActive(false);
         made.transform.SetParent(_session.transform, false);
-        var rig = made.AddComponent<RobotRig>().With("_robotNamespace", "arm2");
+        var rig = made.AddComponent<RobotRig>().With("_robotNamespace", "arm2").With("_shows", shows);
         if (urdf != null) rig.With("_description", RobotDescriptionAsset.Create("second", urdf));
         made.SetActive(true);
         return rig;

@@ -102,7 +102,9 @@ namespace Nowpose.Unity.Cell
         /// <summary>Moves the rig to the robot's base if the cell has a frame with the name of the robot's root link.</summary>
         public void PlaceBase()
         {
-            if (_robot != null && _robot.HasRootFrame) _rig.transform.PlaceIn(_world, _robot.RootPose);
+            if (_robot == null || !_robot.HasRootFrame) return;
+            var tree = _session.Frames.Tree;
+            _rig.transform.PlaceIn(_world, _rig.Shows == RigPose.Held ? tree.HeldOf(tree.IndexOf(_robot.Root)) : _robot.RootPose);
         }
 
         SessionRobot Add(CompensationSession session)
