@@ -12,7 +12,7 @@ namespace Nowpose.Unity
     /// <summary>
     /// Shows that the pose of a robot or of an object of the cell is not current, or that the base is uncertain: all parts below this object become
     /// striped and fainter, and a label states the reason. Before the first joint positions arrive, only the label is drawn. The parts of a rig or
-    /// gripper that no longer follows the session are hidden.
+    /// gripper that no longer follows the session are hidden. Parts below another Pose Appearance belong to that one.
     /// </summary>
     /// <remarks>
     /// Sets the shader properties <c>_Fade</c> (0 to 1) and <c>_Hatch</c> (0 or 1), which the shaders of the package have, through a property block.
@@ -44,7 +44,6 @@ namespace Nowpose.Unity
         readonly ActuatedFaults _actuated = new ActuatedFaults();
         MrilSession _source;
         RobotRig _rig;
-        ICellObject _object;
         PoseCarrier _carrier;
         MaterialPropertyBlock _block;
         ReadingDistance _distance;
@@ -52,7 +51,7 @@ namespace Nowpose.Unity
         OutsideRangeResponse _outsideRange;
         BaseAnchor _anchor;
         BaseLook _base;
-        bool _isOn, _hasLabel;
+        bool _isOn, _hasLabel, _isUnplaced;
         float _opacity = 1;
 
         /// <summary>
@@ -83,7 +82,7 @@ namespace Nowpose.Unity
             get
             {
                 if (!(_pose is PoseState pose)) return PoseLook.NoSession;
-                var look = _base.Over(_object?.IsUnplaced == true ? PoseLook.Unplaced : PoseLook.Of(pose, _outsideRange));
+                var look = _base.Over(_isUnplaced ? PoseLook.Unplaced : PoseLook.Of(pose, _outsideRange));
                 return look.IsDrawn && Unmoved is PoseCarrier unmoved ? unmoved.Unmoved(look) : look;
             }
         }
@@ -109,7 +108,7 @@ namespace Nowpose.Unity
             {
                 var materials = new PoseMaterials();
                 foreach (var each in GetComponentsInChildren<Renderer>(true))
-                    if (!IsLabel(each) && materials.Of(materials.In(each)).Means == PoseMeans.None) return true;
+                    if (IsOwn(each) && materials.Of(materials.In(each)).Means == PoseMeans.None) return true;
                 return false;
             }
         }
@@ -123,7 +122,7 @@ namespace Nowpose.Unity
             // While the component is disabled, there is nothing to update: OnEnable reads the list.
             if (!_isOn) return;
             GetComponentsInChildren(true, _found);
-            _found.RemoveAll(IsLabel);
+            _found.RemoveAll(each => !IsOwn(each));
             Leave();
             _materials.Begin(_substitute);
             _carriers.Clear();
@@ -149,14 +148,15 @@ namespace Nowpose.Unity
             _isOn = true;
             _pose = PoseState.Incomplete;
             _source = this.RequiredSession(_session, "pose appearance");
-            _object = GetComponentInParent<ICellObject>();
+            var above = transform.parent != null ? transform.parent.GetComponentInParent<PoseAppearance>(true) : null;
+            if (above != null) above.HandOverTo(this);
             _rig = GetComponentInParent<RobotRig>();
             if (_rig != null) _rig.Bound += Refresh;
             if (_source != null)
             {
                 _source.Computed += Show;
                 _source.Hidden += ShowNoSession;
-                if (_source.Frame != null) Take(_source.Frame);
+                if (_source.Frame != null) Take(PlacedState.Of(transform, _source.Frame, _source), _source.Frame);
             }
             Refresh();
         }
@@ -187,25 +187,23 @@ namespace Nowpose.Unity
         {
             // Another listener may have ended the session.
             if (_source.Session == null) return;
-            var hasChanged = StateIn(frame) != _pose;
+            var placed = PlacedState.Of(transform, frame, _source);
+            var hasChanged = placed.Pose != _pose || placed.IsUnplaced != _isUnplaced;
             foreach (var carrier in _carriers) hasChanged |= carrier.HasChanged();
             hasChanged |= _actuated.Update();
             var known = BaseLook.Of(_anchor);
             hasChanged |= !known.IsSameAs(_base);
             _base = known;
             if (!hasChanged) return;
-            Take(frame);
+            Take(placed, frame);
             Draw();
         }
 
-        void Take(DisplayFrame frame)
+        void Take(PlacedState placed, DisplayFrame frame)
         {
-            _pose = StateIn(frame);
+            (_pose, _isUnplaced) = (placed.Pose, placed.IsUnplaced);
             _outsideRange = frame.OutsideRange;
         }
-
-        PoseState StateIn(DisplayFrame frame) => _object != null ? _object.State : _rig != null ? _rig.StateIn(frame)
-            : _source.StateIn(frame);
 
         void ShowNoSession()
         {
@@ -243,6 +241,20 @@ namespace Nowpose.Unity
         {
             _hasLabel = _words != null && text.Length > 0;
             if (_words != null) _words.text = text;
+        }
+
+        // A part belongs to the nearest appearance above it, even if that one is disabled.
+        bool IsOwn(Renderer renderer) => !IsLabel(renderer) && renderer.GetComponentInParent<PoseAppearance>(true) == this;
+
+        // Restores the parts of an appearance that was added below this one, before that one stores their original look.
+        void HandOverTo(PoseAppearance below)
+        {
+            foreach (var part in _parts.Keys)
+            {
+                if (part == null || !part.transform.IsChildOf(below.transform)) continue;
+                Refresh();
+                return;
+            }
         }
 
         // The editor calls this method outside play mode, where the component is not enabled.

@@ -1,10 +1,12 @@
+using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
     /// <summary>
-    /// The component that moves a drawn part to the pose of the session: the gripper that contains the part, otherwise the rig that contains it.
+    /// The component that moves a drawn part to the pose of the session: the gripper that contains the part, otherwise the rig that contains it. An
+    /// object of the cell has its own place, so its parts have no carrier above it.
     /// </summary>
     sealed class PoseCarrier
     {
@@ -66,6 +68,7 @@ namespace Nowpose.Unity.Rendering
             {
                 if (at.TryGetComponent<VirtualGripper>(out var gripper)) return new PoseCarrier(null, gripper, at.gameObject);
                 if (at.TryGetComponent<RobotRig>(out var rig)) return new PoseCarrier(rig, null, at.gameObject);
+                if (at.TryGetComponent<ICellObject>(out _)) return null;
             }
             return null;
         }

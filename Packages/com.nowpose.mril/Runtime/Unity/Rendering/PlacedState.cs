@@ -1,0 +1,67 @@
+using Nowpose.Session;
+using Nowpose.Unity.Cell;
+using UnityEngine;
+
+namespace Nowpose.Unity.Rendering
+{
+    /// <summary>State of the pose of parts in the scene. It is the state of the component that moves them.</summary>
+    /// <remarks>
+    /// An object of the cell has its own place, independent of the objects above it in the hierarchy. A rig without a moving base of its own stands on
+    /// the object or rig above it, and is therefore never more current than this one. Allocates nothing.
+    /// </remarks>
+    readonly struct PlacedState
+    {
+        PlacedState(PoseState pose, bool isUnplaced = false)
+        {
+            Pose = pose;
+            IsUnplaced = isUnplaced;
+        }
+
+        public PoseState Pose { get; }
+
+        /// <summary>Whether the parts are on an object that neither the user nor a source has placed.</summary>
+        public bool IsUnplaced { get; }
+
+        /// <summary>
+        /// Returns the state of the nearest object, rig or gripper at or above a transform; if there is none, that of the session's own robot.
+        /// </summary>
+        public static PlacedState Of(Transform parts, DisplayFrame frame, MrilSession source)
+        {
+            for (var at = parts; at != null; at = at.parent)
+            {
+                if (RigAt(at) is RobotRig rig) return Of(rig, frame);
+                if (at.TryGetComponent<ICellObject>(out var shown)) return Of(shown);
+            }
+            return new PlacedState(source.StateIn(frame));
+        }
+
+        // A gripper moves with its rig, which may be elsewhere in the hierarchy.
+        static RobotRig RigAt(Transform at)
+        {
+            if (at.TryGetComponent<VirtualGripper>(out var gripper) && gripper.Rig != null) return gripper.Rig;
+            return at.TryGetComponent<RobotRig>(out var rig) ? rig : null;
+        }
+
+        static PlacedState Of(ICellObject shown) => new PlacedState(shown.State, shown.IsUnplaced);
+
+        static PlacedState Of(RobotRig rig, DisplayFrame frame)
+        {
+            var own = rig.StateIn(frame);
+            if (own == PoseState.Incomplete || rig.Robot?.HasRootFrame == true) return new PlacedState(own);
+            var below = OfBase(rig, frame);
+            return new PlacedState(below.Pose < own ? below.Pose : own, below.IsUnplaced);
+        }
+
+        // The object that moves the base may be the rig's own object.
+        static PlacedState OfBase(RobotRig rig, DisplayFrame frame)
+        {
+            for (var at = rig.transform; at != null; at = at.parent)
+            {
+                if (at.TryGetComponent<ICellObject>(out var shown)) return Of(shown);
+                if (at.TryGetComponent<RobotRig>(out var other) && other != rig)
+                    return other.IsFollowing ? Of(other, frame) : new PlacedState(PoseState.Incomplete);
+            }
+            return new PlacedState(PoseState.Current);
+        }
+    }
+}
