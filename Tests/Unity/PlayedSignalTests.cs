@@ -1,4 +1,6 @@
+using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Events;
@@ -126,6 +128,51 @@ public class PlayedSignalTests : PlayedParts
 
         Assert.That((_session.Session, _session.Frame), Is.EqualTo(((CompensationSession)null, (DisplayFrame)null)));
         Assert.That(_cell.Player.Logs.Where(log => log.Type == LogType.Exception), Is.Empty);
+    }
+
+    [Test]
+    public void Signal_NoLongerCurrentAndCurrentAgain_RaisesTheReasonOncePerChange()
+    {
+        var (onNotCurrent, onCurrent, onValue) = (new UnityEvent<string>(), new UnityEvent(), new UnityEvent<float>());
+        var raised = new List<string>();
+        onNotCurrent.AddListener(raised.Add);
+        onCurrent.AddListener(() => raised.Add("current"));
+        onValue.AddListener(value => raised.Add(value.ToString("0", System.Globalization.CultureInfo.InvariantCulture)));
+        var signal = Below<CellSignal>("jaw", _session.transform)
+            .With("_onNotCurrent", onNotCurrent).With("_onCurrent", onCurrent).With("_onValue", onValue);
+        void Report(params JointReport[] reports) =>
+            _session.Session.Listener.SignalStatusReceived(new JointStatusMessage(reports), HeadsetTime.FromSeconds(1000));
+        Run(1);
+        Assert.That(raised, Is.EqualTo(new[] { signal.Fault }), "no value has arrived");
+
+        SendSignal("jaw", _cell.Now - 1, 1);
+        Run(0.5);
+        Assert.That(raised.Skip(1), Is.EqualTo(new[] { "1", "current" }));
+
+        Report(new JointReport("jaw", JointDataState.Stale, At(0), "node deleted"));
+        Run(0.5);
+        Report(new JointReport("jaw", JointDataState.Stale, At(0), "no connection to the PLC"));
+        Run(0.5);
+        Report();
+        Run(0.5);
+        Assert.That(raised.Skip(3), Is.EqualTo(new[] { "node deleted", "no connection to the PLC", "current" }));
+
+        _session.enabled = false;
+        Assert.That(raised.Skip(6), Is.EqualTo(new[] { StatusMessages.NoSession }));
+        Assert.That(signal.Fault, Is.EqualTo(StatusMessages.NoSession));
+    }
+
+    [Test]
+    public void Signal_WithoutASession_IsReportedAsNotCurrent()
+    {
+        var onNotCurrent = new UnityEvent<string>();
+        var raised = new List<string>();
+        onNotCurrent.AddListener(raised.Add);
+        new GameObject("jaw").AddComponent<CellSignal>().With("_onNotCurrent", onNotCurrent);
+
+        _cell.Frame(null);
+
+        Assert.That(raised, Is.EqualTo(new[] { StatusMessages.NoSession }));
     }
 
     [Test]

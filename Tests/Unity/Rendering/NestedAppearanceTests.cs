@@ -147,4 +147,31 @@ public class NestedAppearanceTests : PlayedParts
 
         Assert.That((IsHatched(sign), sign.isVisible), Is.EqualTo((false, true)), "the stripes are not its own look");
     }
+
+    [Test]
+    public void Show_SignalNotCurrent_StripesThePartsAtAndBelowItsObject()
+    {
+        var conveyor = Below<TrackedObject>("conveyor", _session.transform);
+        var (lamp, belt) = (Part("lamp", conveyor.transform), Part("belt", conveyor.transform));
+        var glow = Part("glow", lamp.transform);
+        var signal = lamp.gameObject.AddComponent<CellSignal>();
+        Below<CellSignal>("other", _session.transform);
+        void Send(double t) => SendPose("world", "conveyor", t, Along(0));
+        Run(1, Send);
+        Assert.That((IsHatched(lamp), IsHatched(glow), IsHatched(belt)), Is.EqualTo((true, true, false)), signal.Fault);
+
+        SendSignal("lamp", _cell.Now - 1, 1);
+        Run(0.5, Send);
+        Assert.That((IsHatched(lamp), IsHatched(glow), IsHatched(belt)), Is.EqualTo((false, false, false)));
+
+        _session.Session.Listener.SignalStatusReceived(
+            new JointStatusMessage([new JointReport("lamp", JointDataState.Stale, At(0), "node deleted")]), HeadsetTime.FromSeconds(1000));
+        Run(0.1, Send);
+        Assert.That((IsHatched(lamp), IsHatched(glow), IsHatched(belt)), Is.EqualTo((true, true, false)));
+        Assert.That(conveyor.GetComponent<PoseAppearance>().Look.Reason, Is.EqualTo("node deleted"));
+
+        signal.enabled = false;
+        Run(0.1, Send);
+        Assert.That(IsHatched(lamp), Is.False, "a disabled component follows no signal");
+    }
 }

@@ -2,6 +2,7 @@ using Nowpose.Session;
 using Nowpose.Signals;
 using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
+using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -16,7 +17,7 @@ namespace Nowpose.Unity
     /// </remarks>
     [AddComponentMenu("Nowpose/Actuated Part")]
     [DisallowMultipleComponent]
-    public sealed class ActuatedPart : MonoBehaviour
+    public sealed class ActuatedPart : MonoBehaviour, ISignalComponent
     {
         [SerializeField, Tooltip("The session that receives the signal. Empty: the session on this object or a parent.")]
         MrilSession _session = null;

@@ -3,6 +3,7 @@ using System.Globalization;
 using Nowpose.Signals;
 using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
+using Nowpose.Unity.Rendering;
 using UnityEngine;
 using UnityEngine.Events;
 
@@ -15,10 +16,11 @@ namespace Nowpose.Unity
     /// A Boolean has the value 0 or 1. The events report the first known value and then each change exactly once, in order, even if several changes
     /// become visible in the same frame. Assign any method with one parameter, such as <c>GameObject.SetActive</c>, <c>Animator.SetTrigger</c> or
     /// <c>TextMesh.text</c>. Methods that take the name of a parameter and its value, such as <c>Animator.SetBool</c> and <c>Animator.SetFloat</c>,
-    /// have events of their own.
+    /// have events of their own. While the value is not current, the <see cref="PoseAppearance"/> on this object or above it stripes the objects at and
+    /// below this object; use the last two events for objects elsewhere.
     /// </remarks>
     [AddComponentMenu("Nowpose/Signal")]
-    public sealed class CellSignal : MonoBehaviour
+    public sealed class CellSignal : MonoBehaviour, ISignalComponent
     {
         [SerializeField, Tooltip("The session that receives the signal. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
@@ -57,6 +59,13 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Raised with Parameter and each new value rounded to an integer, for example for Animator.SetInteger.")]
         UnityEvent<string, int> _onNamedInteger = new UnityEvent<string, int>();
 
+        [SerializeField, Tooltip("Raised with the reason when the value is no longer current, for example because its source has ended, and when the "
+            + "reason changes. Also raised at the start, until the first value arrives.")]
+        UnityEvent<string> _onNotCurrent = new UnityEvent<string>();
+
+        [SerializeField, Tooltip("Raised when the value becomes current, after the events for the value.")]
+        UnityEvent _onCurrent = new UnityEvent();
+
         SignalFollower _follower;
         bool? _isOn;
 
@@ -78,13 +87,26 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _isOn = null;
-            _follower = SignalFollower.Of(this, _session, "signal", Signal, Take);
+            _follower = SignalFollower.Of(this, _session, "signal", Signal, Take, judged: Judge);
+        }
+
+        // Before the session computes its first frame, the value is not current. In OnEnable, other objects may not be ready for the event yet.
+        void Start()
+        {
+            if (_follower != null) _follower.Update(null);
+            else Judge(Fault);
         }
 
         void OnDisable()
         {
             _follower?.Leave();
             _follower = null;
+        }
+
+        void Judge(string fault)
+        {
+            if (fault == null) _onCurrent.Invoke();
+            else _onNotCurrent.Invoke(fault);
         }
 
         void Take(SignalTrack signal)

@@ -41,7 +41,7 @@ namespace Nowpose.Unity
         readonly List<Renderer> _found = new List<Renderer>();
         readonly Dictionary<Renderer, PosePart> _parts = new Dictionary<Renderer, PosePart>();
         readonly List<PoseCarrier> _carriers = new List<PoseCarrier>();
-        readonly ActuatedFaults _actuated = new ActuatedFaults();
+        readonly SignalFaults _signals = new SignalFaults();
         MrilSession _source;
         RobotRig _rig;
         PoseCarrier _carrier;
@@ -73,7 +73,7 @@ namespace Nowpose.Unity
             get
             {
                 var look = LookOfPose;
-                return _pose.HasValue && look.IsDrawn ? WithSignal(look, _actuated.First) : look;
+                return _pose.HasValue && look.IsDrawn ? WithSignal(look, _signals.First) : look;
             }
         }
 
@@ -126,17 +126,17 @@ namespace Nowpose.Unity
             Leave();
             _materials.Begin(_substitute);
             _carriers.Clear();
-            _actuated.Clear();
+            _signals.Clear();
             _anchor = GetComponentInParent<BaseAnchor>();
             _base = BaseLook.Of(_anchor);
             _carrier = PoseCarrier.Of(transform, _carrier);
             Follow(_carrier);
             foreach (var each in _found)
             {
-                if (!_parts.TryGetValue(each, out var part)) _parts.Add(each, part = new PosePart(each, _block, _materials));
+                if (!_parts.TryGetValue(each, out var part)) _parts.Add(each, part = new PosePart(each, transform, _block, _materials));
                 part.Take();
                 Follow(part.Carrier);
-                _actuated.Add(part.Actuated);
+                _signals.Add(part.Signals);
                 if (part.HasUnsuitableMaterial) Report(part.UnsuitableMaterial, each);
             }
             Draw();
@@ -190,7 +190,7 @@ namespace Nowpose.Unity
             var placed = PlacedState.Of(transform, frame, _source);
             var hasChanged = placed.Pose != _pose || placed.IsUnplaced != _isUnplaced;
             foreach (var carrier in _carriers) hasChanged |= carrier.HasChanged();
-            hasChanged |= _actuated.Update();
+            hasChanged |= _signals.Update();
             var known = BaseLook.Of(_anchor);
             hasChanged |= !known.IsSameAs(_base);
             _base = known;
@@ -217,12 +217,13 @@ namespace Nowpose.Unity
             foreach (var part in _parts.Values)
             {
                 if (!_pose.HasValue) part.ShowNoSession(_opacity);
-                else part.Draw(WithSignal(look, _actuated.Of(part)), _opacity);
+                else part.Draw(WithSignal(look, _signals.Of(part)), _opacity);
             }
             SetLabel(Look.Label);
         }
 
-        // A part whose signal is not current may be at the wrong end of its stroke, so it is striped like a pose that is not current.
+        // A part whose signal is not current may be at the wrong end of its stroke or in the wrong state, so it is striped like a pose that is not
+        // current.
         static PoseLook WithSignal(PoseLook look, string fault) => fault == null ? look
             : look.Also(ObjectMessages.SignalNotCurrent, fault, PoseLook.Of(PoseState.Held).Fade);
 

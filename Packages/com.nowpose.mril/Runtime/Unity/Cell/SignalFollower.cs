@@ -17,16 +17,21 @@ namespace Nowpose.Unity.Cell
         readonly string _title;
         readonly Action<SignalTrack> _changed;
         readonly Action<SignalTrack> _restarted;
+        readonly Action<string> _judged;
         CompensationSession _session;
+        string _fault;
+        bool _isJudged;
 
-        SignalFollower(MrilSession source, string name, Action<SignalTrack> changed, Action<SignalTrack> restarted)
+        SignalFollower(MrilSession source, string name, Action<SignalTrack> changed, Action<SignalTrack> restarted, Action<string> judged)
         {
             _source = source;
             _name = name;
             _changed = changed;
             _restarted = restarted;
+            _judged = judged;
             _title = "signal " + name;
             _source.Computed += Update;
+            _source.Hidden += Judge;
             _source.Parts.Add(this);
         }
 
@@ -34,7 +39,7 @@ namespace Nowpose.Unity.Cell
         public SignalTrack Track { get; private set; }
 
         /// <summary>Reason why the value is not current, in one line; null if it is current.</summary>
-        public string Fault => FaultOf(_session, _name);
+        public string Fault => FaultOf(_source.Session == null ? null : _session, _name);
 
         string IShownPart.Title => _title;
 
@@ -42,12 +47,16 @@ namespace Nowpose.Unity.Cell
         /// <param name="kind">Kind of the component, for the text of the warning that is logged if it has no session.</param>
         /// <param name="changed">Called for the value at the start and then for each change, in order, when the change becomes visible.</param>
         /// <param name="restarted">Called when the times of the signal become invalid; its value remains. May be null.</param>
+        /// <param name="judged">
+        /// Called with the fault, null for none, in the first frame and then when the fault changes, after the changes of the value. May be null.
+        /// </param>
         /// <returns>Null if the component has no session.</returns>
         public static SignalFollower Of(
-            Component component, MrilSession assigned, string kind, string name, Action<SignalTrack> changed, Action<SignalTrack> restarted = null)
+            Component component, MrilSession assigned, string kind, string name, Action<SignalTrack> changed, Action<SignalTrack> restarted = null,
+            Action<string> judged = null)
         {
             var source = component.RequiredSession(assigned, kind);
-            return source == null ? null : new SignalFollower(source, name, changed, restarted);
+            return source == null ? null : new SignalFollower(source, name, changed, restarted, judged);
         }
 
         /// <summary>Returns the reason why a signal's value is not current, in one line; null if the value is current.</summary>
@@ -60,13 +69,25 @@ namespace Nowpose.Unity.Cell
         {
             _source.Parts.Remove(this);
             _source.Computed -= Update;
+            _source.Hidden -= Judge;
             Follow(null);
         }
 
         /// <summary>Follows a new session of the component. Called in each frame; a component that moves before the other listeners calls it earlier.</summary>
+        /// <param name="frame">Not used; may be null.</param>
         public void Update(DisplayFrame frame)
         {
             if (_source.Session != _session) Follow(_source.Session);
+            Judge();
+        }
+
+        // Reports the fault if it has changed.
+        void Judge()
+        {
+            var fault = Fault;
+            if (_judged == null || (_isJudged && fault == _fault)) return;
+            (_fault, _isJudged) = (fault, true);
+            Raise(_judged, fault);
         }
 
         void Follow(CompensationSession session)
@@ -90,13 +111,18 @@ namespace Nowpose.Unity.Cell
         {
             if (signal.Name != _name) return;
             Track = signal;
+            Raise(_changed, signal);
+        }
+
+        // A listener of one component must not keep a change from the others, which would show an old state as current.
+        void Raise<T>(Action<T> listener, T value)
+        {
             try
             {
-                _changed(signal);
+                listener(value);
             }
             catch (Exception fault)
             {
-                // A listener of one component must not keep the change from the others, which would show an old state as current.
                 Debug.LogException(fault, _source);
             }
         }

@@ -14,6 +14,8 @@ namespace Nowpose.Unity.Rendering
         const float MinFadeWithoutStripes = 0.5f;
 
         readonly Renderer _renderer;
+        readonly Transform _root;
+        readonly List<CellSignal> _found = new List<CellSignal>();
         readonly MaterialPropertyBlock _block;
         readonly PoseMaterials _materials;
         PoseMaterial _material;
@@ -23,10 +25,12 @@ namespace Nowpose.Unity.Rendering
         float _ownFade, _ownHatch;
         bool _isOwnOff, _isTaken, _isPoseDrawn, _isHidden, _isSubstituted, _isAlphaSet, _isPatternSet, _hadBlock;
 
+        /// <param name="root">The object of the appearance that draws the part, at or above the renderer.</param>
         /// <param name="block">Property block for temporary use, shared by all parts.</param>
-        public PosePart(Renderer renderer, MaterialPropertyBlock block, PoseMaterials materials)
+        public PosePart(Renderer renderer, Transform root, MaterialPropertyBlock block, PoseMaterials materials)
         {
             _renderer = renderer;
+            _root = root;
             _block = block;
             _materials = materials;
         }
@@ -37,9 +41,10 @@ namespace Nowpose.Unity.Rendering
         public PoseCarrier Carrier { get; private set; }
 
         /// <summary>
-        /// The actuated parts above the renderer that move it: those below the nearest object of the cell, which has its own place.
+        /// The components at or above the renderer that move or change it according to a signal. Actuated parts above the nearest object of the cell
+        /// do not move the renderer, because this object has its own place; signals above the appearance belong to other parts.
         /// </summary>
-        public List<ActuatedPart> Actuated { get; } = new List<ActuatedPart>();
+        public List<MonoBehaviour> Signals { get; } = new List<MonoBehaviour>();
 
         /// <summary>Whether one of the part's materials cannot mark a pose as not current.</summary>
         public bool HasUnsuitableMaterial => _material.Means == PoseMeans.None;
@@ -59,14 +64,24 @@ namespace Nowpose.Unity.Rendering
         public void Take()
         {
             Carrier = PoseCarrier.Of(_renderer.transform, Carrier);
-            Actuated.Clear();
-            for (var at = _renderer.transform; at != null && !at.TryGetComponent<ICellObject>(out _); at = at.parent)
-                if (at.TryGetComponent<ActuatedPart>(out var actuated)) Actuated.Add(actuated);
+            TakeSignals();
             if (!_isSubstituted) _own = null;
             Examine();
             if (_isTaken) return;
             _isTaken = true;
             _isOwnOff = _renderer.forceRenderingOff;
+        }
+
+        void TakeSignals()
+        {
+            Signals.Clear();
+            for (var at = _renderer.transform; at != null && !at.TryGetComponent<ICellObject>(out _); at = at.parent)
+                if (at.TryGetComponent<ActuatedPart>(out var actuated)) Signals.Add(actuated);
+            for (var at = _renderer.transform; at != null; at = at == _root ? null : at.parent)
+            {
+                at.GetComponents(_found);
+                Signals.AddRange(_found);
+            }
         }
 
         public void Draw(PoseLook look, float opacity)
