@@ -1,6 +1,8 @@
 using Nowpose.Gateway.Plants;
+using Nowpose.Frames;
 using Nowpose.Messages;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using NUnit.Framework;
 using UnityEngine;
@@ -52,12 +54,14 @@ public class PlayedNamespaceTests : PlayedParts
         Run(1, t => Send(t, isBaseSent: false));
         Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Held), "the robot is not where its base was");
         Assert.That(FaultsNow(), Is.EqualTo("robot arm2: its base is not current"));
+        AssertStoppedBefore(1);
         Run(2, t => Send(t));
         Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Current));
 
         Run(1);
         Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Held), "only the robot whose source has ended is held");
         Assert.That(FaultsNow(), Does.StartWith("robot arm2: joints arm_joint_1, arm_joint_2, "));
+        AssertStoppedBefore(1);
         Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
         rig.gameObject.SetActive(false);
         Assert.That(FaultsNow(), Is.Empty, "a robot that is not shown has no row");
@@ -118,6 +122,25 @@ public class PlayedNamespaceTests : PlayedParts
         Assert.That(_cell.Messages, Has.Exactly(1).Contains("assign a Robot Description to the rig 'Second'"));
     }
 
+    // The data of the first part that is not current stopped this many seconds before now.
+    void AssertStoppedBefore(double seconds) =>
+        Assert.That((At(_cell.Now) - _session.Parts.SinceOf(0).Value).TotalSeconds, Is.EqualTo(seconds + Latency).Within(0.05));
+
+    [Test]
+    public void CellParts_TimeNotKnown_HaveRowsOnlyForFaultsOfTheirOwn()
+    {
+        _cell.IsSyncUp = false;
+        foreach (var name in new[] { "box", "fixture", "invalid" }) Below<TrackedObject>(name, _session.transform);
+        _session.transform.Find("invalid").GetComponent<TrackedObject>().With("_frame", "world");
+        Run(0.1);
+        _session.Session.Listener.FramesReceived(
+            new TransformsMessage(Along(1).ToTransform(At(0), "unknown", "fixture")), true, HeadsetTime.FromSeconds(1000));
+        Run(0.5, t => SendPose("world", "box", t, Along(t)));
+
+        Assert.That(FaultsNow(), Does.StartWith("object fixture: its parent is unknown; object world: "));
+        Assert.That((_session.Parts.FaultCount, _session.Parts.Summary), Is.EqualTo((2, "! 3 not current")));
+    }
+
     [Test]
     public void Cell_ObjectsAndSignals_AllocateNothing()
     {
@@ -128,7 +151,7 @@ public class PlayedNamespaceTests : PlayedParts
         SendSignal("grip", _cell.Now - 1, 1);
         Run(1);
 
-        Assert.That(_cell.AllocatedIn(() => _cell.Run(1, _session)), Is.Zero);
+        Assert.That(_cell.AllocatedIn(() => _cell.Run(1, _session, _session.Parts.Update)), Is.Zero);
     }
 
     [Test]
@@ -145,6 +168,7 @@ public class PlayedNamespaceTests : PlayedParts
         Run(2);
 
         Assert.That(FaultsNow(), Is.EqualTo("object part: no new poses are arriving; object lid: no new poses are arriving"));
+        AssertStoppedBefore(2);
         Assert.That(parts.Summary, Is.EqualTo("! 2 not current"));
         var signal = Below<CellSignal>("closed", _session.transform);
         _session.transform.Find("part").gameObject.SetActive(false);

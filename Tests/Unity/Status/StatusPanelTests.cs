@@ -1,5 +1,8 @@
+using Nowpose.Frames;
+using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
@@ -261,6 +264,11 @@ public class StatusPanelTests
         Assert.That(_played.Text("FirstPart 1"), Is.EqualTo("! object lid"));
         Assert.That(_played.Text("FirstPart 2"), Is.EqualTo("no pose received"));
         Assert.That(_played.Text("SecondPart 1"), Is.Empty);
+        Assert.That(_played.Text("FirstPart 0"), Is.Empty, "never received");
+        var pose = RigidTransform.Identity.ToTransform(ControlTime.FromSeconds(1310), FrameParents.World, "lid");
+        _played.Session.Session.Listener.FramesReceived(new TransformsMessage(pose), false, _played.Cell.Clock.Now);
+        _played.Run(2);
+        Assert.That(_played.Text("FirstPart 0"), Does.Match(@"^since \d\d:\d\d:\d\d$"));
         UnityEngine.Object.DestroyImmediate(lid);
         _played.Run(1);
         Assert.That(_played.Texts.Select(text => text.text), Has.None.EqualTo("Objects"));

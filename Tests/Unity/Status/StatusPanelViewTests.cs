@@ -157,7 +157,7 @@ public sealed class StatusPanelViewTests(string scene)
             var parts = new ShownParts();
             for (var i = 0; i < count; i++) parts.Add(new Part("object WORKPIECE_WITH_A_LONG_NAME_" + i, new string('W', 128)));
             var texts = new StatusTexts();
-            var statistics = new SessionStatistics { Pose = PoseState.Current };
+            var statistics = new SessionStatistics { Pose = PoseState.Current, Now = ControlTime.FromSeconds(1010) };
             texts.Update(statistics, Network, "youbot", null, parts: parts);
             yield return ($"{count} objects that are not current", texts);
             foreach (var words in new[] { 1, 10, 20, 40, 60, 80, 200 })
@@ -178,7 +178,11 @@ public sealed class StatusPanelViewTests(string scene)
     static readonly SessionSettings Network =
         new(new ConnectionSettings("192.168.100.200", insecureLan: true), VisualisationLatency.FromMilliseconds(40));
 
-    sealed record Part(string Title, string Fault) : IShownPart;
+    sealed record Part(string Title, string Fault) : IShownPart
+    {
+        public bool IsFaultCommon => false;
+        public ControlTime? FaultSince => ControlTime.FromSeconds(1000);
+    }
 
     static TimeSpan Ms(double ms) => TimeSpan.FromMilliseconds(ms);
 

@@ -1,5 +1,6 @@
 using Nowpose.Frames;
 using Nowpose.Session;
+using Nowpose.Session.Cell;
 using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
@@ -57,6 +58,10 @@ namespace Nowpose.Unity
         }
 
         string IShownPart.Title => _title;
+
+        bool IShownPart.IsFaultCommon => _grip != null && Fault == SessionSignals.ClockUnsynchronised;
+
+        ControlTime? IShownPart.FaultSince => _grip != null && _grip.Fault == null ? _followed.Signals.EndOf(Signal) : null;
 
         void OnEnable()
         {

@@ -18,6 +18,7 @@ namespace Nowpose.Unity.Cell
         readonly bool _isGhost;
         readonly string _missing;
         readonly string _invalid;
+        readonly bool _canWaitForClock;
         DropReason _refused;
         CompensationSession _session;
         CellFrame _frame;
@@ -28,7 +29,8 @@ namespace Nowpose.Unity.Cell
             Name = name;
             _isGhost = isGhost;
             _invalid = IsValid(name) ? null : ObjectMessages.InvalidFrame(name);
-            _missing = _invalid ?? missing;
+            _missing = _invalid ?? missing ?? ObjectMessages.NoPose;
+            _canWaitForClock = missing == null;
             World = world;
             Title = "object " + InputException.OneLine(name, ProtocolLimits.NameLength);
             if (!isGhost) source.Parts.Add(this, name);
@@ -76,13 +78,26 @@ namespace Nowpose.Unity.Cell
             return held.IsStationary ? ObjectMessages.OlderThanConnection : ObjectMessages.PosesStopped;
         }
 
+        public bool IsFaultCommon
+        {
+            get
+            {
+                if (_session == null || _invalid != null) return false;
+                // Poses of moving frames wait for the clock, so a frame without a pose may already have one.
+                if (_frame == null) return _canWaitForClock && _session.Frames.IsWaitingForClock;
+                return State == PoseState.Unsynchronised || State == PoseState.OutsideRange;
+            }
+        }
+
+        public ControlTime? FaultSince => _session?.Frames.HeldSince(_frame);
+
         /// <summary>Starts to follow a frame in the session of a component.</summary>
         /// <param name="kind">Kind of the component, for the text of the warning that is logged if it has no session.</param>
         /// <param name="isGhost">Whether the object is a second view of a frame that another object shows. It is then not listed again.</param>
-        /// <param name="missing">Value of <see cref="Fault"/> while no pose is known.</param>
+        /// <param name="missing">Value of <see cref="Fault"/> while no pose of a frame that does not move is known; null for other frames.</param>
         /// <returns>Null if the component has no session.</returns>
         public static FollowedFrame Of(
-            Component component, MrilSession assigned, string kind, string name, bool isGhost = false, string missing = "no pose received")
+            Component component, MrilSession assigned, string kind, string name, bool isGhost = false, string missing = null)
         {
             var source = component.RequiredSession(assigned, kind);
             if (source == null) return null;

@@ -49,6 +49,23 @@ namespace Nowpose.Unity.Cell
             }
         }
 
+        public bool IsFaultCommon => _robot != null
+            && (_robot.Frame.State == PoseState.Unsynchronised || _robot.Frame.State == PoseState.OutsideRange);
+
+        public ControlTime? FaultSince
+        {
+            get
+            {
+                if (_robot == null || _robot.Frame.State == PoseState.Current) return null;
+                if (_robot.Frame.IsLimitedByBase) return _session.Frames.HeldSince(_session.Frames.Find(_robot.Root));
+                ControlTime? since = null;
+                if (StatisticsOf(_source.Statistics) is RobotStatistics robot)
+                    foreach (var joint in robot.JointStatuses)
+                        if (joint.IsMissing && !(joint.Since >= since)) since = joint.Since ?? since;
+                return since;
+            }
+        }
+
         // The time and the render time concern the whole cell, and a base that is not current concerns all joints.
         static string FaultOf(DisplayFrame frame) => frame.IsLimitedByBase || frame.State == PoseState.Unsynchronised || frame.State == PoseState.OutsideRange
             ? StatusMessages.ReasonOf(frame.State, frame.IsLimitedByBase) : null;

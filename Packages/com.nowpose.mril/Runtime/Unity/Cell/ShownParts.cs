@@ -10,6 +10,15 @@ namespace Nowpose.Unity.Cell
 
         /// <summary>Reason why the part is not current, in one line; null if it is current.</summary>
         string Fault { get; }
+
+        /// <summary>
+        /// Whether the reason affects all parts alike: the display time is not known well enough, or the render time is outside its range. The status
+        /// panel shows this reason once.
+        /// </summary>
+        bool IsFaultCommon { get; }
+
+        /// <summary>Control time since which the part has not been current; null while unknown.</summary>
+        ControlTime? FaultSince { get; }
     }
 
     /// <summary>
@@ -19,15 +28,15 @@ namespace Nowpose.Unity.Cell
     {
         readonly List<IShownPart> _parts = new List<IShownPart>();
         readonly List<string> _objects = new List<string>();
-        readonly List<(string Title, string Fault)> _faults = new List<(string, string)>();
-        int _count = -1;
+        readonly List<(string Title, string Fault, ControlTime? Since)> _faults = new List<(string, string, ControlTime?)>();
+        int _count = -1, _notCurrent;
 
         public int Count => _parts.Count;
 
         /// <summary>Frame names of the shown objects. A frame that two objects show is listed twice.</summary>
         public IReadOnlyList<string> Objects => _objects;
 
-        /// <summary>Number of parts that were not current at the last <see cref="Update"/>.</summary>
+        /// <summary>Number of parts that had a fault of their own at the last <see cref="Update"/>.</summary>
         public int FaultCount => _faults.Count;
 
         /// <summary>
@@ -36,12 +45,15 @@ namespace Nowpose.Unity.Cell
         /// </summary>
         public string Summary { get; private set; } = "";
 
-        /// <summary>Returns the title of a part that was not current at the last <see cref="Update"/>.</summary>
+        /// <summary>Returns the title of a part that had a fault of its own at the last <see cref="Update"/>.</summary>
         /// <param name="index">0 to <see cref="FaultCount"/> − 1.</param>
         public string FaultyTitle(int index) => _faults[index].Title;
 
         /// <summary>Returns the reason why this part was not current, in one line.</summary>
         public string FaultOf(int index) => _faults[index].Fault;
+
+        /// <summary>Returns the control time since which this part has not been current; null while unknown.</summary>
+        public ControlTime? SinceOf(int index) => _faults[index].Since;
 
         public void Add(IShownPart part) => _parts.Add(part);
 
@@ -63,13 +75,18 @@ namespace Nowpose.Unity.Cell
         /// <summary>Reads the faults of all parts. Allocates only when their number or the number of parts has changed.</summary>
         public void Update()
         {
-            var former = _faults.Count;
+            var former = _notCurrent;
+            _notCurrent = 0;
             _faults.Clear();
             foreach (var part in _parts)
-                if (part.Fault is string fault) _faults.Add((part.Title, fault));
-            if (_count == _parts.Count && former == _faults.Count) return;
+            {
+                if (!(part.Fault is string fault)) continue;
+                _notCurrent++;
+                if (!part.IsFaultCommon) _faults.Add((part.Title, fault, part.FaultSince));
+            }
+            if (_count == _parts.Count && former == _notCurrent) return;
             _count = _parts.Count;
-            Summary = _count == 0 ? "" : _faults.Count == 0 ? _count + " current" : "! " + _faults.Count + " not current";
+            Summary = _count == 0 ? "" : _notCurrent == 0 ? _count + " current" : "! " + _notCurrent + " not current";
         }
     }
 }

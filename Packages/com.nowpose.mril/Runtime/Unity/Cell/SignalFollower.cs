@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Session;
+using Nowpose.Session.Cell;
 using Nowpose.Signals;
 using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
@@ -42,6 +43,10 @@ namespace Nowpose.Unity.Cell
         public string Fault => FaultOf(_source.Session == null ? null : _session, _name);
 
         string IShownPart.Title => _title;
+
+        bool IShownPart.IsFaultCommon => Fault == SessionSignals.ClockUnsynchronised;
+
+        ControlTime? IShownPart.FaultSince => _session?.Signals.EndOf(_name);
 
         /// <summary>Starts to follow a signal in the session of a component.</summary>
         /// <param name="kind">Kind of the component, for the text of the warning that is logged if it has no session.</param>

@@ -6,6 +6,7 @@ namespace Nowpose.Unity.Messages
     /// <summary>Error messages about objects of the cell, and names of their states.</summary>
     static class ObjectMessages
     {
+        public const string NoPose = "no pose received";
         public const string ParentUnknown = "its parent is unknown";
         public const string ParentNotCurrent = "its parent's pose is not current";
         public const string PosesStopped = "no new poses are arriving";

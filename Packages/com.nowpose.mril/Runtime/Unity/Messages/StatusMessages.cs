@@ -101,6 +101,9 @@ namespace Nowpose.Unity.Messages
             }
         }
 
+        /// <param name="time">Time of day or date.</param>
+        public static string Since(string time) => "since " + time;
+
         public static string FurtherParts(int count) => "! and " + count + " more";
 
         /// <summary>Returns the reason why a robot's pose is not current; empty if it is current.</summary>

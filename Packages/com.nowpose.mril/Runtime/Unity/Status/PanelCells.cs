@@ -81,7 +81,7 @@ namespace Nowpose.Unity.Status
         public void Show(StatusTexts texts)
         {
             for (var row = StatusRow.Pose; row <= StatusRow.Message; row++)
-                Show(row, texts.IsShown(row) ? StatusTexts.LabelOf(row) : "", texts.ValueOf(row), texts.NoteOf(row));
+                Show(row, texts.IsShown(row) ? texts.LabelOf(row) : "", texts.ValueOf(row), texts.NoteOf(row));
             Arrange(texts);
             if (_background != null) _background.enabled = true;
         }

@@ -20,7 +20,7 @@ namespace Nowpose.Unity.Status
         Objects,
 
         /// <summary>
-        /// Rows for the objects, signals and robots that are not current, one row each. If there are more, the last row states their number. A row
+        /// Rows for the objects, signals and robots with a fault of their own, one row each. If there are more, the last row states their number. A row
         /// takes no space while it is not needed.
         /// </summary>
         FirstPart,

@@ -10,7 +10,7 @@ using Nowpose.Unity.Messages;
 namespace Nowpose.Unity.Status
 {
     /// <summary>
-    /// Determines the strings that the status panel shows: a value and a note for each row. "!" marks a problem, "–" an unknown value.
+    /// Determines the strings that the status panel shows: a label, a value and a note for each row. "!" marks a problem, "–" an unknown value.
     /// </summary>
     /// <remarks>
     /// Most strings are preallocated. <see cref="Update"/> allocates only when the message, the latency profile or the state of a joint changes, and,
@@ -40,6 +40,7 @@ namespace Nowpose.Unity.Status
         static readonly NumberTexts Millimetres = new NumberTexts("", " mm", (1, 1, 0));
         static readonly NumberTexts MillimetrePercentiles = new NumberTexts(StatusMessages.PercentilePrefix, " mm", (1, 1, 0));
 
+        readonly string[] _labels = (string[])StatusMessages.Labels.Clone();
         readonly string[] _values = new string[Rows];
         readonly string[] _notes = new string[Rows];
         SessionSettings _settings;
@@ -50,6 +51,8 @@ namespace Nowpose.Unity.Status
         bool _isLocal;
         readonly (string Of, string Text)[] _partValues = new (string, string)[StatusRow.Message - StatusRow.FirstPart];
         readonly (string Of, string Text)[] _partNotes = new (string, string)[StatusRow.Message - StatusRow.FirstPart];
+        readonly SinceText[] _partTimes = new SinceText[StatusRow.Message - StatusRow.FirstPart];
+        readonly Func<DateTime> _wallClock;
         (string Of, string Text) _robot;
         (int Of, string Text) _further;
         string _message;
@@ -59,9 +62,11 @@ namespace Nowpose.Unity.Status
 
         public StatusTexts() : this(() => DateTime.Now) { }
 
-        /// <param name="wallClock">Returns the local time. It is used to show the time of day at which a joint's data stopped.</param>
+        /// <param name="wallClock">Returns the local time. It is used to show the time of day at which the data of a joint or part stopped.</param>
         public StatusTexts(Func<DateTime> wallClock)
         {
+            _wallClock = wallClock;
+            for (var i = 0; i < _partTimes.Length; i++) _partTimes[i] = new SinceText();
             _missingJoints = new JointStatusLine(isOfMissing: true, wallClock);
             _restingJoints = new JointStatusLine(isOfMissing: false, wallClock);
             Update(null, null, null, null);
@@ -70,7 +75,8 @@ namespace Nowpose.Unity.Status
         /// <summary>Whether the message shows the error reduction of each joint while no other message is shown.</summary>
         public bool ShowsJointErrors { get; set; }
 
-        public static string LabelOf(StatusRow row) => StatusMessages.Labels[(int)row];
+        /// <summary>Returns the label of a row. The label of a part that is not current is the time since when.</summary>
+        public string LabelOf(StatusRow row) => _labels[(int)row];
 
         public string ValueOf(StatusRow row) => _values[(int)row];
 
@@ -114,7 +120,7 @@ namespace Nowpose.Unity.Status
             if (guidance != null) SetMessage(guidance, "");
             else if (fault != null) SetMessage(fault, "! ");
             else SetMessage(_restingJoints.Of(statistics) ?? (ShowsJointErrors && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
-            UpdateParts(parts, statistics);
+            UpdateParts(parts, statistics?.Now);
         }
 
         void UpdateTimes(SessionStatistics statistics)
@@ -147,20 +153,21 @@ namespace Nowpose.Unity.Status
             Set(StatusRow.Error, Millimetres.Of(error?.Rms), error.HasValue ? MillimetrePercentiles.Of(error.Value.P95) : withheld);
         }
 
-        // Lists the parts that are not current, unless all are affected because the time is not known or the render time is outside its range; the row
-        // of the pose then reports the cause. A longer message leaves less space, so that the panel stays in view.
-        void UpdateParts(ShownParts parts, SessionStatistics statistics)
+        // Lists the parts with a fault of their own; other rows report a fault that affects all parts. A longer message leaves less space, so that the
+        // panel stays in view.
+        void UpdateParts(ShownParts parts, ControlTime? now)
         {
-            var isCommon = statistics?.Pose == PoseState.Unsynchronised || statistics?.Pose == PoseState.OutsideRange;
-            var faults = parts == null || isCommon ? 0 : parts.FaultCount;
+            var faults = parts?.FaultCount ?? 0;
             var rows = Math.Min(StatusRow.Message - StatusRow.FirstPart, MaxMessageLines - 1 - MessageLines);
             for (var row = StatusRow.FirstPart; row <= StatusRow.LastPart; row++)
             {
                 var i = row - StatusRow.FirstPart;
-                if (i >= Math.Min(faults, rows)) Set(row, "", "");
-                else if (i == rows - 1 && faults > rows) Set(row, Further(faults - i), "");
-                else Set(row, Shortened(parts.FaultyTitle(i), "! ", ref _partValues[i], PanelCells.ValueWidth),
-                    Shortened(parts.FaultOf(i), "", ref _partNotes[i], PanelCells.NoteWidth));
+                var isNamed = i < Math.Min(faults, rows) && (i < rows - 1 || faults == rows);
+                _labels[(int)row] = isNamed ? _partTimes[i].Of(now - parts.SinceOf(i), _wallClock()) : "";
+                if (isNamed)
+                    Set(row, Shortened(parts.FaultyTitle(i), "! ", ref _partValues[i], PanelCells.ValueWidth),
+                        Shortened(parts.FaultOf(i), "", ref _partNotes[i], PanelCells.NoteWidth));
+                else Set(row, i == rows - 1 && faults > rows ? Further(faults - i) : "", "");
             }
         }
 

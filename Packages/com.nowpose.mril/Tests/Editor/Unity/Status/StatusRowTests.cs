@@ -64,17 +64,45 @@ namespace Nowpose.Tests.Unity.Status
             Assert.That(shown.Distinct(), Is.EquivalentTo(Enumerable.Range(0, 7)));
         }
 
-        [Test]
-        public void Update_TimeNotKnown_NamesNoPartBecauseAllAreAffected()
+        [TestCase(PoseState.Unsynchronised)]
+        [TestCase(PoseState.OutsideRange)]
+        [TestCase(PoseState.Current)]
+        public void Update_CommonFault_HasNoRowButFaultsOfTheirOwnHave(PoseState pose)
         {
             var parts = new ShownParts();
-            parts.Add(new Part("object box"));
+            parts.Add(new Part("object box") { IsFaultCommon = true });
+            parts.Add(new Part("object lid"));
             var texts = new StatusTexts();
 
-            texts.Update(new SessionStatistics { Pose = PoseState.Unsynchronised }, Loopback, "test", null, parts: parts);
+            texts.Update(new SessionStatistics { Pose = pose }, Loopback, "test", null, parts: parts);
 
-            Assert.That(texts.ValueOf(StatusRow.Objects), Is.EqualTo("! 1 not current"));
-            Assert.That(texts.IsShown(StatusRow.FirstPart), Is.False);
+            Assert.That(texts.ValueOf(StatusRow.Objects), Is.EqualTo("! 2 not current"));
+            Assert.That(texts.ValueOf(StatusRow.FirstPart), Is.EqualTo("! object lid"));
+            Assert.That(texts.IsShown(StatusRow.SecondPart), Is.False);
+        }
+
+        [Test]
+        public void Update_PartNotCurrent_TheLabelIsTheTimeSinceWhen()
+        {
+            var parts = new ShownParts();
+            parts.Add(new Part("object box") { FaultSince = ControlTime.FromSeconds(1000) });
+            parts.Add(new Part("object lid"));
+            var now = new DateTime(2026, 3, 5, 14, 3, 20);
+            var texts = new StatusTexts(() => now);
+            string Label(double seconds, StatusRow row = StatusRow.FirstPart)
+            {
+                texts.Update(new SessionStatistics { Now = ControlTime.FromSeconds(seconds) }, Loopback, "test", null, parts: parts);
+                return texts.LabelOf(row);
+            }
+
+            var label = Label(1008);
+            Assert.That((label, Label(1008, StatusRow.SecondPart), Label(1008, StatusRow.ThirdPart)), Is.EqualTo(("since 14:03:12", "", "")));
+            now = now.AddSeconds(600.4);
+            Assert.That(Label(1608), Is.SameAs(label), "the two clocks are not read at the same moment");
+            now = now.AddDays(1);
+            Assert.That(Label(1608 + 86400), Is.EqualTo("since Mar 5"));
+            texts.Update(new SessionStatistics(), Loopback, "test", null, parts: parts);
+            Assert.That(texts.LabelOf(StatusRow.FirstPart), Is.Empty, "the control time is not known");
         }
 
         [Test]
@@ -93,6 +121,8 @@ namespace Nowpose.Tests.Unity.Status
 
             public string Title { get; }
             public string Fault => "no new poses are arriving";
+            public bool IsFaultCommon { get; set; }
+            public ControlTime? FaultSince { get; set; }
         }
     }
 }
