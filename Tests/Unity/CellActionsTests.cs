@@ -72,6 +72,51 @@ public sealed class CellActionsTests
     }
 
     [Test]
+    public void ToggleGhost_SeveralGhosts_SwitchesThoseOfAllRobotsAndObjectsOfTheSession()
+    {
+        var second = UnityEngine.Object.Instantiate(Find<Ghost>("Ghost").gameObject, _session.transform);
+        second.name = "Second Ghost";
+        var box = PlayedRig.Below<TrackedObject>("Ghost of Box", _session.transform).With("_shows", RigPose.Held);
+        var elsewhere = new GameObject("Ghost of Lid").AddComponent<TrackedObject>().With("_shows", RigPose.Held);
+        var other = new GameObject("Ghost of Another Cell").AddComponent<TrackedObject>().With("_shows", RigPose.Held);
+        var displayed = PlayedRig.Below<TrackedObject>("Box", _session.transform);
+        elsewhere.With("_session", _session);
+        bool[] Shown() => [Find<Ghost>("Ghost").Visible, second.activeSelf, box.gameObject.activeSelf, elsewhere.gameObject.activeSelf];
+
+        _actions.SetGhost(true);
+        Assert.That((Shown(), _actions.IsGhostShown), Is.EqualTo((new[] { true, true, true, true }, true)));
+        second.SetActive(false);
+        _actions.ToggleGhost();
+        Assert.That((Shown(), _actions.IsGhostShown), Is.EqualTo((new[] { false, false, false, false }, false)));
+        _actions.ToggleGhost();
+        Assert.That((Shown(), _actions.IsGhostShown), Is.EqualTo((new[] { true, true, true, true }, true)));
+        _actions.SetGhost(false);
+
+        Assert.That((displayed.gameObject.activeSelf, other.gameObject.activeSelf), Is.EqualTo((true, true)));
+    }
+
+    [Test]
+    public void SetOpacity_ObjectsAndGripperWithAppearances_FadesTheRobotAndItsGripperOnly()
+    {
+        _cell.Dispose();
+        _cell = new PlayedCell();
+        _session = _cell.NewSession();
+        var box = PlayedRig.Below<TrackedObject>("box", _session.transform);
+        var rig = PlayedRig.Below<RobotRig>("Robot", _session.transform);
+        var gripper = PlayedRig.Below<VirtualGripper>("Gripper", rig.transform);
+        var held = PlayedRig.Below<TrackedObject>("held", rig.transform);
+        PoseAppearance[] looks = [rig.gameObject.AddComponent<PoseAppearance>(), gripper.gameObject.AddComponent<PoseAppearance>()];
+        _actions = _session.gameObject.AddComponent<CellActions>();
+        _session.gameObject.SetActive(true);
+        Run(0.1);
+
+        _actions.SetOpacity(0.5f);
+
+        Assert.That(looks.Select(look => look.Opacity), Is.All.EqualTo(0.5f));
+        Assert.That((box.GetComponent<PoseAppearance>().Opacity, held.GetComponent<PoseAppearance>().Opacity), Is.EqualTo((1f, 1f)));
+    }
+
+    [Test]
     public void TogglePanel_Shown_IsHidden()
     {
         _actions.TogglePanel();

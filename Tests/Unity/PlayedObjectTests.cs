@@ -109,7 +109,7 @@ public class PlayedObjectTests : PlayedParts
         var box = Below<TrackedObject>("box", _session.transform);
         Run(1);
 
-        Assert.That(box.State, Is.EqualTo(PoseState.Incomplete));
+        Assert.That((box.State, box.GapMetres), Is.EqualTo((PoseState.Incomplete, (float?)null)));
         Assert.That(box.GetComponent<PoseAppearance>().Look.IsDrawn, Is.False);
     }
 
@@ -124,6 +124,7 @@ public class PlayedObjectTests : PlayedParts
             Assert.That(ghost.State, Is.EqualTo(PoseState.Current));
             // The pose that was sent in the previous frame arrived after that frame, so it is the newest pose.
             AssertAt(ghost.transform, _session.transform, Along(0.3 * (_cell.Now - 1 / 60.0 - Latency)), 1e-4);
+            Assert.That(ghost.GapMetres, Is.EqualTo(0.3 * (Visu + 1 / 60.0 + Latency)).Within(1e-3));
         });
         Assert.That((_session.Parts.Count, _session.Parts.Objects.Count), Is.EqualTo((0, 0)));
     }

@@ -12,6 +12,7 @@ namespace Nowpose.Editor.Inspectors
             var shown = (TrackedObject)target;
             EditorGUILayout.LabelField("Parent", shown.Parent ?? LiveText.Unknown);
             EditorGUILayout.LabelField("State", shown.Fault ?? "current");
+            EditorGUILayout.LabelField("Gap", LiveText.Mm(1000 * shown.GapMetres));
         }
     }
 }

@@ -27,11 +27,11 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The anchor of the robot's base. Empty: the first anchor below the session.")]
         BaseAnchor _anchor = null;
 
-        [SerializeField, Tooltip("The ghost, which shows the uncompensated pose. Empty: the first ghost below the session.")]
+        [SerializeField, Tooltip("A ghost to show and hide in addition to those in the scene of the session, such as one in another scene.")]
         Ghost _ghost = null;
 
-        [SerializeField, Tooltip("Sets the opacity of the displayed robot and its gripper. Empty: the first one below the session that does not "
-            + "belong to a ghost.")]
+        [SerializeField, Tooltip("Sets the opacity of the displayed robot and its gripper. Empty: the first one on a rig below the session that "
+            + "shows the displayed pose, or else the first one that does not belong to an object or a ghost.")]
         PoseAppearance _appearance = null;
 
         [SerializeField, Tooltip("The panel that the actions show and hide. Empty: the first panel below the session.")]
@@ -45,6 +45,7 @@ namespace Nowpose.Unity
 
         readonly VisualisationNudge _nudge = new VisualisationNudge();
         readonly Occlusion _occlusion = new Occlusion();
+        readonly CellGhosts _ghosts = new CellGhosts();
         MrilSession _source;
         CellState _lastRaised;
 
@@ -54,7 +55,8 @@ namespace Nowpose.Unity
         /// <summary>Whether a connection is requested. It may not be established yet; the status panel shows its state.</summary>
         public bool IsConnecting => _source != null && _source.IsConnecting;
 
-        public bool IsGhostShown => _ghost != null && _ghost.Visible;
+        /// <summary>Whether any ghost of the session is shown, of a robot or of an object.</summary>
+        public bool IsGhostShown => _ghosts.IsAnyShown;
 
         /// <summary>Whether the real arm hides virtual objects behind it.</summary>
         public bool IsOcclusionOn => _occlusion.IsOn;
@@ -102,11 +104,19 @@ namespace Nowpose.Unity
             if (Has(_pairing, "cell pairing")) _pairing.AskToForget();
         }
 
-        public void ToggleGhost() => SetGhost(!IsGhostShown);
+        /// <summary>Hides all ghosts of the session if any is shown; otherwise shows all.</summary>
+        public void ToggleGhost()
+        {
+            FindGhosts();
+            SetGhost(!IsGhostShown);
+        }
 
+        /// <summary>Shows or hides all ghosts of the session: those of its robots, and tracked objects that show the newest pose.</summary>
         public void SetGhost(bool shown)
         {
-            if (Has(_ghost, "ghost")) _ghost.Visible = shown;
+            FindGhosts();
+            if (_ghosts.Count == 0) Has(null, "ghost");
+            _ghosts.Set(shown);
         }
 
         public void ToggleOcclusion() => SetOcclusion(!IsOcclusionOn);
@@ -127,7 +137,10 @@ namespace Nowpose.Unity
         /// </summary>
         public void SetOpacity(float opacity)
         {
-            if (Has(_appearance, "pose appearance")) _appearance.Opacity = opacity;
+            if (!Has(_appearance, "pose appearance")) return;
+            _appearance.Opacity = opacity;
+            foreach (var gripper in _appearance.GetComponentsInChildren<VirtualGripper>(true))
+                if (gripper.TryGetComponent<PoseAppearance>(out var own)) own.Opacity = opacity;
         }
 
         /// <summary>Adds a difference to the opacity. A button can call this method. A negative difference makes the robot fainter.</summary>
@@ -147,7 +160,7 @@ namespace Nowpose.Unity
             _source = this.SessionOr(_session);
             if (!Has(_source, "session")) return;
             if (_anchor == null) _anchor = _source.GetComponentInChildren<BaseAnchor>(true);
-            if (_ghost == null) _ghost = _source.GetComponentInChildren<Ghost>(true);
+            FindGhosts();
             if (_panel == null) _panel = _source.GetComponentInChildren<StatusPanel>(true);
             if (_pairing == null) _pairing = _source.GetComponentInChildren<CellPairing>(true);
             if (_appearance == null) _appearance = DisplayedBelow(_source);
@@ -174,11 +187,19 @@ namespace Nowpose.Unity
 
         CellState State => new CellState(IsConnecting, IsGhostShown, IsOcclusionOn, IsPanelShown, Opacity, NudgeMs, IsNudgeIdle);
 
+        // The actions may be disabled, and ghosts may have been added since the last call.
+        void FindGhosts() => _ghosts.Find(this.SessionOr(_session), _ghost);
+
         static PoseAppearance DisplayedBelow(MrilSession session)
         {
+            PoseAppearance other = null;
             foreach (var appearance in session.GetComponentsInChildren<PoseAppearance>(true))
-                if (!appearance.TryGetComponent<Ghost>(out _)) return appearance;
-            return null;
+            {
+                if (appearance.GetComponentInParent<Ghost>(true) != null || appearance.TryGetComponent<ICellObject>(out _)) continue;
+                if (appearance.TryGetComponent<RobotRig>(out var rig) && rig.Shows == RigPose.Displayed) return appearance;
+                if (other == null) other = appearance;
+            }
+            return other;
         }
 
         bool Has(UnityEngine.Object needed, string kind)

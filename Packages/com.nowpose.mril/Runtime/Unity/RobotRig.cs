@@ -61,6 +61,8 @@ namespace Nowpose.Unity
         /// <summary>The session that moves this rig; null while the rig is disabled, and if a script moves the rig.</summary>
         public MrilSession Session => _source;
 
+        internal bool IsOf(MrilSession session) => this.IsOf(_session, session);
+
         /// <summary>Namespace of the robot in the cell; empty for the session's own robot.</summary>
         public string RobotNamespace => _robotNamespace ?? "";
 

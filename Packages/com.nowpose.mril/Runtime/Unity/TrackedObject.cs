@@ -43,7 +43,15 @@ namespace Nowpose.Unity
         /// <summary>Reason why the object's pose is not current, in one line; null if it is current.</summary>
         public string Fault => _followed == null ? StatusMessages.NoSession : _followed.Fault;
 
+        /// <summary>
+        /// Distance in metres between the newest pose and the pose at the display time: the distance by which the compensation moves the object. Null
+        /// while no pose is known.
+        /// </summary>
+        public float? GapMetres => _followed?.GapMetres;
+
         bool ICellObject.IsUnplaced => false;
+
+        internal bool IsOf(MrilSession session) => this.IsOf(_session, session);
 
         void OnEnable()
         {

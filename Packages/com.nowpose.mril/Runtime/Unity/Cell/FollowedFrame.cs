@@ -1,4 +1,5 @@
 using Nowpose.Frames;
+using Nowpose.Kinematics;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
@@ -141,13 +142,24 @@ namespace Nowpose.Unity.Cell
             _refused = reason;
         }
 
+        /// <summary>Distance between the displayed pose and the newest pose in metres; null while the pose is unknown.</summary>
+        public float? GapMetres
+        {
+            get
+            {
+                if (_frame == null || State == PoseState.Incomplete) return null;
+                return Vector3.Distance(UnityFrame.ToUnity(_frame.World).Position(), UnityFrame.ToUnity(Held).Position());
+            }
+        }
+
+        RigidTransform Held => _session.Frames.Tree.HeldOf(_session.Frames.Tree.IndexOf(Name));
+
         /// <summary>Moves a transform to the frame's pose. Does nothing while the pose is unknown.</summary>
         /// <param name="shows">Selects the pose at the display time or the newest received pose.</param>
         public void Place(Transform moved, RigPose shows)
         {
             if (_frame == null || State == PoseState.Incomplete) return;
-            var tree = _session.Frames.Tree;
-            moved.PlaceIn(World, shows == RigPose.Displayed ? _frame.World : tree.HeldOf(tree.IndexOf(Name)));
+            moved.PlaceIn(World, shows == RigPose.Displayed ? _frame.World : Held);
         }
     }
 }

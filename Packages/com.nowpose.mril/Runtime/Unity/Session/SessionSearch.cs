@@ -12,6 +12,11 @@ namespace Nowpose.Unity.Session
         public static MrilSession SessionOr(this Component component, MrilSession assigned) =>
             assigned != null ? assigned : component.GetComponentInParent<MrilSession>();
 
+        /// <summary>Returns whether a component, which may be inactive, belongs to a session.</summary>
+        /// <param name="assigned">The session that is assigned to the component; null to use the one on its object or a parent.</param>
+        public static bool IsOf(this Component component, MrilSession assigned, MrilSession session) =>
+            (assigned != null ? assigned : component.GetComponentInParent<MrilSession>(true)) == session;
+
         /// <summary>Returns the same session as <see cref="SessionOr"/>, for a component that needs one. Logs a warning if there is none.</summary>
         /// <param name="kind">Kind of the component, for example "status panel".</param>
         public static MrilSession RequiredSession(this Component component, MrilSession assigned, string kind)
