@@ -29,6 +29,10 @@ static class UnityPackageMessages
         $"{file}: differs from the sample's file{(more == 0 ? "" : FormattableString.Invariant($" ({more} more)"))}; "
         + "move or delete the folder of the sample, and try again";
 
+    public static string OtherVersion(string folder, string sample) =>
+        $"{folder}: is the sample '{sample}' of another version; a project can contain only one copy. Delete this folder and its .meta file "
+        + "(save your changes first), and try again";
+
     public static string NotCopied(string folder, string sample, string reason) =>
         $"{folder}: the sample '{sample}' cannot be copied: {reason}; the manifest is not changed; remove the cause, and try again";
 }

@@ -25,7 +25,8 @@ sealed class SampleCopy
     public string Change => FormattableString.Invariant($"sample: {Sample.Name}, {_missing.Count} files to {_target}");
 
     /// <exception cref="InputException">
-    /// The package has no such sample, a file in the project differs from the sample's, or a file has the name of a needed folder.
+    /// The package has no such sample, a file in the project differs from the sample's, the project has the sample of another version, or a file has
+    /// the name of a needed folder.
     /// </exception>
     public static SampleCopy Plan(UnityProject project, PackageFolder package, string name)
     {
@@ -37,6 +38,9 @@ sealed class SampleCopy
         for (var folder = target; folder != project.Root; folder = Path.GetDirectoryName(folder))
             if (File.Exists(folder))
                 throw new InputException(UnityPackageMessages.FileInTheWay(folder));
+        // Two copies of a sample have the same GUIDs and assembly names, and Unity compiles neither.
+        if (OtherVersions(target).FirstOrDefault() is { } other)
+            throw new InputException(UnityPackageMessages.OtherVersion(other, sample.Name));
         var files = Directory.EnumerateFiles(sample.Folder, "*", SearchOption.AllDirectories)
             .Select(file => Path.GetRelativePath(sample.Folder, file)).Order(StringComparer.Ordinal).ToList();
         var present = files.Where(file => File.Exists(Path.Combine(target, file))).ToList();
@@ -58,6 +62,16 @@ sealed class SampleCopy
         {
             throw new InputException(UnityPackageMessages.NotCopied(_target, Sample.Name, e.Message.TrimEnd('.')), e);
         }
+    }
+
+    // Returns the folders of the same sample that belong to other versions of the package.
+    static IEnumerable<string> OtherVersions(string target)
+    {
+        var versions = Path.GetDirectoryName(Path.GetDirectoryName(target));
+        return Directory.Exists(versions)
+            ? Directory.EnumerateDirectories(versions).Order(StringComparer.Ordinal)
+                .Select(version => Path.Combine(version, Path.GetFileName(target))).Where(copy => copy != target && Directory.Exists(copy))
+            : [];
     }
 
     void Copy()

@@ -55,6 +55,31 @@ public class UnitySampleTests
         Assert.That(project.Backups, Is.Empty);
     }
 
+    [TestCase("--check")]
+    [TestCase]
+    public async Task Unity_SampleOfAnotherVersionExists_FailsWithoutChanges(params string[] options)
+    {
+        using var project = new UnityProjectFolder(Empty);
+        project.Write("Assets/Samples/Nowpose/0.1.0/Virtual Robot Cell/README.md", "mine");
+
+        var run = await project.RunAsync(["--sample", "Virtual Robot Cell", .. options]);
+
+        AssertRefused(run, project.At("Assets/Samples/Nowpose/0.1.0/Virtual Robot Cell") + ": is the sample 'Virtual Robot Cell' of another version");
+        Assert.That(project.Manifest, Is.EqualTo(Empty));
+        Assert.That(Directory.Exists(project.At("Assets/Samples/Nowpose/0.2.0")), Is.False);
+    }
+
+    [Test]
+    public async Task Unity_OtherSampleOfAnotherVersionExists_CopiesTheSample()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        project.Write("Assets/Samples/Nowpose/0.1.0/Connect to a Gateway/README.md", "mine");
+
+        var run = await project.RunAsync("--sample", "Virtual Robot Cell");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+    }
+
     [Test]
     public async Task Unity_SampleCannotBeCopied_KeepsTheManifest()
     {
