@@ -28,8 +28,8 @@ public class UnityVersionTests
         AssertRefused(await project.RunAsync(), "does not compile in Unity 6.3");
     }
 
-    [TestCase("6000.3.2f1", "not compiled against this release")]
-    [TestCase("6000.0.78f1", "not tested on a device")]
+    [TestCase("6000.3.2f1", "not compared with this release")]
+    [TestCase("6000.0.78f1", "use 2022.3 for a HoloLens 2")]
     public async Task Unity_UntestedVersion_PrintsANote(string version, string note)
     {
         using var project = new UnityProjectFolder(Empty, version);

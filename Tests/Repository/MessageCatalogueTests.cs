@@ -97,7 +97,7 @@ public sealed partial class MessageCatalogueTests
         ["SweepMessages"] = ["Responds"],
         ["SyncServerMessages"] = ["Closed", "NotAccepted"],
         ["UnityProjectMessages"] = ["Backup", "EntryKept", "Version"],
-        ["UnityVersionMessages"] = ["Compiled2022", "NotTestedOnDevice"],
+        ["UnityVersionMessages"] = ["Compared2022", "NotComparedNewest"],
         ["VlcMessages"] = ["NothingRead", "OtherSource", "Result"],
     };
 

@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Editor.Setup;
 using NUnit.Framework;
 using UnityEditor;
@@ -188,8 +189,8 @@ public sealed class ProjectChecksTests : EditorFixture
     public void UnityVersion_RunningEditor_IsChecked()
     {
         Assert.That(
-            _reviewed.Review.Results[_reviewed.IndexOf("The Unity version has been tested")].Found,
-            Does.StartWith("2022.3.62f1: compiled against 2022.3.7"));
+            _reviewed.Review.Results[_reviewed.IndexOf("Unity version is recommended")].Found,
+            Does.StartWith("2022.3.62f1: " + UnityVersionMessages.Compared2022));
     }
 
     // Contains the field of GraphicsSettings.asset that the checks read.

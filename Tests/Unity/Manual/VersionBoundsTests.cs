@@ -28,7 +28,7 @@ public sealed partial class VersionBoundsTests
         var judgement = found[(found.IndexOf(':', StringComparison.Ordinal) + 1)..];
         var numbers = Numbers().Matches(judgement).Select(m => m.Value).Where(n => n != "2022.3");
         Assert.That(numbers.Where(number => !words.Contains(number, StringComparison.Ordinal)), Is.Empty, found);
-        foreach (var fact in new[] { "not compile in", "not compiled against", "not tested on a device" })
+        foreach (var fact in new[] { "not compile in", "not compared" })
             Assert.That(words.Contains(fact, StringComparison.Ordinal) || !found.Contains(fact, StringComparison.Ordinal), Is.True, fact);
     }
 

@@ -4,22 +4,22 @@ using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Rates Unity versions. The package was compiled with some of them, and others have known failures.</summary>
+    /// <summary>Rates Unity versions. Some were compared with the members that the package uses, and others have known failures.</summary>
     static class UnityBounds
     {
         // Each row applies from its version up to the version of the next row.
         static readonly Row[] Rows =
         {
-            new Row("2021.3", CheckState.Advice, UnityVersionMessages.Compiled2021),
-            new Row("2022.1", CheckState.Advice, UnityVersionMessages.NotCompiled),
-            new Row("2022.3", CheckState.Good, UnityVersionMessages.Compiled2022),
-            new Row("2023.1", CheckState.Advice, UnityVersionMessages.NotCompiled),
-            new Row("6000.0", CheckState.Advice, UnityVersionMessages.Compiled6000),
-            new Row("6000.1", CheckState.Advice, UnityVersionMessages.NotTested),
-            new Row("6000.3", CheckState.Advice, UnityVersionMessages.NotTestedOnDevice, UnityVersionMessages.PlugInFails),
+            new Row("2021.3", CheckState.Advice, UnityVersionMessages.Compared2021),
+            new Row("2022.1", CheckState.Advice, UnityVersionMessages.NotCompared),
+            new Row("2022.3", CheckState.Good, UnityVersionMessages.Compared2022),
+            new Row("2023.1", CheckState.Advice, UnityVersionMessages.NotCompared),
+            new Row("6000.0", CheckState.Advice, UnityVersionMessages.Compared6000),
+            new Row("6000.1", CheckState.Advice, UnityVersionMessages.NotCompared),
+            new Row("6000.3", CheckState.Advice, UnityVersionMessages.NotComparedNewest, UnityVersionMessages.PlugInFails),
         };
 
-        /// <summary>Oldest version of Unity with which the package compiles.</summary>
+        /// <summary>Oldest supported version of Unity.</summary>
         public static string Oldest => Rows[0].From.ToString();
 
         /// <summary>Oldest patch of Unity 2021.3 that the packages of MRTK3 accept.</summary>

@@ -2,7 +2,7 @@ using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Checks whether the package was tested with the version of the running editor.</summary>
+    /// <summary>Checks whether the version of the running editor is recommended.</summary>
     sealed class UnityVersionCheck : ProjectCheck
     {
         public UnityVersionCheck()
