@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Nowpose.Editor.Messages;
 using Nowpose.Editor.Setup;
 using UnityEditor;
@@ -22,10 +23,15 @@ namespace Nowpose.Editor
         static readonly string[] Signs = { "✓ ", "○ ", "✗ ", "? " };
         static readonly string[] Words = { "", "advised: ", "missing: ", "unknown: " };
 
+        // The serialised fields keep their values when Unity reloads the scripts, for example after a package was added.
+        [SerializeField] int _chosen = -1;
+        [SerializeField] string _trouble = null;
+        [SerializeField] string[] _advice = null;
+
         IProjectSettings _project;
         ProjectReview _review;
         Vector2 _scroll;
-        string _activity, _trouble;
+        string _activity;
 
         [MenuItem("Window/Nowpose/Project Setup")]
         static void Open() => GetWindow<SetupWindow>("Nowpose Setup").minSize = new Vector2(520, 300);
@@ -33,12 +39,14 @@ namespace Nowpose.Editor
         internal void Show(IProjectSettings project)
         {
             _project = project;
-            _review = new ProjectReview(ProjectChecks.For(project.Platform), project);
+            _review = new ProjectReview(ProjectChecks.For(project.Platform), project, _advice);
             Latch();
         }
 
-        void OnEnable() => Show(new UnityProjectSettings(
-            EditorUserBuildSettings.activeBuildTarget == BuildTarget.Android ? HeadsetPlatform.AndroidHeadset : HeadsetPlatform.HoloLens2));
+        void OnEnable() => Show(new UnityProjectSettings(_chosen < 0 ? OfBuildTarget() : Platforms[_chosen], _trouble));
+
+        static HeadsetPlatform OfBuildTarget() =>
+            EditorUserBuildSettings.activeBuildTarget == BuildTarget.Android ? HeadsetPlatform.AndroidHeadset : HeadsetPlatform.HoloLens2;
 
         void OnFocus() => Refresh();
 
@@ -68,7 +76,7 @@ namespace Nowpose.Editor
 
             // Executes the action after this event, because the number of controls must not change within an event, and a fix may recompile all
             // scripts.
-            if (chosen != shown) EditorApplication.delayCall += () => Choose(Platforms[chosen]);
+            if (chosen != shown) EditorApplication.delayCall += () => Choose(chosen);
             else if (clicked >= 0) EditorApplication.delayCall += () => Fix(clicked);
             else if (again) EditorApplication.delayCall += Refresh;
             else if (part >= 0) EditorApplication.delayCall += () => CellMenu.Entries[part].Create(new MenuCommand(SelectedInScene()));
@@ -94,10 +102,12 @@ namespace Nowpose.Editor
             return clicked;
         }
 
-        void Choose(HeadsetPlatform platform)
+        void Choose(int platform)
         {
             if (this == null) return;
-            Show(new UnityProjectSettings(platform));
+            _chosen = platform;
+            _advice = null;
+            Show(new UnityProjectSettings(Platforms[platform]));
             Repaint();
         }
 
@@ -120,6 +130,7 @@ namespace Nowpose.Editor
         {
             _activity = _project.Activity;
             _trouble = _project.Trouble;
+            _advice = _review.Advice.ToArray();
         }
 
         static string Summary(int missing, HeadsetPlatform platform) => missing == 0

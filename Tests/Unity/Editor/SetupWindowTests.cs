@@ -83,6 +83,39 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
+    public void Reload_OtherHeadsetChosen_KeepsTheChoice()
+    {
+        GuiRecorder.Click = "Android headset (Quest, Magic Leap 2)";
+        Send("OnGUI");
+        EditorApplication.RunDelayed();
+
+        Reload();
+
+        Assert.That(Draw()[2], Is.EqualTo("8 items are missing for an Android headset."));
+    }
+
+    [Test]
+    public void Reload_AfterAFailure_KeepsReasonAndAdvice()
+    {
+        EditorUserBuildSettings.HasUwp = false;
+        GuiRecorder.Click = "Switch to UWP";
+        Send("OnGUI");
+        EditorApplication.RunDelayed();
+        GuiRecorder.Click = "Add com.unity.xr.openxr";
+        Send("OnGUI");
+        EditorApplication.RunDelayed();
+        Client.Newest.Fail("offline");
+        Send("Update");
+        var texts = Draw();
+        Assert.That(texts, Does.Contain("com.unity.xr.openxr could not be added: offline"));
+        Assert.That(texts, Has.Some.Contains("Universal Windows Platform Build Support"));
+
+        Reload();
+
+        Assert.That(Draw(), Is.EqualTo(texts));
+    }
+
+    [Test]
     public void Open_ProjectForAndroid_ListsItsRequirements()
     {
         EditorUserBuildSettings.SwitchActiveBuildTarget(UnityEditor.Build.NamedBuildTarget.Android, BuildTarget.Android);
@@ -183,6 +216,9 @@ public sealed class SetupWindowTests : EditorFixture
 
         Assert.That(_window.Title, Is.EqualTo("Nowpose Setup"));
     }
+
+    // Unity keeps only the serialised fields when it reloads the scripts.
+    void Reload() => _window = Keep(UnityEngine.Object.Instantiate(_window));
 
     List<string> Draw()
     {

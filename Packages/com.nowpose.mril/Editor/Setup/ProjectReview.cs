@@ -11,12 +11,15 @@ namespace Nowpose.Editor.Setup
         readonly CheckResult[] _results;
         readonly string[] _advice;
 
-        public ProjectReview(IReadOnlyList<ProjectCheck> checks, IProjectSettings project)
+        /// <param name="advice">Value of <see cref="Advice"/> of an earlier review with the same checks; null or empty if there was none.</param>
+        public ProjectReview(IReadOnlyList<ProjectCheck> checks, IProjectSettings project, IReadOnlyList<string> advice = null)
         {
             _checks = checks;
             _project = project;
             _results = new CheckResult[checks.Count];
             _advice = new string[checks.Count];
+            // Unity serialises null as an empty string.
+            if (advice?.Count == checks.Count) _advice = advice.Select(text => string.IsNullOrEmpty(text) ? null : text).ToArray();
             Refresh();
         }
 

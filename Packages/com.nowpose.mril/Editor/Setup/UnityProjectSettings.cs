@@ -22,7 +22,12 @@ namespace Nowpose.Editor.Setup
         Request _adding;
         string _trouble;
 
-        public UnityProjectSettings(HeadsetPlatform platform) => Platform = platform;
+        /// <param name="trouble">Value of <see cref="Trouble"/> before Unity reloaded the scripts; null or empty if there was none.</param>
+        public UnityProjectSettings(HeadsetPlatform platform, string trouble = null)
+        {
+            Platform = platform;
+            _trouble = string.IsNullOrEmpty(trouble) ? null : trouble;
+        }
 
         public HeadsetPlatform Platform { get; }
 
