@@ -105,6 +105,7 @@ public sealed class EditModeInspectorTests : EditorFixture
         var step = Quaternion.Inverse(anchor.transform.rotation) * (anchor.transform.position - new Vector3(1, 2, 3));
         Assert.That(Vector3.Distance(step, new Vector3(x, y, z)), Is.LessThan(1e-6));
         Assert.That(Undo.Steps, Is.EqualTo(new[] { "Nudge Anchor" }));
+        Assert.That(PrefabUtility.Recorded, Is.EqualTo(new[] { anchor.transform }));
         Assert.That(moved, Is.EqualTo(1));
     }
 

@@ -62,6 +62,7 @@ namespace Nowpose.Editor.Inspectors
         {
             Undo.RecordObjects(new Object[] { Target.transform }, "Nudge " + Target.name);
             Target.Nudge(metres, degreesAboutUp);
+            if (!Application.isPlaying) PrefabUtility.RecordPrefabInstancePropertyModifications(Target.transform);
         }
 
         static string Metres(double value) => LiveText.Number(value, "0.000", "");
