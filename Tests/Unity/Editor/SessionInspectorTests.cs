@@ -135,6 +135,26 @@ public sealed class SessionInspectorTests : EditorFixture
     }
 
     [Test]
+    public void Session_RestartClicked_UsesTheChangedSettings()
+    {
+        var session = _played.Cell.NewSession();
+        session.Settings = null;
+        var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>();
+        session.With("_settings", asset);
+        session.gameObject.SetActive(true);
+        _played.Cell.Frame(session);
+        asset.With("_visualisationMs", 55.0);
+        var editor = _played.Inspect(session);
+        Assert.That(session.Settings.Visualisation.Length.TotalMilliseconds, Is.EqualTo(40));
+
+        GuiRecorder.Click = "Restart session";
+        editor.OnInspectorGUI();
+
+        Assert.That(session.Settings.Visualisation.Length.TotalMilliseconds, Is.EqualTo(55));
+        Assert.That(session.Session, Is.Not.Null);
+    }
+
+    [Test]
     public void Session_Disabled_ShowsADash()
     {
         var session = _played.Cell.Play();

@@ -49,6 +49,42 @@ public class MrilSessionSettingsTests
     }
 
     [Test]
+    public void Settings_CorrectedInPlayMode_ApplyWithinASecond()
+    {
+        var session = _cell.NewSession();
+        session.Settings = null;
+        var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>().With("_visualisationMs", 900.0);
+        session.With("_settings", asset);
+        session.gameObject.SetActive(true);
+
+        asset.With("_visualisationMs", 800.0);
+        _cell.Run(0.9, session);
+        Assert.That(session.Problem, Does.Contain("900 ms"), "not checked in each frame");
+        _cell.Run(0.2, session);
+        Assert.That(session.Problem, Does.Contain("800 ms"));
+        _cell.Run(3, session);
+        Assert.That(_cell.Player.Logs, Has.Count.EqualTo(2), "each problem is logged once");
+
+        asset.With("_visualisationMs", 90.0);
+        _cell.Run(1.1, session);
+        Assert.That((session.Session != null, session.Problem), Is.EqualTo((true, (string)null)));
+    }
+
+    [Test]
+    public void Settings_AssignedInPlayMode_StartASession()
+    {
+        var session = _cell.NewSession();
+        session.Settings = null;
+        session.gameObject.SetActive(true);
+        _cell.Run(0.1, session);
+
+        session.With("_settings", ScriptableObject.CreateInstance<SessionSettingsAsset>());
+        _cell.Run(1.1, session);
+
+        Assert.That(session.Session, Is.Not.Null);
+    }
+
+    [Test]
     public void Settings_CorrectedWhilePaused_ApplyAfterThePause()
     {
         var session = _cell.NewSession();

@@ -1,6 +1,7 @@
 using Nowpose.Unity;
 using Nowpose.Unity.Status;
 using UnityEditor;
+using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
@@ -25,6 +26,13 @@ namespace Nowpose.Editor.Inspectors
         }
 
         protected override void DrawLive()
+        {
+            DrawValues();
+            // This is the last control, because the number of controls may differ after a restart and must not change within one event.
+            if (GUILayout.Button("Restart session")) Target.Restart();
+        }
+
+        void DrawValues()
         {
             var statistics = Target.Statistics;
             _texts.Update(

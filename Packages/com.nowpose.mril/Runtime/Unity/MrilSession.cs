@@ -68,6 +68,7 @@ namespace Nowpose.Unity
         IHeadsetClock _clock, _nextClock = new StopwatchHeadsetClock();
         ApplicationPresence _presence;
         DescriptionWatch _description;
+        StartProblem _problem;
         bool _isRunning, _isWanted;
 
         /// <summary>Raised after the pose is computed: once per frame, and again right before rendering if the settings request it.</summary>
@@ -99,7 +100,7 @@ namespace Nowpose.Unity
         public DisplayFrame Frame { get; private set; }
 
         /// <summary>Reason why this component, although enabled, could not start a session, in one line; null if no problem is known.</summary>
-        public string Problem { get; private set; }
+        public string Problem => _problem.Text;
 
         /// <summary>Statistics of the session in this frame; null without a session. Later frames reuse the object.</summary>
         public SessionStatistics Statistics => Session == null ? null : _statistics.Of(Session, _clock);
@@ -176,7 +177,7 @@ namespace Nowpose.Unity
             _isRunning = false;
             _beforeRender.End();
             _watch.End();
-            Problem = null;
+            _problem = default;
             End();
         }
 
@@ -186,6 +187,7 @@ namespace Nowpose.Unity
 
         void LateUpdate()
         {
+            if (_problem.IsDue) Begin();
             if (Session == null) return;
             _device.Follow(Session);
             if (_description.Follow(Session, Robot, _robot, _log)) Restart();
@@ -207,9 +209,10 @@ namespace Nowpose.Unity
             else if (Problem == null) Begin();
         }
 
-        void Restart()
+        /// <summary>Ends the session, and starts a new one with the present settings.</summary>
+        internal void Restart()
         {
-            Problem = null;
+            _problem = default;
             Leave();
             Begin();
         }
@@ -221,16 +224,15 @@ namespace Nowpose.Unity
             RobotModel robot;
             try
             {
-                _used = _given ?? ReadSettings();
+                _used = _given ?? (_settings != null ? _settings.ToSettings() : throw new InputException(ComponentMessages.NoSettings(name)));
                 robot = _description.ModelOf(_robot, Robot);
             }
             catch (InputException fault)
             {
-                Problem = fault.Message;
-                _log.Fail(Problem);
+                _problem.Report(fault.Message, _log);
                 return;
             }
-            Problem = null;
+            _problem = default;
             _clock = _nextClock;
             Session = new CompensationSession(_used, robot ?? DescriptionWatch.NoRobot, _clock, Transport.Create);
             _display.Follow(Session);
@@ -257,8 +259,6 @@ namespace Nowpose.Unity
             Frame = null;
             Hidden?.Invoke();
         }
-
-        SessionSettings ReadSettings() => _settings != null ? _settings.ToSettings() : throw new InputException(ComponentMessages.NoSettings(name));
 
         void Notify(SessionChange change)
         {
