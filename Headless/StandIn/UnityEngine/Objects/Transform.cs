@@ -53,8 +53,10 @@ public partial class Transform : Component, IEnumerable
 
     public void SetParent(Transform parent, bool worldPositionStays)
     {
+        var before = _parent;
         Attach(parent, worldPositionStays);
         Lifecycle.Refresh(Owner);
+        if (!ReferenceEquals(_parent, before)) Lifecycle.ReportNewParent(Owner);
     }
 
     /// <summary>Sets the parent. Does not activate or deactivate objects.</summary>

@@ -51,6 +51,17 @@ static class Lifecycle
         }
     }
 
+    /// <summary>Calls OnTransformParentChanged of the scripts on an object and its descendants, including disabled scripts.</summary>
+    internal static void ReportNewParent(GameObject moved)
+    {
+        var objects = new List<GameObject>();
+        Hierarchy.Collect(moved, objects);
+        foreach (var script in objects.SelectMany(g => g.Components).OfType<MonoBehaviour>().ToList())
+        {
+            if (!script.Destroyed && script.Awoken) script.Script.Call(Message.OnTransformParentChanged, script);
+        }
+    }
+
     static bool ShouldBeActive(GameObject g)
     {
         var parent = g.transform.parent;

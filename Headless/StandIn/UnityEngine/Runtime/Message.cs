@@ -9,6 +9,7 @@ enum Message
     LateUpdate,
     OnDisable,
     OnDestroy,
+    OnTransformParentChanged,
     OnApplicationQuit,
     Count,
 }

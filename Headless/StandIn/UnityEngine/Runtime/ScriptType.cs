@@ -14,7 +14,7 @@ sealed class ScriptType
     static readonly string[] NotCalled =
     {
         "FixedUpdate", "OnGUI", "OnBecameVisible", "OnBecameInvisible", "OnWillRenderObject", "OnRenderObject", "OnRenderImage",
-        "OnPreCull", "OnPreRender", "OnPostRender", "OnTransformParentChanged", "OnTransformChildrenChanged",
+        "OnPreCull", "OnPreRender", "OnPostRender", "OnTransformChildrenChanged",
         "OnBeforeTransformParentChanged",
     };
 

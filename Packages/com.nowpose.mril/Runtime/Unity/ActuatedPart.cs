@@ -74,6 +74,13 @@ namespace Nowpose.Unity
             Move(0);
         }
 
+        void OnTransformParentChanged()
+        {
+            if (!this.IsBelowAnotherSession(_session, _source)) return;
+            OnDisable();
+            OnEnable();
+        }
+
         void Show(DisplayFrame frame)
         {
             _follower.Update(frame);

@@ -4,6 +4,7 @@ using Nowpose.Signals;
 using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
+using Nowpose.Unity.Session;
 using UnityEngine;
 using UnityEngine.Events;
 
@@ -107,6 +108,13 @@ namespace Nowpose.Unity
         {
             if (fault == null) _onCurrent.Invoke();
             else _onNotCurrent.Invoke(fault);
+        }
+
+        void OnTransformParentChanged()
+        {
+            if (!this.IsBelowAnotherSession(_session, _follower?.Source)) return;
+            OnDisable();
+            OnEnable();
         }
 
         void Take(SignalTrack signal)

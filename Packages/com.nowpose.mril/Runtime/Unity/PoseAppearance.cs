@@ -176,6 +176,13 @@ namespace Nowpose.Unity
             SetLabel("");
         }
 
+        void OnTransformParentChanged()
+        {
+            if (!this.IsBelowAnotherSession(_session, _source)) return;
+            OnDisable();
+            OnEnable();
+        }
+
         void LateUpdate()
         {
             if (!_hasLabel || _words == null) return;

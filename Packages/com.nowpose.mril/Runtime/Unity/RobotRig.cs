@@ -98,6 +98,26 @@ namespace Nowpose.Unity
         /// <summary>Returns the transform of a link; null if the robot has no such link, and before <see cref="Bind"/>.</summary>
         public Transform Link(string name) => _hierarchy?.Link(name);
 
+        /// <summary>
+        /// Sets the fields of the Inspector that select the shown robot, and follows it from now on. A script can call this method at any time,
+        /// for example after it has added the component.
+        /// </summary>
+        /// <param name="session">The session that moves this robot; null to use the session on this object or a parent.</param>
+        /// <param name="robotNamespace">Namespace of the robot in the cell; empty for the session's own robot.</param>
+        /// <param name="description">Description of a robot in a namespace. Not used for the session's own robot.</param>
+        /// <param name="shows">Selects the pose at the display time or that of the newest sample.</param>
+        public void Follow(
+            MrilSession session, string robotNamespace = "", RobotDescriptionAsset description = null, RigPose shows = RigPose.Displayed)
+        {
+            var isFollowing = isActiveAndEnabled;
+            if (isFollowing) OnDisable();
+            _session = session;
+            _robotNamespace = robotNamespace;
+            _description = description;
+            _shows = shows;
+            if (isFollowing) OnEnable();
+        }
+
         /// <summary>Binds the transforms below the rig to the links of a robot, or builds them. Sets all joint positions to 0.</summary>
         /// <exception cref="InputException">
         /// A link is missing, misplaced or scaled, or the objects below the rig show another robot. The rig is then not bound to any robot.
@@ -151,6 +171,13 @@ namespace Nowpose.Unity
             _source.Movers.Remove(this);
             _robot.Leave();
             _source = null;
+        }
+
+        void OnTransformParentChanged()
+        {
+            if (!this.IsBelowAnotherSession(_session, _source)) return;
+            OnDisable();
+            OnEnable();
         }
 
         void Start()

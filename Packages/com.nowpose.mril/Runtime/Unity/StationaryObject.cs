@@ -35,7 +35,6 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Name of the file on the device that stores the poses of objects that were placed by hand. Empty: stationary-objects.json.")]
         string _fileName = DefaultFile;
 
-        MrilSession _source;
         FollowedFrame _followed;
         RigidTransform? _saved;
 
@@ -84,17 +83,23 @@ namespace Nowpose.Unity
                 this, _session, "stationary object", Frame, missing: ObjectMessages.NotPlaced);
             if (_followed == null) return;
             _saved = Saved();
-            _source = this.SessionOr(_session);
-            _source.Movers.Add(this, Show);
+            _followed.Source.Movers.Add(this, Show);
         }
 
         void OnDisable()
         {
             if (_followed == null) return;
             EndMove();
-            if (_source is object) _source.Movers.Remove(this);
+            _followed.Source.Movers.Remove(this);
             _followed.Leave();
             _followed = null;
+        }
+
+        void OnTransformParentChanged()
+        {
+            if (!this.IsBelowAnotherSession(_session, _followed?.Source)) return;
+            OnDisable();
+            OnEnable();
         }
 
         void Show(DisplayFrame frame)

@@ -26,7 +26,6 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Displayed: the object's pose at the time when the light reaches the eye. Held: the newest pose, for comparison.")]
         RigPose _shows = RigPose.Displayed;
 
-        MrilSession _source;
         FollowedFrame _followed;
 
         /// <summary>Name of the frame.</summary>
@@ -57,16 +56,22 @@ namespace Nowpose.Unity
         {
             _followed = FollowedFrame.Of(this, _session, "tracked object", Frame, isGhost: _shows == RigPose.Held);
             if (_followed == null) return;
-            _source = this.SessionOr(_session);
-            _source.Movers.Add(this, Show);
+            _followed.Source.Movers.Add(this, Show);
         }
 
         void OnDisable()
         {
             if (_followed == null) return;
-            if (_source is object) _source.Movers.Remove(this);
+            _followed.Source.Movers.Remove(this);
             _followed.Leave();
             _followed = null;
+        }
+
+        void OnTransformParentChanged()
+        {
+            if (!this.IsBelowAnotherSession(_session, _followed?.Source)) return;
+            OnDisable();
+            OnEnable();
         }
 
         void Show(DisplayFrame frame)

@@ -17,6 +17,21 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
+    public void SetParent_OtherParent_ReportsTheChangeToTheObjectAndItsDescendants()
+    {
+        var (moved, child) = (Add<ParentRecorder>("moved"), Add<ParentRecorder>("child"));
+        child.transform.SetParent(moved.transform);
+        child.enabled = false;
+        var parent = new GameObject("parent").transform;
+        Journal.Take();
+
+        moved.transform.SetParent(parent);
+        moved.transform.SetParent(parent);
+
+        Assert.That(Journal.Take(), Is.EqualTo("moved.OnTransformParentChanged child.OnTransformParentChanged"));
+    }
+
+    [Test]
     public void AddComponent_ToAnInactiveObject_CallsAwakeOnlyWhenActive()
     {
         var a = new GameObject("a");

@@ -37,6 +37,9 @@ namespace Nowpose.Unity.Cell
             if (!isGhost) source.Parts.Add(this, name);
         }
 
+        /// <summary>The component that has the session.</summary>
+        public MrilSession Source => _source;
+
         /// <summary>Name of the frame since the component was enabled.</summary>
         public string Name { get; }
 

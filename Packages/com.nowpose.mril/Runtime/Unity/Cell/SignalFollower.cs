@@ -36,6 +36,9 @@ namespace Nowpose.Unity.Cell
             _source.Parts.Add(this);
         }
 
+        /// <summary>The component that has the session.</summary>
+        public MrilSession Source => _source;
+
         /// <summary>The signal; null until its first value is known.</summary>
         public SignalTrack Track { get; private set; }
 

@@ -42,6 +42,14 @@ namespace Nowpose.Tests.Unity
             anchor.Nudge(new Vector3(0.005f, 0, 0), degreesAboutUp: 0.5f);
         }
 
+        internal static void AddARobot(BaseAnchor anchor, RobotDescriptionAsset description)
+        {
+            var second = new GameObject("Second").AddComponent<RobotRig>();
+            second.gameObject.AddComponent<PoseAppearance>();
+            second.transform.SetParent(anchor.transform, worldPositionStays: false);
+            second.Follow(null, "arm2", description);
+        }
+
         internal static void MoveWithoutASession(RobotRig rig, RobotDescriptionAsset asset)
         {
             rig.Bind(asset.Read());

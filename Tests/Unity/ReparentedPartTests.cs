@@ -1,0 +1,125 @@
+using Nowpose.Gateway.Plants;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests;
+
+/// <summary>Tests components that a script adds before it moves their object below the session, and rigs that a script configures.</summary>
+public class ReparentedPartTests : PlayedParts
+{
+    [Test]
+    public void TrackedObject_ParentSetAfterItWasEnabled_FollowsTheSession()
+    {
+        var tracked = Loose<TrackedObject>("box");
+
+        tracked.transform.SetParent(_session.transform);
+        Run(2, t => SendPose("world", "box", t, Along(0.1 * t)));
+
+        Assert.That(tracked.State, Is.EqualTo(PoseState.Current));
+    }
+
+    [Test]
+    public void StationaryObject_ParentSetAfterItWasEnabled_IsPlaced()
+    {
+        var placed = Loose<StationaryObject>("fixture");
+
+        placed.transform.SetParent(_session.transform);
+        Run(2, t => SendPose("world", "fixture", t, Along(1)));
+
+        AssertAt(placed.transform, _session.transform, Along(1));
+    }
+
+    [Test]
+    public void SignalParts_ParentSetAfterTheyWereEnabled_FollowTheSession()
+    {
+        var signal = Loose<CellSignal>("closed");
+        var part = Loose<ActuatedPart>("closed");
+
+        foreach (var each in new Component[] { signal, part }) each.transform.SetParent(_session.transform);
+        Run(2);
+        SendSignal("closed", _cell.Now - 1, 1);
+        Run(0.5);
+
+        Assert.That((signal.Value, part.Share), Is.EqualTo(((double?)1, 1f)));
+    }
+
+    [Test]
+    public void Appearance_ParentSetAfterItWasEnabled_ShowsTheSessionsPose()
+    {
+        var rig = Loose<RobotRig>("Robot");
+        var appearance = rig.gameObject.AddComponent<PoseAppearance>();
+
+        rig.transform.SetParent(_session.transform);
+        Run(2);
+
+        Assert.That(rig.IsFollowing, Is.True);
+        Assert.That(appearance.Look.Label, Is.Empty);
+    }
+
+    [Test]
+    public void Rig_MovedBelowAnotherSession_FollowsIt()
+    {
+        var other = _cell.Play();
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        Run(1);
+
+        rig.transform.SetParent(other.transform);
+
+        Assert.That(rig.Session, Is.SameAs(other));
+    }
+
+    [Test]
+    public void Rig_SessionAssigned_KeepsItWithANewParent()
+    {
+        var rig = Loose<RobotRig>("Robot");
+        rig.Follow(_session);
+
+        rig.transform.SetParent(_cell.Play().transform);
+
+        Assert.That(rig.Session, Is.SameAs(_session));
+    }
+
+    [Test]
+    public void Follow_SessionNamespaceAndDescription_ShowsThatRobot()
+    {
+        var rig = Loose<RobotRig>("Second");
+        var joints = RobotFiles.Load("youbot").MovingJoints.Select(joint => joint.Name).ToArray();
+
+        rig.Follow(_session, "arm2", RobotDescriptionAsset.Create("second", RobotFiles.LoadText("youbot")));
+        Run(2, t => _session.Session.Listener.Received(
+            new JointStateMessage(At(t), joints, joints.Select(_ => 0.003).ToArray()), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2"));
+
+        Assert.That((rig.RobotNamespace, rig.IsFollowing), Is.EqualTo(("arm2", true)));
+        Assert.That(rig.Joints[0], Is.EqualTo(0.003).Within(1e-6));
+    }
+
+    [Test]
+    public void Follow_Held_ShowsTheNewestSamples()
+    {
+        var rig = Below<RobotRig>("Ghost", _session.transform);
+
+        rig.Follow(null, shows: RigPose.Held);
+        Run(3);
+
+        Assert.That((rig.Session, rig.Shows), Is.EqualTo((_session, RigPose.Held)));
+        Assert.That(rig.Joints.ToArray(), Is.EqualTo(_session.Frame.HeldJoints.ToArray()));
+        Assert.That(rig.Joints[0], Is.Not.EqualTo(_session.Frame.Joints[0]));
+    }
+
+    [Test]
+    public void Follow_RigDisabled_AppliesWhenItIsEnabled()
+    {
+        var rig = Loose<RobotRig>("Robot");
+        rig.enabled = false;
+
+        rig.Follow(_session);
+        Assert.That(rig.Session, Is.Null);
+        rig.enabled = true;
+
+        Assert.That(rig.Session, Is.SameAs(_session));
+    }
+
+    static T Loose<T>(string name) where T : Component => new GameObject(name).AddComponent<T>();
+}
