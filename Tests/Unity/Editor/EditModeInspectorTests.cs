@@ -40,17 +40,18 @@ public sealed class EditModeInspectorTests : EditorFixture
     }
 
     [Test]
-    public void RigInspector_ButtonClickedTwice_BuildsOnceAndReportsTheSecondClick()
+    public void RigInspector_LinksExist_HasNoButtonAndMovesNoLink()
     {
         var rig = NewRig("youbot");
         Click(rig, BuildButton);
+        var link = rig.transform.Find("arm_link_0/arm_link_1");
+        link.localRotation = Quaternion.Euler(0, 30, 0);
+        GuiRecorder.Clear();
 
-        var editor = Click(rig, BuildButton);
-        editor.OnInspectorGUI();
+        Inspect(rig).OnInspectorGUI();
 
-        Assert.That(Undo.Created, Has.Count.EqualTo(1));
-        Assert.That(rig.transform.childCount, Is.EqualTo(1));
-        Assert.That(GuiRecorder.Texts, Does.Contain("The rig already has links. Delete them to build the robot again."));
+        Assert.That(GuiRecorder.Buttons, Does.Not.Contain(BuildButton));
+        Assert.That(link.localEulerAngles.y, Is.EqualTo(30).Within(1e-3));
     }
 
     [Test]

@@ -9,8 +9,7 @@ namespace Nowpose.Editor.Inspectors
     [CanEditMultipleObjects]
     sealed class RobotRigEditor : LiveInspector
     {
-        const string PlainMaterial = "Packages/com.nowpose.mril/Runtime/Materials/Hologram.mat";
-
+        readonly DescribedRobot _described = new DescribedRobot();
         string _refusal;
 
         RobotRig Target => (RobotRig)target;
@@ -25,13 +24,15 @@ namespace Nowpose.Editor.Inspectors
                 EditorGUILayout.LabelField(model.MovingJoints[i].Name, LiveText.Position(model.MovingJoints[i], Target.Joints[i]));
         }
 
-        // Offers to create the robot's objects. Does not offer this for a prefab asset, because Unity can add objects to a prefab only while the
-        // prefab is open.
+        // Offers to create the robot's objects if they do not exist yet. Does not offer this for a prefab asset, because Unity can add objects to a
+        // prefab only while the prefab is open.
         protected override void DrawAlways()
         {
             if (Application.isPlaying || EditorUtility.IsPersistent(target)) return;
             var description = Description();
             if (description == null) return;
+            var model = _described.Of(description);
+            if (model != null && Target.HasLinksOf(model)) return;
             if (_refusal != null) EditorGUILayout.HelpBox(_refusal, MessageType.Warning);
             if (GUILayout.Button("Build '" + description.name + "' here")) Build(description);
         }
@@ -51,9 +52,8 @@ namespace Nowpose.Editor.Inspectors
             _refusal = null;
             try
             {
-                var root = Target.BuildToStay(description.Read(), AssetDatabase.LoadAssetAtPath<Material>(PlainMaterial));
-                if (root != null) Undo.RegisterCreatedObjectUndo(root, "Build " + description.name);
-                else _refusal = InspectorTexts.HasLinks;
+                var root = Target.BuildToStay(description.Read(), PackageAsset.Hologram.Load<Material>());
+                Undo.RegisterCreatedObjectUndo(root, "Build " + description.name);
             }
             catch (InputException fault)
             {

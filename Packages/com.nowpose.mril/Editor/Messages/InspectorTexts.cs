@@ -56,7 +56,6 @@ namespace Nowpose.Editor.Messages
             }
         }
 
-        public const string HasLinks = "The rig already has links. Delete them to build the robot again.";
         public const string Capacity = "capacity must be 2 or more";
         public const string Seconds = "seconds must be more than 0";
         public const string Predicted = "predicted by the runtime";

@@ -146,16 +146,22 @@ namespace Nowpose.Unity
             Posed?.Invoke();
         }
 
+        /// <summary>Whether the objects below the rig have the root link of a robot. Other links may be missing. Changes nothing.</summary>
+        internal bool HasLinksOf(RobotModel model) => RigHierarchy.RootLink(model, transform) != null;
+
         /// <summary>
         /// Builds the robot as a permanent part of a scene or prefab. At run time, the rig finds these links and never removes them.
         /// </summary>
         /// <param name="plain">
         /// Material that replaces missing materials. It must be an asset, because a prefab does not save a material that exists only in memory.
         /// </param>
-        /// <returns>The object of the root link; null if the links already exist.</returns>
-        /// <exception cref="InputException">The objects below the rig show another robot, or only a part of this robot.</exception>
-        internal GameObject BuildToStay(RobotModel model, Material plain) =>
-            RigHierarchy.Find(model, transform) == null ? NewLinks(model, plain, out _) : null;
+        /// <returns>The object of the root link.</returns>
+        /// <exception cref="InputException">The objects below the rig show another robot.</exception>
+        internal GameObject BuildToStay(RobotModel model, Material plain)
+        {
+            RigHierarchy.RequireEmpty(model, transform);
+            return NewLinks(model, plain, out _);
+        }
 
         void OnEnable()
         {

@@ -65,10 +65,10 @@ namespace Nowpose.Unity.Robot
         /// </exception>
         public static RigHierarchy Find(RobotModel model, Transform rig)
         {
-            var root = Below(rig, model.Root.Name);
+            var root = RootLink(model, rig);
             if (root == null)
             {
-                RequireEmpty(model, rig, rig);
+                RequireEmpty(model, rig);
                 return null;
             }
             var links = new Transform[model.Links.Count];
@@ -84,7 +84,15 @@ namespace Nowpose.Unity.Robot
             return new RigHierarchy(model, links);
         }
 
-        // Rejects drawn objects other than tools, because the wearer could mistake another, motionless robot below the rig for this robot.
+        /// <summary>Returns the object below a rig that has the name of the robot's root link; null if there is none. Changes nothing.</summary>
+        public static Transform RootLink(RobotModel model, Transform rig) => Below(rig, model.Root.Name);
+
+        /// <summary>
+        /// Rejects drawn objects other than tools, because the wearer could mistake another, motionless robot below the rig for this robot.
+        /// </summary>
+        /// <exception cref="InputException">Something is drawn below the rig.</exception>
+        public static void RequireEmpty(RobotModel model, Transform rig) => RequireEmpty(model, rig, rig);
+
         static void RequireEmpty(RobotModel model, Transform rig, Transform at)
         {
             for (var i = 0; i < at.childCount; i++)
