@@ -12,13 +12,14 @@ using UnityEngine;
 namespace Nowpose.Editor
 {
     /// <summary>
-    /// Imports a .urdf file as a prefab with the links, their visuals, and a Robot Rig at the root. Adds the robot description as a sub-asset.
+    /// Imports a .urdf file as a prefab with the links, their visuals, and a Robot Rig and a Pose Appearance at the root. Adds the robot description
+    /// as a sub-asset.
     /// </summary>
     [ScriptedImporter(Version, "urdf", AfterModels)]
     public sealed class UrdfImporter : ScriptedImporter
     {
         // Increase this number when the import of an unchanged file gives a different result. Unity then imports all files again.
-        const int Version = 1;
+        const int Version = 2;
 
         // Position in Unity's import order: after textures, shaders and models, to which a URDF refers, and before prefabs (1500), which may refer
         // to a URDF.
@@ -51,10 +52,19 @@ namespace Nowpose.Editor
             var name = Path.GetFileNameWithoutExtension(ctx.assetPath);
             var robot = new GameObject(name);
             robot.AddComponent<RobotRig>();
+            // The materials of models cannot fade. Without a substitute, the parts would be hidden while the pose is not current.
+            robot.AddComponent<PoseAppearance>().Substitute = Hologram(ctx);
             RigBuilder.Build(model, robot.transform, new ImportedLook(ctx, _armMaterial, _toolMaterial));
             ctx.AddObjectToAsset("robot", robot);
             ctx.SetMainObject(robot);
             ctx.AddObjectToAsset("description", RobotDescriptionAsset.Create(name, text));
+        }
+
+        static Material Hologram(AssetImportContext ctx)
+        {
+            var path = PackageAsset.Hologram.Path;
+            if (path.Length > 0) ctx.DependsOnArtifact(path);
+            return PackageAsset.Hologram.Load<Material>();
         }
 
         static string Read(string assetPath)

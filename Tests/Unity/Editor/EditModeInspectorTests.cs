@@ -1,3 +1,5 @@
+using Nowpose.Editor;
+using Nowpose.Editor.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Unity;
 using Nowpose.Unity.Tests;
@@ -55,6 +57,32 @@ public sealed class EditModeInspectorTests : EditorFixture
     }
 
     [Test]
+    public void RigInspector_RobotNotAppearing_AddsAPoseAppearanceWithUndo()
+    {
+        var rig = NewRig(null);
+
+        Click(rig, InspectorTexts.AddAppearance);
+
+        Assert.That(rig.GetComponent<PoseAppearance>().Substitute, Is.SameAs(PackageAsset.Hologram.Load<Material>()));
+        Assert.That(Undo.Steps, Is.EqualTo(new[] { "Add PoseAppearance" }));
+        GuiRecorder.Clear();
+        Inspect(rig).OnInspectorGUI();
+        Assert.That(GuiRecorder.Buttons, Is.Empty);
+    }
+
+    [Test]
+    public void RigInspector_AppearanceAboveOrNoSession_AsksForNone()
+    {
+        var below = NewRig(null);
+        below.transform.parent.gameObject.AddComponent<PoseAppearance>();
+
+        Inspect(below).OnInspectorGUI();
+        Inspect(Keep(new GameObject("alone")).AddComponent<RobotRig>()).OnInspectorGUI();
+
+        Assert.That(GuiRecorder.Texts, Does.Not.Contain(ShortcomingTexts.Appearance));
+    }
+
+    [Test]
     public void RigInspector_InvalidDescription_StatesTheReason()
     {
         var rig = NewRig("youbot");
@@ -68,11 +96,11 @@ public sealed class EditModeInspectorTests : EditorFixture
     }
 
     [Test]
-    public void RigInspector_SessionWithoutRobot_HasNoButton()
+    public void RigInspector_SessionWithoutRobot_CannotBuild()
     {
         Inspect(NewRig(null)).OnInspectorGUI();
 
-        Assert.That(GuiRecorder.Buttons, Is.Empty);
+        Assert.That(GuiRecorder.Buttons, Is.EqualTo(new[] { InspectorTexts.AddAppearance }));
     }
 
     [Test]

@@ -48,6 +48,18 @@ public sealed class UrdfImporterTests : EditorFixture
     }
 
     [Test]
+    public void Import_AnyRobot_LooksDifferentWhileItsPoseIsNotCurrent()
+    {
+        var hologram = Keep(new Material((Shader)null));
+        Project.PutAs(PackageAsset.Hologram.Guid, "Hologram.mat", hologram);
+
+        var robot = _imported.Import("<link name='base'/>");
+
+        Assert.That(robot.GetComponent<PoseAppearance>().Substitute, Is.SameAs(hologram), "the materials of models cannot fade");
+        Assert.That(_imported.Context.ArtifactDependencies, Does.Contain("Hologram.mat"));
+    }
+
+    [Test]
     public void Import_MeshMissing_CausesOneWarningAndImportsTheRest()
     {
         var robot = _imported.Import("<link name='base'>" + Visual("<mesh filename='package://other/a.dae'/>")

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor;
@@ -20,6 +21,12 @@ public class Undo
     {
         Steps.Add(name);
         Created.Add(objectToUndo);
+    }
+
+    public static T AddComponent<T>(GameObject gameObject) where T : Component
+    {
+        Steps.Add("Add " + typeof(T).Name);
+        return gameObject.AddComponent<T>();
     }
 
     internal static void Clear()

@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 namespace Nowpose.Editor.Inspectors
 {
     /// <summary>Rule that a reference of a component must be set.</summary>
-    sealed class ReferenceRule
+    sealed class ReferenceRule : IShortcomingRule
     {
         readonly Type _component, _above;
         readonly string _field, _message;
@@ -41,7 +41,20 @@ namespace Nowpose.Editor.Inspectors
             return !EditorUtility.IsPersistent(component) && component.gameObject.GetComponentInParent(_above, true) == null;
         }
 
-        public Shortcoming Shortcoming(Component component) => new Shortcoming(_message, _field, _remedy(component));
+        public Shortcoming Shortcoming(Component component)
+        {
+            var remedy = _remedy(component);
+            return new Shortcoming(_message, remedy == null ? null : "Use '" + remedy.name + "'", components => Assign(components, remedy));
+        }
+
+        void Assign(Object[] components, Object remedy)
+        {
+            using (var serialised = new SerializedObject(components))
+            {
+                serialised.FindProperty(_field).objectReferenceValue = remedy;
+                serialised.ApplyModifiedProperties();
+            }
+        }
 
         bool IsSet(Component component)
         {

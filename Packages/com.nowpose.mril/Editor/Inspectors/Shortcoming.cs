@@ -1,44 +1,44 @@
+using System;
 using System.Collections.Generic;
-using UnityEditor;
+using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>
-    /// A missing reference on one or more components, and the object that a button in the Inspector assigns to it, if there is one.
-    /// </summary>
+    /// <summary>Rule for the components of the package.</summary>
+    interface IShortcomingRule
+    {
+        bool IsBrokenBy(Component component);
+
+        /// <summary>Returns a description of the problem of a component that breaks the rule.</summary>
+        Shortcoming Shortcoming(Component component);
+    }
+
+    /// <summary>Something that one or more components lack, and the action of a button in the Inspector that adds it, if there is one.</summary>
     sealed class Shortcoming
     {
         readonly List<Object> _components = new List<Object>();
-        readonly string _field;
-        readonly Object _remedy;
+        readonly Action<Object[]> _fix;
 
-        /// <param name="field">Name of the serialised field.</param>
-        /// <param name="remedy">The object to assign; null if only the user can choose.</param>
-        public Shortcoming(string message, string field, Object remedy)
+        /// <param name="fixLabel">Label of the button; null if only the user can correct the problem.</param>
+        /// <param name="fix">Corrects the problem of the given components. The user can undo it.</param>
+        public Shortcoming(string message, string fixLabel, Action<Object[]> fix)
         {
             Message = message;
-            _field = field;
-            _remedy = remedy;
+            FixLabel = fixLabel;
+            _fix = fix;
         }
 
-        /// <summary>Message to the user, which names the missing reference and the remedy.</summary>
+        /// <summary>Message to the user, which names the problem and the remedy.</summary>
         public string Message { get; }
 
-        /// <summary>Label of the button; null if only the user can choose an object.</summary>
-        public string FixLabel => _remedy == null ? null : "Use '" + _remedy.name + "'";
+        /// <summary>Label of the button; null if only the user can correct the problem.</summary>
+        public string FixLabel { get; }
 
-        /// <summary>Adds another component with the same missing reference.</summary>
+        /// <summary>Adds another component with the same problem.</summary>
         public void Add(Object component) => _components.Add(component);
 
-        /// <summary>Assigns the object to the reference on all these components. The user can undo the assignment.</summary>
-        public void Fix()
-        {
-            using (var components = new SerializedObject(_components.ToArray()))
-            {
-                components.FindProperty(_field).objectReferenceValue = _remedy;
-                components.ApplyModifiedProperties();
-            }
-        }
+        /// <summary>Corrects the problem of all these components.</summary>
+        public void Fix() => _fix(_components.ToArray());
     }
 }

@@ -7,10 +7,10 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Finds missing references of the package's components.</summary>
+    /// <summary>Finds missing references and components that the package's components need.</summary>
     static class Shortcomings
     {
-        static readonly ReferenceRule[] Rules =
+        static readonly IShortcomingRule[] Rules =
         {
             new ReferenceRule(
                 typeof(MrilSession), "_settings", null, ShortcomingTexts.Settings,
@@ -47,9 +47,10 @@ namespace Nowpose.Editor.Inspectors
             new ReferenceRule(
                 typeof(VirtualGripper), "_rig", typeof(RobotRig),
                 ShortcomingTexts.Rig, Only<RobotRig>),
+            new AppearanceRule(),
         };
 
-        /// <summary>Returns the missing references of components. A reference that is missing on several components is returned only once.</summary>
+        /// <summary>Returns the problems of components. A problem of several components is returned only once.</summary>
         /// <param name="objects">Components of one type.</param>
         public static IReadOnlyList<Shortcoming> Of(Object[] objects)
         {

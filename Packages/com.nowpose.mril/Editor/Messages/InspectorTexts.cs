@@ -56,6 +56,7 @@ namespace Nowpose.Editor.Messages
             }
         }
 
+        public const string AddAppearance = "Add Pose Appearance";
         public const string Capacity = "capacity must be 2 or more";
         public const string Seconds = "seconds must be more than 0";
         public const string Predicted = "predicted by the runtime";

@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Messages about missing references of components, each with a remedy.</summary>
+    /// <summary>Messages about missing references and components, each with a remedy.</summary>
     static class ShortcomingTexts
     {
         public const string Settings = "It has no settings and cannot start. Assign settings, or let a script provide them.";
@@ -18,6 +18,9 @@ namespace Nowpose.Editor.Messages
 
         public const string PanelText =
             "It has no Text Mesh to copy. Assign one on a child object; its font, material, style and colour apply to the whole panel.";
+
+        public const string Appearance =
+            "This object and its parents have no Pose Appearance, so the robot looks the same while its pose is not current. Add one.";
 
         public const string Rig = "Its parents have no rig. Move the object below a rig, or assign a rig.";
     }

@@ -68,6 +68,9 @@ namespace Nowpose.Unity
             }
         }
 
+        /// <summary>Material that replaces materials that cannot fade. A new value takes effect at the next <see cref="Refresh"/>.</summary>
+        internal Material Substitute { get => _substitute; set => _substitute = value; }
+
         internal PoseLook Look
         {
             get
