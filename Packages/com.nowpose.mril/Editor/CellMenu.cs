@@ -22,9 +22,10 @@ namespace Nowpose.Editor
         /// <summary>Names and actions of the menu's entries.</summary>
         internal static readonly (string Name, Action<MenuCommand> Create)[] Entries =
         {
-            ("Robot Cell", RobotCell), ("Robot Cell UR5", RobotCellUr5), ("Virtual Gripper", VirtualGripper), ("Another Robot", AnotherRobot),
-            ("Tracked Object", TrackedObject), ("Stationary Object", StationaryObject), ("Signal", Signal), ("Actuated Part", ActuatedPart),
-            ("Grip by Reach", GripByReach), ("Planned Path", PlannedPath),
+            ("Robot Cell", RobotCell), ("Robot Cell UR5", RobotCellUr5), (SetupTexts.AnyRobotCell, RobotCellAny),
+            ("Virtual Gripper", VirtualGripper), ("Another Robot", AnotherRobot), ("Tracked Object", TrackedObject),
+            ("Stationary Object", StationaryObject), ("Signal", Signal), ("Actuated Part", ActuatedPart), ("Grip by Reach", GripByReach),
+            ("Planned Path", PlannedPath),
         };
 
         [MenuItem(Folder + "Robot Cell", false, Priority)]
@@ -32,6 +33,9 @@ namespace Nowpose.Editor
 
         [MenuItem(Folder + "Robot Cell UR5", false, Priority)]
         static void RobotCellUr5(MenuCommand command) => PlaceOnce(PackageAsset.RobotCellUr5, command);
+
+        [MenuItem(Folder + SetupTexts.AnyRobotCell, false, Priority)]
+        static void RobotCellAny(MenuCommand command) => PlaceOnce(PackageAsset.RobotCellAny, command);
 
         [MenuItem(Folder + "Virtual Gripper", false, Priority)]
         static void VirtualGripper(MenuCommand command) => PlaceOnce(PackageAsset.VirtualGripper, command);

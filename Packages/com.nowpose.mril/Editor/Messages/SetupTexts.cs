@@ -8,6 +8,9 @@ namespace Nowpose.Editor.Messages
 
         public static string PackageNotAdded(string package, string reason) => $"{package} could not be added: {reason}";
 
+        /// <summary>Name of the menu entry for the cell without a robot.</summary>
+        public const string AnyRobotCell = "Robot Cell (Any Robot)";
+
         public const string AndroidHeadset = "Android headset (Quest, Magic Leap 2)";
         public const string AddToScene = "Add to the scene, below the selected object";
 
