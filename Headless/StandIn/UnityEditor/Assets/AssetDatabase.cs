@@ -8,6 +8,8 @@ public sealed class AssetDatabase
 {
     public static string GUIDToAssetPath(string guid) => Project.PathOf(guid) ?? "";
 
+    public static string GetAssetPath(Object assetObject) => Project.PathOf(assetObject) ?? "";
+
     public static Object[] LoadAllAssetsAtPath(string assetPath) => Project.Load(assetPath).ToArray();
 
     public static Object LoadMainAssetAtPath(string assetPath) => LoadAssetAtPath<Object>(assetPath);

@@ -54,6 +54,9 @@ static class Project
         return Loaded[path] = File.Exists(FullPath(path)) ? Read(path) : Array.Empty<Object>();
     }
 
+    /// <summary>Returns the path of the asset that contains an object; null if no loaded asset contains it.</summary>
+    internal static string PathOf(Object part) => Loaded.FirstOrDefault(asset => asset.Value.Contains(part)).Key;
+
     /// <summary>Returns the GUIDs of the assets of a type. Finds only assets that were added or loaded.</summary>
     internal static IEnumerable<string> OfType(string type) =>
         Loaded.Where(asset => asset.Value.Length > 0 && asset.Value[0].GetType().Name == type).Select(asset => GuidOf(asset.Key));

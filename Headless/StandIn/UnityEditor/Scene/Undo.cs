@@ -23,10 +23,22 @@ public class Undo
         Created.Add(objectToUndo);
     }
 
+    public static void DestroyObjectImmediate(Object objectToUndo)
+    {
+        Steps.Add("Destroy " + objectToUndo.name);
+        Object.DestroyImmediate(objectToUndo);
+    }
+
     public static T AddComponent<T>(GameObject gameObject) where T : Component
     {
         Steps.Add("Add " + typeof(T).Name);
         return gameObject.AddComponent<T>();
+    }
+
+    public static void SetTransformParent(Transform transform, Transform newParent, string name)
+    {
+        Steps.Add(name);
+        transform.SetParent(newParent);
     }
 
     internal static void Clear()

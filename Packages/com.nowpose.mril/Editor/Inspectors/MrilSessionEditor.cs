@@ -1,3 +1,6 @@
+using System;
+using System.Linq;
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Status;
 using UnityEditor;
@@ -15,6 +18,8 @@ namespace Nowpose.Editor.Inspectors
 
         readonly StatusTexts _texts = new StatusTexts();
 
+        readonly DescribedRobot _described = new DescribedRobot();
+
         MrilSession Target => (MrilSession)target;
 
         protected override void Sample(double time)
@@ -23,6 +28,18 @@ namespace Nowpose.Editor.Inspectors
             _latency.Take(time, statistics?.ApplicationLatency?.TotalMilliseconds);
             _horizon.Take(time, statistics?.Horizon?.TotalMilliseconds);
             _error.Take(time, statistics?.ErrorMm);
+        }
+
+        // Does not offer to change a prefab asset, because Unity can add objects to a prefab only while the prefab is open.
+        protected override void DrawAlways()
+        {
+            if (Application.isPlaying || EditorUtility.IsPersistent(target)) return;
+            var model = _described.Of(Target.RobotAsset);
+            var rigs = model == null ? Array.Empty<RobotRig>() : CellRobot.RigsWithout(Target, model);
+            if (rigs.Count == 0) return;
+            var robot = Target.RobotAsset.name;
+            EditorGUILayout.HelpBox(InspectorTexts.NoLinks(string.Join(", ", rigs.Select(rig => rig.name)), robot), MessageType.Warning);
+            if (GUILayout.Button(InspectorTexts.ShowRobot(robot))) CellRobot.Show(Target, model, rigs);
         }
 
         protected override void DrawLive()

@@ -57,6 +57,13 @@ namespace Nowpose.Editor.Messages
         }
 
         public const string AddAppearance = "Add Pose Appearance";
+
+        public static string ShowRobot(string robot) => $"Show '{robot}' in the cell";
+
+        /// <param name="rigs">Names of the rigs that do not have the links of the robot.</param>
+        public static string NoLinks(string rigs, string robot) =>
+            $"The links of '{robot}' are not below: {rigs}. The button adds them. It also removes the links of another robot, and unpacks the "
+            + "instance of the cell's prefab if it contains them.";
         public const string Capacity = "capacity must be 2 or more";
         public const string Seconds = "seconds must be more than 0";
         public const string Predicted = "predicted by the runtime";

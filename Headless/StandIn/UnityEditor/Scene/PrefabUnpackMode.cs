@@ -1,0 +1,7 @@
+namespace UnityEditor;
+
+public enum PrefabUnpackMode
+{
+    OutermostRoot = 0,
+    Completely = 1,
+}
