@@ -15,6 +15,13 @@ namespace Nowpose.Tests.Unity.Inspectors
         [TearDown]
         public void Clean() => _scene.Destroy();
 
+        RobotRig Rig(Transform parent = null)
+        {
+            var rig = _scene.New<RobotRig>("Robot", parent);
+            rig.gameObject.AddComponent<PoseAppearance>();
+            return rig;
+        }
+
         [Test]
         public void Session_WithoutSettings_IsReported()
         {
@@ -32,14 +39,14 @@ namespace Nowpose.Tests.Unity.Inspectors
             var session = _scene.New<MrilSession>("Session");
             session.gameObject.SetActive(false);
 
-            Assert.That(Of(_scene.New<RobotRig>("Robot", session.transform)), Is.Empty);
+            Assert.That(Of(Rig(session.transform)), Is.Empty);
         }
 
         [Test]
         public void Rig_BesideTheOnlySession_OffersThatSession()
         {
             var session = _scene.New<MrilSession>("The Session");
-            var rig = _scene.New<RobotRig>("Robot");
+            var rig = Rig();
 
             var shortcoming = Of(rig).Single();
             Assert.That(shortcoming.Message, Does.StartWith("This object and its parents have no session"));
@@ -58,7 +65,7 @@ namespace Nowpose.Tests.Unity.Inspectors
             _scene.New<MrilSession>("One");
             _scene.New<MrilSession>("Two");
 
-            Assert.That(Of(_scene.New<RobotRig>("Robot")).Single().FixLabel, Is.Null);
+            Assert.That(Of(Rig()).Single().FixLabel, Is.Null);
         }
 
         [Test]
@@ -111,8 +118,8 @@ namespace Nowpose.Tests.Unity.Inspectors
         public void Fix_SeveralObjects_ChangesOnlyTheIncompleteObjects()
         {
             var session = _scene.New<MrilSession>("Session");
-            var below = _scene.New<RobotRig>("Below", session.transform);
-            RobotRig one = _scene.New<RobotRig>("One"), two = _scene.New<RobotRig>("Two");
+            var below = Rig(session.transform);
+            RobotRig one = Rig(), two = Rig();
 
             Shortcomings.Of(new Object[] { below, one, two }).Single().Fix();
 
