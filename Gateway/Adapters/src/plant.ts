@@ -30,7 +30,9 @@ export async function runPlant(configuration: Configuration): Promise<number> {
   });
   const gateway = new GatewayLink(configuration.gateway, log, 'gateway', {
     malformed: (topic, problem) => status.refuse('malformed', topic, problem),
-    refused: reason => status.refusedByGateway(reason),
+    refused: (reason, isMeasuring) => {
+      if (!isMeasuring) status.refusedByGateway(reason);
+    },
   });
   const { clock_resolution_us: resolutionUs, group_ms: groupMs, oldest_ms: oldestMs } = plant;
   const fixed = resolutionUs === undefined ? null : ofMilliseconds(Number(resolutionUs) / 1000);
@@ -41,7 +43,7 @@ export async function runPlant(configuration: Configuration): Promise<number> {
     faultAfterMs: silenceMs(plant.silence),
   };
   const output = new PlantOutput(configuration, limits, clock, gateway, status);
-  gateway.watch({ opened: () => output.signals.sender.connected() });
+  gateway.watch(output.signals.sender);
   gateway.subscribe(VERSION_TOPIC, ({ data }) => compareVersions(log, data));
   const run = await load(plant.kind);
   for (const [namespace, urdf] of Object.entries({ ...robots, ...(robot === null ? {} : { '': robot }) }))

@@ -59,7 +59,7 @@ export class ReceivedObjects {
     counter: () => number = () => performance.now(),
   ) {
     this.#sender = new SignalSender(clock, gateway, () => status.sampled(), counter);
-    gateway.watch({ opened: () => this.#sender.connected() });
+    gateway.watch(this.#sender);
   }
 
   take(topic: string, message: Record<string, unknown>): void {

@@ -1,5 +1,5 @@
 import type { OfferedClock } from '../clock/offeredClock';
-import type { Publisher } from '../gateway/link';
+import type { LinkEvents, Publisher } from '../gateway/link';
 import type { Nanoseconds } from '../times';
 import { SIGNALS, signals } from './messages';
 
@@ -15,13 +15,18 @@ interface Change {
   stamp: Nanoseconds;
 }
 
-/** Sends each change of a signal as soon as the clock of its stamp is known, and repeats all signals after a new connection. */
-export class SignalSender {
+/**
+ * Sends each change of a signal as soon as the clock of its stamp is known and the connection has room. Repeats all signals after a new connection, and
+ * as long as the gateway refuses signals.
+ */
+export class SignalSender implements LinkEvents {
   readonly #newest = new Map<string, Change>();
   /** Signals with a change that has not been sent yet. */
   readonly #pending = new Set<string>();
   #repeatedUntil = 0;
   #repeated = 0;
+  /** Whether the gateway has refused a signal since the last repetition. */
+  #isRefused = false;
 
   /**
    * @param sent Called after each message.
@@ -29,7 +34,7 @@ export class SignalSender {
    */
   constructor(
     readonly clock: Pick<OfferedClock, 'isSettled'>,
-    readonly gateway: Publisher,
+    readonly gateway: Pick<Publisher, 'publishNewest'>,
     readonly sent: () => void,
     readonly counter: () => number,
   ) {}
@@ -51,40 +56,47 @@ export class SignalSender {
   }
 
   /** Sends all signals again, repeatedly for some time. Called for each new connection to the gateway. */
-  connected(): void {
+  readonly opened = (): void => {
     this.#repeatedUntil = this.counter() + REPEATED_MS;
     this.#repeat();
-  }
+  };
+
+  /** Schedules a repetition if the gateway has refused signals, which may have another reason than the measurement after a new connection. */
+  readonly refused = (reason: string): void => {
+    this.#isRefused ||= reason.includes(SIGNALS);
+  };
 
   /** Sends changes that have waited for the clock, and repetitions that are due. Called several times per second. */
   check(): void {
     const now = this.counter();
-    if (now < this.#repeatedUntil && now - this.#repeated >= REPEAT_EVERY_MS) this.#repeat();
+    const isRepeated = this.#isRefused || now < this.#repeatedUntil;
+    if (isRepeated && now - this.#repeated >= REPEAT_EVERY_MS) this.#repeat();
     else this.#send();
   }
 
   #repeat(): void {
     this.#repeated = this.counter();
+    this.#isRefused = false;
     for (const name of this.#newest.keys()) this.#pending.add(name);
     this.#send();
   }
 
-  /** Sends the pending changes. Changes with equal stamps are sent in one message. */
   #send(): void {
-    if (this.#pending.size === 0 || !this.clock.isSettled) return;
-    const changes = [...this.#pending].map(name => ({ name, ...this.#newest.get(name)! }));
-    this.#pending.clear();
-    for (const stamp of new Set(changes.map(change => change.stamp))) {
-      const together = changes.filter(change => change.stamp === stamp);
-      this.gateway.publish(
-        SIGNALS,
-        signals(
-          stamp,
-          together.map(({ name }) => name),
-          together.map(({ value }) => value),
-        ),
-      );
-      this.sent();
-    }
+    if (this.#pending.size > 0 && this.clock.isSettled) this.gateway.publishNewest(SIGNALS, () => this.#next());
+  }
+
+  /** Creates the next message, which has the pending changes with the same stamp; null if there is none. */
+  #next(): object | null {
+    const [first] = this.#pending;
+    if (first === undefined) return null;
+    const { stamp } = this.#newest.get(first)!;
+    const together = [...this.#pending].filter(name => this.#newest.get(name)!.stamp === stamp);
+    for (const name of together) this.#pending.delete(name);
+    this.sent();
+    return signals(
+      stamp,
+      together,
+      together.map(name => this.#newest.get(name)!.value),
+    );
   }
 }

@@ -3,7 +3,7 @@ import WebSocket, { type RawData } from 'ws';
 import { reconnecting } from '../backoff';
 import type { GatewayAddress } from '../configuration/configuration';
 import type { Log } from '../log';
-import { advertisement, parsed, subscription, typeOf } from './messages';
+import { advertisement, parsed, publication, subscription, typeOf } from './messages';
 import { PinnedAgent } from './pin';
 import { inWords } from './reasons';
 import { SendQueue } from './sendQueue';
@@ -38,12 +38,15 @@ export interface LinkEvents {
   away?(reason: string): void;
   /** Called when a listener has thrown an exception for a message on this topic. */
   malformed?(topic: string, problem: string): void;
-  /** Called with the reason when the gateway has dropped a message of this link. */
-  refused?(reason: string): void;
+  /**
+   * Called with the reason when the gateway has dropped a message of this link.
+   * @param isMeasuring Whether this is normal, because the gateway is still measuring the clock of the stamps.
+   */
+  refused?(reason: string, isMeasuring: boolean): void;
 }
 
 /** The part of a link that outputs use. */
-export type Publisher = Pick<GatewayLink, 'publish' | 'publishKept'>;
+export type Publisher = Pick<GatewayLink, 'publish' | 'publishNewest' | 'publishKept'>;
 
 /**
  * The connection to a gateway or a robot with the rosbridge protocol. After a disconnection, it reconnects and repeats advertisements, subscriptions,
@@ -82,9 +85,23 @@ export class GatewayLink {
     return this.#queue.dropped;
   }
 
+  /** Publishes a message. Drops it if the gateway remains disconnected or slow while many newer messages are published. */
   publish(topic: string, msg: object): void {
     this.#advertise(topic);
-    this.#queue.add(JSON.stringify({ op: 'publish', topic, msg }));
+    this.#queue.add(publication(topic, msg));
+    this.#pump();
+  }
+
+  /**
+   * Publishes messages that must not be dropped. While the gateway is disconnected or slow, they are not created, so that they have the newest values.
+   * @param next Creates the next message of the topic; null if there is none.
+   */
+  publishNewest(topic: string, next: () => object | null): void {
+    this.#advertise(topic);
+    this.#queue.pull(topic, () => {
+      const msg = next();
+      return msg === null ? null : publication(topic, msg);
+    });
     this.#pump();
   }
 
@@ -94,7 +111,7 @@ export class GatewayLink {
    */
   publishKept(topic: string, msg: object, key = topic): void {
     this.#advertise(topic);
-    this.#kept.set(key, JSON.stringify({ op: 'publish', topic, msg }));
+    this.#kept.set(key, publication(topic, msg));
     this.#send(this.#kept.get(key)!);
   }
 
@@ -241,9 +258,9 @@ export class GatewayLink {
 
   // Reports and logs a status message of the gateway. Logs equal messages only once.
   #refuse(status: string): void {
-    if (UNSYNCHRONISED.test(status) && performance.now() - this.#measured < MEASURING_MS)
-      return this.log.change(`${this.name} measures`, 'measuring', gatewayMessages.measuring(this.name));
-    for (const { refused } of this.#watchers) refused?.(status);
+    const isMeasuring = UNSYNCHRONISED.test(status) && performance.now() - this.#measured < MEASURING_MS;
+    for (const { refused } of this.#watchers) refused?.(status, isMeasuring);
+    if (isMeasuring) return this.log.change(`${this.name} measures`, 'measuring', gatewayMessages.measuring(this.name));
     if (this.#statuses.has(status)) return;
     if (this.#statuses.size >= MAX_STATUSES) this.#statuses.clear();
     this.#statuses.add(status);

@@ -34,6 +34,8 @@ const TYPES: Record<string, string> = {
 
 export const advertisement = (topic: string): string => JSON.stringify({ op: 'advertise', topic, type: typeOf(topic) });
 
+export const publication = (topic: string, msg: object): string => JSON.stringify({ op: 'publish', topic, msg });
+
 export const subscription = (topic: string, type: string): string =>
   JSON.stringify({ op: 'subscribe', topic, type, queue_length: 0, throttle_rate: 0 });
 

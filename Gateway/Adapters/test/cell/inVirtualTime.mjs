@@ -10,7 +10,11 @@ export function cell({ frames = [], signals = [], values }) {
   const sent = [], kept = [], time = { ms: 0 };
   const status = new AdapterStatus('opcua', new Log('plant/test', [], () => {}, () => {}));
   const clock = { get now() { return T + BigInt(time.ms) * MS; }, isSettled: true };
-  const gateway = { publish: (topic, msg) => sent.push([topic, msg]), publishKept: (topic, msg) => kept.push([topic, msg]) };
+  const gateway = {
+    publish: (topic, msg) => sent.push([topic, msg]),
+    publishNewest: (topic, next) => { for (let msg = next(); msg !== null; msg = next()) sent.push([topic, msg]); },
+    publishKept: (topic, msg) => kept.push([topic, msg]),
+  };
   const output = new PlantOutput({ joints: [], frames, signals, values: values.map(label => ({ label })) }, { tolerance: MS / 2n, oldest: 10n * S },
     clock, gateway, status, () => time.ms);
   status.enter('connected');

@@ -53,7 +53,7 @@ describe('signals', () => {
     take({ 0: 1, 1: 2 });
 
     time.ms = 1000;
-    output.signals.sender.connected();
+    output.signals.sender.opened();
     for (; time.ms < 60_000; time.ms += 250) {
       output.hold(T, 0n, new Set());
       output.check();
@@ -62,6 +62,32 @@ describe('signals', () => {
     const closed = changes().filter(([name]) => name === 'closed');
     assert.ok(closed.length >= 30 && closed.length <= 32, `${closed.length}`);
     assert.deepEqual(new Set(closed.map(([, value, stamp]) => `${value} ${stamp}`)), new Set(['1 0']));
+  });
+
+  it('Gateway_RefusesSignalsLongAfterTheConnection_ReceivesThemEverySecondUntilItAcceptsThem', () => {
+    const { take, changes, output, time } = two(), seen = [];
+    output.signals.sender.opened();
+    for (time.ms = 60_000; time.ms < 90_000; time.ms += 250) {
+      if (time.ms === 60_000) take({ 0: 1 });
+      output.check();
+      // The gateway refuses all signals until 70 s.
+      if (changes().length > seen.length && time.ms < 70_000) output.signals.sender.refused('publish /signals dropped: … (Unsynchronised)');
+      while (seen.length < changes().length) seen.push(time.ms);
+    }
+
+    assert.deepEqual(seen, [60_000, ...Array.from({ length: 11 }, (_, i) => 60_250 + 1000 * i)]);
+  });
+
+  it('Gateway_RefusesAnotherTopic_DoesNotReceiveTheSignalsAgain', () => {
+    const { take, changes, output, time } = two();
+    take({ 0: 1 });
+
+    for (; time.ms < 5000; time.ms += 250) {
+      output.signals.sender.refused('publish /joint_states dropped: … (JointTaken)');
+      output.check();
+    }
+
+    assert.equal(changes().length, 1);
   });
 
   it('Signals_OneNotConfirmed_OnlyThatSignalIsInFault', () => {

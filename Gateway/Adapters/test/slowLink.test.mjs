@@ -1,0 +1,73 @@
+// Tests that a gateway that reads slowly receives the newest values of all signals.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { parts } from './parts.mjs';
+import { until } from './program.mjs';
+import { nanoseconds, RosbridgeDouble } from './rosbridge.mjs';
+
+const { GatewayLink, Log, SendQueue, SignalSender } = await parts('gateway/link', 'log', 'gateway/sendQueue', 'cell/signalSender');
+
+const S = 1_000_000_000n;
+/** A message that is much larger than the buffers of the kernel, together with a few thousand others. */
+const LARGE = { data: 'x'.repeat(16 * 1024) };
+
+describe('link to a slow gateway', () => {
+  it('Signals_ChangeWhileTheQueueOverflows_AllReachTheGatewayWithTheirNewestValues', async t => {
+    const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
+    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}));
+    const sender = new SignalSender({ isSettled: true }, link, () => {}, () => 0);
+    const running = link.run(ending.signal);
+    await until(() => link.isOpen && bridge.clients.length > 0, 'the link');
+    const [client] = bridge.clients;
+    client.pause();
+    const overflow = () => {
+      const { dropped } = link;
+      while (link.dropped < dropped + 100) link.publish('/joint_states', LARGE);
+    };
+
+    overflow();
+    sender.add('closed', 1, S);
+    sender.add('speed', 0.5, S);
+    overflow();
+    sender.add('closed', 0, 2n * S);
+    overflow();
+    client.resume();
+
+    await until(() => bridge.published('/signals').length >= 2, 'the signals');
+    assert.deepEqual(bridge.published('/signals').map(({ header, name, value }) => [name, value, nanoseconds(header.stamp)]), [[['closed'], [0], 2n * S], [['speed'], [0.5], S]]);
+    ending.abort();
+    await running;
+  });
+
+  it('Signals_ChangeWithoutAConnection_AreSentOnceAfterIt', async t => {
+    const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
+    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}));
+    const sender = new SignalSender({ isSettled: true }, link, () => {}, () => 0);
+
+    for (let i = 1; i <= 100; i++) sender.add('count', i, BigInt(i) * S);
+    const running = link.run(ending.signal);
+    link.publish('/joint_states', LARGE);
+
+    await until(() => bridge.published('/joint_states').length > 0, 'the message after the signals');
+    assert.deepEqual(bridge.published('/signals').map(({ value }) => value), [[100]]);
+    ending.abort();
+    await running;
+  });
+});
+
+describe('queue with pulled messages', () => {
+  it('Pull_SocketHasRoom_SendsThemBeforeTheOthersUntilThereAreNone', () => {
+    const queue = new SendQueue(), sent = [], socket = { bufferedAmount: 1 << 20, send: data => sent.push(data) }, values = ['a', 'b'];
+    queue.add('x');
+    queue.pull('values', () => values.shift() ?? null);
+    queue.pump(socket, () => {});
+    values[0] = 'newer';
+
+    socket.bufferedAmount = 0;
+    queue.pump(socket, () => {});
+    values.push('later');
+    queue.pump(socket, () => {});
+
+    assert.deepEqual(sent, ['newer', 'b', 'x']);
+  });
+});
