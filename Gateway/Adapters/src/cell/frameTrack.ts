@@ -1,6 +1,6 @@
 import type { Frame } from '../configuration/frames';
 import { type Nanoseconds, NS_PER_MS } from '../times';
-import { FrameMotion } from './frameMotion';
+import type { FrameMotion } from './frameMotion';
 import { valuesOf } from './framePose';
 
 /** SILENCE: minimum time without changes after which a pose is repeated. REPETITION: interval of repetitions. Headsets predict for about 300 ms. */
@@ -41,7 +41,7 @@ export interface Track {
   end: 'in-motion' | 'silent' | null;
 }
 
-export const trackOf = (frame: Frame, index: number): Track => ({
+export const trackOf = (frame: Frame, index: number, motion: FrameMotion): Track => ({
   index,
   frame,
   values: valuesOf(frame),
@@ -52,7 +52,7 @@ export const trackOf = (frame: Frame, index: number): Track => ({
   changed: null,
   intervals: [],
   isRepeated: false,
-  motion: new FrameMotion(frame.maxDeceleration),
+  motion,
   end: null,
 });
 

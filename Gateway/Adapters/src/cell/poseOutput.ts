@@ -1,4 +1,4 @@
-import { isStationary, type Frame } from '../configuration/frames';
+import { type Frame, type FrameSettings, isStationary } from '../configuration/frames';
 import type { OfferedClock } from '../clock/offeredClock';
 import type { Publisher } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
@@ -6,10 +6,11 @@ import { grouped } from '../samples/grouping';
 import type { SourceStop } from '../samples/jointOutput';
 import { numberIn } from '../samples/number';
 import type { PlantValue } from '../samples/plantOutput';
-import { ENDED_IN_MOTION, SampleSilence } from '../samples/sampleSilence';
+import { ENDED_IN_MOTION, type SampleSilence } from '../samples/sampleSilence';
 import { OF_LONG_AGO, type Refusal, StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { ComponentTrack } from './component';
+import { FrameStates } from './frameStates';
 import { poseOf, STEP } from './framePose';
 import { silenceOf, type Track, trackOf } from './frameTrack';
 import { MAX_TRANSFORMS, type Pose, type StampedPose, TF, TF_STATIC, transform } from './messages';
@@ -19,10 +20,6 @@ export interface PoseOptions {
   /** Maximum difference of stamps that belong to the same sample. */
   tolerance: Nanoseconds;
   oldest: Nanoseconds;
-  /**
-   * Time without data, in ms, after which a frame without its own setting has a fault; absent or null if a silent frame counts as at rest.
-   */
-  faultAfterMs?: number | null;
 }
 
 /** Maximum interval between the values of a moving component, as a multiple of the source's sampling interval. */
@@ -34,18 +31,19 @@ export class PoseOutput {
   readonly #rule: StampRule;
   /** Components by index of the value. A component is empty before the first valid value and after an invalid one. */
   readonly #components: ComponentTrack[];
-  /** Sampling interval of the source in seconds; 0 if unknown. */
-  samplingS = 0;
-  readonly silence: SampleSilence;
+  /** The states of these frames, and of those whose poses arrive as a whole. */
+  readonly states: FrameStates;
   /** Gets the phase in which the source stopped writing a value; null if it has not stopped, or if this is unknown. */
   sourceStopOf: (value: number) => SourceStop | null = () => null;
 
   /**
+   * @param whole Settings of the frames whose poses arrive as a whole.
    * @param labels Descriptions of all values that are read, for messages.
    * @param counter Monotonic clock in ms; by default, the clock of this machine.
    */
   constructor(
     frames: Frame[],
+    whole: FrameSettings[],
     readonly labels: string[],
     readonly options: PoseOptions,
     readonly clock: Pick<OfferedClock, 'now' | 'isSettled'>,
@@ -54,13 +52,15 @@ export class PoseOutput {
     counter?: () => number,
   ) {
     this.#components = labels.map(() => new ComponentTrack());
-    this.#tracks = frames.filter(frame => !isStationary(frame)).map(trackOf);
+    const moving = frames.filter(frame => !isStationary(frame));
+    this.states = new FrameStates([...moving, ...whole], status, counter);
+    this.#tracks = moving.map((frame, i) => trackOf(frame, i, this.states.motionOf(frame.frame)));
     this.#rule = new StampRule(this.#tracks.length, options.oldest);
-    const limits = new Map(frames.map(({ frame, faultAfterMs }) => [frame, faultAfterMs]));
-    this.silence = new SampleSilence(status, frame => (limits.has(frame) ? limits.get(frame) : options.faultAfterMs) ?? null, counter, status.frames);
-    this.silence.endOf = (name, silentMs) => this.#endOf(name, silentMs);
-    for (const { frame } of this.#tracks) status.frames.expect(frame.frame);
     this.#publishStationary(frames.filter(isStationary));
+  }
+
+  get silence(): SampleSilence {
+    return this.states.silence;
   }
 
   /** Publishes the poses that result from values that arrived together. Several values with the same index are sorted, the oldest first. */
@@ -128,10 +128,8 @@ export class PoseOutput {
   /** Prepares for a new connection. Objects at rest may have moved since the previous one. */
   restart(): void {
     for (const component of this.#components) component.forget();
-    for (const track of this.#tracks) {
-      [track.newest, track.isRepeated, track.choice, track.jumped] = [null, false, null, null];
-      track.motion.restart();
-    }
+    for (const track of this.#tracks) [track.newest, track.isRepeated, track.choice, track.jumped] = [null, false, null, null];
+    this.states.restart();
   }
 
   /** Reports that the plant no longer has this value. */
@@ -180,7 +178,7 @@ export class PoseOutput {
   /** Determines whether the data of a frame without newer values have ended, and sets its state if they ended during a motion. */
   #hasEnded(track: Track): boolean {
     if (track.end !== null) return true;
-    const { impossible, unobserved } = track.motion.end(this.samplingS);
+    const { impossible, unobserved } = track.motion.end(this.states.samplingS);
     const isAbandoned = unobserved !== null && track.values.some(value => this.sourceStopOf(value) === 'after-change');
     const reason = impossible ?? (isAbandoned ? `${unobserved}, and ${silenceMessages.notWritten}` : null);
     if (reason === null) return false;
@@ -190,17 +188,10 @@ export class PoseOutput {
     return true;
   }
 
-  /** Gets the reason why the data of a frame of a source without confirmations ended during a motion; null if they did not. */
-  #endOf(name: string, silentMs: number): string | null {
-    const track = this.#tracks.find(({ frame }) => frame.frame === name);
-    const reason = track === undefined || silentMs < track.motion.overdueMs ? null : track.motion.end(this.samplingS).impossible;
-    return reason === null ? null : silenceMessages.endedBecause(reason);
-  }
-
   /** Gets the reason why the frame may not be at rest; an empty string if there is none. */
   #uncertaintyOf({ values, motion }: Track): string {
     if (values.some(value => this.sourceStopOf(value) !== null)) return silenceMessages.notWritten;
-    return motion.end(this.samplingS).unobserved ?? '';
+    return motion.end(this.states.samplingS).unobserved ?? '';
   }
 
   /**
@@ -213,7 +204,7 @@ export class PoseOutput {
       return pose !== null && ('reason' in pose || this.#isMatched(track, time)) ? this.#accept(track, time, pose, now) : [];
     }
 
-    const patience = ofMilliseconds(1000 * PATIENCE_INTERVALS * this.samplingS);
+    const patience = ofMilliseconds(1000 * PATIENCE_INTERVALS * this.states.samplingS);
     const stamp = track.values
       .map(index => this.#components[index].knownUntil(time, patience))
       .reduce((oldest, each) => (each < oldest ? each : oldest), time);
@@ -221,7 +212,7 @@ export class PoseOutput {
     const pose = poseOf(track.frame, (index, jump) => (jump === STEP ? this.#components[index].value : this.#components[index].at(stamp, jump)));
     if (pose === null) return [];
     const mayHandOver = track.selector !== null && this.#components[track.selector].stamp !== stamp;
-    if (mayHandOver && !('reason' in pose) && track.motion.isJump(stamp, pose, this.samplingS)) {
+    if (mayHandOver && !('reason' in pose) && track.motion.isJump(stamp, pose, this.states.samplingS)) {
       track.jumped ??= time;
       if (time - track.jumped < this.#skew) return [];
     }
@@ -241,9 +232,7 @@ export class PoseOutput {
     if (track.changed !== null) track.intervals = [...track.intervals.slice(-1), stamp - track.changed];
     [track.newest, track.changed, track.isRepeated, track.end] = [stamp, stamp, false, null];
     [track.choice, track.jumped] = [this.#choiceOf(track), null];
-    track.motion.add(stamp, pose as Pose);
-    this.status.accept(frame);
-    this.silence.heard(frame);
+    this.states.add(stamp, pose as Pose);
     return [{ stamp, pose: pose as Pose }];
   }
 
@@ -252,7 +241,7 @@ export class PoseOutput {
    * confirm values sends the changes at once.
    */
   get #skew(): Nanoseconds {
-    return this.silence.unconfirmedMs === null ? 0n : ofMilliseconds(1000 * this.samplingS);
+    return this.silence.unconfirmedMs === null ? 0n : ofMilliseconds(1000 * this.states.samplingS);
   }
 
   #newestPose(track: Track): Pose | Refusal | null {

@@ -1,5 +1,5 @@
 import { requireAddress } from './address';
-import { type Frame, type FrameEntry, framesOf } from './frames';
+import { type Frame, type FrameEntry, type FrameSettings, framesOf } from './frames';
 import { nearest } from './nearest';
 import { linesOf } from './problem';
 import { type NamedJoint, namedIn, requireJoints, robotOf } from './robot';
@@ -43,6 +43,8 @@ export interface Configuration {
   plant: { kind: string; name: string; silence: SilenceEntry; [own: string]: unknown };
   joints: Joint[];
   frames: Frame[];
+  /** Settings of the frames whose poses arrive as a whole: those of ROS without `position`. */
+  wholeFrames: FrameSettings[];
   signals: Signal[];
   /** The possible parents of each frame in the file, by the name of the frame. Empty for a frame of ROS whose parent arrives with its pose. */
   parents: Record<string, string[]>;
@@ -96,13 +98,15 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
   const described = sections.robot === undefined ? null : robotOf(file, ['robot'], sections.robot);
   const joints = jointsOf(file, sections, silence);
   const values: Value[] = joints.map((joint, i) => ({ label: joint.joint, path: ['joints', i], address: addressIn(joint) }));
-  const frames = kind in ADDRESS ? framesOf(file, kind, sections.frames ?? [], silence, values) : [];
+  const wholeFrames: FrameSettings[] = [];
+  const frames = kind in ADDRESS ? framesOf(file, kind, sections.frames ?? [], silence, values, wholeFrames) : [];
   const configuration: Configuration = {
     file: path,
     gateway,
     plant: { ...sections.plant, name: sections.plant.name ?? kind, silence },
     joints,
     frames,
+    wholeFrames,
     parents: Object.fromEntries([...(sections.frames ?? []), ...frames].map(entry => [entry.frame, 'parents' in entry ? entry.parents : []])),
     signals: signalsOf(file, sections.signals ?? [], values),
     hasObjects: (sections.frames ?? []).length + (sections.signals ?? []).length > 0,

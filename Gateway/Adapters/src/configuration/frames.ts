@@ -18,9 +18,17 @@ export type RotationSource =
 /** Maximum number of transforms from a frame to its root, as in the gateway. */
 const MAX_DEPTH = 16;
 
-/** An object of the cell. Its pose in its parent frame is constant or read from the control system. */
-export interface Frame {
+/** The settings of any object of the cell. */
+export interface FrameSettings {
   frame: string;
+  /** Time without data after which the frame has a fault, ms; null if a silent frame counts as at rest. */
+  faultAfterMs: number | null;
+  /** Maximum deceleration in m/s² and, for the rotation, rad/s²; null if unknown. */
+  maxDeceleration: number | null;
+}
+
+/** An object of the cell. Its pose in its parent frame consists of numbers that are constant or read from the control system. */
+export interface Frame extends FrameSettings {
   /** The possible parents. A single element is the parent at all times. */
   parents: string[];
   /** The number that selects the parent, counted from 0; null if there is a single parent. */
@@ -31,10 +39,6 @@ export interface Frame {
   scale: number;
   /** The rotation relative to the parent; null if the frame has the parent's orientation. */
   rotation: RotationSource | null;
-  /** Time without data after which the frame has a fault, ms; null if a silent frame counts as at rest. */
-  faultAfterMs: number | null;
-  /** Maximum deceleration in m/s² and, for the rotation, rad/s²; null if unknown. */
-  maxDeceleration: number | null;
 }
 
 type NumberEntry = number | Address;
@@ -67,8 +71,18 @@ export const isStationary = ({ selector, position, rotation }: Frame): boolean =
 /** Maximum deviation of the norm of a constant quaternion from 1. It is the deviation that the protocol allows. */
 const MAX_NORM_ERROR = 0.001;
 
-/** Gets the frames of a configuration whose poses consist of individual values, and adds the values to be read for them to `values`. */
-export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], silence: SilenceEntry, values: Value[]): Frame[] {
+/**
+ * Gets the frames of a configuration whose poses consist of individual values, and adds the values to be read for them to `values`.
+ * @param whole Receives the settings of the other frames, whose poses arrive as a whole.
+ */
+export function framesOf(
+  file: YamlFile,
+  kind: string,
+  entries: FrameEntry[],
+  silence: SilenceEntry,
+  values: Value[],
+  whole: FrameSettings[],
+): Frame[] {
   const seen = new Map<string, number>();
   const paths: Path[] = [];
   const frames = entries.map(ofField).flatMap((entry, i): Frame[] => {
@@ -78,7 +92,15 @@ export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], si
     seen.set(entry.frame, file.lineOf([...path, 'frame']));
     if (entry.quaternion !== undefined && entry.angles !== undefined) file.report([...path, 'angles'], frameMessages.quaternionAndAngles);
     reportQuaternion(file, entry, [...path, 'quaternion']);
-    if (entry.position === undefined) return [];
+    const settings = {
+      frame: entry.frame,
+      faultAfterMs: silenceMs(entry.silence ?? silence),
+      maxDeceleration: entry.max_deceleration ?? null,
+    };
+    if (entry.position === undefined) {
+      whole.push(settings);
+      return [];
+    }
     paths.push(path);
     const { topic, type } = entry;
     const component = (at: Path, label: string, found: NumberEntry): Component =>
@@ -87,13 +109,11 @@ export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], si
         : read(file, kind, { label: `${entry.frame} ${label}`, path: at, address: found }, { topic, type }, values);
     const { x, y, z, unit } = entry.position;
     const frame: Frame = {
-      frame: entry.frame,
+      ...settings,
       ...parentOf(entry, (label, found) => component([...path, 'parent'], label, found)),
       position: Object.entries({ x, y, z }).map(([name, found]) => component([...path, 'position', name], name, found)),
       scale: LENGTHS[unit],
       rotation: rotationOf(entry, (at, label, found) => component([...path, ...at], label, found)),
-      faultAfterMs: silenceMs(entry.silence ?? silence),
-      maxDeceleration: entry.max_deceleration ?? null,
     };
     warnOfSelector(file, kind, frame, values, [...path, 'parent']);
     return [frame];

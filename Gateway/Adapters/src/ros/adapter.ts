@@ -77,7 +77,7 @@ export async function run(context: AdapterContext): Promise<void> {
     robot.subscribe(settings.robotDescription, message => passDescription(message?.data), STRING);
   if (settings.jointTrajectory !== null) robot.subscribe(settings.jointTrajectory, passTrajectory, TRAJECTORY);
 
-  const frames = new RosFrames(settings, settings.oldest, clock, gateway, status, output.frames.silence);
+  const frames = new RosFrames(settings, settings.oldest, clock, gateway, status, output.frames.states);
   if (settings.frames.some(({ topic }) => topic === null)) {
     robot.subscribe(settings.tf, message => frames.pass(message), TRANSFORMS);
     robot.subscribe(settings.tfStatic, message => frames.passStationary(message), TRANSFORMS);

@@ -1,10 +1,10 @@
+import type { FrameStates } from '../cell/frameStates';
 import { type Pose, TF, TF_STATIC, tooFar, transform } from '../cell/messages';
 import { unit } from '../cell/rotation';
 import type { OfferedClock } from '../clock/offeredClock';
 import { WORLD } from '../configuration/frames';
 import type { Publisher } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
-import type { SampleSilence } from '../samples/sampleSilence';
 import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
 import { malformedMessages } from '../messages/broker';
@@ -51,12 +51,11 @@ export class RosFrames {
     readonly clock: Pick<OfferedClock, 'now' | 'isSettled'>,
     readonly gateway: Publisher,
     readonly status: AdapterStatus,
-    readonly silence: SampleSilence,
+    readonly states: FrameStates,
   ) {
     this.#rule = new StampRule(names.frames.length, oldest);
     // ROS does not confirm the poses of a frame whose publisher is silent.
-    silence.unconfirmedMs = null;
-    for (const { frame } of names.frames) status.frames.expect(frame);
+    states.silence.unconfirmedMs = null;
   }
 
   /** Forwards the tracked frames in a message of /tf. */
@@ -79,7 +78,7 @@ export class RosFrames {
         this.status.refuse(refusal.reason, pose.frame, refusal.text, this.status.frames);
         return [];
       }
-      this.#accept(pose.frame);
+      this.states.add(stamp!, pose);
       return [transform(stamp!, pose)];
     });
     if (transforms.length === 0) return;
@@ -97,11 +96,6 @@ export class RosFrames {
       this.status.accept(pose.frame);
     }
     if (found.length > 0) this.gateway.publishKept(TF_STATIC, { transforms: [...this.#stationary.values()] }, STATIONARY_KEY);
-  }
-
-  #accept(frame: string): void {
-    this.status.accept(frame);
-    this.silence.heard(frame);
   }
 
   #found({ transforms }: Record<string, unknown>): { index: number; pose: Pose; stamp: Nanoseconds | null }[] {

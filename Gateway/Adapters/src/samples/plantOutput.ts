@@ -34,7 +34,7 @@ export class PlantOutput {
 
   /** @param counter Monotonic clock in ms; by default, the clock of this machine. */
   constructor(
-    { joints, frames, signals, values }: Pick<Configuration, 'joints' | 'frames' | 'signals' | 'values'>,
+    { joints, frames, wholeFrames, signals, values }: Pick<Configuration, 'joints' | 'frames' | 'wholeFrames' | 'signals' | 'values'>,
     options: JointOutputOptions,
     clock: Pick<OfferedClock, 'now' | 'isSettled'>,
     gateway: Publisher,
@@ -45,7 +45,7 @@ export class PlantOutput {
     this.#firstOfSignals = values.length - signals.length;
     const labels = values.map(({ label }) => label);
     this.joints = new JointOutput(joints, options, clock, gateway, status, counter);
-    this.frames = new PoseOutput(frames, labels, options, clock, gateway, status, counter);
+    this.frames = new PoseOutput(frames, wholeFrames, labels, options, clock, gateway, status, counter);
     this.signals = new SignalOutput(signals, this.#firstOfSignals, clock, gateway, status, counter);
     for (const { joint } of joints) status.joints.expect(joint);
   }
@@ -112,7 +112,7 @@ export class PlantOutput {
 
   /** Sets the sampling interval of the source in seconds. */
   set samplingS(seconds: number) {
-    this.joints.samplingS = this.frames.samplingS = seconds;
+    this.joints.samplingS = this.frames.states.samplingS = seconds;
   }
 
   /** Reports the reason why a joint or frame is not published yet although its value has arrived. Ignores signals, which are published at once. */

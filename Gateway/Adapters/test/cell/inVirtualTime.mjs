@@ -6,7 +6,7 @@ const { AdapterStatus, Log, PlantOutput } = await parts('gateway/status', 'log',
 export const MS = 1_000_000n, S = 1000n * MS, T = 1_700_000_000n * S;
 
 /** Creates an output in virtual time. `values` are the labels of all values; `time.ms` is the time since the start on all clocks. */
-export function cell({ frames = [], signals = [], values }) {
+export function cell({ frames = [], wholeFrames = [], signals = [], values }) {
   const sent = [], kept = [], time = { ms: 0 };
   const status = new AdapterStatus('opcua', new Log('plant/test', [], () => {}, () => {}));
   const clock = { get now() { return T + BigInt(time.ms) * MS; }, isSettled: true };
@@ -15,11 +15,11 @@ export function cell({ frames = [], signals = [], values }) {
     publishNewest: (topic, next) => { for (let msg = next(); msg !== null; msg = next()) sent.push([topic, msg]); },
     publishKept: (topic, msg) => kept.push([topic, msg]),
   };
-  const output = new PlantOutput({ joints: [], frames, signals, values: values.map(label => ({ label })) }, { tolerance: MS / 2n, oldest: 10n * S },
+  const output = new PlantOutput({ joints: [], frames, wholeFrames, signals, values: values.map(label => ({ label })) }, { tolerance: MS / 2n, oldest: 10n * S },
     clock, gateway, status, () => time.ms);
   status.enter('connected');
   return {
-    output, status, clock, sent, kept, time,
+    output, status, clock, gateway, sent, kept, time,
     /** Publishes numbers, given by their indices, with the same time stamp. */
     take: (numbers, { stamp = clock.now, ...more } = {}) =>
       output.publish(Object.entries(numbers).map(([index, value]) => ({ index: Number(index), value, stamp, ...more }))),

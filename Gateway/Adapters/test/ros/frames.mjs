@@ -1,0 +1,25 @@
+// Runs the forwarding of frames from /tf and /tf_static in virtual time.
+import { cell, S } from '../cell/inVirtualTime.mjs';
+import { parts } from '../parts.mjs';
+
+const { RosFrames } = await parts('ros/frames');
+
+/**
+ * Creates the forwarding of frames.
+ * @param wholeFrames Settings of the frames. The ROS name of each frame is its name with the prefix "detected_".
+ * @param names Names in ROS other than the default ones.
+ */
+export function rosCell(wholeFrames, names = {}) {
+  const one = cell({ wholeFrames, values: [] }), { output, clock, status, gateway } = one;
+  const frames = wholeFrames.map(({ frame }) => ({ frame, source: `detected_${frame}`, topic: null }));
+  const ros = new RosFrames({ frames, world: 'map', namespace: '', linkPrefix: '', ...names }, 10n * S, clock, gateway, status, output.frames.states);
+  /** Creates a message with the current pose of a frame. */
+  const message = (frame, x, parent = 'map') => ({
+    transforms: [{
+      header: { stamp: { sec: Number(clock.now / S), nanosec: Number(clock.now % S) }, frame_id: parent },
+      child_frame_id: `detected_${frame}`,
+      transform: { translation: { x, y: 0, z: 0 }, rotation: { x: 0, y: 0, z: 0, w: 1 } },
+    }],
+  });
+  return { ...one, pass: (...pose) => ros.pass(message(...pose)), passStationary: (...pose) => ros.passStationary(message(...pose)) };
+}
