@@ -47,7 +47,7 @@ function adapter() {
   const label = 'joint a', joint = { joint: 'a', robot: '', name: 'a', scale: 1, offset: 0 };
   const configuration = { joints: [joint], frames: [], wholeFrames: [], signals: [], values: [{ label, address: { node: 'n0' }, path: ['joints', 0] }], plant: {} };
   const clock = { now: BigInt(Date.now()) * 1_000_000n, isSettled: true };
-  const output = new PlantOutput(configuration, { tolerance: 1_000_000n, oldest: 10_000_000_000n }, clock, { publish: () => {}, publishNewest: () => {}, publishKept: () => {} }, status);
+  const output = new PlantOutput(configuration, { tolerance: 1_000_000n, oldest: 10_000_000_000n }, clock, { publish: () => {}, publishNewest: () => {}, publishKept: () => {}, forgetKept: () => {} }, status);
   const reader = new NotificationReader({ configuration, output, status, clock }, { time: null, timestamp: 'source' });
   const cell = { status, reader, now: 0, value: good(1, Date.now()) };
   status.enter('connected');

@@ -7,6 +7,9 @@ export const TF = '/tf';
 export const TF_STATIC = '/tf_static';
 export const SIGNALS = '/signals';
 
+/** Gets the key of the kept message with the pose of a frame that another source reports as stationary, and that may begin to move. */
+export const stationaryKey = (frame: string): string => `${TF_STATIC} ${frame}`;
+
 /** Maximum number of transforms in a message. With names of 128 characters of 3 bytes, such a message is shorter than 64 KiB. */
 export const MAX_TRANSFORMS = 48;
 

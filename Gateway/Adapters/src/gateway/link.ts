@@ -46,7 +46,7 @@ export interface LinkEvents {
 }
 
 /** The part of a link that outputs use. */
-export type Publisher = Pick<GatewayLink, 'publish' | 'publishNewest' | 'publishKept'>;
+export type Publisher = Pick<GatewayLink, 'publish' | 'publishNewest' | 'publishKept' | 'forgetKept'>;
 
 /**
  * The connection to a gateway or a robot with the rosbridge protocol. After a disconnection, it reconnects and repeats advertisements, subscriptions,
@@ -113,6 +113,11 @@ export class GatewayLink {
     this.#advertise(topic);
     this.#kept.set(key, publication(topic, msg));
     this.#send(this.#kept.get(key)!);
+  }
+
+  /** Stops the publication of a kept message after reconnections. */
+  forgetKept(key: string): void {
+    this.#kept.delete(key);
   }
 
   /** Offers a service until the link ends. */

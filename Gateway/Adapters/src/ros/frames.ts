@@ -1,5 +1,5 @@
 import type { FrameStates } from '../cell/frameStates';
-import { type Pose, TF, TF_STATIC, tooFar, transform } from '../cell/messages';
+import { type Pose, stationaryKey, TF, TF_STATIC, tooFar, transform } from '../cell/messages';
 import { unit } from '../cell/rotation';
 import type { OfferedClock } from '../clock/offeredClock';
 import { WORLD } from '../configuration/frames';
@@ -24,9 +24,6 @@ interface RosTransform {
   transform?: Record<string, Record<string, unknown> | undefined>;
 }
 
-/** Key of the kept message with the stationary frames of ROS. The stationary frames of the configuration have a message of their own. */
-const STATIONARY_KEY = `${TF_STATIC} of ROS`;
-
 interface Names {
   frames: RosFrame[];
   /** ROS name of the cell's world frame. */
@@ -43,7 +40,6 @@ const bare = (name: unknown): string => (typeof name === 'string' ? name.replace
 /** Forwards the configured frames of a robot with their own stamps. */
 export class RosFrames {
   readonly #rule: StampRule;
-  readonly #stationary = new Map<string, object>();
 
   constructor(
     readonly names: Names,
@@ -79,6 +75,7 @@ export class RosFrames {
         return [];
       }
       this.states.add(stamp!, pose);
+      this.gateway.forgetKept(stationaryKey(pose.frame));
       return [transform(stamp!, pose)];
     });
     if (transforms.length === 0) return;
@@ -88,14 +85,13 @@ export class RosFrames {
 
   /** Forwards the stationary frames in a message of /tf_static. */
   passStationary(message: Record<string, unknown>): void {
-    const found = this.#found(message);
-    // Uses a zero stamp, which needs no clock, because a stationary frame has the same pose at all times.
-    for (const { pose } of found) {
-      this.#stationary.set(pose.frame, transform(0n, pose));
+    for (const { pose } of this.#found(message)) {
+      this.states.silence.forget(pose.frame);
       this.status.frames.live(pose.frame);
       this.status.accept(pose.frame);
+      // Uses a zero stamp, which needs no clock, because a stationary frame has the same pose at all times.
+      this.gateway.publishKept(TF_STATIC, { transforms: [transform(0n, pose)] }, stationaryKey(pose.frame));
     }
-    if (found.length > 0) this.gateway.publishKept(TF_STATIC, { transforms: [...this.#stationary.values()] }, STATIONARY_KEY);
   }
 
   #found({ transforms }: Record<string, unknown>): { index: number; pose: Pose; stamp: Nanoseconds | null }[] {

@@ -59,6 +59,11 @@ export class SampleSilence {
     return heard !== undefined;
   }
 
+  /** Stops the evaluation of a frame's silence until its next sample, because the frame is stationary. */
+  forget(frame: string): void {
+    this.#heard.delete(frame);
+  }
+
   /** Reports a value that is used only after it has been confirmed. */
   arrived(joint: string): void {
     const now = this.now();

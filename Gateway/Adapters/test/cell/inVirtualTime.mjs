@@ -7,19 +7,23 @@ export const MS = 1_000_000n, S = 1000n * MS, T = 1_700_000_000n * S;
 
 /** Creates an output in virtual time. `values` are the labels of all values; `time.ms` is the time since the start on all clocks. */
 export function cell({ frames = [], wholeFrames = [], signals = [], values }) {
-  const sent = [], kept = [], time = { ms: 0 };
+  const sent = [], kept = [], keys = new Set(), time = { ms: 0 };
   const status = new AdapterStatus('opcua', new Log('plant/test', [], () => {}, () => {}));
   const clock = { get now() { return T + BigInt(time.ms) * MS; }, isSettled: true };
   const gateway = {
     publish: (topic, msg) => sent.push([topic, msg]),
     publishNewest: (topic, next) => { for (let msg = next(); msg !== null; msg = next()) sent.push([topic, msg]); },
-    publishKept: (topic, msg) => kept.push([topic, msg]),
+    publishKept: (topic, msg, key = topic) => {
+      kept.push([topic, msg]);
+      keys.add(key);
+    },
+    forgetKept: key => keys.delete(key),
   };
   const output = new PlantOutput({ joints: [], frames, wholeFrames, signals, values: values.map(label => ({ label })) }, { tolerance: MS / 2n, oldest: 10n * S },
     clock, gateway, status, () => time.ms);
   status.enter('connected');
   return {
-    output, status, clock, gateway, sent, kept, time,
+    output, status, clock, gateway, sent, kept, keys, time,
     /** Publishes numbers, given by their indices, with the same time stamp. */
     take: (numbers, { stamp = clock.now, ...more } = {}) =>
       output.publish(Object.entries(numbers).map(([index, value]) => ({ index: Number(index), value, stamp, ...more }))),

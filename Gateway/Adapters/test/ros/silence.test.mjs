@@ -53,6 +53,24 @@ frames:
 
   it('Frame_StopsWithinItsDeceleration_IsAtRest', () => assert.equal(moving({ maxDeceleration: 20 }).stateOf('frame/part'), 'rest'));
 
+  it('Frame_StationaryAfterAMotion_MayBeSilent', () => {
+    const { passStationary, output, time, stateOf } = moving({ faultAfterMs: 3000, maxDeceleration: 1 }, { untilMs: 1000 });
+
+    passStationary('part', 0.3);
+    for (; time.ms < 10_000; time.ms += 250) output.check();
+
+    assert.equal(stateOf('frame/part'), 'live');
+  });
+
+  it('StationaryFrame_Moves_IsNotSentAgainAfterAReconnection', () => {
+    const { pass, passStationary, keys } = rosCell(['part', 'table'].map(frame => ({ frame, faultAfterMs: null, maxDeceleration: null })));
+    for (const frame of ['part', 'table']) passStationary(frame, 1);
+
+    pass('part', 1.1);
+
+    assert.deepEqual([...keys], ['/tf_static table']);
+  });
+
   it('Frame_MovesAgainAfterAFault_IsLive', () => {
     const { pass, time, stateOf } = moving({ maxDeceleration: 1 });
 
