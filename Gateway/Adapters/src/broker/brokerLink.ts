@@ -21,7 +21,8 @@ export type Presence = 'true' | 'no gateway' | 'false';
 export interface BrokerEvents {
   opened(): void;
   away(reason: string): void;
-  heard(topic: string, payload: Buffer): void;
+  /** @param isRetained Whether the broker had the message before the subscription. */
+  heard(topic: string, payload: Buffer, isRetained: boolean): void;
   /** Called when `heard` has thrown an exception for a message on this topic. */
   malformed(topic: string, problem: string): void;
 }
@@ -51,8 +52,11 @@ export class BrokerLink {
           if (this.#isPublishing) this.#keep(ALIVE, 'false');
         },
         away: reason => events.away(reason),
-        refused: (_, reason) => events.away(reason),
-        heard: (topic, payload) => events.heard(bare(topic), payload),
+        // A publishing bridge without the right to read its topics cannot find the obsolete ones, but can publish.
+        refused: (_, reason) => {
+          if (!this.#isPublishing) events.away(reason);
+        },
+        heard: (topic, payload, isRetained) => events.heard(bare(topic), payload, isRetained),
         malformed: (topic, problem) => events.malformed(bare(topic), problem),
       },
       // The broker publishes this message when the connection is lost.
@@ -78,6 +82,12 @@ export class BrokerLink {
   publishRetained(topic: string, payload: string): void {
     this.#retained.set(topic, payload);
     this.#keep(topic, payload);
+  }
+
+  /** Removes a retained message from the broker. */
+  removeRetained(topic: string): void {
+    this.#retained.delete(topic);
+    this.#keep(topic, '');
   }
 
   /** Sets whether a publishing bridge is connected to its gateway. */

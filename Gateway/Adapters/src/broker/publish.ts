@@ -1,20 +1,21 @@
 import type { AdapterContext } from '../adapter';
 import { JOINT_STATES, JOINT_STATUS, JOINT_TRAJECTORY, ROBOT_DESCRIPTION, topicOf } from '../gateway/messages';
 import { BrokerLink, below, DESCRIPTION, STATES, STATUS, TRAJECTORY } from './brokerLink';
-import { publishObjects } from './objects';
+import { PublishedObjects } from './publishedObjects';
 import type { BrokerSettings } from './settings';
 
 /** Publishes the messages of the plant's gateway on the broker, in the same JSON format that headsets receive. */
 export async function publish({ configuration, gateway, status, stopping }: AdapterContext, settings: BrokerSettings): Promise<void> {
-  const broker = new BrokerLink(settings, configuration.plant.name, [], {
+  const broker = new BrokerLink(settings, configuration.plant.name, PublishedObjects.topics, {
     opened: () => status.enter('connected'),
     away: reason => {
       if (status.state === 'connected') status.reconnected();
       status.enter('waiting', reason);
     },
-    heard: () => {},
+    heard: (topic, _, isRetained) => objects.heard(topic, isRetained),
     malformed: (name, problem) => status.refuse('malformed', name, problem),
   });
+  const objects = new PublishedObjects(gateway, broker);
   broker.isGatewayOpen = gateway.isOpen;
   gateway.watch({
     opened: () => {
@@ -33,7 +34,6 @@ export async function publish({ configuration, gateway, status, stopping }: Adap
     gateway.subscribe(topicOf(robot, JOINT_TRAJECTORY), message => broker.publishRetained(below(robot, TRAJECTORY), JSON.stringify(message)));
     gateway.subscribe(topicOf(robot, ROBOT_DESCRIPTION), message => broker.publishRetained(below(robot, DESCRIPTION), JSON.stringify(message)));
   }
-  publishObjects(gateway, broker);
   gateway.subscribe(JOINT_STATUS, message => broker.publishRetained(STATUS, JSON.stringify(message)));
   await broker.run(stopping);
 }

@@ -4,7 +4,7 @@ import { JointNames, type OutJoint } from '../ros/jointNames';
 import { JointStates } from '../ros/jointStates';
 import { passedTrajectory } from '../ros/trajectory';
 import { ALIVE, below, BrokerLink, DESCRIPTION, type Presence, STATES, STATUS, TRAJECTORY } from './brokerLink';
-import { ReceivedObjects } from './objects';
+import { ReceivedObjects } from './receivedObjects';
 import { ReportedJoints } from './reportedJoints';
 import type { BrokerSettings } from './settings';
 import { runUpstreamClock } from './upstreamClock';
@@ -43,15 +43,16 @@ export async function subscribe(
   const broker = new BrokerLink(settings, configuration.plant.name, [...take.keys(), ...objects.topics, ALIVE], {
     opened: () => status.enter('waiting', brokerMessages.noPublisher(settings.topic)),
     away: reason => {
-      reported.leave();
+      leave();
       if (status.state === 'connected') status.reconnected();
       status.enter('waiting', reason);
     },
     heard: (name, payload) => {
       if (name === ALIVE) return enter(payload.toString());
+      const known = take.get(name);
+      if (known === undefined && payload.length === 0) return objects.remove(name);
       const message = parsed(name, payload);
       if (message === null) return status.refuse('malformed', name, malformedMessages.notObject);
-      const known = take.get(name);
       if (known === undefined) objects.take(name, message);
       else known(message);
     },
@@ -64,9 +65,14 @@ export async function subscribe(
       reported.enter();
       objects.enter();
     } else {
-      reported.leave();
+      leave();
       status.enter('waiting', presence === ('no gateway' satisfies Presence) ? brokerMessages.gatewayAway : brokerMessages.bridgeAway);
     }
+  }
+
+  function leave(): void {
+    reported.leave();
+    objects.leave();
   }
 
   const checks = setInterval(() => objects.check(), CHECK_MS);

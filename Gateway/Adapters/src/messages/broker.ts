@@ -22,6 +22,7 @@ export const brokerMessages = {
   noPublisher: (topic: string) => `no client publishes ${topic} on the broker yet; check that the bridge with direction: publish is running`,
   gatewayAway: "the bridge has lost the connection to the plant's gateway",
   bridgeAway: "the bridge at the plant's gateway is disconnected",
+  noSignal: "the plant's gateway no longer has a value of this signal; check that its source is running",
   atOtherGateway: (reason: string) => `at the plant's gateway: ${reason}`,
 };
 

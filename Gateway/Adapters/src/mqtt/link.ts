@@ -110,8 +110,9 @@ export class MqttLink {
 
   #open(client: MqttClient): void {
     this.#client = client;
+    // With nl (no local), the broker does not return this client's own messages.
     for (const topic of this.topics)
-      client.subscribe(topic, { qos: 1 }, error => {
+      client.subscribe(topic, { qos: 1, nl: true }, error => {
         // Ignores the error of a subscription that failed because the connection has ended.
         if (error && client.connected) this.events.refused(topic, brokerMessages.subscriptionRefused(topic, error.message));
       });

@@ -6,6 +6,9 @@ import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { bridge, clockOf, halls, jointStatus, publish, secondsAgo, served, state } from './halls.mjs';
 import { missing } from './mosquitto.mjs';
+import { messages } from '../messages.mjs';
+
+const { brokerMessages } = messages;
 
 const transform = (stamp, child, x, parent = 'world') => ({
   header: { stamp, frame_id: parent }, child_frame_id: child, transform: { translation: { x, y: 0, z: 0 }, rotation: { x: 0, y: 0, z: 0, w: 1 } },
@@ -48,6 +51,27 @@ describe('objects over a broker', { skip: missing, concurrency: 3 }, () => {
     assert.match(far.state['signal/closed'], /^fault /);
     publish(near, '/nowpose/signal_status', jointStatus(sync.now(), {}));
     await until(() => far.state?.['signal/closed']?.startsWith('live'), () => JSON.stringify(far.state));
+  });
+
+  it('Signal_PlantsGatewayRestartedWithoutItsSource_IsInFaultAndNoLongerRetained', async t => {
+    const { near, far, sync, broker } = await halls(t);
+    const send = (gateway, name) => publish(gateway, '/signals', { header: state(sync.now()).header, name, value: name.map(() => 1) });
+    send(near, ['closed', 'running']);
+    await until(() => ['closed', 'running'].every(name => far.state?.[`signal/${name}`]?.startsWith('live')), () => JSON.stringify(far.state));
+
+    near.stop();
+    const again = await RosbridgeDouble.start(t, { port: near.port });
+    await until(() => again.heard.some(m => m.topic === '/nowpose/signal_status'), 'the subscriptions');
+    publish(again, '/nowpose/signal_status', jointStatus(0n, {}));
+    send(again, ['running']);
+
+    await until(() => far.state?.state === 'connected' && far.state['signal/running']?.startsWith('live'), () => JSON.stringify(far.state));
+    assert.match(far.state['signal/closed'], new RegExp(`^fault .*${brokerMessages.noSignal}`));
+    const later = await RosbridgeDouble.start(t);
+    bridge(t, 'subscribe', later, broker, clockOf(sync));
+    await served(later);
+    await until(() => 'running' in values(later), 'the retained signal');
+    assert.deepEqual(Object.keys(values(later)), ['running']);
   });
 
   it('Bridges_RobotsInNamespaces_AreForwardedSeparately', async t => {

@@ -1,60 +1,32 @@
-import { SIGNALS, TF, TF_STATIC } from '../cell/messages';
+import { stationaryKey, TF, TF_STATIC } from '../cell/messages';
 import { SignalSender } from '../cell/signalSender';
 import type { OfferedClock } from '../clock/offeredClock';
 import type { GatewayLink } from '../gateway/link';
-import { SIGNAL_STATUS } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
 import { ofRosTime } from '../times';
-import type { BrokerLink } from './brokerLink';
+import { FRAMES, namedBy, REPORTS, SIGNAL, STATIONARY } from './objectTopics';
 import { OTHER_GATEWAY, reportsOf } from './reportedJoints';
-import { malformedMessages } from '../messages/broker';
-
-/**
- * MQTT topics of objects and signals below the plant's topic. Each stationary frame and each signal has its own retained topic, so that a
- * later subscriber receives its newest value.
- */
-export const FRAMES = 'tf';
-const STATIONARY = 'tf_static';
-const SIGNAL = 'signals';
-const REPORTS = 'signal_status';
+import { brokerMessages, malformedMessages } from '../messages/broker';
 
 const MAX_NAMES = 256;
-
-/** Encodes a name as a topic level, without MQTT's separators and wildcards. */
-const level = (name: string): string => encodeURIComponent(name);
-
-interface Transform {
-  child_frame_id?: unknown;
-}
-
-/** Forwards objects and signals from the gateway to the broker. */
-export function publishObjects(gateway: GatewayLink, broker: BrokerLink): void {
-  gateway.subscribe(TF, message => broker.publishSamples(FRAMES, JSON.stringify(message)));
-  gateway.subscribe(TF_STATIC, ({ transforms }) => {
-    for (const one of transforms as Transform[])
-      broker.publishRetained(`${STATIONARY}/${level(String(one.child_frame_id))}`, JSON.stringify({ transforms: [one] }));
-  });
-  gateway.subscribe(SIGNALS, ({ header, name, value }) =>
-    (name as string[]).forEach((one, i) =>
-      broker.publishRetained(`${SIGNAL}/${level(one)}`, JSON.stringify({ header, name: [one], value: [(value as number[])[i]] })),
-    ),
-  );
-  gateway.subscribe(SIGNAL_STATUS, message => broker.publishRetained(REPORTS, JSON.stringify(message)));
-}
 
 /** Forwards objects and signals from the broker to a gateway. The gateway checks their content. */
 export class ReceivedObjects {
   readonly topics = [FRAMES, `${STATIONARY}/+`, `${SIGNAL}/+`, REPORTS];
   readonly #sender: SignalSender;
   readonly #signals = new Set<string>();
+  /** Signals whose values the plant's gateway still has, as long as it is connected. */
+  readonly #confirmed = new Set<string>();
+  /** Whether the plant's gateway is connected to the broker. */
+  #isThere = false;
   /** Signals that are not current at the plant's gateway, with the reasons. */
   #reported = new Map<string, string>();
   readonly #stationary = new Set<string>();
 
   /** @param counter Monotonic time in ms. */
   constructor(
-    readonly gateway: GatewayLink,
-    readonly clock: OfferedClock,
+    readonly gateway: Pick<GatewayLink, 'publish' | 'publishNewest' | 'publishKept' | 'forgetKept' | 'watch'>,
+    readonly clock: Pick<OfferedClock, 'isSettled'>,
     readonly status: AdapterStatus,
     counter: () => number = () => performance.now(),
   ) {
@@ -63,10 +35,18 @@ export class ReceivedObjects {
   }
 
   take(topic: string, message: Record<string, unknown>): void {
-    const [kind] = topic.split('/');
+    const { kind } = namedBy(topic);
     if (kind === SIGNAL) this.#takeSignal(message);
     else if (kind === REPORTS) this.#takeReports(message);
     else this.#takeFrames(kind === STATIONARY, message);
+  }
+
+  /** Processes the removal of a retained message. The plant's gateway no longer has this stationary frame or signal, or the frame now moves. */
+  remove(topic: string): void {
+    const { kind, name } = namedBy(topic);
+    if (name === undefined) throw new Error(malformedMessages.notObject);
+    if (kind === STATIONARY) this.#forgetStationary(name);
+    else if (this.#confirmed.delete(name)) this.#judge(name);
   }
 
   /** Sends the signals that have waited for the clock. Called several times per second. */
@@ -74,9 +54,16 @@ export class ReceivedObjects {
     this.#sender.check();
   }
 
-  /** Updates the state of all signals, because the plant's gateway is connected again. */
+  /** Updates the state of all signals, because the plant's gateway is connected. */
   enter(): void {
-    for (const name of this.#signals) this.#judge(name);
+    this.#isThere = true;
+    this.#judgeAll();
+  }
+
+  /** Discards the confirmation of all signals, because the plant's gateway is disconnected. When it is connected, it sends the values that it still has. */
+  leave(): void {
+    this.#isThere = false;
+    this.#confirmed.clear();
   }
 
   #takeFrames(isStationary: boolean, message: Record<string, unknown>): void {
@@ -89,8 +76,11 @@ export class ReceivedObjects {
       // Uses a zero stamp, which needs no clock, because a stationary frame has the same pose at all times.
       const [{ header, ...pose }] = transforms as [{ header: object }];
       const still = { ...header, stamp: { sec: 0, nanosec: 0 } };
-      this.gateway.publishKept(TF_STATIC, { transforms: [{ header: still, ...pose }] }, `${TF_STATIC} ${child}`);
-    } else if (this.clock.isSettled) {
+      this.gateway.publishKept(TF_STATIC, { transforms: [{ header: still, ...pose }] }, stationaryKey(child));
+      return;
+    }
+    for (const one of transforms as ({ child_frame_id?: string } | null)[]) this.#forgetStationary(one?.child_frame_id ?? '');
+    if (this.clock.isSettled) {
       this.gateway.publish(TF, message);
       this.status.sampled();
     } else {
@@ -105,6 +95,7 @@ export class ReceivedObjects {
     if (typeof one !== 'string' || typeof number !== 'number' || stamp === null) throw new Error(malformedMessages.signal);
     if (!this.#signals.has(one) && this.#signals.size >= MAX_NAMES) return this.status.count('too-many');
     this.#signals.add(one);
+    this.#confirmed.add(one);
     this.#sender.add(one, number, stamp);
     this.#judge(one);
   }
@@ -112,13 +103,24 @@ export class ReceivedObjects {
   #takeReports(message: Record<string, unknown>): void {
     const reports = reportsOf(message, Date.now());
     if (typeof reports === 'string') throw new Error(reports);
+    for (const name of this.#reported.keys()) if (!this.#signals.has(name)) this.status.signals.forget(name);
     this.#reported = new Map(reports.map(({ joint, reason }) => [joint, reason]));
+    this.#judgeAll();
+  }
+
+  #judgeAll(): void {
     for (const name of new Set([...this.#signals, ...this.#reported.keys()])) this.#judge(name);
   }
 
+  #forgetStationary(frame: string): void {
+    if (this.#stationary.delete(frame)) this.gateway.forgetKept(stationaryKey(frame));
+  }
+
+  // A report without a signal does not confirm its value: the list of a gateway that has just started is empty.
   #judge(name: string): void {
-    const reason = this.#reported.get(name);
-    if (reason === undefined) this.status.signals.live(name);
+    if (!this.#isThere) return;
+    const reason = this.#reported.get(name) ?? (this.#confirmed.has(name) ? null : brokerMessages.noSignal);
+    if (reason === null) this.status.signals.live(name);
     else this.status.signals.fault(name, { reason: OTHER_GATEWAY, text: reason });
   }
 }
