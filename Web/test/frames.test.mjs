@@ -122,6 +122,19 @@ describe('frames', () => {
     }
   });
 
+  it('replace the frame without a recent pose, and no stationary one, when there are more than the maximum number', () => {
+    const frames = new Frames(), shown = () => drawn(frames).filter(x => x !== null);
+    frames.take(message('table', 'world', 0, -1), true);
+    for (let i = 1; i < 256; i++) frames.take(message(`part ${i}`, 'world', i === 7 ? 10 : 20, i), false);
+    const many = JSON.parse(message('part 1', 'world', 20.1, 1));
+    many.msg.transforms.push(...[256, 1].flatMap(i => JSON.parse(message(`part ${i}`, 'world', 20.1, i + 0.5)).msg.transforms));
+
+    frames.take(JSON.stringify(many), false);
+    frames.pose(20.1, none);
+
+    assert.deepEqual([shown().length, shown().includes(7), shown().includes(-1), shown().includes(256.5)], [256, false, true, true]);
+  });
+
   it('ignore messages with another format', () => {
     const frames = new Frames();
     for (const text of ['', '{}', '{"msg":{"transforms":[{}]}}', '{"msg":{"transforms":7}}']) frames.take(text, false);

@@ -41,7 +41,7 @@ export const jointReasons = {
 };
 
 /** Reasons why a robot or a frame cannot be shown. */
-export const robotReasons = { notUrdf: 'the robot description is not a URDF', tooManyFrames: 'too many frames' };
+export const robotReasons = { notUrdf: 'the robot description is not a URDF' };
 
 // Smaller differences are not meaningful, because predictions are not that accurate.
 const apart = (mm: number) => (mm < 0.1 ? 'less than 0.1\u00a0mm' : format(mm, 'mm'));

@@ -1,5 +1,4 @@
 import { AxesHelper, type Box3, Group, Matrix4, Quaternion, Vector3 } from 'three';
-import { robotReasons } from '../messages/robot';
 import { Track } from './track';
 
 /** Length of a drawn axis, m. */
@@ -90,11 +89,21 @@ export class Frames {
   private frameOf(name: string): Frame {
     let frame = this.frames.get(name);
     if (frame) return frame;
-    if (this.frames.size >= MAX_FRAMES) throw new Error(robotReasons.tooManyFrames);
+    if (this.frames.size >= MAX_FRAMES) this.removeOldest();
     frame = { samples: new Track(KEEP_S), axes: new AxesHelper(AXES) };
     this.frames.set(name, frame);
     this.group.add(frame.axes);
     return frame;
+  }
+
+  // Removes the frame whose newest pose is oldest, because the gateway accepts a new frame only after the end of another one. Keeps stationary frames
+  // as long as possible: they have no time.
+  private removeOldest(): void {
+    const lastOf = ({ samples }: Frame) => (samples.last === -Infinity ? Infinity : samples.last!);
+    const [name, { axes }] = [...this.frames].reduce((a, b) => (lastOf(a[1]) <= lastOf(b[1]) ? a : b));
+    this.frames.delete(name);
+    this.group.remove(axes);
+    axes.dispose();
   }
 
   private worldOf(name: string, time: number, linkOf: (name: string) => Matrix4 | null, depth: number): Matrix4 | null {
