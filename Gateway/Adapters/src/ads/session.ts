@@ -1,6 +1,7 @@
 import { ADS, type AdsSymbol } from 'ads-client';
 import type { AdapterContext } from '../adapter';
 import type { ClockReading } from '../clock/offeredClock';
+import { delayOf, STAMP_LAG_MS, unconfirmedAfterMs } from '../samples/silentValues';
 import type { TimeUnit } from '../samples/timeUnit';
 import { type Nanoseconds, ofFileTime, ofMilliseconds } from '../times';
 import { Cycles, type CycleValue } from './cycles';
@@ -19,16 +20,6 @@ const GOODBYE_MS = 500;
 
 /** Address of the state of the runtime. It exists in every PLC, independently of the loaded program. */
 const PLC_STATE = { indexGroup: ADS.ADS_RESERVED_INDEX_GROUPS.DeviceData, indexOffset: 0, size: 4 };
-
-/**
- * SLACK_MS: maximum delay of a value in addition to the sampling and publishing intervals. UNCONFIRMED_MS: time for which a value may remain
- * unconfirmed; long intervals increase it.
- */
-const SLACK_MS = 100;
-const UNCONFIRMED_MS = 1500;
-
-/** Maximum time from the stamp of a change until a read request returns the new value, in addition to the sampling interval. */
-const STAMP_LAG_MS = 50;
 
 interface Watched {
   symbol: AdsSymbol;
@@ -136,10 +127,10 @@ export class AdsSession {
 
   #watchSilence(symbols: (AdsSymbol | null)[], sampled: { cycleTime: number; sendOnChange: boolean }): void {
     const { output, clock } = this.context;
-    const { samplingMs, publishingMs, isOnChange } = this.settings;
-    const delayMs = SLACK_MS + samplingMs + publishingMs;
+    const { samplingMs, isOnChange } = this.settings;
+    const delayMs = delayOf(this.settings);
     output.samplingS = samplingMs / 1000;
-    output.unconfirmedMs = Math.max(UNCONFIRMED_MS, UNCONFIRMED_MS / 2 + 3 * delayMs);
+    output.unconfirmedMs = unconfirmedAfterMs(delayMs);
     this.#silent = new SilentSymbols(
       symbols.map(symbol => symbol !== null),
       delayMs,

@@ -1,4 +1,5 @@
 import { pause } from '../backoff';
+import { isUnnotified, lateAfterMs, SILENT_MS } from '../samples/silentValues';
 
 /**
  * Interval of the checks: LOOK_MS, or QUIET_LOOK_MS if the PLC sends only changes and no value has arrived for QUIET_MS. Headsets show a sample for
@@ -7,16 +8,6 @@ import { pause } from '../backoff';
 const LOOK_MS = 500;
 const QUIET_LOOK_MS = 90;
 const QUIET_MS = 50;
-
-/** Time without a value after which a symbol is read, if the PLC sends only changes. */
-const SILENT_MS = 60;
-
-/**
- * A value counts as late after the longer of LATE_MS and DELAYS times its maximum delay. The PLC is then assumed to send no notifications for
- * the value.
- */
-const LATE_MS = 400;
-const DELAYS = 2;
 
 interface SymbolState {
   heardAt: number;
@@ -78,7 +69,7 @@ export class SilentSymbols {
 
   async look(): Promise<void> {
     const began = this.now();
-    const silence = this.isOnChange ? SILENT_MS : this.#lateMs;
+    const silence = this.isOnChange ? SILENT_MS : lateAfterMs(this.delayMs);
     const unchanged = new Set<number>();
     const silent = this.#symbols.flatMap((symbol, index) => (symbol !== null && began - symbol.heardAt >= silence ? [index] : []));
     await Promise.all(
@@ -87,10 +78,6 @@ export class SilentSymbols {
       }),
     );
     if (unchanged.size > 0) this.actions.confirm(unchanged, this.now() - began);
-  }
-
-  get #lateMs(): number {
-    return Math.max(LATE_MS, DELAYS * this.delayMs);
   }
 
   async #isUnchanged(index: number, began: number): Promise<boolean> {
@@ -106,7 +93,7 @@ export class SilentSymbols {
     const isSame = Object.is(value, symbol.value);
     if (symbol.heardAt >= began) return false;
     symbol.missedSince = this.isOnChange && isSame ? null : (symbol.missedSince ?? began);
-    if (symbol.isLost || (symbol.missedSince !== null && began - symbol.missedSince >= this.#lateMs)) {
+    if (symbol.isLost || isUnnotified(symbol.missedSince, began, this.delayMs)) {
       this.heard(index, value);
       await this.actions.renew(index, value).catch(error => this.actions.lose(index, error));
       return false;

@@ -2,6 +2,7 @@ import './libraryLog';
 import { type UserIdentityInfo, UserTokenType } from 'node-opcua-client';
 import type { AdapterContext } from '../adapter';
 import { Backoff, pause } from '../backoff';
+import { delayOf, STAMP_LAG_MS, unconfirmedAfterMs } from '../samples/silentValues';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { clockOf } from './clockReader';
 import { byNumber, isByUri, NAMESPACES } from './nodeIds';
@@ -16,15 +17,6 @@ import { SilentNodes } from './silentNodes';
 import { Refused, refusalOf } from './troubles';
 import { ServerSilence } from './serverSilence';
 import { certificateMessages, nodeMessages, opcuaMessages } from '../messages/opcua';
-
-/** Assumed maximum delay of a notification in addition to the sampling and publishing intervals that the server grants. */
-const SLACK_MS = 100;
-
-/** Maximum time from the stamp of a change until a read request returns the new value, in addition to the sampling interval. */
-const STAMP_LAG_MS = 50;
-
-/** Time without a confirmation after which a value at rest has a fault. Values at rest are confirmed several times per second. */
-const UNCONFIRMED_MS = 1500;
 
 /** Reads an OPC UA server, and reconnects after failures, until the adapter is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
@@ -104,8 +96,8 @@ async function attempt(
       () => serverSilence.alive(),
     );
     reader.samplingMs = monitoring.samplingMs;
-    const delayMs = (silent.delayMs = SLACK_MS + monitoring.samplingMs + monitoring.publishingMs);
-    context.output.unconfirmedMs = Math.max(UNCONFIRMED_MS, UNCONFIRMED_MS / 2 + 3 * delayMs);
+    const delayMs = (silent.delayMs = delayOf(monitoring));
+    context.output.unconfirmedMs = unconfirmedAfterMs(delayMs);
     refuseUnknown(context, reader, silent, monitoring.refusals);
     if (reader.nodes.length > 0) status.detail('sampling_ms', monitoring.samplingMs);
     status.detail('publishing_ms', monitoring.publishingMs);

@@ -4,20 +4,11 @@ import { isGone, isGood, NODE_GONE, reasonNotMonitored, statusRefusal } from './
 import type { NotificationReader } from './notificationReader';
 import type { NodeValue, ReadOnlySession } from './readOnlySession';
 import type { SourceStop } from '../samples/jointOutput';
+import { isUnnotified, SILENT_MS } from '../samples/silentValues';
 import type { Refusal } from '../samples/stampRule';
 import { Renewals } from './renewals';
 import { sourceStamp } from './stamps';
 import { nodeMessages } from '../messages/opcua';
-
-/** Time without a notification after which a node is read. */
-const SILENT_MS = 60;
-
-/**
- * A node counts as no longer monitored if reads have differed from the last notification for the longer of DIFFERENT_MS and DELAYS times the
- * maximum delay of a notification.
- */
-const DIFFERENT_MS = 400;
-const DELAYS = 2;
 
 interface NodeState {
   heardAt: number;
@@ -102,11 +93,7 @@ export class SilentNodes {
     const hasEnded = this.reader.hasEnded(node);
     const isWrittenAgain = isSame && this.#renewals.unchanged(node, sourceStamp(value), hasEnded) && hasEnded;
     // Creates a new monitored item in these cases, because the server then sends the current value with its stamp at once.
-    const isNew =
-      isWrittenAgain
-      || state.isGone
-      || state.isBad
-      || (state.differsSince !== null && now - state.differsSince >= Math.max(DIFFERENT_MS, DELAYS * this.delayMs));
+    const isNew = isWrittenAgain || state.isGone || state.isBad || isUnnotified(state.differsSince, now, this.delayMs);
     if (isNew) await this.#monitorAgain(node);
     return isSame && !isNew;
   }
