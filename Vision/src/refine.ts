@@ -4,7 +4,7 @@ import type { Agreement, Matcher } from './match';
 import { turnedBand, type Band } from './pattern';
 
 /** A quad, and the agreement of its outer edge. */
-export interface Start extends Agreement {
+interface Start extends Agreement {
   quad: Quad;
   /** Band of the quad that is ignored, because it can be covered or outside the picture. */
   hidden?: Band;

@@ -5,7 +5,7 @@ import { colour, onColoursChanged } from './theme';
 
 const charts: Chart[] = [];
 
-export interface ChartOptions {
+interface ChartOptions {
   /** Description of the plot for screen readers. */
   description: string;
   height: number;

@@ -2,7 +2,7 @@ import { el, svg } from './dom';
 import { term } from './terms';
 import type { Look } from './traces';
 
-export interface LegendEntry {
+interface LegendEntry {
   label: string;
   look: Look;
   /** Shows or hides the trace. Absent if the trace cannot be hidden. */

@@ -19,9 +19,9 @@ export interface Mark {
 }
 
 /** A range of the horizontal axis. */
-export type Span = [from: number, to: number];
+type Span = [from: number, to: number];
 
-export interface LinePlotOptions {
+interface LinePlotOptions {
   description: string;
   height: number;
   yLabel: string;
@@ -107,7 +107,7 @@ function barRange(traces: Trace[], fromZero: boolean): [number, number] {
   return [fromZero && min >= 0 ? 0 : min - pad, max + pad];
 }
 
-export function labelOf({ name, unit }: Quantity): string {
+function labelOf({ name, unit }: Quantity): string {
   return unit ? `${name} (${unit})` : name;
 }
 

@@ -4,7 +4,7 @@
  */
 export type Nanoseconds = bigint;
 
-export interface RosTime {
+interface RosTime {
   sec: number;
   nanosec: number;
 }

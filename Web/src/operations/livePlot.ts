@@ -10,7 +10,7 @@ import type { Look } from '../traces';
 /** Length of the displayed history, in seconds. */
 export const WINDOW_S = 120;
 
-export interface LiveTrace {
+interface LiveTrace {
   label: string;
   look: Look;
 }

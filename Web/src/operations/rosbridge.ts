@@ -4,7 +4,7 @@ const MAX_WAIT_MS = 5000;
 export const JOINT_STATE = 'sensor_msgs/msg/JointState';
 
 /** Joint positions at a control time in seconds. */
-export interface JointState {
+interface JointState {
   stamp: number;
   frame: string;
   names: string[];

@@ -6,7 +6,6 @@ export interface State {
   host?: string;
   version?: string;
   status?: { level: Level; text: string };
-  uptime_s?: number;
   control_time_s?: number;
   clock?: ClockState | null;
   plant_clocks?: PlantClock[];
@@ -88,7 +87,7 @@ export interface StoredRecording {
   changed_utc: string;
 }
 
-export interface ClockState {
+interface ClockState {
   source: string;
   state: string;
   estimated_error_us?: number | null;
@@ -126,7 +125,7 @@ export interface Source {
 }
 
 export const HOPS = ['plant', 'gateway', 'network', 'queue', 'render', 'display'] as const;
-export type Hop = (typeof HOPS)[number];
+type Hop = (typeof HOPS)[number];
 
 export type Headset = Words & { budget_ms?: Partial<Record<Hop, number | null>> | null };
 

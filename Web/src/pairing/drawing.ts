@@ -5,7 +5,7 @@ import { svg } from '../dom';
 const MARGIN = 4;
 
 /** A drawn code, and its number of modules along an edge without the quiet zone. */
-export interface Drawing {
+interface Drawing {
   element: SVGElement;
   modules: number;
 }

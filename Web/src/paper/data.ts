@@ -65,7 +65,7 @@ export interface PlotData {
   traces: TraceData[];
 }
 
-export interface TraceData {
+interface TraceData {
   label: string;
   look: string;
   x: number[];

@@ -1,5 +1,5 @@
 /** Four time stamps: t1 and t4 on this page's clock, ms; t2 and t3 on the control clock, ns. */
-export interface Exchange {
+interface Exchange {
   t1: number;
   t2: bigint;
   t3: bigint;
@@ -9,7 +9,7 @@ export interface Exchange {
 }
 
 /** Control time in ns, and its error bound in ms. */
-export interface Reading {
+interface Reading {
   ns: bigint;
   boundMs: number;
 }

@@ -27,7 +27,7 @@ const STRUCTURE = 65;
 const DOUBLE = 5;
 
 /** Properties of a symbol in the PLC's symbol table. */
-export interface Declared {
+interface Declared {
   type: string;
   adsDataType: number;
   size: number;

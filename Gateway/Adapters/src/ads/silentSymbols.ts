@@ -18,7 +18,7 @@ interface SymbolState {
 }
 
 /** Reads a symbol and acts on the result. Symbols are identified by their index in the configuration. */
-export interface ReadActions {
+interface ReadActions {
   /**
    * Reads the symbol.
    * @throws Error The PLC no longer has the symbol, or does not respond.

@@ -18,7 +18,7 @@ export const below = (robot: string, topic: string): string => (robot === '' ? t
 /** Values of the topic ALIVE. true: bridge and gateway are connected. no gateway: only the bridge is connected. false: the bridge is disconnected. */
 export type Presence = 'true' | 'no gateway' | 'false';
 
-export interface BrokerEvents {
+interface BrokerEvents {
   opened(): void;
   away(reason: string): void;
   /** @param isRetained Whether the broker had the message before the subscription. */

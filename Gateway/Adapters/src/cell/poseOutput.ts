@@ -16,7 +16,7 @@ import { silenceOf, type Track, trackOf } from './frameTrack';
 import { MAX_TRANSFORMS, type Pose, type StampedPose, TF, TF_STATIC, transform } from './messages';
 import { refusalMessages, silenceMessages } from '../messages/values';
 
-export interface PoseOptions {
+interface PoseOptions {
   /** Maximum difference of stamps that belong to the same sample. */
   tolerance: Nanoseconds;
   oldest: Nanoseconds;

@@ -20,7 +20,7 @@ export interface ClockReading {
 export type ReadClock = () => Promise<ClockReading>;
 
 /** The error for a plant that responds but whose time does not advance. Recognised by its name, because each bundle has its own class. */
-export class ClockStopped extends Error {
+class ClockStopped extends Error {
   override readonly name = 'ClockStopped';
 
   constructor() {

@@ -12,7 +12,7 @@ export const WORLD = 'world';
 export type Component = { constant: number } | { value: number };
 
 /** The rotation of a frame: a unit quaternion x, y, z, w; a rotation vector in rad; or three angles about the axes in `order`. */
-export type RotationSource =
+type RotationSource =
   { kind: 'quaternion' | 'vector'; parts: Component[] } | { kind: 'angles'; parts: Component[]; order: string; isFixed: boolean; scale: number };
 
 /** Maximum number of transforms from a frame to its root, as in the gateway. */
@@ -92,11 +92,7 @@ export function framesOf(
     seen.set(entry.frame, file.lineOf([...path, 'frame']));
     if (entry.quaternion !== undefined && entry.angles !== undefined) file.report([...path, 'angles'], frameMessages.quaternionAndAngles);
     reportQuaternion(file, entry, [...path, 'quaternion']);
-    const settings = {
-      frame: entry.frame,
-      faultAfterMs: silenceMs(entry.silence ?? silence),
-      maxDeceleration: entry.max_deceleration ?? null,
-    };
+    const settings = { frame: entry.frame, faultAfterMs: silenceMs(entry.silence ?? silence), maxDeceleration: entry.max_deceleration ?? null };
     if (entry.position === undefined) {
       whole.push(settings);
       return [];

@@ -3,7 +3,7 @@ import { stateMessages } from '../messages/values';
 import type { Refusal } from '../samples/stampRule';
 
 /** The kind of object to which a value belongs. It is also the prefix of the object's key in the diagnostics. */
-export type ConditionKind = 'joint' | 'frame' | 'signal';
+type ConditionKind = 'joint' | 'frame' | 'signal';
 
 /**
  * The state of a joint, frame or signal. live: samples arrive. rest: no samples arrive, and the joint is assumed to be at rest. refused: values

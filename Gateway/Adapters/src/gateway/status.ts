@@ -3,7 +3,7 @@ import { type Condition, Conditions } from './conditions';
 import { stateMessages } from '../messages/values';
 
 /** State of the connection to the plant. It is "waiting" between two connection attempts. */
-export type PlantState = 'connecting' | 'connected' | 'refused' | 'waiting';
+type PlantState = 'connecting' | 'connected' | 'refused' | 'waiting';
 
 const MAX_REASONS = 32;
 

@@ -11,7 +11,7 @@ const GOODBYE_MS = 500;
 /** Maximum packet size in bytes: a robot description of 1 MiB with a margin. */
 const MAX_PACKET = 1024 * 1024 + 64 * 1024;
 
-export interface MqttEvents {
+interface MqttEvents {
   /** Called after each connection, after the subscriptions have been sent. */
   opened(): void;
   /** Called before this client disconnects. */

@@ -11,7 +11,7 @@ export interface TimeField {
 }
 
 /** The settings of the kind mqtt, including the contents of files. */
-export interface MqttSettings {
+interface MqttSettings {
   broker: BrokerAddress;
   /** The field that contains t_k; null if the arrival time is used as t_k. */
   time: TimeField | null;

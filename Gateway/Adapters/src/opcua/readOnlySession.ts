@@ -49,7 +49,7 @@ export interface NodeValue {
   value: DataValue;
 }
 
-export interface Monitoring {
+interface Monitoring {
   /** For each node, the reason why the server does not monitor it; null if it does. */
   refusals: (string | null)[];
   samplingMs: number;

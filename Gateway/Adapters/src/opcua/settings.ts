@@ -2,7 +2,7 @@ import type { Configuration } from '../configuration/configuration';
 import type { User } from '../configuration/user';
 import type { TimeUnit } from '../samples/timeUnit';
 
-export type TimestampKind = 'source' | 'server' | 'variable';
+type TimestampKind = 'source' | 'server' | 'variable';
 
 export interface SecuritySettings {
   mode: 'sign_and_encrypt' | 'none';

@@ -6,7 +6,7 @@ import { opcuaMessages, opcuaRefusalMessages } from '../messages/opcua';
 /** The error for a server that refuses this adapter, or that this adapter refuses. A user must act, because waiting does not help. */
 export class Refused extends Error {}
 
-export interface Trouble {
+interface Trouble {
   isRefusal: boolean;
   text: string;
 }

@@ -12,7 +12,7 @@ import { rosMessages } from '../messages/ros';
 const OLDEST_MS = 10_000;
 
 /** The settings of the kind ros. */
-export interface RosSettings {
+interface RosSettings {
   endpoint: string;
   pin: string | null;
   isPlain: boolean;

@@ -4,16 +4,7 @@ import { rtdeMessages } from '../messages/rtde';
  * Package types of RTDE: ASCII codes of the characters in UR's guide. The packages that write to the robot (I, and U from a client) are not
  * sent.
  */
-export const TYPE = {
-  protocolVersion: 86,
-  controllerVersion: 118,
-  textMessage: 77,
-  data: 85,
-  setUpOutputs: 79,
-  setUpInputs: 73,
-  start: 83,
-  pause: 80,
-} as const;
+export const TYPE = { protocolVersion: 86, controllerVersion: 118, textMessage: 77, data: 85, setUpOutputs: 79, start: 83, pause: 80 } as const;
 
 /** The requests that the adapter sends. All of them are read-only. */
 export type Request = 'protocolVersion' | 'controllerVersion' | 'setUpOutputs' | 'start';

@@ -62,7 +62,7 @@ const FLOOR_LINEAR = 3;
 export const decelerationFloor = (isLinear = false): number => (isLinear ? FLOOR_LINEAR : FLOOR_ROTARY);
 
 /** Origin of a deceleration limit: the configuration, the joint's samples, or the assumed floor. */
-export type LimitBasis = 'configured' | 'observed' | 'assumed';
+type LimitBasis = 'configured' | 'observed' | 'assumed';
 
 /**
  * Decides whether the data of one joint ended while the joint moved. A source that sends only changes is silent both when the joint is at rest and

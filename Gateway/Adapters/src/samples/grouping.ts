@@ -9,7 +9,7 @@ export interface Sample {
 }
 
 /** Samples with one common stamp. */
-export interface Group {
+interface Group {
   /** Midpoint between the first and the last stamp of the samples. Its error is at most half the tolerance. */
   stamp: Nanoseconds;
   samples: Sample[];

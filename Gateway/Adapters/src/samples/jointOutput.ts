@@ -13,7 +13,7 @@ import { RestingSamples } from './restingSamples';
 import { refusalMessages, silenceMessages } from '../messages/values';
 
 /** A joint's value from the control system. */
-export interface JointValue {
+interface JointValue {
   /** Index of the joint in the configuration. */
   joint: number;
   value: unknown;

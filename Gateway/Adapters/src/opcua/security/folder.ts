@@ -3,7 +3,7 @@ import { dirname, join } from 'node:path';
 import { certificateMessages } from '../../messages/opcua';
 
 /** Subfolders of the certificate folder. */
-export const PARTS = ['own', 'trusted', 'rejected'];
+const PARTS = ['own', 'trusted', 'rejected'];
 
 /** Gets the reason why the certificate folder cannot be used, with the remedy. */
 export function folderTrouble(folder: string, error: Error): string {

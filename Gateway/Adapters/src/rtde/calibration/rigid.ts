@@ -34,7 +34,7 @@ export function aboutX(angle: number): Rigid {
   return { ...ORIGIN, y: [0, cosine, sine], z: [0, -sine, cosine] };
 }
 
-export function aboutY(angle: number): Rigid {
+function aboutY(angle: number): Rigid {
   const [sine, cosine] = [Math.sin(angle), Math.cos(angle)];
   return { ...ORIGIN, x: [cosine, 0, -sine], z: [sine, 0, cosine] };
 }
