@@ -8,7 +8,7 @@ public static class FiguresPage
     /// <inheritdoc cref="ReportPage.HasPlots"/>
     public static bool HasPlots => Template != null;
 
-    /// <param name="json">A JSON object with the fields of <c>Web/src/paper/data.ts</c>.</param>
+    /// <param name="json">A JSON object with the fields of <c>Web/src/figures/data.ts</c>.</param>
     /// <exception cref="ArgumentException">The text is not a valid JSON object. JSON has no NaN.</exception>
     public static string Render(string json)
     {

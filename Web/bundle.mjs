@@ -9,7 +9,7 @@ import { build } from 'esbuild';
 const web = dirname(fileURLToPath(import.meta.url));
 const read = path => readFileSync(join(web, path), 'utf8');
 
-const pages = { report: 'src/main.ts', figures: 'src/paper/main.ts', calibration: 'src/calibration/main.ts', vlc: 'src/vlc/main.ts', pairing: 'src/pairing/main.ts', operations: 'src/operations/main.ts' };
+const pages = { report: 'src/main.ts', figures: 'src/figures/main.ts', calibration: 'src/calibration/main.ts', vlc: 'src/vlc/main.ts', pairing: 'src/pairing/main.ts', operations: 'src/operations/main.ts' };
 const withPlots = 'src/page.html';
 const templates = { report: withPlots, figures: withPlots, calibration: withPlots, vlc: 'src/vlc/vlc.html', pairing: 'src/pairing/pairing.html', operations: 'src/operations/operations.html' };
 

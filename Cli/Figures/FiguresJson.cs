@@ -6,7 +6,7 @@ using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>Writes the data of figures.html. <c>Web/src/paper/data.ts</c> declares their fields.</summary>
+/// <summary>Writes the data of figures.html. <c>Web/src/figures/data.ts</c> declares their fields.</summary>
 static class FiguresJson
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };

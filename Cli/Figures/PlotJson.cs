@@ -2,7 +2,7 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>Writes plots and tables as JSON for the pages. <c>Web/src/paper/data.ts</c> declares the fields.</summary>
+/// <summary>Writes plots and tables as JSON for the pages. <c>Web/src/figures/data.ts</c> declares the fields.</summary>
 static class PlotJson
 {
     const int Digits = 4;

@@ -1,4 +1,4 @@
-import type { FigureData, Verdict } from './paper/data';
+import type { FigureData, Verdict } from './figures/data';
 
 /** Data of the report, as passed to `ReportPage.Render`. A section that is null or missing was not measured. */
 export interface Report {

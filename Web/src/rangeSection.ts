@@ -1,5 +1,5 @@
 import type { RangeData } from './data';
-import { figure, type FigureOptions, notMeasured } from './figures';
+import { figure, type FigureOptions, notMeasured } from './plotBlock';
 import { linePlot } from './linePlot';
 import { axisLabels, plotDescriptions, plotValueMessages, traceLabels } from './messages/plots';
 import { claimMessages, claimSources, claimTitles, reportLabels } from './messages/report';

@@ -1,6 +1,6 @@
 import { type ClockData, type ErrorData, type FieldData, hasPoints, type JointData, type LatencyData, type Signal, type Value } from './data';
 import { beyond, fieldPlot, pathsOf } from './fieldPlot';
-import { figure, type FigureOptions, notMeasured } from './figures';
+import { figure, type FigureOptions, notMeasured } from './plotBlock';
 import { histogram } from './histogram';
 import { linePlot } from './linePlot';
 import { axisLabels, plotDescriptions, plotValueMessages, traceLabels } from './messages/plots';

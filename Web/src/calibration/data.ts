@@ -1,5 +1,5 @@
 import type { Fact, Value } from '../data';
-import type { PlotData } from '../paper/data';
+import type { PlotData } from '../figures/data';
 
 /** Data of the page, as passed to `CalibrationPage.Render`. */
 export interface CalibrationData {

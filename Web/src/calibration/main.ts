@@ -1,13 +1,13 @@
 import 'uplot/dist/uPlot.min.css';
 import '../report.css';
-import '../paper/figures.css';
+import '../figures/figures.css';
 import './calibration.css';
 import { el } from '../dom';
-import { citation, credit, plotBlock, plotHint } from '../figures';
+import { citation, credit, plotBlock, plotHint } from '../plotBlock';
 import { calibrationLabels, creditMessages } from '../messages/report';
-import { plotOf } from '../paper/plots';
-import { dataTable } from '../paper/tables';
-import { text } from '../paper/text';
+import { plotOf } from '../figures/plots';
+import { dataTable } from '../figures/tables';
+import { text } from '../figures/text';
 import { factTable } from '../tables';
 import { type CalibrationData, readCalibration, type SectionData } from './data';
 

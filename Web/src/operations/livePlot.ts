@@ -1,6 +1,6 @@
 import type uPlot from 'uplot';
 import { Chart } from '../chart';
-import { plotBlock } from '../figures';
+import { plotBlock } from '../plotBlock';
 import { Legend } from '../legend';
 import { axisLabels } from '../messages/plots';
 import { format } from '../numbers';

@@ -2,7 +2,7 @@ import 'uplot/dist/uPlot.min.css';
 import '../report.css';
 import './figures.css';
 import { el } from '../dom';
-import { credit, plotHint } from '../figures';
+import { credit, plotHint } from '../plotBlock';
 import { creditMessages, figuresLabels, figuresMessages, paperLabels } from '../messages/report';
 import { tableLabels } from '../messages/tables';
 import { factTable } from '../tables';

@@ -1,5 +1,5 @@
 import { el } from '../dom';
-import { plotBlock } from '../figures';
+import { plotBlock } from '../plotBlock';
 import { figuresLabels, PAPER, paperLabels } from '../messages/report';
 import type { DrawingData, FigureData } from './data';
 import { plotOf } from './plots';

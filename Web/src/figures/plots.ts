@@ -1,5 +1,5 @@
 import { operatingPlot } from '../fieldPlot';
-import type { Plot } from '../figures';
+import type { Plot } from '../plotBlock';
 import { linePlot } from '../linePlot';
 import { plotValueLabels } from '../messages/plots';
 import { format, statistics } from '../numbers';
