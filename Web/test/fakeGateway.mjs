@@ -60,8 +60,6 @@ export class FakeGateway {
   urdf = urdf;
   sockets = new Map();
   posts = [];
-  /** Times of the requests for the state in ms. */
-  stateRequests = [];
   recordings = [{ name: 'press-1.jsonl', bytes: 2_500_000, changed_utc: '2026-11-20T12:00:00.000Z' }];
   connects = 0;
   /** Queue lengths that the page requested, by topic; 0 for the gateway's default. */
@@ -174,10 +172,7 @@ export class FakeGateway {
     if (this.token && !request.headers.cookie?.includes('nowpose=abc'))
       return reply(401, "the bearer token is missing or unknown; send a token of the gateway's token file, or pair again");
     if (this.isSilent) return request.destroy();
-    if (path === '/operations/state') {
-      this.stateRequests.push(performance.now());
-      return reply(200, this.state);
-    }
+    if (path === '/operations/state') return reply(200, this.state);
     if (path === '/operations/recordings') return reply(200, this.recordings);
     if (path.startsWith('/operations/recordings/')) return reply(200, 'a recording');
     if (path.startsWith('/operations/events')) return reply(200, 'id,kind');

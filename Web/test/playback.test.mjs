@@ -63,7 +63,12 @@ describe('the playback of a report', () => {
     await page.waitForFunction(() => Number.parseFloat(document.querySelector('#playback .clock').textContent) > 0.5);
     await page.keyboard.press('Enter');
     const paused = await time(page);
-    await page.waitForTimeout(200);
+    // While it plays, each frame changes the time.
+    await page.evaluate(() => new Promise(done => {
+      let frames = 0;
+      const next = () => (++frames < 10 ? requestAnimationFrame(next) : done());
+      requestAnimationFrame(next);
+    }));
 
     assert.equal(await time(page), paused);
     for (const position of await cursors(page)) assert.ok(Math.abs(Number(/t = ([\d.]+)/.exec(position)[1]) - paused) < 0.05, `${position} at ${paused}`);

@@ -51,6 +51,12 @@ export async function open({ hasVirtualTime = false, ...options } = {}, isReady 
   return page;
 }
 
+/** Waits until the page has shown a state that it requested after this call. */
+export async function nextState(page) {
+  // The page sends a request only after it has shown the response to the previous one. The first request may have been sent before this call.
+  for (let i = 0; i < 3; i++) await page.waitForRequest(/\/state$/);
+}
+
 export const cells = (page, row) => page.locator(`tr:has(th:has-text("${row}"))`).first().locator('td').allInnerTexts();
 
 export const becomes = (page, selector, part) => page.waitForFunction(

@@ -5,7 +5,7 @@ import { describe, it } from 'node:test';
 import { contrast, luminance } from '../inks.mjs';
 import { messages } from '../messages.mjs';
 import { readElement } from '../qr.mjs';
-import { becomes, cells, gateway, open, showsToolError, withGraphics } from './page.mjs';
+import { becomes, cells, gateway, nextState, open, showsToolError, withGraphics } from './page.mjs';
 
 const { gatewayReasons, operationsMessages, recorderLabels } = messages;
 
@@ -138,17 +138,16 @@ describe('the pairing code', () => {
     const page = await open();
     let release;
     gateway.codeIsLate = new Promise(resolve => { release = resolve; });
-    await page.click('#show-code');
-    for (let i = 0; i < 100 && gateway.posts.length === 0; i++) await page.waitForTimeout(50);
-    assert.equal(gateway.posts.length, 1);
+    await Promise.all([page.waitForRequest(/pair\/code/), page.click('#show-code')]);
 
     await page.click('#show-code');
     const answered = page.waitForResponse(/pair\/code/);
     release();
     await (await answered).finished();
-    await page.waitForTimeout(300);
+    await nextState(page);
 
     assert.equal(await page.locator('#token svg').count(), 0);
+    assert.equal(gateway.posts.length, 1);
   });
 });
 
@@ -237,7 +236,8 @@ describe('accessibility in any window', () => {
   for (const [width, height] of [[1280, 720], [390, 844], [320, 640]]) {
     it(`fits a window of ${width} × ${height}`, async () => {
       const page = await open({ viewport: { width, height } });
-      await page.waitForTimeout(300);
+      await showsToolError(page);
+      await page.waitForFunction(() => document.querySelectorAll('.plot canvas').length === 4);
 
       const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
       assert.ok(content <= window, `${content} px of content`);
