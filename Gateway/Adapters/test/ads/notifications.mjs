@@ -5,6 +5,8 @@ import { group, mode, notificationFrame } from './frames.mjs';
 const longestCatchUp = 200_000_000n;
 
 export class Notifications {
+  /** Times of the samples in each sent packet, with the memory offsets of their variables. */
+  sent = [];
   #plc;
   #send;
   #entries = new Map();
@@ -85,6 +87,7 @@ export class Notifications {
         stamp: this.#plc.stampOf(time), samples: taken.map(({ handle, data }) => ({ handle, data })),
       }));
       const { client, server } = samples[0].entry;
+      this.sent.push(samples.map(({ time, entry }) => ({ time, offset: entry.indexOffset })));
       this.#send(notificationFrame({ ...client, port: target }, server, stamps));
     }
   }

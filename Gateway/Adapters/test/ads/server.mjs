@@ -39,6 +39,12 @@ export class AdsServer {
     return [...this.#sockets].reduce((sum, s) => sum + s.notifications.count, 0);
   }
 
+  /** Returns the times of the samples of a variable that each packet contains. Leaves out packets without a sample of the variable. */
+  packetsOf(symbol) {
+    const packets = [...this.#sockets].flatMap(s => s.notifications.sent);
+    return packets.map(samples => samples.filter(({ offset }) => offset === symbol.offset).map(({ time }) => time)).filter(times => times.length > 0);
+  }
+
   /** Closes all connections without a message, like a power failure. */
   async close() {
     this.plc.downloaded.delete(this.#downloaded);
