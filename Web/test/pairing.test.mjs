@@ -9,6 +9,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { Browser } from './browser.mjs';
 import { explainedTerms } from './glossary.mjs';
 import { readBlocks, readElement } from './qr.mjs';
+import { skipWithout } from './required.mjs';
 
 const path = relative => fileURLToPath(new URL(relative, import.meta.url));
 const gateway = ['Debug', 'Release'].map(kind => path(`../../Gateway/bin/${kind}/net10.0/Nowpose.Gateway.dll`)).filter(existsSync)
@@ -19,7 +20,7 @@ const run = (...args) => execFileSync('dotnet', [gateway, ...args], { encoding: 
 const valueOf = (text, key) => text.split('\n').find(line => line.startsWith(`${key} `))?.slice(key.length + 1);
 const body = text => ({ method: 'POST', body: JSON.stringify(text), headers: { 'Content-Type': 'application/json' } });
 
-describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
+describe('pairing', { skip: skipWithout(gateway !== undefined, 'the gateway is not built: dotnet build Gateway') }, () => {
   let folder, process, ended, facts, browser, page;
 
   before(async () => {

@@ -11,6 +11,7 @@ import { ClockGateway } from './clockGateway.mjs';
 import { drawn } from './drawn.mjs';
 import { explainedTerms } from './glossary.mjs';
 import { messages } from './messages.mjs';
+import { skipWithout } from './required.mjs';
 
 const path = relative => fileURLToPath(new URL(relative, import.meta.url));
 const gateways = ['Debug', 'Release'].map(kind => path(`../../Gateway/bin/${kind}/net10.0/Nowpose.Gateway.dll`)).filter(existsSync);
@@ -263,7 +264,7 @@ describe('the page of the control clock\'s code', () => {
     assertRight(await sight(page));
   });
 
-  it('is served by the gateway', { skip: gateways.length === 0 && 'the gateway is not built' }, async () => {
+  it('is served by the gateway', { skip: skipWithout(gateways.length > 0, 'the gateway is not built: dotnet build Gateway') }, async () => {
     const clock = ['--clock-start-s', '5000', '--skew-ppm', '200'];
     const child = spawn('dotnet', [gateways[0], 'serve', '--ws-port', '0', '--sync-port', '0', ...clock]);
     try {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import WebSocket from 'ws';
 import { until } from './program.mjs';
-import { program, start } from './ros/gateway.mjs';
+import { missing, start } from './ros/gateway.mjs';
 import { Robot } from './ros/robot.mjs';
 import { temporaryFile } from './temporary.mjs';
 
@@ -35,7 +35,7 @@ async function passed(robot, heard) {
   return [sent.get(arrived.position[0]), BigInt(sec) * 1_000_000_000n + BigInt(nanosec)];
 }
 
-describe('clock of a gateway', { concurrency: 2, skip: program ? false : 'the gateway is not built: dotnet build Gateway' }, () => {
+describe('clock of a gateway', { concurrency: 2, skip: missing }, () => {
   for (const [name, more, options] of [['ClockFalse', '  clock: false\n', {}], ['WithoutRosapi', '', { now: null }]])
     it(`Ros_${name}_ForwardsPositionsOnTheGatewaysOwnClock`, async t => {
       const robot = await Robot.start(t, options), heard = await listen(t, await start(t, ['--plant', plant(robot, more)]));

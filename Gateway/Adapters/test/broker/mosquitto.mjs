@@ -3,14 +3,15 @@ import { spawn, spawnSync } from 'node:child_process';
 import { connect } from 'node:net';
 import { join } from 'node:path';
 import { writeFileSync } from 'node:fs';
+import { skipWithout } from '../../../../Web/test/required.mjs';
 import { freePort } from '../freePort.mjs';
 import { until } from '../program.mjs';
 import { temporaryFolder } from '../temporary.mjs';
 
 const program = ['mosquitto', '/usr/sbin/mosquitto'].find(name => spawnSync(name, ['-h']).error === undefined);
 
-/** The reason why tests with mosquitto cannot run on this machine; false if they can. */
-export const missing = program === undefined && 'mosquitto is not installed (apt-get install mosquitto)';
+/** The reason why tests with mosquitto are skipped on this machine; false if they run. */
+export const missing = skipWithout(program !== undefined, 'mosquitto is not installed: apt-get install mosquitto');
 
 export class Mosquitto {
   static async start(test, lines = ['allow_anonymous true']) {

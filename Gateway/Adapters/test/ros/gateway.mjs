@@ -3,12 +3,15 @@ import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
+import { skipWithout } from '../../../../Web/test/required.mjs';
 import { adapters } from '../program.mjs';
 
 const builds = ['Debug', 'Release'].map(kind => join(adapters, '..', 'bin', kind, 'net10.0', 'Nowpose.Gateway.dll'));
 
-/** Path of the built program; undefined if it has not been built yet. */
-export const program = builds.find(existsSync);
+const program = builds.find(existsSync);
+
+/** The reason why tests with the gateway are skipped; false if they run. */
+export const missing = skipWithout(program !== undefined, 'the gateway is not built: dotnet build Gateway');
 
 /** Starts the gateway and returns its WebSocket address. The gateway is stopped when the test ends. */
 export async function start(test, args = []) {

@@ -2,9 +2,8 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import * as ROSLIB from 'roslib';
-import { program, start } from './gateway.mjs';
+import { missing as skip, start } from './gateway.mjs';
 
-const skip = program ? false : 'the gateway is not built: dotnet build Gateway';
 const limit = { timeout: 60000, skip };
 
 const within = (promise, what) => Promise.race([
