@@ -9,9 +9,9 @@ interface Transform {
 }
 
 /**
- * Forwards objects and signals from the gateway to the broker. Each retained topic has a value that the gateway has sent in this connection; the gateway
- * sends all its current values after the subscription. Other topics are removed: those of signals and stationary frames that no longer exist, of frames
- * that now move, and of an earlier run of this bridge.
+ * Forwards objects and signals from the gateway to the broker. Each retained topic has a value that the gateway has sent in this connection; the
+ * gateway sends all its current values after the subscription. Other topics are removed: those of signals and stationary frames that no longer
+ * exist, of frames that now move, and of an earlier run of this bridge.
  */
 export class PublishedObjects {
   static readonly topics = [`${STATIONARY}/+`, `${SIGNAL}/+`];

@@ -16,8 +16,8 @@ interface Change {
 }
 
 /**
- * Sends each change of a signal as soon as the clock of its stamp is known and the connection has room. Repeats all signals after a new connection, and
- * as long as the gateway refuses signals.
+ * Sends each change of a signal as soon as the clock of its stamp is known and the connection has room. Repeats all signals after a new connection,
+ * and as long as the gateway refuses signals.
  */
 export class SignalSender implements LinkEvents {
   readonly #newest = new Map<string, Change>();

@@ -7,6 +7,7 @@ import { advertisement, parsed, publication, subscription, typeOf } from './mess
 import { PinnedAgent } from './pin';
 import { inWords } from './reasons';
 import { SendQueue } from './sendQueue';
+import { StatusMessages } from './statusMessages';
 import { gatewayMessages } from '../messages/gateway';
 
 const HANDSHAKE_MS = 5000;
@@ -17,16 +18,6 @@ const MAX_MESSAGE = 2 * 1024 * 1024;
 
 /** Time without a request after which the offer of a service is repeated, because the gateway may have refused it. */
 const OFFER_MS = 5000;
-
-/** Maximum number of stored status messages. */
-const MAX_STATUSES = 32;
-
-/**
- * Matches the status message of a gateway that does not know the clock of the stamps yet, for example because it is still measuring this clock. The
- * measurement takes up to MEASURING_MS.
- */
-const UNSYNCHRONISED = /\(Unsynchronised\)$/;
-const MEASURING_MS = 20_000;
 
 /** Handles a service call. The message of an exception is returned to the caller as the reason. */
 export type Service = () => Promise<object>;
@@ -59,12 +50,10 @@ export class GatewayLink {
   readonly #services = new Map<string, { type: string; answer: Service; heard: number }>();
   readonly #subscriptions = new Map<string, { type: string; listeners: ((message: Record<string, unknown>) => void)[] }>();
   readonly #calls = new Map<string, (answer: Record<string, unknown>) => void>();
-  readonly #statuses = new Set<string>();
+  readonly #statuses: StatusMessages;
   readonly #watchers: LinkEvents[];
   #socket: WebSocket | null = null;
   #called = 0;
-  /** Time at which the gateway began to measure the offered clocks. */
-  #measured = 0;
 
   /** @param name Name of the gateway or robot, for the log. */
   constructor(
@@ -73,6 +62,7 @@ export class GatewayLink {
     readonly name = 'gateway',
     events: LinkEvents = {},
   ) {
+    this.#statuses = new StatusMessages(name, log);
     this.#watchers = [events];
   }
 
@@ -123,7 +113,7 @@ export class GatewayLink {
   /** Offers a service until the link ends. */
   offer(service: string, type: string, answer: Service): void {
     this.#services.set(service, { type, answer, heard: 0 });
-    this.#measured = performance.now();
+    this.#statuses.offered();
     this.#offer(service);
   }
 
@@ -221,10 +211,7 @@ export class GatewayLink {
 
   #open(socket: WebSocket): void {
     this.#socket = socket;
-    this.#measured = performance.now();
-    // Logs a status message again if the gateway also sends it on the new connection.
-    this.#statuses.clear();
-    this.log.forget(`${this.name} says`);
+    this.#statuses.opened();
     this.log.change(this.name, `${this.name} ${this.address.url} connected`);
     for (const topic of this.#topics) this.#send(advertisement(topic));
     for (const service of this.#services.keys()) this.#offer(service);
@@ -261,15 +248,9 @@ export class GatewayLink {
     }
   }
 
-  // Reports and logs a status message of the gateway. Logs equal messages only once.
   #refuse(status: string): void {
-    const isMeasuring = UNSYNCHRONISED.test(status) && performance.now() - this.#measured < MEASURING_MS;
-    for (const { refused } of this.#watchers) refused?.(status, isMeasuring);
-    if (isMeasuring) return this.log.change(`${this.name} measures`, 'measuring', gatewayMessages.measuring(this.name));
-    if (this.#statuses.has(status)) return;
-    if (this.#statuses.size >= MAX_STATUSES) this.#statuses.clear();
-    this.#statuses.add(status);
-    this.log.change(`${this.name} says`, status, `${this.name} says: ${status}`);
+    for (const { refused } of this.#watchers) refused?.(status, this.#statuses.isMeasuring(status));
+    this.#statuses.write(status);
   }
 
   #offer(service: string): void {

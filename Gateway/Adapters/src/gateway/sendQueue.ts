@@ -19,7 +19,8 @@ export class SendQueue<T = string> {
   }
 
   /**
-   * Takes messages from a source when they can be sent, before those that were added, until the source has none. A source with the same key is replaced.
+   * Takes messages from a source when they can be sent, before those that were added, until the source has none. A source with the same key is
+   * replaced.
    * @param next Gets the next message; null if there is none.
    */
   pull(key: string, next: () => T | null): void {
