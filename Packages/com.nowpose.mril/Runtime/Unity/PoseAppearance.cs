@@ -37,7 +37,7 @@ namespace Nowpose.Unity
         Material _substitute = null;
 
         readonly PoseMaterials _materials = new PoseMaterials();
-        readonly HashSet<Object> _reported = new HashSet<Object>();
+        readonly UnsuitableMaterials _unsuitable = new UnsuitableMaterials();
         readonly List<Renderer> _found = new List<Renderer>();
         readonly Dictionary<Renderer, PosePart> _parts = new Dictionary<Renderer, PosePart>();
         readonly List<PoseCarrier> _carriers = new List<PoseCarrier>();
@@ -140,7 +140,7 @@ namespace Nowpose.Unity
                 part.Take();
                 Follow(part.Carrier);
                 _signals.Add(part.Signals);
-                if (part.HasUnsuitableMaterial) Report(part.UnsuitableMaterial, each);
+                if (part.HasUnsuitableMaterial) _unsuitable.Report(this, part.UnsuitableMaterial, each, _materials.Substitute);
             }
             Draw();
         }
@@ -270,18 +270,6 @@ namespace Nowpose.Unity
 
         // The editor calls this method outside play mode, where the component is not enabled.
         bool IsLabel(Renderer renderer) => _words != null && renderer.gameObject == _words.gameObject;
-
-        /// <param name="material">Material that cannot be faded to show that the pose is not current; null if the renderer has no material.</param>
-        void Report(Material material, Renderer part)
-        {
-            var isMissing = material == null;
-            if (!_reported.Add(isMissing ? (Object)part : material)) return;
-            var problem = isMissing ? AppearanceMessages.NoMaterial(part.name) : AppearanceMessages.NotFadeable(material.name, part.name);
-            var remedy = isMissing ? AppearanceMessages.AssignMaterial : AppearanceMessages.ChangeShader;
-            if (_materials.Substitute != null)
-                ConsoleLog.Info(this, AppearanceMessages.Substituted(name, problem, _materials.Substitute.name, remedy));
-            else ConsoleLog.Warn(this, AppearanceMessages.Hidden(name, problem, remedy));
-        }
 
         void Follow(PoseCarrier carrier)
         {
