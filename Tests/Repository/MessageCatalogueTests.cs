@@ -79,7 +79,7 @@ public sealed partial class MessageCatalogueTests
         ["LoaderMessages"] = ["Unkept"],
         ["ManifestMessages"] = ["TooDeep", "Twice"],
         ["MeshMessages"] = ["Of"],
-        ["ObjectMessages"] = ["ParentNotCurrent", "ParentUnknown", "PosesStopped", "RobotUnknown", "SignalNotCurrent"],
+        ["ObjectMessages"] = ["NoPose", "ParentNotCurrent", "ParentUnknown", "PosesStopped", "RobotUnknown", "SignalNotCurrent"],
         ["OperationsMessages"] = ["LoggedIn", "NoTokenNeeded", "UnknownTokenLog"],
         ["OptionMessages"] = ["SeeHelp"],
         ["PairedCellMessages"] = ["Field", "List", "Unusable"],
