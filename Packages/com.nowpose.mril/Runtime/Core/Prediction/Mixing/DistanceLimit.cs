@@ -30,11 +30,13 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Adds the distance of the forecast that was computed after a sample.</summary>
         /// <param name="interval">Time since the previous sample, s.</param>
         /// <param name="distance">Distance from the line after one horizon, m or rad.</param>
-        public void Add(double interval, double distance)
+        /// <param name="isUnconfirmed">Whether the sample may be wrong: the distance does not increase the maximum.</param>
+        public void Add(double interval, double distance, bool isUnconfirmed = false)
         {
             var max = Growth * _max;
             Factor = max > 0 && distance > max ? max / distance : 1;
-            if (double.IsFinite(distance)) _max = Math.Max(_max * Math.Exp(-Math.Max(interval, 0) / _timeConstant), distance);
+            _max *= Math.Exp(-Math.Max(interval, 0) / _timeConstant);
+            if (double.IsFinite(distance) && !isUnconfirmed) _max = Math.Max(_max, distance);
         }
 
         public void Clear() => (_max, Factor) = (0, 1);

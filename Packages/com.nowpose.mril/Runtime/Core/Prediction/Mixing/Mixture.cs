@@ -180,8 +180,6 @@ namespace Nowpose.Prediction.Mixing
                 _pending.Clear();
                 _scatter.Clear();
             }
-            if (HasJumped) _weights.Restore();
-            else if (_jumps.IsUnconfirmed) _weights.Save();
             var interval = motion.NewestTime - motion.PreviousTime;
             Score(motion, interval);
             if (Uses(PredictionParts.Scatter)) _scatter.Add(motion.Newest);
@@ -192,7 +190,8 @@ namespace Nowpose.Prediction.Mixing
         void Score(MotionState motion, double interval)
         {
             var forgettingFactor = Math.Exp(-Math.Max(interval, 0) / (_components * TimeConstant));
-            var hasLearned = _pending.Score(motion, forgettingFactor);
+            // An error that a wrong sample shows would remain in all means for seconds.
+            var hasLearned = !_jumps.IsUnconfirmed && _pending.Score(motion, forgettingFactor);
             var isReported = !double.IsNaN(motion.ReportedVelocity + motion.ReportedAcceleration);
             if (hasLearned || isReported != _wasReported) _weights.Solve(_forecasters.Prior(isReported), PriorSamples * (1 - forgettingFactor));
             _wasReported = isReported;
@@ -218,7 +217,7 @@ namespace Nowpose.Prediction.Mixing
         void Expect(MotionState motion)
         {
             var distance = _pending.Add(motion);
-            if (Uses(PredictionParts.DistanceLimit)) _distance.Add(motion.NewestTime - motion.PreviousTime, distance);
+            if (Uses(PredictionParts.DistanceLimit)) _distance.Add(motion.NewestTime - motion.PreviousTime, distance, _jumps.IsUnconfirmed);
         }
 
         void FillTable(MotionState motion, double speedFactor)

@@ -42,11 +42,6 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _products;
         readonly int _weighted;
 
-        // Copies of both, from before a sample that may be wrong.
-        readonly double[] _savedProducts, _savedValues;
-        double _savedEvidence;
-        bool _isSaved;
-
         /// <param name="regularisation">λ relative to the minimum mean square among the forecasts.</param>
         /// <param name="prior">The weights without evidence, one per forecast.</param>
         public MixtureWeights(double regularisation, double[] prior)
@@ -56,7 +51,6 @@ namespace Nowpose.Prediction.Mixing
             _weighted = _count * _count;
             _products = new double[_weighted + _count];
             Values = (double[])prior.Clone();
-            (_savedProducts, _savedValues) = (new double[_products.Length], new double[_count]);
         }
 
         /// <summary>The weights, one per forecast.</summary>
@@ -105,26 +99,8 @@ namespace Nowpose.Prediction.Mixing
                 if (!(MoveBestPair(gradient, lambda, SameRatio * min) > MinGain * min)) return;
         }
 
-        /// <summary>Stores all errors and weights, so that <see cref="Restore"/> can undo what is learned from a sample that may be wrong.</summary>
-        public void Save()
-        {
-            Array.Copy(_products, _savedProducts, _products.Length);
-            Array.Copy(Values, _savedValues, _count);
-            (_savedEvidence, _isSaved) = (Evidence, true);
-        }
-
-        /// <summary>Restores the stored errors and weights, if there are any.</summary>
-        public void Restore()
-        {
-            if (!_isSaved) return;
-            Array.Copy(_savedProducts, _products, _products.Length);
-            Array.Copy(_savedValues, Values, _count);
-            (Evidence, _isSaved) = (_savedEvidence, false);
-        }
-
         public void Reset(double[] prior)
         {
-            _isSaved = false;
             Array.Clear(_products, 0, _products.Length);
             Array.Copy(prior, Values, _count);
             Evidence = 0;

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Nowpose.Motion;
 using Nowpose.Prediction;
 using NUnit.Framework;
 
@@ -27,6 +28,23 @@ namespace Nowpose.Tests.Core.Prediction
 
             Assert.That(soon, Is.LessThan(0.03), "the error of hold is 0.3");
             Assert.That(later, Is.LessThan(0.006));
+        }
+
+        // A robot that repeats its move. The wrong sample must not close the gate of the repetition.
+        [TestCase(0.5)]
+        public void Play_OneWrongSampleOfARepeatedMove_RepetitionContinuesAfterHalfASecond(double glitch)
+        {
+            var move = new SevenPhaseProfile(1, 1.5, 8, 80);
+            double Position(double t) => t % 4 < 2 ? move.PositionAt(t % 4 - 0.4) : 1 - move.PositionAt(t % 4 - 2.4);
+            double Rms(double wrong)
+            {
+                var joint = new DisplayedJoint(Predictors.Create("adaptive", PredictionLimits.Unlimited));
+                JointSample Sample(int k) => new JointSample(k * 0.05, Position(k * 0.05) + (k == 417 ? wrong : 0));
+                joint.Play(Sample, 0, 21.5);
+                return Math.Sqrt(joint.Play(Sample, 21.5, 25).Average(frame => Math.Pow(frame.Shown.Position - Position(frame.At), 2)));
+            }
+
+            Assert.That(Rms(glitch), Is.LessThan(2 * Rms(0)));
         }
 
         // The way back from a wrong sample is not a velocity that the drive would have to slow down.

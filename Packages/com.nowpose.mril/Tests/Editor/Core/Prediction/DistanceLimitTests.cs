@@ -57,6 +57,18 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
+        public void Add_DistanceAfterAnUnconfirmedSample_DoesNotIncreaseTheMaximum()
+        {
+            var limit = After(1);
+
+            limit.Add(Interval, 100, isUnconfirmed: true);
+
+            Assert.That(limit.Factor, Is.EqualTo(0.015).Within(1e-4));
+            limit.Add(Interval, 3);
+            Assert.That(limit.Factor, Is.EqualTo(0.5).Within(0.01));
+        }
+
+        [Test]
         public void Clear_AfterDistances_RestoresTheInitialState()
         {
             var limit = After(1, 100);
