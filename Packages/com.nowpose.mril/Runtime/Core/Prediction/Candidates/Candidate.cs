@@ -33,7 +33,7 @@ namespace Nowpose.Prediction.Candidates
         {
             _hasForecast = _forecaster.Solve(motion);
             if (_hasForecast) _forecaster.Fill(Table, 0, points, _components);
-            IsUsed = !double.IsInfinity(ErrorRatio(motion.Standstill.Samples > 0));
+            IsUsed = !double.IsInfinity(ErrorRatio(motion.StillSamples > 0));
         }
 
         /// <inheritdoc cref="CandidateGate.ErrorRatio"/>

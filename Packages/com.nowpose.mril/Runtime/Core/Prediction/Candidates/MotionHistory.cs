@@ -66,6 +66,9 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Ring buffer of the positions at the grid points; the components of a position are adjacent.</summary>
         public double[] Points { get; }
 
+        /// <summary>Position of the sample before the newest one; interpolated if the sample was wrong.</summary>
+        public ReadOnlySpan<double> Previous => _positions.AsSpan(Components, Components);
+
         /// <summary>Clears the history and sets the grid step.</summary>
         /// <param name="step">Grid step in s.</param>
         public void Start(double step)

@@ -21,7 +21,7 @@ namespace Nowpose.Prediction.Candidates
         const double MinLag = 0.6e-3;
 
         /// <summary>
-        /// Maximum displacement of a sample at rest, relative to <see cref="Standstill.Distance"/>: the first samples of a move are
+        /// Maximum displacement of a sample at rest, relative to <see cref="MotionState.StillDistance"/>: the first samples of a move are
         /// below that distance.
         /// </summary>
         const double RestRatio = 0.1;
@@ -70,7 +70,7 @@ namespace Nowpose.Prediction.Candidates
         public override bool Solve(MotionState motion)
         {
             (_newestTime, _newestPosition) = (motion.NewestTime, motion.Newest[0]);
-            (_stillDistance, _tolerance) = (RestRatio * motion.Standstill.Distance, ToleranceRatio * motion.Standstill.MaxDisplacement);
+            (_stillDistance, _tolerance) = (RestRatio * motion.StillDistance, ToleranceRatio * motion.MaxDisplacement);
             if (motion.Count < 2)
             {
                 Rest(_newestPosition);

@@ -119,10 +119,12 @@ namespace Nowpose.Prediction.Candidates
             else
             {
                 _history.Add(time, motion.Newest);
+                // A wrong sample would impair the comparisons of the next samples. At rest, what the history replaces may be noise.
+                if (motion.IsPreviousWrong) _history.Previous.CopyTo(_positions.AsSpan(_components));
                 _search.Update(MinLag);
                 var isSoon = time - _matchedAt < _matchInterval;
-                if (before > 0 && (isSoon || motion.Standstill.Samples > MaxStill)) KeepMatches(before);
-                else Match(motion.Standstill.Distance);
+                if (before > 0 && (isSoon || motion.StillSamples > MaxStill)) KeepMatches(before);
+                else Match(motion.StillDistance);
             }
             return _matches > 0;
         }

@@ -223,7 +223,7 @@ namespace Nowpose.Prediction.Mixing
         void FillTable(MotionState motion, double speedFactor)
         {
             Array.Clear(_table, 0, _table.Length);
-            var candidate = HasJumped ? null : BestCandidate(motion.Standstill.Samples > 0);
+            var candidate = HasJumped ? null : BestCandidate(motion.StillSamples > 0);
             if (candidate != null) Array.Copy(candidate.Table, _table, _points * _components);
             else FillMixture(motion, speedFactor);
             // The displayed position is that of the newest sample at its time.

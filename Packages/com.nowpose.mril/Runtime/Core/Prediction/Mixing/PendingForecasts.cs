@@ -44,7 +44,7 @@ namespace Nowpose.Prediction.Mixing
             var (expected, horizon, squares) = (_queue.Append(), motion.Timing.Horizon, 0.0);
             var time = new TableTime(horizon);
             expected.Due = motion.NewestTime + horizon;
-            expected.WasStill = motion.Standstill.Samples > 0;
+            expected.WasStill = motion.StillSamples > 0;
             for (var c = 0; c < _components; c++)
             {
                 var (sum, line) = (0.0, _forecasters.At(Line, time, c));

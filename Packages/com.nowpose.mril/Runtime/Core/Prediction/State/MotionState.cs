@@ -10,12 +10,18 @@ namespace Nowpose.Prediction.State
     /// <remarks>The components of a sample are adjacent in all arrays. Allocates nothing after construction.</remarks>
     sealed class MotionState
     {
+        /// <summary>
+        /// Maximum displacement between two samples at a standstill, relative to that at the maximum speed.
+        /// </summary>
+        const double StillRatio = 1e-3;
+
+        /// <summary>Maximum counted number of samples; more than any use needs.</summary>
+        const int MaxCount = 1_000_000;
+
         readonly int _first, _capacity;
 
         // Mean velocity in the interval before that of Velocity.
         double[] _velocityBefore;
-
-        Standstill _standstill;
 
         /// <param name="components">Number of components.</param>
         /// <param name="first">Index of the first component in the samples.</param>
@@ -82,14 +88,24 @@ namespace Nowpose.Prediction.State
         /// <summary>Whether another motion of the same object has jumped at the newest sample, so that the object is elsewhere.</summary>
         public bool IsElsewhere { get; set; }
 
-        /// <summary>Whether the positions stand still, and since how many samples.</summary>
-        public ref readonly Standstill Standstill => ref _standstill;
+        /// <summary>Whether the newest sample shows that the sample before it was wrong.</summary>
+        public bool IsPreviousWrong { get; set; }
+
+        /// <summary>Number of newest samples at a standstill without noise: their displacement is at most <see cref="StillDistance"/>.</summary>
+        public int StillSamples { get; private set; }
+
+        /// <summary>Maximum displacement between two samples at a standstill, in the samples' unit.</summary>
+        public double StillDistance => StillRatio * MaxDisplacement;
+
+        /// <summary>Displacement in the newest interval at the maximum speed, in the samples' unit.</summary>
+        public double MaxDisplacement => MaxSpeed * Timing.Interval;
 
         /// <summary>Takes the samples of a buffer that has added a sample.</summary>
         public void Take<TSample>(SampleBuffer<TSample> buffer) where TSample : struct, ISample<TSample>
         {
             var history = buffer.History;
             IsNewest = buffer.IsNewest;
+            IsPreviousWrong = false;
             if (IsNewest)
             {
                 PreviousTime = NewestTime;
@@ -121,7 +137,7 @@ namespace Nowpose.Prediction.State
             Array.Clear(Velocity, 0, Components);
             Array.Clear(_velocityBefore, 0, Components);
             MaxSpeed = 0;
-            _standstill = default;
+            StillSamples = 0;
         }
 
         void UpdateVelocity()
@@ -134,39 +150,8 @@ namespace Nowpose.Prediction.State
                 return;
             }
             for (var c = 0; c < Components; c++) Velocity[c] = (Newest[c] - Previous[c]) / (NewestTime - PreviousTime);
-            _standstill.Add(Vectors.Distance(Newest, Previous));
             if (Vectors.Dot(Velocity, _velocityBefore) > 0) MaxSpeed = Math.Max(MaxSpeed, Math.Min(Speed, Vectors.Length(_velocityBefore)));
-        }
-    }
-
-    /// <summary>Detects a standstill without noise: two samples that differ by at most a thousandth of the recent maximum.</summary>
-    struct Standstill
-    {
-        /// <summary>
-        /// Maximum displacement between two samples at a standstill, relative to the recent maximum. With half or twice this value, the errors change
-        /// by at most 0.2 %.
-        /// </summary>
-        const double StillRatio = 1e-3;
-
-        /// <summary>
-        /// Forgetting factor of the maximum displacement per sample: 1/e after 500 samples. With 0.995 or 0.999, the errors change by at most 0.1 %.
-        /// </summary>
-        const double MaxForgettingFactor = 0.998;
-
-        /// <summary>Number of consecutive newest samples at a standstill.</summary>
-        public int Samples { get; private set; }
-
-        /// <summary>Recent maximum displacement between two samples, in the samples' unit.</summary>
-        public double MaxDisplacement { get; private set; }
-
-        /// <summary>Maximum displacement between two samples at a standstill, in the samples' unit.</summary>
-        public double Distance => StillRatio * MaxDisplacement;
-
-        /// <param name="displacement">Distance of the newest sample from the previous one.</param>
-        public void Add(double displacement)
-        {
-            MaxDisplacement = Math.Max(MaxForgettingFactor * MaxDisplacement, displacement);
-            Samples = displacement <= Distance ? Samples + 1 : 0;
+            StillSamples = Vectors.Distance(Newest, Previous) <= StillDistance ? Math.Min(StillSamples, MaxCount) + 1 : 0;
         }
     }
 }

@@ -34,7 +34,7 @@ namespace Nowpose.Prediction.State
             var isReturn = _isUnconfirmed && Math.Abs(motion.Newest[0] - _before) < MaxReturnRatio * Math.Abs(motion.Previous[0] - _before);
             _isUnconfirmed = !isReturn && motion.MaxSpeed > 0 && motion.Speed > MinSpeedRatio * motion.MaxSpeed;
             _before = motion.Previous[0];
-            return isReturn;
+            return motion.IsPreviousWrong = isReturn;
         }
     }
 }

@@ -32,6 +32,8 @@ namespace Nowpose.Tests.Core.Prediction
 
         // A robot that repeats its move. The wrong sample must not close the gate of the repetition.
         [TestCase(0.5)]
+        [TestCase(2 * Math.PI)]
+        [TestCase(1000)]
         public void Play_OneWrongSampleOfARepeatedMove_RepetitionContinuesAfterHalfASecond(double glitch)
         {
             var move = new SevenPhaseProfile(1, 1.5, 8, 80);

@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Prediction
             public override bool Solve(MotionState motion)
             {
                 _motion = motion;
-                return motion.Standstill.Samples == 0;
+                return motion.StillSamples == 0;
             }
 
             public override double At(double ahead, int component) =>

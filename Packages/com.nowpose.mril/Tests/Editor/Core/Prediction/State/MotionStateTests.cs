@@ -1,0 +1,40 @@
+using System;
+using Nowpose.Prediction;
+using Nowpose.Prediction.Samples;
+using Nowpose.Prediction.State;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Prediction.State
+{
+    public class MotionStateTests
+    {
+        const double Interval = 0.05;
+
+        // Returns the maximum number of samples at a standstill while a motion is fed.
+        static int MaxStillSamples(Func<int, double> positionOf, int from, int to)
+        {
+            var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
+            var (motion, max) = (new MotionState(1, 0, 8, buffer.Timing), 0);
+            for (var k = 0; k < to; k++)
+            {
+                buffer.Add(new JointSample(k * Interval, positionOf(k)), displayed: double.NaN);
+                motion.Take(buffer);
+                if (k >= from) max = Math.Max(max, motion.StillSamples);
+            }
+            return max;
+        }
+
+        [TestCase(2 * Math.PI)]
+        [TestCase(1000)]
+        public void StillSamples_SlowMotionAfterOneWrongSample_IsNoStandstill(double wrong)
+        {
+            var samples = MaxStillSamples(k => 0.02 * Math.Sin(2 * k * Interval) + (k == 400 ? wrong : 0), 402, 1000);
+
+            Assert.That(samples, Is.LessThanOrEqualTo(1), "only the samples at a reversal");
+        }
+
+        [Test]
+        public void StillSamples_MotionOfLessThanAThousandthOfTheMaximumSpeed_IsAStandstill() =>
+            Assert.That(MaxStillSamples(k => k < 10 ? k : 9 + 0.9e-3 * (k - 9), 10, 100), Is.EqualTo(90));
+    }
+}
