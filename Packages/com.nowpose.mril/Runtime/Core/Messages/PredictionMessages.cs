@@ -22,6 +22,8 @@ namespace Nowpose.Messages
             FormattableString.Invariant($"time {index}: {time} s is not later than {earlier} s; times must increase");
         public static string LimitOrder(double lower, double upper) =>
             FormattableString.Invariant($"position limits {lower} to {upper}: lower must not exceed upper");
+        public static string LimitsOfContinuousJoint(double lower, double upper) =>
+            FormattableString.Invariant($"position limits {lower} to {upper}: a continuous joint must have no position limits");
 
         public const string NotPositiveSeconds = "must be more than 0 s";
 

@@ -15,7 +15,7 @@ namespace Nowpose.Prediction
         /// <param name="acceleration">Maximum acceleration, per second squared, positive; infinity if it is unknown.</param>
         /// <param name="jerk">Maximum jerk, per second cubed, positive; infinity if it is unknown.</param>
         /// <param name="isEndless">See <see cref="IsEndless"/>.</param>
-        /// <exception cref="ArgumentException">A value is outside its range, or lower is above upper.</exception>
+        /// <exception cref="ArgumentException">A value is outside its range, lower is above upper, or a continuous joint has a limit.</exception>
         public PredictionLimits(double lower = double.NegativeInfinity, double upper = double.PositiveInfinity,
             double horizonCap = 0.3, double maximumGap = 0.5, double velocity = double.PositiveInfinity,
             double acceleration = double.PositiveInfinity, double jerk = double.PositiveInfinity,
@@ -23,6 +23,9 @@ namespace Nowpose.Prediction
         {
             if (!(lower <= upper) || double.IsPositiveInfinity(lower) || double.IsNegativeInfinity(upper))
                 throw new ArgumentException(PredictionMessages.LimitOrder(lower, upper));
+            // The unwrapped positions of a continuous joint have no limit.
+            if (isEndless && (double.IsFinite(lower) || double.IsFinite(upper)))
+                throw new ArgumentException(PredictionMessages.LimitsOfContinuousJoint(lower, upper), nameof(isEndless));
             if (!(horizonCap >= 0))
                 throw new ArgumentOutOfRangeException(nameof(horizonCap), horizonCap, PredictionMessages.NegativeSeconds);
             if (!(maximumGap > 0))
@@ -75,7 +78,9 @@ namespace Nowpose.Prediction
         /// <summary>Maximum jerk, rad/s³ or m/s³. S-curve profiles require it together with the maximum speed and acceleration.</summary>
         public double Jerk { get; }
 
-        /// <summary>Whether the joint is continuous: its positions are angles in rad, which may wrap from π to −π.</summary>
+        /// <summary>
+        /// Whether the joint is continuous: its positions are angles in rad, which may wrap from π to −π. A continuous joint has no position limits.
+        /// </summary>
         public bool IsEndless { get; }
 
         internal double Clamp(double position) => position < Lower ? Lower : position > Upper ? Upper : position;

@@ -29,5 +29,11 @@ namespace Nowpose.Tests.Core.Prediction
         {
             Assert.That(() => new PredictionLimits(lower, upper, cap, gap), Throws.InstanceOf<ArgumentException>());
         }
+
+        [TestCase(-1, double.PositiveInfinity)]
+        [TestCase(double.NegativeInfinity, 1)]
+        [TestCase(-1, 1)]
+        public void Constructor_ContinuousJointWithALimit_Throws(double lower, double upper) =>
+            Assert.That(() => new PredictionLimits(lower, upper, isEndless: true), Throws.InstanceOf<ArgumentException>());
     }
 }
