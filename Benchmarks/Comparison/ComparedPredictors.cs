@@ -37,8 +37,9 @@ public static class ComparedPredictors
     /// <param name="timeConstant">Time constant, s.</param>
     public static JointPredictor DoubleExponential(double timeConstant) => By(new DoubleExponential(timeConstant));
 
-    static JointPredictor By(Forecaster forecaster) =>
-        new(forecaster, forecaster.RequiredSamples, PredictionParts.None, PredictionLimits.Unlimited, blend: 0);
+    static JointPredictor By(Forecaster forecaster) => new(
+        new PredictionPipeline<JointSample>([forecaster], forecaster.RequiredSamples, PredictionParts.None, PredictionLimits.Unlimited),
+        PredictionLimits.Unlimited, blend: 0);
 
     static ComparedPredictor Ours(string name) => new(name, () => Predictors.Create(name, PredictionLimits.Unlimited));
 }

@@ -33,8 +33,8 @@ namespace Nowpose.Frames
         public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0, ForecasterSet forecasters = null,
             PredictionParts parts = PredictionParts.Object)
         {
-            _pipeline = Predictors.OfAnObject<BodySample>(predictor, limits, forecasters ?? Predictors.ForecastersOfObjects(parts), parts);
-            for (var part = 0; part < Parts; part++) _blends[part] = new SectionBlend(Components, blend);
+            _pipeline = Predictors.OfAnObject<BodySample>(predictor, limits, forecasters, parts);
+            for (var part = 0; part < Parts; part++) _blends[part] = new SectionBlend(Components, Predictors.BlendOf(predictor, blend));
             _horizonCap = limits.HorizonCap;
         }
 
@@ -118,13 +118,9 @@ namespace Nowpose.Frames
 
         void Use(in BodySample sample, double displayed)
         {
-            // Products of such displacements can overflow. If the sample is the newest, a new history starts with it; otherwise it is ignored.
-            if (!((sample.Position - _pipeline.Newest.Position).Length < JointSample.MaxMagnitude))
-            {
-                if (!_pipeline.IsNewer(sample)) return;
-                _pipeline.Restart();
+            if (!_pipeline.Accepts(sample)) return;
+            if (_pipeline.IsEmpty)
                 foreach (var blend in _blends) blend.Reset();
-            }
             var (isBlended, before) = (_blends[Position].IsNeeded(displayed) && !_pipeline.IsEmpty, NewestTime);
             Span<double> shown = stackalloc double[Parts * Components], section = stackalloc double[Components];
             var place = isBlended ? _pipeline.PlaceOf(displayed) : default;

@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Planning;
 using Nowpose.Prediction.State;
 
@@ -25,16 +24,8 @@ namespace Nowpose.Prediction
         // Position of the newest sample, and the whole turns that unwrapping added to it, in rad. The sections have unwrapped positions.
         double _newest, _shift;
 
-        /// <param name="forecaster">Forecaster of this joint only.</param>
-        /// <param name="kept">Number of samples to keep.</param>
-        /// <param name="parts">Parts of the pipeline to use.</param>
-        internal JointPredictor(Forecaster forecaster, int kept, PredictionParts parts, PredictionLimits limits, double blend)
-        {
-            _limits = limits ?? throw new ArgumentNullException(nameof(limits));
-            _blend = new SectionBlend(components: 1, blend);
-            _pipeline = new PredictionPipeline<JointSample>(new[] { forecaster }, kept, parts, limits);
-            Reset();
-        }
+        internal JointPredictor(PredictionPipeline<JointSample> pipeline, PredictionLimits limits, double blend) =>
+            (_pipeline, _limits, _blend) = (pipeline, limits, new SectionBlend(components: 1, blend));
 
         /// <summary>Position of the newest sample, which a display without compensation shows; 0 before the first sample.</summary>
         public double Hold => _newest;
@@ -67,7 +58,7 @@ namespace Nowpose.Prediction
         {
             var restarts = Restarts;
             var reason = _pipeline.Order(sample);
-            if (Restarts != restarts) Restart();
+            if (Restarts != restarts) Clear();
             foreach (ref readonly var ready in _pipeline.Ready) Use(ready, displayed);
             return reason;
         }
@@ -120,33 +111,20 @@ namespace Nowpose.Prediction
         public void Reset()
         {
             _pipeline.Reset();
-            Restart();
+            Clear();
         }
 
-        void Restart()
+        void Clear()
         {
-            RestartSamples();
+            _newest = _shift = 0;
             _plan.Reset();
             _blend.Reset();
-        }
-
-        // Starts again with the next sample. A plan is kept, because it does not depend on the samples.
-        void RestartSamples()
-        {
-            _pipeline.Restart();
-            _blend.Stop();
-            _newest = _shift = 0;
         }
 
         void Use(in JointSample sample, double displayed)
         {
             var isNewest = _pipeline.IsNewer(sample);
-            // Products of such displacements can overflow. If the sample is the newest, a new history starts with it; otherwise it is ignored.
-            if (!(Math.Abs(sample.Position - Hold) < JointSample.MaxMagnitude))
-            {
-                if (!isNewest) return;
-                RestartSamples();
-            }
+            if (!_pipeline.Accepts(sample)) return;
             var (shown, before) = (ShownAt(displayed), NewestTime);
             // Assumes the shorter way round between two samples more than half a turn apart.
             var turns = _limits.IsEndless && !_pipeline.IsEmpty ? WholeTurns(_newest + _shift - sample.Position) : 0;

@@ -64,10 +64,27 @@ namespace Nowpose.Prediction
 
         public bool IsNewer(in TSample sample) => _buffer.IsNewer(sample);
 
-        /// <summary>Puts a received sample into order. It may be ready now or later.</summary>
-        public DropReason Order(in TSample sample) =>
+        /// <summary>Puts a received sample into order. It may be ready now or later. If the clock went back, all earlier samples are discarded.</summary>
+        public DropReason Order(in TSample sample)
+        {
+            var restarts = Restarts;
             // The oldest sample is not in the processor's cache, and only late samples are compared with it.
-            _arrivals.Add(sample, _buffer.IsNewer(sample) ? double.NegativeInfinity : _buffer.History.Oldest);
+            var reason = _arrivals.Add(sample, _buffer.IsNewer(sample) ? double.NegativeInfinity : _buffer.History.Oldest);
+            if (Restarts != restarts) Restart();
+            return reason;
+        }
+
+        /// <summary>
+        /// Returns whether a sample can be used. Products of displacements as large as that of a far sample can overflow: if the sample is the newest, a
+        /// new history starts with it.
+        /// </summary>
+        public bool Accepts(in TSample sample)
+        {
+            var isNear = true;
+            for (var c = 0; c < sample.Components; c++) isNear &= Math.Abs(sample[c] - Newest[c]) < JointSample.MaxMagnitude;
+            if (!isNear && IsNewer(sample)) Restart();
+            return isNear || IsEmpty;
+        }
 
         /// <summary>Uses a sample that is ready.</summary>
         /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
@@ -137,8 +154,15 @@ namespace Nowpose.Prediction
             return _isSolved && ahead >= 0 && ahead <= _limits.HorizonCap ? _forecasters[0].DeviationAt(ahead) : double.NaN;
         }
 
-        /// <summary>Discards all samples and all learned state, but not the order of arrivals.</summary>
-        public void Restart()
+        /// <summary>Discards everything.</summary>
+        public void Reset()
+        {
+            _arrivals.Clear();
+            Restart();
+        }
+
+        // Keeps the order of arrivals.
+        void Restart()
         {
             _buffer.Clear();
             _isSolved = false;
@@ -147,13 +171,6 @@ namespace Nowpose.Prediction
                 _motions[i].Reset();
                 _forecasters[i].Reset();
             }
-        }
-
-        /// <summary>Discards everything.</summary>
-        public void Reset()
-        {
-            _arrivals.Clear();
-            Restart();
         }
     }
 

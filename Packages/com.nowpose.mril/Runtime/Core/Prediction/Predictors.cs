@@ -70,16 +70,19 @@ namespace Nowpose.Prediction
         /// <summary>The same for the rotation, in rad and rad/s². With half or twice these values, the errors of objects change by less than 0.1 %.</summary>
         const double MinTurn = 0.1, MaxAngularAcceleration = 100;
 
+        /// <summary>The newest sample, the reference for comparisons.</summary>
+        internal const string Hold = "hold";
+
         const string HistoryMark = "-h";
 
-        static readonly string[] Degrees = { "hold", "linear", "quadratic", "cubic" };
+        static readonly string[] Degrees = { Hold, "linear", "quadratic", "cubic" };
 
         /// <summary>
         /// All names: the polynomials in the order of their degree, then the polynomials with longer histories, then the predictors that learn.
         /// </summary>
         public static IReadOnlyList<string> Names { get; } = Array.AsReadOnly(new[]
         {
-            "hold", "linear", "quadratic", "cubic", "quadratic-h3", "quadratic-h4", "gp", "adaptive"
+            Hold, "linear", "quadratic", "cubic", "quadratic-h3", "quadratic-h4", "gp", Default
         });
 
         /// <summary>Creates a predictor for one joint.</summary>
@@ -87,41 +90,38 @@ namespace Nowpose.Prediction
         /// <param name="limits">Bounds of time and position.</param>
         /// <param name="blend">
         /// Time constant of the blend between two sections, in s. It is reduced if samples arrive in
-        /// quick succession. 0 means no blending: the joint jumps.
+        /// quick succession. 0 means no blending: the joint jumps. Hold is never blended.
         /// </param>
         /// <exception cref="InputException">The name is unknown.</exception>
-        public static JointPredictor Create(string name, PredictionLimits limits, double blend = 0) => Create(name, limits, blend, ForecastersOfJoints());
+        public static JointPredictor Create(string name, PredictionLimits limits, double blend = 0) => Create(name, limits, blend, forecasters: null);
 
         /// <inheritdoc cref="Create(string, PredictionLimits, double)"/>
-        /// <param name="forecasters"><see cref="ForecastersOfJoints"/>, which this predictor shares with those of the robot's other joints.</param>
-        internal static JointPredictor Create(string name, PredictionLimits limits, double blend, ForecasterSet forecasters)
-        {
-            if (name == Default) return Adaptive(limits, PredictionParts.Joint, forecasters, blend);
-            var forecaster = Named(name, 1, out var kept, out var parts);
-            return new JointPredictor(forecaster, kept, parts, limits, blend);
-        }
+        /// <param name="forecasters">
+        /// <see cref="ForecastersOfJoints"/>, which this predictor shares with those of the robot's other joints. Null to create forecasters for this joint
+        /// only.
+        /// </param>
+        internal static JointPredictor Create(string name, PredictionLimits limits, double blend, ForecasterSet forecasters) => new JointPredictor(
+            Pipeline<JointSample>(name, limits, PredictionParts.Joint, 1, _ => Joint(limits, PredictionParts.Joint, forecasters ?? ForecastersOfJoints())),
+            limits, BlendOf(name, blend));
 
         /// <summary>Creates the default predictor from its parts; prediction.md lists the benefit of each part.</summary>
         /// <param name="more">Additional forecasters of the mixture, for experiments.</param>
-        internal static JointPredictor Adaptive(PredictionLimits limits, PredictionParts parts, params Forecaster[] more) =>
-            Adaptive(limits, parts, Forecasters(1, parts, more), blend: 0);
+        internal static JointPredictor Adaptive(PredictionLimits limits, PredictionParts parts, params Forecaster[] more) => new JointPredictor(
+            Pipeline<JointSample>(Default, limits, parts, 1, _ => Joint(limits, parts, Forecasters(1, parts, more))), limits, blend: 0);
 
         /// <summary>Creates the pipeline of an object: its position and its angles, with three components each.</summary>
-        /// <param name="forecasters"><see cref="ForecastersOfObjects"/>, which this object shares with the other objects of the cell.</param>
+        /// <param name="forecasters">
+        /// <see cref="ForecastersOfObjects"/>, which this object shares with the other objects of the cell. Null to create forecasters for this object only.
+        /// </param>
         /// <param name="parts">Parts of the default predictor.</param>
         /// <inheritdoc cref="Create(string, PredictionLimits, double)"/>
         internal static PredictionPipeline<TSample> OfAnObject<TSample>(string name, PredictionLimits limits, ForecasterSet forecasters, PredictionParts parts)
-            where TSample : struct, ISample<TSample>
-        {
-            if (name == Default)
-                return new PredictionPipeline<TSample>(
-                    new Forecaster[] { Object(MinJump, MaxAcceleration), Object(MinTurn, MaxAngularAcceleration) }, Kept, parts, limits);
-            var named = new[] { Named(name, 3, out var kept, out var preparation), Named(name, 3, out _, out _) };
-            return new PredictionPipeline<TSample>(named, kept, preparation, limits);
+            where TSample : struct, ISample<TSample> => Pipeline<TSample>(name, limits, parts, 2, motion => MixtureOf(3, limits, parts,
+                forecasters ??= ForecastersOfObjects(parts), ObjectGateTimeConstant, ObjectMatchInterval,
+                motion == 0 ? new ObjectJumpDetector(3, MinJump, MaxAcceleration) : new ObjectJumpDetector(3, MinTurn, MaxAngularAcceleration)));
 
-            Mixture Object(double minJump, double maxAcceleration) => MixtureOf(3, limits, parts, forecasters,
-                ObjectGateTimeConstant, ObjectMatchInterval, new ObjectJumpDetector(3, minJump, maxAcceleration));
-        }
+        /// <summary>Returns the time constant of the blend for a predictor: none for hold, the reference for comparisons.</summary>
+        internal static double BlendOf(string name, double blend) => name == Hold ? 0 : blend;
 
         /// <summary>Creates the forecasters that the predictors of one robot's joints share.</summary>
         internal static ForecasterSet ForecastersOfJoints() => Forecasters(1, PredictionParts.Joint);
@@ -129,8 +129,18 @@ namespace Nowpose.Prediction
         /// <summary>Creates the forecasters that the objects of one cell share.</summary>
         internal static ForecasterSet ForecastersOfObjects(PredictionParts parts = PredictionParts.Object) => Forecasters(3, parts);
 
-        static JointPredictor Adaptive(PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters, double blend) => new JointPredictor(
-            MixtureOf(1, limits, parts, forecasters, JointGateTimeConstant, JointMatchInterval, new OutlierReturnDetector()), Kept, parts, limits, blend);
+        /// <param name="mixtureOf">Creates the mixture of the motion with this index, for the default predictor.</param>
+        static PredictionPipeline<TSample> Pipeline<TSample>(string name, PredictionLimits limits, PredictionParts parts, int motions, Func<int, Mixture> mixtureOf)
+            where TSample : struct, ISample<TSample>
+        {
+            var (forecasters, kept) = (new Forecaster[motions], Kept);
+            for (var i = 0; i < motions; i++)
+                forecasters[i] = name == Default ? mixtureOf(i) : Named(name, default(TSample).Components / motions, out kept, out parts);
+            return new PredictionPipeline<TSample>(forecasters, kept, parts, limits);
+        }
+
+        static Mixture Joint(PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters) =>
+            MixtureOf(1, limits, parts, forecasters, JointGateTimeConstant, JointMatchInterval, new OutlierReturnDetector());
 
         static Mixture MixtureOf(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters,
             double gateTimeConstant, double matchInterval, JumpDetector jumps)

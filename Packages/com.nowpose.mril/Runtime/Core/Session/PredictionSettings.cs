@@ -79,25 +79,25 @@ namespace Nowpose.Session
         public double JerkLimit { get; }
 
         /// <summary>Whether the predictor is hold, the reference for comparisons: the newest samples, without blending or plans.</summary>
-        internal bool IsHold => Predictor == "hold";
+        internal bool IsHold => Predictor == Predictors.Hold;
 
         internal bool FollowsPlans => FollowPlan && !IsHold;
 
         /// <summary>Creates a predictor for one joint with the given limits.</summary>
         /// <param name="limits">Result of <see cref="Bounded"/>.</param>
-        public JointPredictor Create(in JointLimits limits) => Create(limits, Predictors.ForecastersOfJoints());
+        public JointPredictor Create(in JointLimits limits) => Create(limits, forecasters: null);
 
         /// <inheritdoc cref="Create(in JointLimits)"/>
-        /// <param name="forecasters"><see cref="Predictors.ForecastersOfJoints"/>, which the predictors of one robot's joints share.</param>
+        /// <param name="forecasters"><see cref="Predictors.ForecastersOfJoints"/>, which the predictors of one robot's joints share; null for none.</param>
         internal JointPredictor Create(in JointLimits limits, ForecasterSet forecasters) =>
-            Predictors.Create(Predictor, LimitsOf(limits), IsHold ? 0 : ClockTicks.Seconds(Blend), forecasters);
+            Predictors.Create(Predictor, LimitsOf(limits), ClockTicks.Seconds(Blend), forecasters);
 
         /// <summary>Returns a function that creates a predictor for one object. The objects of a cell share their forecasters.</summary>
         internal Func<BodyPredictor> BodiesOfACell()
         {
             var forecasters = Predictors.ForecastersOfObjects();
             // An object has no limits.
-            return () => new BodyPredictor(Predictor, LimitsOf(JointLimits.None), IsHold ? 0 : ClockTicks.Seconds(Blend), forecasters);
+            return () => new BodyPredictor(Predictor, LimitsOf(JointLimits.None), ClockTicks.Seconds(Blend), forecasters);
         }
 
         /// <summary>Combines a joint's limits with the limits of these settings.</summary>

@@ -61,7 +61,7 @@ namespace Nowpose.Prediction.Samples
             // The history is sorted by corrected times, so that successive times differ.
             if (!History.Add(sample.With(time, _stamps == null ? sample.Order : time))) return false;
             IsNewest = History.NewestTime > before;
-            Timing.Add(History, IsNewest, displayed);
+            Timing.Add(History, before, displayed);
             return true;
         }
 

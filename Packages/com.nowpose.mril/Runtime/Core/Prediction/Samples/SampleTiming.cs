@@ -55,15 +55,20 @@ namespace Nowpose.Prediction.Samples
         public double Horizon { get; private set; }
 
         /// <summary>Updates the intervals after a sample has been added to the history.</summary>
-        /// <param name="isNewest">False if newer samples have overtaken the sample.</param>
+        /// <param name="before">Time of the previous newest sample, in s; negative infinity if there is none.</param>
         /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
-        public void Add<TSample>(SampleHistory<TSample> samples, bool isNewest, double displayed) where TSample : struct, ISample<TSample>
+        public void Add<TSample>(SampleHistory<TSample> samples, double before, double displayed) where TSample : struct, ISample<TSample>
         {
-            if (!isNewest) ConnectedSamples = samples.CountWithoutGap(_maximumGap);
-            else ConnectedSamples = samples.HasGap(0, _maximumGap) ? 1 : Math.Min(ConnectedSamples + 1, samples.Count);
-            if (samples.Count < 2) return;
-            Interval = samples[0].Time - samples[1].Time;
-            if (!isNewest) return;
+            if (!(samples.NewestTime > before))
+            {
+                // Newer samples have overtaken this sample, which may be the one before the newest.
+                ConnectedSamples = samples.CountWithoutGap(_maximumGap);
+                if (samples.Count > 1) Interval = samples[0].Time - samples[1].Time;
+                return;
+            }
+            ConnectedSamples = samples.HasGap(0, _maximumGap) ? 1 : Math.Min(ConnectedSamples + 1, samples.Count);
+            if (double.IsNegativeInfinity(before)) return;
+            Interval = samples.NewestTime - before;
             UpdateMeanInterval();
             // This section is displayed for one sampling interval from now on, so its mean horizon is half an interval longer than the current one.
             var ahead = displayed - samples.NewestTime + MeanInterval / 2;

@@ -38,6 +38,27 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(other.At(0).Kind, Is.EqualTo(PredictionKind.None));
         }
 
+        // A frame shows the time 80 ms after each sample, and one half of an interval later on average until the next sample.
+        [TestCaseSource(nameof(Names))]
+        public void Horizon_DisplayedTimes_IsTheirMeanTimeAfterTheNewestSample(string name)
+        {
+            var predictor = Predictors.Create(name, PredictionLimits.Unlimited);
+            for (var k = 0; k < 200; k++) predictor.Add(new JointSample(k * 0.05, k % 7), k * 0.05 + 0.08);
+
+            Assert.That(predictor.Horizon, Is.EqualTo(0.105).Within(1e-3));
+        }
+
+        [Test]
+        public void Create_HoldWithABlend_IsNotBlended()
+        {
+            var joint = new DisplayedJoint(Predictors.Create("hold", PredictionLimits.Unlimited, 0.1));
+            for (var k = 0; k < 20; k++) joint.Add(k * 0.05, 0.1 * k);
+            joint.Show(1);
+            joint.Add(1, 2);
+
+            Assert.That(joint.Show(1.01).Position, Is.EqualTo(2));
+        }
+
         [TestCase("quartic")]
         [TestCase("quartic-h4")]
         [TestCase("linear-h0")]

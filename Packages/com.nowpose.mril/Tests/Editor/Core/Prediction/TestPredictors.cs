@@ -21,8 +21,11 @@ namespace Nowpose.Tests.Core.Prediction
         /// Creates a predictor with one forecaster and the given parts of the pipeline. It holds the newest sample if the forecaster cannot forecast.
         /// </summary>
         /// <param name="limits">Limits of the joint; null if it has none.</param>
-        public static JointPredictor Of(Forecaster forecaster, PredictionLimits limits = null, PredictionParts parts = PredictionParts.None) =>
-            new JointPredictor(forecaster, 24, parts, limits ?? PredictionLimits.Unlimited, 0);
+        public static JointPredictor Of(Forecaster forecaster, PredictionLimits limits = null, PredictionParts parts = PredictionParts.None)
+        {
+            limits ??= PredictionLimits.Unlimited;
+            return new JointPredictor(new PredictionPipeline<JointSample>(new[] { forecaster }, 24, parts, limits), limits, 0);
+        }
 
         /// <summary>Returns the state of a motion after its samples, which are in the order of their times.</summary>
         public static MotionState Motion(double[] times, double[] positions)

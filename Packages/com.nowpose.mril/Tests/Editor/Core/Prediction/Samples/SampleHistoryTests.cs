@@ -42,7 +42,8 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             {
                 var isNewest = i == 0 || random.Next(5) > 0;
                 if (isNewest) time += random.Next(4) > 0 ? 0.1 : 0.9;
-                if (history.Add(new JointSample(isNewest ? time : time - random.NextDouble(), 0))) timing.Add(history, isNewest, displayed: double.NaN);
+                var before = history.NewestTime;
+                if (history.Add(new JointSample(isNewest ? time : time - random.NextDouble(), 0))) timing.Add(history, before, displayed: double.NaN);
 
                 Assert.That(timing.ConnectedSamples, Is.EqualTo(history.CountWithoutGap(MaximumGap)), "sample " + i);
             }
