@@ -29,27 +29,28 @@ namespace Nowpose.Prediction.Forecasting
 
         /// <summary>Solves A x = vector, where A is the factored matrix.</summary>
         /// <param name="matrix">Result of <see cref="Factor"/>.</param>
-        /// <param name="vector">Contains the right-hand side from index <paramref name="start"/> on. Receives the solution.</param>
-        public static void Solve(double[] matrix, double[] vector, int start, int n)
+        /// <param name="vector">Right-hand side. Receives the solution.</param>
+        public static void Solve(double[] matrix, Span<double> vector)
         {
-            SolveLower(matrix, vector, start, n);
+            SolveLower(matrix, vector);
+            var n = vector.Length;
             for (var i = n - 1; i >= 0; i--)
             {
-                var value = vector[start + i];
-                for (int k = i + 1, at = k * n + i; k < n; k++, at += n) value -= matrix[at] * vector[start + k];
-                vector[start + i] = value * matrix[i * n + i];
+                var value = vector[i];
+                for (int k = i + 1, at = k * n + i; k < n; k++, at += n) value -= matrix[at] * vector[k];
+                vector[i] = value * matrix[i * n + i];
             }
         }
 
         /// <summary>Solves L x = vector. The sum of the squares of x equals vectorᵀ A⁻¹ vector.</summary>
         /// <inheritdoc cref="Solve"/>
-        public static void SolveLower(double[] matrix, double[] vector, int start, int n)
+        public static void SolveLower(double[] matrix, Span<double> vector)
         {
-            for (var i = 0; i < n; i++)
+            for (int i = 0, row = 0; i < vector.Length; i++, row += vector.Length)
             {
-                var (value, row) = (vector[start + i], i * n);
-                for (var k = 0; k < i; k++) value -= matrix[row + k] * vector[start + k];
-                vector[start + i] = value * matrix[row + i];
+                var value = vector[i];
+                for (var k = 0; k < i; k++) value -= matrix[row + k] * vector[k];
+                vector[i] = value * matrix[row + i];
             }
         }
     }

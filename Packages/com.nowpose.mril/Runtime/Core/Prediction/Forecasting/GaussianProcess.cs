@@ -41,7 +41,6 @@ namespace Nowpose.Prediction.Forecasting
         const double PerSecond = 2.6457513110645906 / LengthScale;
 
         readonly double[] _decays = new double[Newest];
-        readonly double[] _covariance = new double[Newest];
         readonly double[] _matrix = new double[Newest * Newest];
 
         /// <param name="stopsAtReversal">See <see cref="WeightedSumForecaster"/>.</param>
@@ -51,17 +50,18 @@ namespace Nowpose.Prediction.Forecasting
         /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
         public double VarianceAt(double ahead)
         {
-            FillCovariance(ahead, _covariance, 0);
-            Cholesky.SolveLower(_matrix, _covariance, 0, Newest);
+            Span<double> covariance = stackalloc double[Newest];
+            FillCovariance(ahead, covariance);
+            Cholesky.SolveLower(_matrix, covariance);
             var variance = 1 + LevelVariance + TrendVariance * ahead * ahead;
-            foreach (var part in _covariance) variance -= part * part;
+            foreach (var part in covariance) variance -= part * part;
             return Math.Max(variance, 0);
         }
 
-        protected override void FillWeights(double ahead, double[] weights, int start)
+        protected override void FillWeights(double ahead, Span<double> weights)
         {
-            FillCovariance(ahead, weights, start);
-            Cholesky.Solve(_matrix, weights, start, Newest);
+            FillCovariance(ahead, weights);
+            Cholesky.Solve(_matrix, weights);
         }
 
         protected override bool SolveWeights()
@@ -82,11 +82,11 @@ namespace Nowpose.Prediction.Forecasting
         }
 
         // Computes the covariance between the position at a given time and the samples.
-        void FillCovariance(double ahead, double[] covariance, int start)
+        void FillCovariance(double ahead, Span<double> covariance)
         {
             var decay = Math.Exp(-ahead * PerSecond);
             for (var i = 0; i < Newest; i++)
-                covariance[start + i] = Polynomial((ahead - Times[i]) * PerSecond) * decay * _decays[i]
+                covariance[i] = Polynomial((ahead - Times[i]) * PerSecond) * decay * _decays[i]
                     + LevelVariance + TrendVariance * ahead * Times[i];
         }
 

@@ -49,9 +49,6 @@ namespace Nowpose.Prediction.Forecasting
         // The polynomial of degree k is x times that of degree k − 1, minus the sum of the lower polynomials with these coefficients.
         readonly double[][] _coefficients;
 
-        // Values of the polynomials at the time of a forecast.
-        readonly double[] _valuesAtTime;
-
         // Denominators of Lagrange's polynomials.
         readonly double[] _denominators;
 
@@ -64,15 +61,15 @@ namespace Nowpose.Prediction.Forecasting
             _maxDegree = degree;
             (_values, _coefficients) = (new double[degree + 1][], new double[degree + 1][]);
             for (var k = 0; k <= degree; k++) (_values[k], _coefficients[k]) = (new double[RequiredSamples], new double[k]);
-            (_norms, _valuesAtTime, _denominators) = (new double[degree + 1], new double[degree + 1], new double[degree + 1]);
+            (_norms, _denominators) = (new double[degree + 1], new double[degree + 1]);
         }
 
         protected override int MinSamples => 1;
 
-        protected override void FillWeights(double ahead, double[] weights, int start)
+        protected override void FillWeights(double ahead, Span<double> weights)
         {
-            if (_interpolates) Interpolate(ahead, weights, start);
-            else Project(ahead, weights, start);
+            if (_interpolates) Interpolate(ahead, weights);
+            else Project(ahead, weights);
         }
 
         /// <returns>False if the degree is 0 or the times determine no velocity.</returns>
@@ -112,14 +109,14 @@ namespace Nowpose.Prediction.Forecasting
             }
         }
 
-        void Interpolate(double ahead, double[] weights, int start)
+        void Interpolate(double ahead, Span<double> weights)
         {
             for (var j = 0; j < Count; j++)
             {
                 var product = 1 / _denominators[j];
                 for (var i = 0; i < Count; i++)
                     if (i != j) product *= ahead - Times[i];
-                weights[start + j] = product;
+                weights[j] = product;
             }
         }
 
@@ -159,16 +156,17 @@ namespace Nowpose.Prediction.Forecasting
             return sum;
         }
 
-        void Project(double ahead, double[] weights, int start)
+        void Project(double ahead, Span<double> weights)
         {
-            for (var j = 0; j < Count; j++) weights[start + j] = _values[0][j];
-            _valuesAtTime[0] = 1;
+            Span<double> valuesAtTime = stackalloc double[MaxDegree + 1];
+            for (var j = 0; j < Count; j++) weights[j] = _values[0][j];
+            valuesAtTime[0] = 1;
             for (var k = 1; k <= _degree; k++)
             {
-                var (value, values) = (ahead * _valuesAtTime[k - 1], _values[k]);
-                for (var lower = 0; lower < k; lower++) value -= _coefficients[k][lower] * _valuesAtTime[lower];
-                _valuesAtTime[k] = value;
-                for (var j = 0; j < Count; j++) weights[start + j] += value * values[j];
+                var (value, values) = (ahead * valuesAtTime[k - 1], _values[k]);
+                for (var lower = 0; lower < k; lower++) value -= _coefficients[k][lower] * valuesAtTime[lower];
+                valuesAtTime[k] = value;
+                for (var j = 0; j < Count; j++) weights[j] += value * values[j];
             }
         }
     }

@@ -18,7 +18,6 @@ namespace Nowpose.Prediction.Forecasting
 
         // The weights at the points of a ForecastTable, point by point: those of the newest sample and of the others.
         readonly double[] _table;
-        readonly double[] _weightsAtTime;
         bool _isSolved, _isTableFilled;
 
         // The samples of the last solve. The first of them is _age samples older than the newest one.
@@ -34,7 +33,6 @@ namespace Nowpose.Prediction.Forecasting
             _stopsAtReversal = stopsAtReversal;
             Times = new double[samples];
             _table = new double[ForecastTable.Points * samples];
-            _weightsAtTime = new double[samples];
         }
 
         public sealed override int RequiredSamples => Times.Length;
@@ -69,18 +67,22 @@ namespace Nowpose.Prediction.Forecasting
         /// <remarks>Valid until the forecaster solves for another motion.</remarks>
         public override double At(double ahead, int component)
         {
-            FillWeights(ahead, _weightsAtTime, 0);
-            return Sum(_weightsAtTime, 0, component);
+            Span<double> weights = stackalloc double[RequiredSamples];
+            FillWeights(ahead, weights);
+            var sum = 0.0;
+            for (var j = 1; j < Count; j++) sum += weights[j] * DisplacementOf(j, component);
+            return sum;
         }
 
         /// <inheritdoc/>
         public override void Fill(double[] table, int start, int points, int components)
         {
             if (!_isTableFilled)
-                for (var point = 0; point < ForecastTable.Points; point++) FillWeights(point * ForecastTable.Step, _table, point * RequiredSamples);
+                for (var point = 0; point < ForecastTable.Points; point++)
+                    FillWeights(point * ForecastTable.Step, _table.AsSpan(point * RequiredSamples, RequiredSamples));
             _isTableFilled = true;
             for (int point = 0, at = 0, i = start; point < points; point++, at += RequiredSamples)
-                for (var c = 0; c < components; c++) table[i++] = Sum(_table, at, c);
+                for (var c = 0; c < components; c++) table[i++] = Sum(at, c);
             if (_stopsAtReversal) Stop(table, start, points, components);
         }
 
@@ -88,10 +90,10 @@ namespace Nowpose.Prediction.Forecasting
         /// <returns>Whether the times determine the weights.</returns>
         protected abstract bool SolveWeights();
 
-        /// <summary>Computes the weights of the samples, the newest first.</summary>
+        /// <summary>Computes the weights of the samples, the newest first. Changes nothing else.</summary>
         /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
-        /// <param name="weights">Receives the weights from index <paramref name="start"/> on.</param>
-        protected abstract void FillWeights(double ahead, double[] weights, int start);
+        /// <param name="weights">Receives the weights.</param>
+        protected abstract void FillWeights(double ahead, Span<double> weights);
 
         bool HasTimes(double[] times, int age)
         {
@@ -100,12 +102,19 @@ namespace Nowpose.Prediction.Forecasting
             return true;
         }
 
-        double Sum(double[] weights, int at, int component)
+        double DisplacementOf(int sample, int component)
+        {
+            var (positions, components) = (_motion.Displacements, _motion.Components);
+            return positions[(_age + sample) * components + component] - positions[_age * components + component];
+        }
+
+        // The same sum as in At, with weights of the table: on Mono, spans would increase the time per sample by a tenth.
+        double Sum(int at, int component)
         {
             var (positions, components, sum) = (_motion.Displacements, _motion.Components, 0.0);
             var i = _age * components + component;
             var newest = positions[i];
-            for (var j = 1; j < Count; j++) sum += weights[at + j] * (positions[i += components] - newest);
+            for (var j = 1; j < Count; j++) sum += _table[at + j] * (positions[i += components] - newest);
             return sum;
         }
 

@@ -1,4 +1,6 @@
+using System;
 using System.Linq;
+using System.Threading.Tasks;
 using Nowpose.Prediction;
 using NUnit.Framework;
 
@@ -36,6 +38,30 @@ namespace Nowpose.Tests.Core.Prediction
 
             Assert.That(one.At(0).Position, Is.EqualTo(5));
             Assert.That(other.At(0).Kind, Is.EqualTo(PredictionKind.None));
+        }
+
+        // At only reads, so it may be called from any thread between two samples.
+        [TestCaseSource(nameof(Names))]
+        public void AtAndDeviationAt_TwoThreads_EqualThoseOfOneThread(string name)
+        {
+            const int times = 10_000;
+            var predictor = Predictors.Create(name, PredictionLimits.Unlimited);
+            for (var k = 0; k < 40; k++) predictor.Add(k * 0.05, Math.Sin(k * 0.05));
+            double TimeOf(int i) => 1.95 + i % 100 * 0.003;
+            var expected = Enumerable.Range(0, 100).Select(i => (predictor.At(TimeOf(i)).Position, predictor.DeviationAt(TimeOf(i)))).ToArray();
+
+            var differences = new int[2];
+            Parallel.For(0, differences.Length, thread =>
+            {
+                for (var i = 0; i < times; i++)
+                {
+                    var at = i + 37 * thread;
+                    var (position, deviation) = expected[at % 100];
+                    if (!predictor.At(TimeOf(at)).Position.Equals(position) || !predictor.DeviationAt(TimeOf(at)).Equals(deviation)) differences[thread]++;
+                }
+            });
+
+            Assert.That(differences, Is.EqualTo(new[] { 0, 0 }));
         }
 
         // A frame shows the time 80 ms after each sample, and one half of an interval later on average until the next sample.
