@@ -30,10 +30,10 @@ namespace Nowpose.Prediction.Mixing
         const double Regularisation = 0.1;
 
         /// <summary>
-        /// Number of samples whose evidence has the same weight as the prior. It is larger than for independent errors, because successive errors of a
-        /// component are similar. With 5, the errors change by at most 0.2 %.
+        /// Number of errors, one per component and sample, whose evidence has the same weight as the prior. It is larger than for independent errors, because
+        /// successive errors of a component are similar. With 5, the errors change by at most 0.2 %.
         /// </summary>
-        const double PriorSamples = 20;
+        const double PriorErrors = 20;
 
         /// <summary>
         /// Minimum evidence (<see cref="MixtureWeights.Evidence"/>) for the use of the weights while samples only scatter: one second of
@@ -193,7 +193,7 @@ namespace Nowpose.Prediction.Mixing
             // An error that a wrong sample shows would remain in all means for seconds.
             var hasLearned = !_jumps.IsUnconfirmed && _pending.Score(motion, forgettingFactor);
             var isReported = !double.IsNaN(motion.ReportedVelocity + motion.ReportedAcceleration);
-            if (hasLearned || isReported != _wasReported) _weights.Solve(_forecasters.Prior(isReported), PriorSamples * (1 - forgettingFactor));
+            if (hasLearned || isReported != _wasReported) _weights.Solve(_forecasters.Prior(isReported), PriorErrors * (1 - forgettingFactor));
             _wasReported = isReported;
         }
 

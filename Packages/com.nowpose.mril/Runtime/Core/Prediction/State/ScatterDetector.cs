@@ -65,7 +65,7 @@ namespace Nowpose.Prediction.State
             Array.Copy(position, _samples, _components);
             _count = Math.Min(_count + 1, Window);
             Scatters = _count >= MinSamples && IsScatter();
-            _sinceScatter = Scatters ? 0 : _sinceScatter + 1;
+            _sinceScatter = Scatters ? 0 : Math.Min(_sinceScatter + 1, Window);
             if (_sinceScatter >= Window) Noise = 0;
             else if (Scatters) Noise += (_meanStep - Noise) * (Noise > 0 ? Smoothing : 1);
         }
