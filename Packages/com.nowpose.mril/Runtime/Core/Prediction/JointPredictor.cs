@@ -123,7 +123,7 @@ namespace Nowpose.Prediction
 
         void Use(in JointSample sample, double displayed)
         {
-            var isNewest = _pipeline.IsNewer(sample);
+            var isNewest = _pipeline.HasNewestOrder(sample);
             if (!_pipeline.Accepts(sample)) return;
             var (shown, before) = (ShownAt(displayed), NewestTime);
             // Assumes the shorter way round between two samples more than half a turn apart.

@@ -62,14 +62,15 @@ namespace Nowpose.Prediction
         /// <summary>State of one motion after the newest sample.</summary>
         public MotionState MotionOf(int index) => _motions[index];
 
-        public bool IsNewer(in TSample sample) => _buffer.IsNewer(sample);
+        /// <inheritdoc cref="SampleBuffer{TSample}.HasNewestOrder"/>
+        public bool HasNewestOrder(in TSample sample) => _buffer.HasNewestOrder(sample);
 
         /// <summary>Puts a received sample into order. It may be ready now or later. If the clock went back, all earlier samples are discarded.</summary>
         public DropReason Order(in TSample sample)
         {
             var restarts = Restarts;
             // The oldest sample is not in the processor's cache, and only late samples are compared with it.
-            var reason = _arrivals.Add(sample, _buffer.IsNewer(sample) ? double.NegativeInfinity : _buffer.History.Oldest);
+            var reason = _arrivals.Add(sample, _buffer.HasNewestOrder(sample) ? double.NegativeInfinity : _buffer.History.Oldest);
             if (Restarts != restarts) Restart();
             return reason;
         }
@@ -82,7 +83,7 @@ namespace Nowpose.Prediction
         {
             var isNear = true;
             for (var c = 0; c < sample.Components; c++) isNear &= Math.Abs(sample[c] - Newest[c]) < JointSample.MaxMagnitude;
-            if (!isNear && IsNewer(sample)) Restart();
+            if (!isNear && HasNewestOrder(sample)) Restart();
             return isNear || IsEmpty;
         }
 
@@ -98,9 +99,9 @@ namespace Nowpose.Prediction
             {
                 _motions[i].Take(_buffer);
                 // If the position jumps, the object is elsewhere. A tracker may confuse two rotations although the position is right.
-                _motions[i].IsElsewhere = hasJumped;
+                _motions[i].HasOtherMotionJumped = hasJumped;
                 _isSolved &= _forecasters[i].Solve(_motions[i]);
-                hasJumped |= _forecasters[i].HasJumped;
+                hasJumped |= _forecasters[i].IsVelocityUnknown;
             }
             return true;
         }
@@ -131,7 +132,7 @@ namespace Nowpose.Prediction
             if (ahead <= 0) return new SectionPlace(PredictionKind.Interpolated, ahead);
             // One motion of an object may jump while the other continues.
             foreach (var forecaster in _forecasters)
-                if (forecaster.HasJumped) return new SectionPlace(PredictionKind.Held, ahead);
+                if (forecaster.IsVelocityUnknown) return new SectionPlace(PredictionKind.Held, ahead);
             return new SectionPlace(PredictionKind.Predicted, ahead);
         }
 

@@ -43,7 +43,7 @@ namespace Nowpose.Prediction.Candidates
         /// <inheritdoc cref="Add" path="/param[@name='points']"/>
         public double DistanceFrom(MotionState motion, int points)
         {
-            var ahead = Math.Min(motion.NewestTime - motion.PreviousTime, (points - 2) * ForecastTable.Step);
+            var ahead = Math.Min(motion.Timing.Interval, (points - 2) * ForecastTable.Step);
             var (time, squares) = (new TableTime(ahead), 0.0);
             for (var c = 0; c < _components; c++)
             {

@@ -24,12 +24,6 @@ namespace Nowpose.Prediction.Mixing
         const double TimeConstant = 20;
 
         /// <summary>
-        /// Regularisation towards the prior. With 0.2, the errors are 0.3 % (recordings) and 1.3 % (simulated) larger; with 0.05, those of recordings
-        /// are 0.1 % larger.
-        /// </summary>
-        const double Regularisation = 0.1;
-
-        /// <summary>
         /// Number of errors, one per component and sample, whose evidence has the same weight as the prior. It is larger than for independent errors, because
         /// successive errors of a component are similar. With 5, the errors change by at most 0.2 %.
         /// </summary>
@@ -86,7 +80,7 @@ namespace Nowpose.Prediction.Mixing
         readonly ScatterDetector _scatter;
         readonly MixtureWeights _weights;
         readonly PendingForecasts _pending;
-        readonly DistanceLimit _distance = new DistanceLimit(TimeConstant);
+        readonly DistanceLimit _distance = new DistanceLimit();
 
         // The first position, and the table of the displayed forecast.
         readonly double[] _first, _table;
@@ -102,9 +96,9 @@ namespace Nowpose.Prediction.Mixing
         {
             (_components, _limits, _parts, _forecasters, _candidates, _jumps) = (components, limits, parts, forecasters, candidates, jumps);
             _points = ForecastTable.PointsUpTo(limits.HorizonCap);
-            _changePoints = new ChangePointDetector(components, TimeConstant);
+            _changePoints = new ChangePointDetector(components);
             _scatter = new ScatterDetector(components);
-            _weights = new MixtureWeights(Regularisation, forecasters.Prior(isReported: false));
+            _weights = new MixtureWeights(forecasters.Prior(isReported: false));
             _pending = new PendingForecasts(components, forecasters, candidates, _weights);
             (_first, _table) = (new double[components], new double[ForecastTable.Points * components]);
             Reset();
@@ -116,7 +110,7 @@ namespace Nowpose.Prediction.Mixing
 
         public override double Span => ForecastTable.Span;
 
-        public override bool HasJumped => _jumps.HasJumped;
+        public override bool IsVelocityUnknown => _jumps.IsVelocityUnknown;
 
         public override bool Solve(MotionState motion)
         {
@@ -153,7 +147,7 @@ namespace Nowpose.Prediction.Mixing
         {
             if (!Uses(PredictionParts.Jumps)) return;
             _jumps.Add(motion);
-            if (!HasJumped) return;
+            if (!IsVelocityUnknown) return;
             var max = MaxExplainedRatio * Vectors.Distance(motion.Newest, motion.Previous);
             foreach (var candidate in _candidates)
                 if (candidate.IsUsed && candidate.DistanceFrom(motion, _points) < max) _jumps.Dismiss();
@@ -161,7 +155,7 @@ namespace Nowpose.Prediction.Mixing
 
         void DetectChangePoint(MotionState motion)
         {
-            if (HasJumped) _changePoints.AddJump();
+            if (IsVelocityUnknown) _changePoints.AddJump();
             else _changePoints.Add(motion, _jumps.IsUnconfirmed);
         }
 
@@ -175,21 +169,20 @@ namespace Nowpose.Prediction.Mixing
         void Learn(MotionState motion)
         {
             // After a gap or a jump, earlier forecasts are wrong for a reason that no forecaster can know.
-            if (motion.Timing.ConnectedSamples == 1 || HasJumped)
+            if (motion.Timing.ConnectedSamples == 1 || IsVelocityUnknown)
             {
                 _pending.Clear();
                 _scatter.Clear();
             }
-            var interval = motion.NewestTime - motion.PreviousTime;
-            Score(motion, interval);
+            Score(motion);
             if (Uses(PredictionParts.Scatter)) _scatter.Add(motion.Newest);
-            if (_scatter.HasLeft && IsFirstMove(motion, interval)) _lineUntil = motion.NewestTime + motion.Timing.Horizon + interval;
+            if (_scatter.HasLeft && IsFirstMove(motion)) _lineUntil = motion.NewestTime + motion.Timing.Horizon + motion.Timing.Interval;
             foreach (var candidate in _candidates) candidate.Add(motion, _points);
         }
 
-        void Score(MotionState motion, double interval)
+        void Score(MotionState motion)
         {
-            var forgettingFactor = Math.Exp(-Math.Max(interval, 0) / (_components * TimeConstant));
+            var forgettingFactor = Math.Exp(-motion.Timing.Interval / (_components * TimeConstant));
             // An error that a wrong sample shows would remain in all means for seconds.
             var hasLearned = !_jumps.IsUnconfirmed && _pending.Score(motion, forgettingFactor);
             var isReported = !double.IsNaN(motion.ReportedVelocity + motion.ReportedAcceleration);
@@ -198,9 +191,9 @@ namespace Nowpose.Prediction.Mixing
         }
 
         // The weights that result from noise at rest are unsuitable for a first move. After one horizon, they include the errors of this move.
-        bool IsFirstMove(MotionState motion, double interval)
+        bool IsFirstMove(MotionState motion)
         {
-            var displacement = Vectors.Distance(motion.Newest, motion.Previous) * motion.Timing.Horizon / interval;
+            var displacement = Vectors.Distance(motion.Newest, motion.Previous) * motion.Timing.Horizon / motion.Timing.Interval;
             return displacement * displacement > FirstMoveRatio * _components * _weights.MeanSquare(Hold);
         }
 
@@ -208,7 +201,7 @@ namespace Nowpose.Prediction.Mixing
         {
             var samples = Math.Min(motion.Count, _jumps.SamplesSince);
             if (Uses(PredictionParts.ChangePoints)) samples = Math.Min(samples, _changePoints.SamplesSince);
-            var speedFactor = motion.Count < 2 || HasJumped ? 0 : samples == 1 && !_changePoints.SpeedIncreased ? SpeedRatioAfterStop : 1;
+            var speedFactor = motion.Count < 2 || IsVelocityUnknown ? 0 : samples == 1 && !_changePoints.SpeedIncreased ? SpeedRatioAfterStop : 1;
             _forecasters.Fill(motion, samples, speedFactor, _points);
             if (motion.IsNewest && Math.Min(motion.Count, _jumps.SamplesSince) >= MinScored) Expect(motion);
             FillTable(motion, speedFactor);
@@ -217,13 +210,13 @@ namespace Nowpose.Prediction.Mixing
         void Expect(MotionState motion)
         {
             var distance = _pending.Add(motion);
-            if (Uses(PredictionParts.DistanceLimit)) _distance.Add(motion.NewestTime - motion.PreviousTime, distance, _jumps.IsUnconfirmed);
+            if (Uses(PredictionParts.DistanceLimit)) _distance.Add(motion.Timing.Interval, distance, _jumps.IsUnconfirmed);
         }
 
         void FillTable(MotionState motion, double speedFactor)
         {
             Array.Clear(_table, 0, _table.Length);
-            var candidate = HasJumped ? null : BestCandidate(motion.StillSamples > 0);
+            var candidate = IsVelocityUnknown ? null : BestCandidate(motion.StillSamples > 0);
             if (candidate != null) Array.Copy(candidate.Table, _table, _points * _components);
             else FillMixture(motion, speedFactor);
             // The displayed position is that of the newest sample at its time.

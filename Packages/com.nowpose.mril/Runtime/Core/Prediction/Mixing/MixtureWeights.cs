@@ -12,6 +12,12 @@ namespace Nowpose.Prediction.Mixing
     sealed class MixtureWeights
     {
         /// <summary>
+        /// λ relative to the minimum mean square among the forecasts. With 0.2, the errors are 0.3 % (recordings) and 1.3 % (simulated) larger; with 0.05,
+        /// those of recordings are 0.1 % larger.
+        /// </summary>
+        const double Regularisation = 0.1;
+
+        /// <summary>
         /// Maximum number of steps per solve, each of which moves weight from one forecast to another. Few are sufficient, because each solve
         /// starts from the previous weights: ten change the errors on recordings by 0.02 %.
         /// </summary>
@@ -36,18 +42,15 @@ namespace Nowpose.Prediction.Mixing
         const double Positive = 1e-9, Tiny = 1e-18;
 
         readonly int _count;
-        readonly double _regularisation;
 
         // The matrix G, and in the last row the product Gw. Gw is updated with each change, so that a solve need not compute it.
         readonly double[] _products;
         readonly int _weighted;
 
-        /// <param name="regularisation">λ relative to the minimum mean square among the forecasts.</param>
         /// <param name="prior">The weights without evidence, one per forecast.</param>
-        public MixtureWeights(double regularisation, double[] prior)
+        public MixtureWeights(double[] prior)
         {
             _count = prior.Length;
-            _regularisation = regularisation;
             _weighted = _count * _count;
             _products = new double[_weighted + _count];
             Values = (double[])prior.Clone();
@@ -92,7 +95,7 @@ namespace Nowpose.Prediction.Mixing
             for (var i = 0; i < _weighted; i += _count + 1)
                 if (_products[i] < min) min = _products[i];
             min += Tiny;
-            var lambda = _regularisation * min * (1 + priorEvidence / Math.Max(Evidence, Positive));
+            var lambda = Regularisation * min * (1 + priorEvidence / Math.Max(Evidence, Positive));
             Span<double> gradient = stackalloc double[_count];
             for (var i = 0; i < gradient.Length; i++) gradient[i] = _products[_weighted + i] + lambda * (Values[i] - prior[i]);
             for (var step = 0; step < Steps; step++)

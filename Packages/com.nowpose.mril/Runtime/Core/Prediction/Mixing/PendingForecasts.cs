@@ -68,7 +68,7 @@ namespace Nowpose.Prediction.Mixing
         /// <returns>Whether the weights have learned.</returns>
         public bool Score(MotionState motion, double forgettingFactor)
         {
-            var (interval, hasLearned) = (motion.NewestTime - motion.PreviousTime, false);
+            var (interval, hasLearned) = (motion.Timing.Interval, false);
             for (; _queue.Count > 0 && _queue[0].Due <= motion.NewestTime; _queue.DropFirst())
             {
                 var expected = _queue[0];

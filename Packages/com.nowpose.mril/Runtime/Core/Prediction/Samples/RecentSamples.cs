@@ -77,7 +77,7 @@ namespace Nowpose.Prediction.Samples
             {
                 var displacement = Difference(Position(after, c), Position(before, c));
                 var largest = Math.Max(Math.Abs(displacement), Math.Max(DisplacementFrom(before, -1, c), DisplacementFrom(after, 1, c)));
-                if (IsElsewhere(sample[c], Position(before, c), displacement * fraction, largest, c)) return true;
+                if (IsTooFar(sample[c], Position(before, c), displacement * fraction, largest, c)) return true;
             }
             return false;
         }
@@ -85,7 +85,7 @@ namespace Nowpose.Prediction.Samples
         public void Clear() => _next = _count = 0;
 
         // Returns whether a sample is too far from the expected position. Before the first motion, no sample is.
-        bool IsElsewhere(double position, double reference, double displacement, double largest, int component)
+        bool IsTooFar(double position, double reference, double displacement, double largest, int component)
         {
             var distance = Math.Abs(Difference(position, reference) - displacement);
             if (!(distance > MaxDistanceRatio * largest + Noise(component))) return false;

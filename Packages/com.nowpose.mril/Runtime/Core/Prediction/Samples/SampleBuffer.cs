@@ -42,18 +42,18 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first.</summary>
         public double NewestStamp => double.IsNegativeInfinity(_newestOrder) ? _newestOrder : Newest.Time;
 
-        /// <summary>Whether the last added sample is newer than all previous samples; otherwise it was overtaken.</summary>
+        /// <summary>Whether the corrected time of the last added sample is above those of all previous samples; otherwise it was overtaken.</summary>
         public bool IsNewest { get; private set; }
 
-        /// <summary>Returns whether a sample is newer than all previous samples.</summary>
-        public bool IsNewer(in TSample sample) => sample.Order > _newestOrder;
+        /// <summary>Returns whether a sample is newer than all previous samples, by its order as received.</summary>
+        public bool HasNewestOrder(in TSample sample) => sample.Order > _newestOrder;
 
         /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
         /// <returns>Whether the history has changed.</returns>
         public bool Add(in TSample sample, double displayed)
         {
-            var isNewer = IsNewer(sample);
-            var time = _stamps == null ? sample.Time : Corrected(sample, isNewer);
+            var isNewer = HasNewestOrder(sample);
+            var time = _stamps == null ? sample.Time : _stamps.Correct(sample, isNewer);
             // The order decides, because the corrected stamp of the newest sample may precede the corrected stamp of the previous sample.
             if (isNewer) (_newestOrder, Newest) = (sample.Order, sample);
             var before = History.NewestTime;
@@ -72,13 +72,6 @@ namespace Nowpose.Prediction.Samples
             _stamps?.Reset();
             _newestOrder = double.NegativeInfinity;
             Newest = default;
-        }
-
-        double Corrected(in TSample sample, bool isNewer)
-        {
-            Span<double> components = stackalloc double[sample.Components];
-            for (var c = 0; c < components.Length; c++) components[c] = sample[c];
-            return _stamps.Correct(sample.Time, components, isNewer);
         }
     }
 }

@@ -25,34 +25,36 @@ namespace Nowpose.Prediction.Samples
         /// </summary>
         const double InitialMean = 0.2, MinMean = -0.05;
 
-        /// <summary>
-        /// Number of samples: the newest one and three, which determine a quadratic. The others are the start of each part of the values.
-        /// </summary>
-        const int Kept = 4, Reported = 0, OnLine = Kept, Positions = 2 * Kept;
+        /// <summary>Number of samples: the newest one and three, which determine a quadratic.</summary>
+        const int Kept = 4;
 
-        // The newest samples, newest first: the reported stamps, followed by the times on the line and the components one after another.
-        readonly double[] _values;
+        // The newest samples, newest first: reported stamps, times on the line, and positions, whose components are adjacent.
+        readonly double[] _reported = new double[Kept], _onLine = new double[Kept], _positions;
+        readonly int _components;
         int _count;
         double _mean;
 
         /// <param name="components">Number of components of a position.</param>
         public SmoothnessTest(int components)
         {
-            _values = new double[Positions + Kept * components];
+            (_components, _positions) = (components, new double[Kept * components]);
             Reset();
         }
 
         /// <summary>Whether the positions are about as smooth over the times of the line as over the reported stamps, or smoother.</summary>
         public bool PrefersLine => _mean >= MinMean;
 
-        public void Add(double reported, double onLine, ReadOnlySpan<double> position)
+        /// <param name="onLine">Time of the sample on the line, in s.</param>
+        public void Add<TSample>(in TSample sample, double onLine) where TSample : struct, ISample<TSample>
         {
-            for (var i = _values.Length - 1; i > 0; i--) _values[i] = _values[i - 1];
-            (_values[Reported], _values[OnLine]) = (reported, onLine);
-            for (var c = 0; c < position.Length; c++) _values[Positions + c * Kept] = position[c];
+            Array.Copy(_reported, 0, _reported, 1, Kept - 1);
+            Array.Copy(_onLine, 0, _onLine, 1, Kept - 1);
+            Array.Copy(_positions, 0, _positions, _components, (Kept - 1) * _components);
+            (_reported[0], _onLine[0]) = (sample.Time, onLine);
+            for (var c = 0; c < _components; c++) _positions[c] = sample[c];
             if (_count < Kept) _count++;
             if (_count < Kept) return;
-            double errorReported = ErrorOf(Reported), errorOnLine = ErrorOf(OnLine);
+            double errorReported = ErrorOf(_reported), errorOnLine = ErrorOf(_onLine);
             if (!(errorReported > 0 && errorOnLine > 0)) return;
             var vote = Math.Log10(errorReported / errorOnLine);
             _mean += VoteWeight * (Math.Min(Math.Max(vote, -MaxVote), MaxVote) - _mean);
@@ -65,17 +67,17 @@ namespace Nowpose.Prediction.Samples
         }
 
         // Distance of sample 0 from the quadratic through samples 1 to 3, in Lagrange form; NaN or infinite if two times coincide.
-        double ErrorOf(int times)
+        double ErrorOf(double[] times)
         {
-            var (values, squares) = (_values, 0.0);
-            for (var start = Positions; start < values.Length; start += Kept)
+            var squares = 0.0;
+            for (var c = 0; c < _components; c++)
             {
                 var error = 0.0;
                 for (var i = 1; i < Kept; i++)
                 {
-                    var term = values[start + i] - values[start];
+                    var term = _positions[i * _components + c] - _positions[c];
                     for (var j = 1; j < Kept; j++)
-                        if (j != i) term *= (values[times] - values[times + j]) / (values[times + i] - values[times + j]);
+                        if (j != i) term *= (times[0] - times[j]) / (times[i] - times[j]);
                     error += term;
                 }
                 squares += error * error;

@@ -39,14 +39,13 @@ namespace Nowpose.Prediction.Samples
         public StampCorrection(int components) => _smoothness = new SmoothnessTest(components);
 
         /// <summary>Returns the corrected time of a sample.</summary>
-        /// <param name="stamp">Uncorrected stamp, in s.</param>
-        /// <param name="position">One number per component.</param>
-        public double Correct(double stamp, ReadOnlySpan<double> position, bool isNewest)
+        public double Correct<TSample>(in TSample sample, bool isNewest) where TSample : struct, ISample<TSample>
         {
+            var stamp = sample.Time;
             if (isNewest) UpdateLine(stamp);
             if (!_line.IsKnown) return stamp;
             var onLine = isNewest ? _line.NewestOnLine : _line.Nearest(stamp);
-            if (isNewest) _smoothness.Add(stamp, onLine, position);
+            if (isNewest) _smoothness.Add(sample, onLine);
             var isScattered = _line.Deviation > MinDeviation && !_line.IsTooScattered;
             return isScattered && !IsPeriodChange(stamp - onLine) && _smoothness.PrefersLine ? onLine : stamp;
         }

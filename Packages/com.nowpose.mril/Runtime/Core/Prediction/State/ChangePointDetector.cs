@@ -12,6 +12,9 @@ namespace Nowpose.Prediction.State
     /// </remarks>
     sealed class ChangePointDetector
     {
+        /// <summary>Time constant of the decay of the maxima, in s: that of the mixture's weights.</summary>
+        const double TimeConstant = 20;
+
         /// <summary>
         /// Minimum ratio of the acceleration at a change point to the maximum recent acceleration. With 1.2, the errors of simulated motions are
         /// 2.9 % larger; with 2, those of recordings 1.4 %.
@@ -53,21 +56,18 @@ namespace Nowpose.Prediction.State
         /// <summary>Maximum counted number of samples; more than any forecaster uses.</summary>
         const int MaxCount = 1_000_000;
 
-        readonly double _timeConstant;
-
         // Velocity at the previous sample that was not a jump, and at the last one that was also confirmed.
         readonly double[] _before, _confirmed;
 
-        // Acceleration and speed of the newest sample, which raise the maxima when the sample is confirmed.
+        // Acceleration and speed of the newest sample, which raise the maxima at the next sample, unless this one shows that it was wrong.
         double _acceleration, _speed;
+        bool _isUnconfirmed;
         double _maxAcceleration, _maxSpeed, _intervalBefore;
         int _samples, _steadySamples;
         bool _wasSteady;
 
         /// <param name="components">Number of components of the motion.</param>
-        /// <param name="timeConstant">Time constant of the decay of the maxima, in s.</param>
-        public ChangePointDetector(int components, double timeConstant) =>
-            (_before, _confirmed, _timeConstant) = (new double[components], new double[components], timeConstant);
+        public ChangePointDetector(int components) => (_before, _confirmed) = (new double[components], new double[components]);
 
         /// <summary>
         /// Number of samples since the newest change point, including the sample at which it was detected; the number of all samples after an
@@ -89,9 +89,9 @@ namespace Nowpose.Prediction.State
             _samples = Math.Min(_samples, MaxCount) + 1;
             if (_samples < 2) return;
             var interval = motion.Timing.Interval;
-            var forgettingFactor = Math.Exp(-interval / _timeConstant);
-            RaiseMaxima();
-            (_maxAcceleration, _maxSpeed) = (_maxAcceleration * forgettingFactor, _maxSpeed * forgettingFactor);
+            var forgettingFactor = Math.Exp(-interval / TimeConstant);
+            _maxAcceleration = Math.Max(_maxAcceleration, _acceleration) * forgettingFactor;
+            _maxSpeed = Math.Max(_maxSpeed, _speed) * forgettingFactor;
             var (newest, before) = (motion.Speed, Vectors.Length(_before));
             var (change, product) = (Vectors.Distance(motion.Velocity, _before), Vectors.Dot(motion.Velocity, _before));
             // An abrupt change within an interval shows in the velocity of two intervals.
@@ -110,8 +110,7 @@ namespace Nowpose.Prediction.State
                 }
                 _acceleration = acceleration;
             }
-            _speed = newest;
-            if (!isUnconfirmed) RaiseMaxima();
+            (_speed, _isUnconfirmed) = (newest, isUnconfirmed);
             if (_steadySamples > 0) SamplesSince = Math.Min(SamplesSince, _steadySamples + 2);
             _intervalBefore = interval;
             Array.Copy(motion.Velocity, _before, _before.Length);
@@ -122,7 +121,7 @@ namespace Nowpose.Prediction.State
         public void AddJump()
         {
             (SamplesSince, SpeedIncreased) = (1, false);
-            (_acceleration, _speed) = (0, 0);
+            if (_isUnconfirmed) (_acceleration, _speed) = (0, 0);
             Array.Copy(_confirmed, _before, _before.Length);
         }
 
@@ -132,10 +131,8 @@ namespace Nowpose.Prediction.State
             Array.Clear(_confirmed, 0, _confirmed.Length);
             _acceleration = _speed = _maxAcceleration = _maxSpeed = _intervalBefore = 0;
             SamplesSince = _samples = _steadySamples = 0;
-            SpeedIncreased = _wasSteady = false;
+            SpeedIncreased = _wasSteady = _isUnconfirmed = false;
         }
-
-        void RaiseMaxima() => (_maxAcceleration, _maxSpeed) = (Math.Max(_maxAcceleration, _acceleration), Math.Max(_maxSpeed, _speed));
 
         bool IsConfirmed(double newest, double before, double product, bool isSteady) => SamplesSince == 2 && SpeedIncreased && product > 0
             && newest >= (isSteady ? MinSteadyConfirmationRatio : MinConfirmationRatio) * before;

@@ -86,7 +86,7 @@ namespace Nowpose.Prediction.State
         public double ReportedAcceleration { get; private set; }
 
         /// <summary>Whether another motion of the same object has jumped at the newest sample, so that the object is elsewhere.</summary>
-        public bool IsElsewhere { get; set; }
+        public bool HasOtherMotionJumped { get; set; }
 
         /// <summary>Whether the newest sample shows that the sample before it was wrong.</summary>
         public bool IsPreviousWrong { get; set; }
@@ -149,7 +149,7 @@ namespace Nowpose.Prediction.State
                 for (var c = 0; c < Components && Count > 1; c++) Velocity[c] = Displacements[Components + c] / Times[1];
                 return;
             }
-            for (var c = 0; c < Components; c++) Velocity[c] = (Newest[c] - Previous[c]) / (NewestTime - PreviousTime);
+            for (var c = 0; c < Components; c++) Velocity[c] = (Newest[c] - Previous[c]) / Timing.Interval;
             if (Vectors.Dot(Velocity, _velocityBefore) > 0) MaxSpeed = Math.Max(MaxSpeed, Math.Min(Speed, Vectors.Length(_velocityBefore)));
             StillSamples = Vectors.Distance(Newest, Previous) <= StillDistance ? Math.Min(StillSamples, MaxCount) + 1 : 0;
         }

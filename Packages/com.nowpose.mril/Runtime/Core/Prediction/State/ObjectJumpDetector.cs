@@ -57,14 +57,14 @@ namespace Nowpose.Prediction.State
         protected override bool IsJump(MotionState motion)
         {
             // The stamps of two close samples may be inaccurate.
-            var interval = Math.Max(motion.NewestTime - motion.PreviousTime, motion.Timing.MeanInterval);
+            var interval = Math.Max(motion.Timing.Interval, motion.Timing.MeanInterval);
             for (var c = 0; c < _displacement.Length; c++)
             {
                 _displacement[c] = motion.Newest[c] - motion.Previous[c];
                 _newVelocity[c] = _displacement[c] / interval;
             }
-            var continues = HasJumped && Vectors.Distance(_displacement, _jump) < MaxContinuedRatio * Vectors.Length(_jump);
-            var isJump = _isKnown && IsAbrupt(interval, motion.IsElsewhere) && !continues;
+            var continues = IsVelocityUnknown && Vectors.Distance(_displacement, _jump) < MaxContinuedRatio * Vectors.Length(_jump);
+            var isJump = _isKnown && IsAbrupt(interval, motion.HasOtherMotionJumped) && !continues;
             if (!isJump) _isKnown = true;
             var (from, to) = isJump ? (_displacement, _jump) : (_newVelocity, _velocity);
             Array.Copy(from, to, to.Length);
@@ -72,11 +72,11 @@ namespace Nowpose.Prediction.State
         }
 
         // If another part of the pose has jumped, a change is a jump even if an object could make it by moving.
-        bool IsAbrupt(double interval, bool isElsewhere)
+        bool IsAbrupt(double interval, bool hasOtherMotionJumped)
         {
             var (change, speed) = (Vectors.Distance(_newVelocity, _velocity), Vectors.Length(_newVelocity));
             var limit = Math.Max(_minJump / interval, _maxAcceleration * interval);
-            var isAbrupt = change > MinChangeRatio * _meanChange && (isElsewhere || (speed > limit && change > limit));
+            var isAbrupt = change > MinChangeRatio * _meanChange && (hasOtherMotionJumped || (speed > limit && change > limit));
             _meanChange += (Math.Min(change, MaxLearnedRatio * limit) - _meanChange) * Smoothing;
             return isAbrupt;
         }

@@ -19,20 +19,11 @@ namespace Nowpose.Prediction.State
 
         // Position before the newest sample but one.
         double _before;
-        bool _isUnconfirmed;
-
-        public override bool IsUnconfirmed => _isUnconfirmed;
-
-        public override void Reset()
-        {
-            base.Reset();
-            _isUnconfirmed = false;
-        }
 
         protected override bool IsJump(MotionState motion)
         {
-            var isReturn = _isUnconfirmed && Math.Abs(motion.Newest[0] - _before) < MaxReturnRatio * Math.Abs(motion.Previous[0] - _before);
-            _isUnconfirmed = !isReturn && motion.MaxSpeed > 0 && motion.Speed > MinSpeedRatio * motion.MaxSpeed;
+            var isReturn = IsUnconfirmed && Math.Abs(motion.Newest[0] - _before) < MaxReturnRatio * Math.Abs(motion.Previous[0] - _before);
+            IsUnconfirmed = !isReturn && motion.MaxSpeed > 0 && motion.Speed > MinSpeedRatio * motion.MaxSpeed;
             _before = motion.Previous[0];
             return motion.IsPreviousWrong = isReturn;
         }

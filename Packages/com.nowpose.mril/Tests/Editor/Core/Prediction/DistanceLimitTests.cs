@@ -9,7 +9,7 @@ namespace Nowpose.Tests.Core.Prediction
 
         static DistanceLimit After(params double[] distances)
         {
-            var limit = new DistanceLimit(Memory);
+            var limit = new DistanceLimit();
             foreach (var distance in distances) limit.Add(Interval, distance);
             return limit;
         }

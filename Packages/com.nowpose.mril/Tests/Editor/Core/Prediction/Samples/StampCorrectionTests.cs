@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Prediction;
 using Nowpose.Prediction.Samples;
 using NUnit.Framework;
 
@@ -62,7 +63,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             for (var k = 0; k < 100; k++)
                 if (k != 97) Correct(Scattered(k * 0.05, 0.005), k * 0.05);
 
-            var corrected = _stamps.Correct(Scattered(97 * 0.05, 0.005), new[] { Motion(97 * 0.05) }, isNewest: false);
+            var corrected = _stamps.Correct(new JointSample(Scattered(97 * 0.05, 0.005), Motion(97 * 0.05)), isNewest: false);
 
             Assert.That(corrected, Is.EqualTo(97 * 0.05).Within(0.0015), "seed " + Seed);
         }
@@ -104,7 +105,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         double Scattered(double time, double scatter) => time + scatter * (2 * _random.NextDouble() - 1);
 
-        double Correct(double stamp, double time) => _stamps.Correct(stamp, new[] { Motion(time) }, isNewest: true);
+        double Correct(double stamp, double time) => _stamps.Correct(new JointSample(stamp, Motion(time)), isNewest: true);
 
         // Returns the maximum error of the corrected stamps, s, without the first samples.
         double WorstError(int samples, int first, Func<int, double> timeOf, Func<double, double> stampAt)

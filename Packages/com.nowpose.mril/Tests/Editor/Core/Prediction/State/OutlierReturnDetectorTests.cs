@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         {
             var detector = After(wrong);
 
-            Assert.That((detector.IsUnconfirmed, detector.HasJumped), Is.EqualTo((true, false)));
+            Assert.That((detector.IsUnconfirmed, detector.IsVelocityUnknown), Is.EqualTo((true, false)));
         }
 
         [TestCase(50)]
@@ -40,14 +40,14 @@ namespace Nowpose.Tests.Core.Prediction.State
         {
             var detector = After(wrong, 6);
 
-            Assert.That((detector.IsUnconfirmed, detector.HasJumped), Is.EqualTo((false, true)));
+            Assert.That((detector.IsUnconfirmed, detector.IsVelocityUnknown), Is.EqualTo((false, true)));
             Assert.That(After(wrong, 6, 7).SamplesSince, Is.EqualTo(2));
         }
 
         // The first move at a much higher speed, and a joint that was moved elsewhere.
         [TestCase(100)]
         [TestCase(50.5)]
-        public void Add_NextSampleDoesNotReturn_IsNoJump(double next) => Assert.That(After(50, next).HasJumped, Is.False);
+        public void Add_NextSampleDoesNotReturn_IsNoJump(double next) => Assert.That(After(50, next).IsVelocityUnknown, Is.False);
 
         [Test]
         public void Add_MotionAsFastAsEarlier_IsNotUnconfirmed() => Assert.That(After(6.5).IsUnconfirmed, Is.False);
