@@ -51,8 +51,7 @@ namespace Nowpose.Frames
         public int Restarts => _pipeline.Restarts;
 
         /// <summary>
-        /// Adds a sample. Samples may be added in any order. If any coordinate shows that the clock of the samples went back, a new history starts with
-        /// this sample.
+        /// Adds a sample. Samples may be added in any order. If any coordinate shows that the clock of the samples went back, a new history starts.
         /// </summary>
         /// <param name="displayed">See <see cref="JointPredictor.Add"/>.</param>
         /// <returns>See <see cref="JointPredictor.Add"/>.</returns>
@@ -61,12 +60,8 @@ namespace Nowpose.Frames
             if (sample.Time > NewestTime) _restsBeforeSecondSample &= _pipeline.IsEmpty;
             var restarts = Restarts;
             var reason = Order(sample);
-            if (Restarts != restarts)
-            {
-                Reset();
-                reason = Order(sample);
-            }
-            foreach (ref readonly var ready in _pipeline.Ready) Use(ready, displayed);
+            if (Restarts != restarts) Restart(displayed);
+            else UseReady(displayed);
             return reason;
         }
 
@@ -115,6 +110,28 @@ namespace Nowpose.Frames
 
         DropReason Order(in PoseSample sample) =>
             _pipeline.Order(new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order));
+
+        // Adds the samples of the clock that went back again, because their angles are relative to the earlier history.
+        void Restart(double displayed)
+        {
+            Span<PoseSample> poses = stackalloc PoseSample[_pipeline.Ready.Length];
+            for (var i = 0; i < poses.Length; i++)
+            {
+                ref readonly var ready = ref _pipeline.Ready[i];
+                poses[i] = new PoseSample(ready.Time, ready.Position, _rotations.RotationOf(ready.Angles, ready.Order), ready.Order);
+            }
+            Reset();
+            foreach (ref readonly var pose in poses)
+            {
+                Order(pose);
+                UseReady(displayed);
+            }
+        }
+
+        void UseReady(double displayed)
+        {
+            foreach (ref readonly var ready in _pipeline.Ready) Use(ready, displayed);
+        }
 
         void Use(in BodySample sample, double displayed)
         {

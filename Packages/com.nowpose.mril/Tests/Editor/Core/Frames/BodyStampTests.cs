@@ -56,6 +56,23 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(kind, Is.Not.EqualTo(PredictionKind.None));
         }
 
+        // The samples that waited until their number proved that the clock went back are the start of the new history.
+        [Test]
+        public void Add_ClockWentBack_UsesTheWaitingSamples()
+        {
+            var predictor = Fed("adaptive", BodyMotions.HandHeld, 200);
+            for (var k = 0; predictor.Restarts == 0; k++)
+            {
+                var sample = BodyMotions.HandHeld(20 + k * Interval);
+                predictor.Add(new PoseSample(2 + k * Interval, sample.Position, sample.Rotation));
+            }
+
+            var pose = predictor.At(predictor.NewestTime - 0.99 * Interval, out var kind);
+
+            Assert.That(kind, Is.EqualTo(PredictionKind.Interpolated));
+            AssertPose(pose, PoseOf(BodyMotions.HandHeld(18 + predictor.NewestTime - 0.99 * Interval)), 1e-3);
+        }
+
         // The clock goes back by two sampling intervals, so stamps that are already known are repeated with other poses.
         [Test]
         public void Add_ClockWentBackByWholeIntervals_IsRecognisedInEveryCoordinate([Range(0, 5)] int coordinate)
