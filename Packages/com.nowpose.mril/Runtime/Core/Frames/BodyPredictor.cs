@@ -8,8 +8,7 @@ namespace Nowpose.Frames
     /// <summary>Predicts the pose of one tracked frame in its parent at times near its newest samples, usually ahead of them.</summary>
     /// <remarks>
     /// The position and the angles of <see cref="RotationHistory"/> are two motions with the same sample times. Each has sections as a joint has
-    /// (<see cref="PredictionPipeline{TSample}"/>). Times and order of samples have the same meaning as in <see cref="JointPredictor"/>. Not thread-safe.
-    /// Allocates nothing after construction.
+    /// (<see cref="PredictionPipeline{TSample}"/>). Times and order of samples have the same meaning as in <see cref="JointPredictor"/>.
     /// </remarks>
     sealed class BodyPredictor
     {

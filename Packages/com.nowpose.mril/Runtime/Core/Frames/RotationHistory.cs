@@ -11,7 +11,7 @@ namespace Nowpose.Frames
     /// The angles α are three coordinates without a bound and without a singularity, in which a constant angular velocity is a line:
     /// α_k = α_k−1 + log(q_k q_k−1⁻¹). Near any sample k, q(t) = exp(α(t) − α_k) q_k: this is the tangent space of that sample. The sum is
     /// exact for a fixed axis; otherwise two neighbouring samples that turn about different axes contribute an error of second order,
-    /// which does not grow with time, because rotations are always relative to a sample near them. Allocates nothing after construction.
+    /// which does not grow with time, because rotations are always relative to a sample near them.
     /// </remarks>
     sealed class RotationHistory
     {

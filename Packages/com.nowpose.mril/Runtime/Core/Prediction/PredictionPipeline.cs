@@ -9,7 +9,7 @@ namespace Nowpose.Prediction
     /// The way from samples to sections, which is the same for a joint and an object: orders and prepares the samples, solves a forecaster for each of their
     /// motions, and reads the curve through the samples or the forecast after them.
     /// </summary>
-    /// <remarks>A joint has one motion; an object has two, its position and its angles. Allocates nothing after construction. Not thread-safe.</remarks>
+    /// <remarks>A joint has one motion; an object has two, its position and its angles.</remarks>
     sealed class PredictionPipeline<TSample> where TSample : struct, ISample<TSample>
     {
         readonly PredictionLimits _limits;

@@ -8,7 +8,6 @@ namespace Nowpose.Prediction
     /// Keeps the displayed value continuous when a new section replaces the previous one: their difference at the last display time, the residual, is
     /// added to the new section and decays exponentially.
     /// </summary>
-    /// <remarks>Allocates nothing after construction.</remarks>
     sealed class SectionBlend
     {
         /// <summary>

@@ -11,8 +11,7 @@ namespace Nowpose.Prediction.Candidates
     /// <remarks>
     /// For every lag k it sums the squared differences x(n) − x(n−k) of all components with exponential forgetting, one addition per lag, component
     /// and compared grid point. The last half second therefore counts most, which distinguishes one dwell from another. The positions of
-    /// a continuous joint are unwrapped, so a cycle that ends one or more turns away from its start is not recognised. Allocates nothing after
-    /// construction.
+    /// a continuous joint are unwrapped, so a cycle that ends one or more turns away from its start is not recognised.
     /// </remarks>
     sealed class LagSearch
     {

@@ -6,7 +6,7 @@ namespace Nowpose.Prediction.Candidates
     /// <summary>Keeps at least two minutes of a motion on a uniform time grid, interpolated from samples at any intervals.</summary>
     /// <remarks>
     /// Indices count grid points since the start and never wrap. The grid ends one sample before the newest sample, so that every
-    /// point has samples on both sides. A position has one component (a joint) or several (a vector). Allocates nothing after construction.
+    /// point has samples on both sides. A position has one component (a joint) or several (a vector).
     /// </remarks>
     sealed class MotionHistory
     {

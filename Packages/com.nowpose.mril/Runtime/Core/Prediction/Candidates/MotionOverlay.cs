@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Prediction.Candidates
 {
     /// <summary>Compares the newest samples with the history at a lag, and shifts the lag to the best fit.</summary>
-    /// <remarks>Lags are in grid steps of the history, with fractions. Allocates nothing.</remarks>
+    /// <remarks>Lags are in grid steps of the history, with fractions.</remarks>
     sealed class MotionOverlay
     {
         /// <summary>

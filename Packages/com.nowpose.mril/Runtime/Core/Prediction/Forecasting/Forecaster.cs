@@ -2,7 +2,10 @@ using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Forecasts a motion from its newest samples. Allocates nothing after construction. Not thread-safe.</summary>
+    /// <summary>Forecasts a motion from its newest samples.</summary>
+    /// <remarks>
+    /// As all classes of the prediction, it allocates nothing after construction. Only one thread may add samples, and no other thread may read meanwhile.
+    /// </remarks>
     abstract class Forecaster
     {
         /// <summary>

@@ -22,7 +22,7 @@ namespace Nowpose.Prediction.Mixing
     /// <summary>The forecasters of a mixture: hold, whose table is zero, a line, and others. Fills their tables after a sample.</summary>
     /// <remarks>
     /// The joints of one robot, or the objects of one cell, use the same set in turn, because its forecasters keep no state from sample to sample. Their
-    /// weights are then computed once per message, and their memory stays in the processor's cache. Not thread-safe.
+    /// weights are then computed once per message, and their memory stays in the processor's cache.
     /// </remarks>
     sealed class ForecasterSet
     {

@@ -7,7 +7,7 @@ namespace Nowpose.Prediction.Mixing
     /// (Wolpert 1992, Breiman 1996) with exponential forgetting.
     /// </summary>
     /// <remarks>
-    /// Minimises ½ wᵀGw + ½ λ|w − prior|², where G averages the products of the forecasts' errors. Allocates nothing after construction.
+    /// Minimises ½ wᵀGw + ½ λ|w − prior|², where G averages the products of the forecasts' errors.
     /// </remarks>
     sealed class MixtureWeights
     {

@@ -9,7 +9,6 @@ namespace Nowpose.Prediction.Mixing
     /// Forecasts that wait for the sample at their time. Its position shows the error of each forecast, from which the weights of the mixture and the gates
     /// of the candidates learn.
     /// </summary>
-    /// <remarks>Allocates nothing after construction.</remarks>
     sealed class PendingForecasts
     {
         /// <summary>Maximum interval in which samples are interpolated to score a forecast, s. In a longer one, a motion can start and end.</summary>

@@ -5,7 +5,7 @@ namespace Nowpose.Prediction.Mixing
     /// <summary>A queue of fixed capacity whose elements are created once and then reused.</summary>
     /// <remarks>
     /// The next element to be filled is the one that was dropped last, because its memory is still in the processor's cache. A ring buffer would fill
-    /// the element that was dropped longest ago; with 200 axes, it takes 10 % more time per sample. Allocates nothing after construction.
+    /// the element that was dropped longest ago; with 200 axes, it takes 10 % more time per sample.
     /// </remarks>
     sealed class RecyclingQueue<T> where T : class
     {

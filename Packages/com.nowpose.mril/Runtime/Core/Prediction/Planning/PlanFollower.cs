@@ -6,7 +6,7 @@ namespace Nowpose.Prediction.Planning
     /// Computes a joint's position from its plan, with the delay and the offset with which the joint follows the plan. Detects whether the joint
     /// follows.
     /// </summary>
-    /// <remarks>Allocates nothing after construction. Not thread-safe. Times are seconds since the epoch of the samples.</remarks>
+    /// <remarks>Times are seconds since the epoch of the samples.</remarks>
     sealed class PlanFollower
     {
         /// <summary>

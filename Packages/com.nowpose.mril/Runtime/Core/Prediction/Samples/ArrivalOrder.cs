@@ -24,7 +24,7 @@ namespace Nowpose.Prediction.Samples
     /// In both cases, the stamp is not newer than the newest stamp. If a sample of a clock that went back is mistaken for an overtaken sample, the
     /// section is wrong; in the opposite case, all learned state is lost. Therefore up to four late samples wait. The next newer sample, or a late
     /// sample that is not newer than the last waiting sample, shows that they were overtaken, and they are inserted. If their number, or positions
-    /// that contradict the other samples, show that the clock went back, the history restarts with them. Allocates nothing after construction.
+    /// that contradict the other samples, show that the clock went back, the history restarts with them.
     /// </remarks>
     sealed class ArrivalOrder<TSample> where TSample : struct, ISample<TSample>
     {

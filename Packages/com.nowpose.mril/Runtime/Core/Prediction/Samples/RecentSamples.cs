@@ -3,8 +3,7 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// Keeps the recent samples of a joint or an object, to recognise a repeated sample and a sample that contradicts its neighbours. Allocates
-    /// nothing after construction.
+    /// Keeps the recent samples of a joint or an object, to recognise a repeated sample and a sample that contradicts its neighbours.
     /// </summary>
     sealed class RecentSamples<TSample> where TSample : struct, ISample<TSample>
     {

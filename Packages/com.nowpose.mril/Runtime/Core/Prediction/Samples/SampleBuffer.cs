@@ -6,7 +6,6 @@ namespace Nowpose.Prediction.Samples
     /// Prepares the samples of a joint or an object: corrects stamps, thins the samples, sorts them, and drops duplicates. All components have the same
     /// times, so this is done once per sample.
     /// </summary>
-    /// <remarks>Allocates nothing after construction.</remarks>
     sealed class SampleBuffer<TSample> where TSample : struct, ISample<TSample>
     {
         /// <summary>

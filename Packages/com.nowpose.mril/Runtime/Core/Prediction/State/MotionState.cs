@@ -7,7 +7,7 @@ namespace Nowpose.Prediction.State
     /// The newest samples of a motion relative to the newest one, its velocity, and whether it stands still: the input of all forecasters. A joint's
     /// position has one component; the position and the angles of an object are two motions with three components each.
     /// </summary>
-    /// <remarks>The components of a sample are adjacent in all arrays. Allocates nothing after construction.</remarks>
+    /// <remarks>The components of a sample are adjacent in all arrays.</remarks>
     sealed class MotionState
     {
         /// <summary>

@@ -5,7 +5,7 @@ namespace Nowpose.Prediction.State
     /// <summary>Detects samples that only scatter about a position, such as the samples of a noisy tracker or encoder at rest.</summary>
     /// <remarks>
     /// For white noise, the mean second difference is √3 times the mean first difference, and the samples make no progress; a smooth motion has small
-    /// second differences, even at a reversal. Allocates nothing after construction.
+    /// second differences, even at a reversal.
     /// </remarks>
     sealed class ScatterDetector
     {
