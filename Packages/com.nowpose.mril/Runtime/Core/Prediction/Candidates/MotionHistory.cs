@@ -123,18 +123,14 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Converts a time to a fractional grid index.</summary>
         public double IndexOf(double time) => (time - _start) / Step;
 
-        /// <summary>Adds the weighted position at a fractional index, by a Catmull-Rom spline; it needs two points on either side.</summary>
-        /// <param name="sum">One number per component.</param>
-        public void AddTo(Span<double> sum, double index, double weight)
+        /// <summary>Returns a component of the position at a fractional index, by a Catmull-Rom spline; it needs two points on either side.</summary>
+        public double At(double index, int component)
         {
             var cell = (long)index;
-            var (f, points) = (index - cell, Points);
-            int before = PlaceOf(cell - 1), here = PlaceOf(cell), next = PlaceOf(cell + 1), after = PlaceOf(cell + 2);
-            for (var c = 0; c < sum.Length; c++)
-            {
-                double p0 = points[before + c], p1 = points[here + c], p2 = points[next + c], p3 = points[after + c];
-                sum[c] += weight * (p1 + 0.5 * f * (p2 - p0 + f * (2 * p0 - 5 * p1 + 4 * p2 - p3 + f * (3 * (p1 - p2) + p3 - p0))));
-            }
+            var f = index - cell;
+            double p0 = Points[PlaceOf(cell - 1) + component], p1 = Points[PlaceOf(cell) + component];
+            double p2 = Points[PlaceOf(cell + 1) + component], p3 = Points[PlaceOf(cell + 2) + component];
+            return p1 + 0.5 * f * (p2 - p0 + f * (2 * p0 - 5 * p1 + 4 * p2 - p3 + f * (3 * (p1 - p2) + p3 - p0)));
         }
 
         /// <summary>Returns whether there is a position at an index.</summary>

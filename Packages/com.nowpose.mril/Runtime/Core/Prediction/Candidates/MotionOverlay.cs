@@ -82,7 +82,7 @@ namespace Nowpose.Prediction.Candidates
                 for (var c = 0; c < n; c++)
                 {
                     double p0 = points[before + c], p1 = points[here + c], p2 = points[next + c], p3 = points[after + c];
-                    // The same Catmull-Rom spline as in MotionHistory.AddTo, and its derivative.
+                    // The same Catmull-Rom spline as in MotionHistory.At, and its derivative.
                     double first = p2 - p0, second = 2 * p0 - 5 * p1 + 4 * p2 - p3, third = 3 * (p1 - p2) + p3 - p0;
                     var error = _positions[at + c] - p1 - 0.5 * f * (first + f * (second + f * third));
                     var speed = 0.5 * (first + f * (2 * second + 3 * f * third));

@@ -131,14 +131,10 @@ namespace Nowpose.Prediction.Candidates
 
         public override double At(double ahead, int component)
         {
-            Span<double> position = stackalloc double[_components];
-            FillPosition(ahead, position);
-            return position[component];
-        }
-
-        public override void Fill(double[] table, int start, int points, int components)
-        {
-            for (var point = 0; point < points; point++) FillPosition(point * ForecastTable.Step, table.AsSpan(start + point * components, components));
+            var (index, position) = (_history.IndexOf(_times[0] + ahead), 0.0);
+            for (var i = 0; i < _matches; i++)
+                position += _weights[i] * (_history.At(index - _lags[i], component) + _offsets[i * _components + component]);
+            return position - _positions[component];
         }
 
         public override void Reset()
@@ -148,21 +144,6 @@ namespace Nowpose.Prediction.Candidates
             _search.Start();
             Array.Clear(_found, 0, _found.Length);
             _matches = _samples = 0;
-        }
-
-        // Computes the continuation, relative to the newest sample.
-        void FillPosition(double ahead, Span<double> position)
-        {
-            position.Clear();
-            var index = _history.IndexOf(_times[0] + ahead);
-            for (var i = 0; i < _matches; i++)
-            {
-                var weight = _weights[i];
-                if (weight == 0) continue;
-                _history.AddTo(position, index - _lags[i], weight);
-                for (var c = 0; c < _components; c++) position[c] += weight * _offsets[i * _components + c];
-            }
-            for (var c = 0; c < _components; c++) position[c] -= _positions[c];
         }
 
         // At a smaller lag, the history does not cover the continuation.
