@@ -158,8 +158,36 @@ public class PlayedSignalTests : PlayedParts
         Assert.That(raised.Skip(3), Is.EqualTo(new[] { "node deleted", "no connection to the PLC", "current" }));
 
         _session.enabled = false;
+        Run(0.1);
         Assert.That(raised.Skip(6), Is.EqualTo(new[] { StatusMessages.NoSession }));
         Assert.That(signal.Fault, Is.EqualTo(StatusMessages.NoSession));
+    }
+
+    // The listener of one signal disables another one, which is called later in the same frame.
+    [Test]
+    public void Signal_DisabledByTheListenerOfAnother_RaisesNothing()
+    {
+        var raised = new List<string>();
+        var (disabling, counted) = (new UnityEvent(), new UnityEvent<float>());
+        counted.AddListener(value => raised.Add(value.ToString("0", System.Globalization.CultureInfo.InvariantCulture)));
+        Below<CellSignal>("jaw", _session.transform).With("_onCurrent", disabling);
+        var other = Below<CellSignal>("door", _session.transform).With("_onValue", counted);
+        disabling.AddListener(() => other.gameObject.SetActive(false));
+        Run(1);
+        SendSignal("door", _cell.Now - 1, 1);
+        Run(0.5);
+        SendSignal("jaw", _cell.Now - 1, 1);
+        Run(0.5);
+        SendSignal("door", _cell.Now - 0.9, 0);
+        Run(0.5);
+        Assert.That(raised, Is.EqualTo(new[] { "1" }));
+
+        other.gameObject.SetActive(true);
+        Run(0.5);
+        SendSignal("door", _cell.Now - 0.5, 1);
+        Run(0.5);
+
+        Assert.That(raised, Is.EqualTo(new[] { "1", "0", "1" }));
     }
 
     [Test]

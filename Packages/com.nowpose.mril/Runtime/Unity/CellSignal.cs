@@ -98,6 +98,9 @@ namespace Nowpose.Unity
             else Judge(Fault);
         }
 
+        // The session may have ended. While its component is being disabled, no event is raised, because a listener must not switch objects then.
+        void LateUpdate() => _follower?.Judge();
+
         void OnDisable()
         {
             _follower?.Leave();

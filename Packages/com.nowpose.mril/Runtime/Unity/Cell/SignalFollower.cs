@@ -21,7 +21,7 @@ namespace Nowpose.Unity.Cell
         readonly Action<string> _judged;
         CompensationSession _session;
         string _fault;
-        bool _isJudged;
+        bool _isJudged, _hasLeft;
 
         SignalFollower(MrilSession source, string name, Action<SignalTrack> changed, Action<SignalTrack> restarted, Action<string> judged)
         {
@@ -32,7 +32,6 @@ namespace Nowpose.Unity.Cell
             _judged = judged;
             _title = "signal " + name;
             _source.Computed += Update;
-            _source.Hidden += Judge;
             _source.Parts.Add(this);
         }
 
@@ -75,9 +74,9 @@ namespace Nowpose.Unity.Cell
         /// <summary>Stops following the signal.</summary>
         public void Leave()
         {
+            _hasLeft = true;
             _source.Parts.Remove(this);
             _source.Computed -= Update;
-            _source.Hidden -= Judge;
             Follow(null);
         }
 
@@ -85,13 +84,16 @@ namespace Nowpose.Unity.Cell
         /// <param name="frame">Not used; may be null.</param>
         public void Update(DisplayFrame frame)
         {
+            // A listener that ran before in the same frame may have disabled the component.
+            if (_hasLeft) return;
             if (_source.Session != _session) Follow(_source.Session);
             Judge();
         }
 
-        // Reports the fault if it has changed.
-        void Judge()
+        /// <summary>Reports the fault if it has changed. Called in each frame, also without a session.</summary>
+        public void Judge()
         {
+            if (_hasLeft) return;
             var fault = Fault;
             if (_judged == null || (_isJudged && fault == _fault)) return;
             (_fault, _isJudged) = (fault, true);
