@@ -63,8 +63,10 @@ public class PlayedNamespaceTests : PlayedParts
         Assert.That(FaultsNow(), Does.StartWith("robot arm2: joints arm_joint_1, arm_joint_2, "));
         AssertStoppedBefore(1);
         Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
+        Assert.That(_session.Session.Robots.WorstPose, Is.EqualTo(PoseState.Held));
         rig.gameObject.SetActive(false);
         Assert.That(FaultsNow(), Is.Empty, "a robot that is not shown has no row");
+        Assert.That(_session.Session.Robots.WorstPose, Is.EqualTo(PoseState.Current), "and does not count for the state of the cell");
     }
 
     [Test]

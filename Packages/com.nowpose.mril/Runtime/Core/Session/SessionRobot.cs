@@ -37,6 +37,9 @@ namespace Nowpose.Session
 
         public RobotModel Robot { get; }
 
+        /// <summary>Whether the robot is displayed. The state of the cell does not depend on a robot that is no longer displayed.</summary>
+        public bool IsShown { get; set; } = true;
+
         /// <summary>Frame name of the root link, with the robot's namespace.</summary>
         public string Root { get; }
 

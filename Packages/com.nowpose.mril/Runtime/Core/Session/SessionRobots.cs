@@ -74,14 +74,14 @@ namespace Nowpose.Session
             return null;
         }
 
-        /// <summary>The most severe state among the poses of all robots. Call it under the lock of the session.</summary>
+        /// <summary>The most severe state among the poses of all displayed robots. Call it under the lock of the session.</summary>
         public PoseState WorstPose
         {
             get
             {
                 var worst = PoseState.Current;
                 foreach (var robot in _all)
-                    if (robot.Frame.State < worst) worst = robot.Frame.State;
+                    if (robot.IsShown && robot.Frame.State < worst) worst = robot.Frame.State;
                 return worst;
             }
         }

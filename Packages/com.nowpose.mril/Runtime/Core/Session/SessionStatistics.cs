@@ -189,16 +189,24 @@ namespace Nowpose.Session
 
         internal List<JointStatus> ChangeableJointStatuses => _robot.JointStatuses;
 
-        /// <summary>States of the robots other than <see cref="CompensationSession.Robot"/>.</summary>
+        /// <summary>States of the displayed robots other than <see cref="CompensationSession.Robot"/>.</summary>
         internal IReadOnlyList<RobotStatistics> OtherRobots => _otherRobots;
 
         /// <summary>Writes the states of all robots.</summary>
         internal void Fill(SessionRobots robots, HeadsetTime now)
         {
             robots[0].Fill(_robot, now, Clock);
-            while (_otherRobots.Count >= robots.Count) _otherRobots.RemoveAt(_otherRobots.Count - 1);
-            while (_otherRobots.Count < robots.Count - 1) _otherRobots.Add(new RobotStatistics { Namespace = robots[_otherRobots.Count + 1].Namespace });
-            for (var i = 0; i < _otherRobots.Count; i++) robots[i + 1].Fill(_otherRobots[i], now, Clock);
+            var shown = 0;
+            for (var i = 1; i < robots.Count; i++)
+            {
+                if (!robots[i].IsShown) continue;
+                if (shown == _otherRobots.Count) _otherRobots.Add(new RobotStatistics());
+                var into = _otherRobots[shown++];
+                // Another session may have had other robots.
+                into.Namespace = robots[i].Namespace;
+                robots[i].Fill(into, now, Clock);
+            }
+            _otherRobots.RemoveRange(shown, _otherRobots.Count - shown);
         }
 
         internal JointError[] PlacesForJointErrors(int count)

@@ -45,7 +45,8 @@ namespace Nowpose.Unity.Cell
             get
             {
                 if (_robot == null) return _session == null ? StatusMessages.NoSession : StatusMessages.RobotNotAdded;
-                return FaultOf(_robot.Frame) ?? (StatisticsOf(_source.Statistics) is RobotStatistics robot ? FaultOf(robot) : null);
+                return FaultOf(_robot.Frame)
+                    ?? (StatisticsOf(_source.Statistics) is RobotStatistics robot ? FaultOf(robot) : StatusMessages.ReasonOf(_robot.Frame.State));
             }
         }
 
@@ -110,11 +111,16 @@ namespace Nowpose.Unity.Cell
                 _session = session;
                 _robot = IsOwn ? session.Robots[0] : Add(session);
             }
+            if (IsListed && _robot != null) _robot.IsShown = true;
             return IsOwn ? frame : _robot?.Frame;
         }
 
         /// <summary>Removes the robot from the session's parts.</summary>
-        public void Leave() => _source.Parts.Remove(this);
+        public void Leave()
+        {
+            _source.Parts.Remove(this);
+            if (IsListed && _robot != null) _robot.IsShown = false;
+        }
 
         /// <summary>Moves the rig to the robot's base if the cell has a frame with the name of the robot's root link.</summary>
         public void PlaceBase()

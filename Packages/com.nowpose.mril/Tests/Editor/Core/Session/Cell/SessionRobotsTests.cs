@@ -9,6 +9,24 @@ namespace Nowpose.Tests.Core.Session.Cell
 {
     public class SessionRobotsTests
     {
+        // The status panel reuses its statistics over all sessions.
+        [Test]
+        public void Statistics_ReusedForASessionWithOtherRobots_NameTheShownRobotsOfThatSession()
+        {
+            var statistics = new SessionStatistics();
+            foreach (var name in new[] { "arm2", "arm3" })
+            {
+                var cell = new CellSession();
+                var hidden = cell.Session.Robots.Add("hidden", TestRobot.Model);
+                hidden.IsShown = false;
+                cell.Session.Robots.Add(name, TestRobot.Model);
+
+                statistics.Fill(cell.Session.Robots, HeadsetTime.FromSeconds(cell.Now));
+
+                Assert.That(statistics.OtherRobots.Select(robot => robot.Namespace), Is.EqualTo(new[] { name }));
+            }
+        }
+
         [Test]
         public void Robots_EqualJointNames_AreSeparate()
         {
