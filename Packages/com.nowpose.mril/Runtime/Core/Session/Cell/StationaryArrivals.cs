@@ -37,7 +37,11 @@ namespace Nowpose.Session.Cell
         {
             var isDue = _connection.HasLasted(Patience, now);
             for (var i = 0; i < tree.Count; i++)
-                tree[i].IsOutdated = isDue && _arrivals.TryGetValue(tree[i].Name, out var arrival) && !_connection.Includes(arrival);
+            {
+                // A pose that is outdated stays so over further connections, until it arrives again.
+                var frame = tree[i];
+                frame.IsOutdated = (isDue || frame.IsOutdated) && _arrivals.TryGetValue(frame.Name, out var arrival) && !_connection.Includes(arrival);
+            }
         }
     }
 }

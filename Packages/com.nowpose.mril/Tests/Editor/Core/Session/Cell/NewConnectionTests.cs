@@ -61,6 +61,9 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(cell.Session.Frames.Find("lid").State, Is.EqualTo(FrameState.ParentNotCurrent));
             Assert.That(StateOf(cell, "by hand"), Is.EqualTo(PoseState.Current));
 
+            cell.Reconnect();
+            cell.Run(1, _ => Assert.That(StateOf(cell, "table"), Is.EqualTo(PoseState.Held), "another connection alone makes no pose current"));
+
             cell.Send("world", "table", cell.Now, Place, isStationary: true);
             cell.Run(0.1);
             Assert.That((StateOf(cell, "table"), StateOf(cell, "lid")), Is.EqualTo((PoseState.Current, PoseState.Current)));
