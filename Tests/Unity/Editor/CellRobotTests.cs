@@ -61,6 +61,21 @@ public sealed class CellRobotTests : EditorFixture
     }
 
     [Test]
+    public void Session_HolderOfATool_StaysWithItsTool()
+    {
+        var session = Cell(PackageAsset.RobotCell, Imported);
+        var holder = Keep(new GameObject("Mount"));
+        holder.transform.SetParent(Rigs(session)[0].transform);
+        var tool = new GameObject("Tool").AddComponent<VirtualGripper>();
+        tool.gameObject.AddComponent<MeshFilter>();
+        tool.transform.SetParent(holder.transform);
+
+        Click(session);
+
+        Assert.That(holder != null && tool != null && tool.transform.parent == holder.transform);
+    }
+
+    [Test]
     public void Session_DescriptionWithoutPrefab_IsBuiltFromItsShapes()
     {
         var session = Cell(PackageAsset.RobotCell, Described);
