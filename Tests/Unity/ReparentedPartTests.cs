@@ -1,6 +1,7 @@
 using Nowpose.Gateway.Plants;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Unity.Tests.Rendering;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -56,6 +57,26 @@ public class ReparentedPartTests : PlayedParts
 
         Assert.That(rig.IsFollowing, Is.True);
         Assert.That(appearance.Look.Label, Is.Empty);
+    }
+
+    [Test]
+    public void Appearance_RigFollowsASessionElsewhere_ShowsThatSession()
+    {
+        var rig = Loose<RobotRig>("Robot");
+        var appearance = rig.gameObject.AddComponent<PoseAppearance>();
+        var part = PlayedAppearance.Part("look", rig.transform);
+        appearance.Refresh();
+        Run(0.1);
+        Assert.That((part.isVisible, Hatched.IsHatched(part)), Is.EqualTo((true, false)), "a script moves the robot");
+
+        rig.Follow(_session);
+        appearance.Refresh();
+        Run(2);
+        Assert.That((part.isVisible, appearance.Look.Label), Is.EqualTo((true, "")));
+
+        _cell.IsPlantUp = false;
+        Run(2);
+        Assert.That((part.isVisible, Hatched.IsHatched(part)), Is.EqualTo((true, true)));
     }
 
     [Test]

@@ -19,7 +19,11 @@ namespace Nowpose.Editor.Inspectors
         static void Add(Object[] rigs)
         {
             foreach (var rig in rigs)
-                Undo.AddComponent<PoseAppearance>(((Component)rig).gameObject).Substitute = PackageAsset.Hologram.Load<Material>();
+            {
+                var added = Undo.AddComponent<PoseAppearance>(((Component)rig).gameObject);
+                added.Substitute = PackageAsset.Hologram.Load<Material>();
+                added.Refresh();
+            }
         }
 
         static bool HasSession(Component rig)

@@ -46,12 +46,12 @@ namespace Nowpose.Unity
         RobotRig _rig;
         PoseCarrier _carrier;
         MaterialPropertyBlock _block;
-        ReadingDistance _distance;
+        PoseLabel _label;
         PoseState? _pose;
         OutsideRangeResponse _outsideRange;
         BaseAnchor _anchor;
         BaseLook _base;
-        bool _isOn, _hasLabel, _isUnplaced;
+        bool _isOn, _isUnplaced;
         float _opacity = 1;
 
         /// <summary>
@@ -111,7 +111,7 @@ namespace Nowpose.Unity
             {
                 var materials = new PoseMaterials();
                 foreach (var each in GetComponentsInChildren<Renderer>(true))
-                    if (IsOwn(each) && materials.Of(materials.In(each)).Means == PoseMeans.None) return true;
+                    if (this.Owns(each, _words) && materials.Of(materials.In(each)).Means == PoseMeans.None) return true;
                 return false;
             }
         }
@@ -125,7 +125,7 @@ namespace Nowpose.Unity
             // While the component is disabled, there is nothing to update: OnEnable reads the list.
             if (!_isOn) return;
             GetComponentsInChildren(true, _found);
-            _found.RemoveAll(each => !IsOwn(each));
+            _found.RemoveAll(each => !this.Owns(each, _words));
             Leave();
             _materials.Begin(_substitute);
             _carriers.Clear();
@@ -148,12 +148,16 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _block ??= new MaterialPropertyBlock();
-            _isOn = true;
             _pose = PoseState.Incomplete;
-            _source = this.RequiredSession(_session, "pose appearance");
+            _rig = GetComponentInParent<RobotRig>();
+            if (_rig != null) _rig.Followed += FollowRig;
+            _source = Searched;
+            // Without a session, a script moves the robot, and its pose has no state.
+            if (_source == null && _rig != null) return;
+            _isOn = true;
+            if (_source == null) this.RequiredSession(null, "pose appearance");
             var above = transform.parent != null ? transform.parent.GetComponentInParent<PoseAppearance>(true) : null;
             if (above != null) above.HandOverTo(this);
-            _rig = GetComponentInParent<RobotRig>();
             if (_rig != null) _rig.Bound += Refresh;
             if (_source != null)
             {
@@ -166,7 +170,11 @@ namespace Nowpose.Unity
 
         void OnDisable()
         {
-            if (_rig is object) _rig.Bound -= Refresh;
+            if (_rig is object)
+            {
+                _rig.Bound -= Refresh;
+                _rig.Followed -= FollowRig;
+            }
             if (_source is object)
             {
                 _source.Computed -= Show;
@@ -176,22 +184,25 @@ namespace Nowpose.Unity
             _pose = PoseState.Current;
             _carriers.Clear();
             foreach (var part in _parts.Values) part.Restore();
-            SetLabel("");
+            _label.Set(_words, "");
         }
 
         void OnTransformParentChanged()
         {
-            if (!this.IsBelowAnotherSession(_session, _source)) return;
+            if (isActiveAndEnabled) FollowRig();
+        }
+
+        // The session of the robot also applies to its parts.
+        MrilSession Searched => this.SessionOr(_session != null || _rig == null ? _session : _rig.AssignedSession);
+
+        void FollowRig()
+        {
+            if (Searched == _source && _rig == GetComponentInParent<RobotRig>()) return;
             OnDisable();
             OnEnable();
         }
 
-        void LateUpdate()
-        {
-            if (!_hasLabel || _words == null) return;
-            var viewer = Viewer.Head;
-            if (viewer != null) _distance.Face(_words, viewer.position);
-        }
+        void LateUpdate() => _label.Face(_words);
 
         void Show(DisplayFrame frame)
         {
@@ -229,7 +240,7 @@ namespace Nowpose.Unity
                 if (!_pose.HasValue) part.ShowNoSession(_opacity);
                 else part.Draw(WithSignal(look, _signals.Of(part)), _opacity);
             }
-            SetLabel(Look.Label);
+            _label.Set(_words, Look.Label);
         }
 
         // A part whose signal is not current may be at the wrong end of its stroke or in the wrong state, so it is striped like a pose that is not
@@ -248,15 +259,6 @@ namespace Nowpose.Unity
             }
         }
 
-        void SetLabel(string text)
-        {
-            _hasLabel = _words != null && text.Length > 0;
-            if (_words != null) _words.text = text;
-        }
-
-        // A part belongs to the nearest appearance above it, even if that one is disabled.
-        bool IsOwn(Renderer renderer) => !IsLabel(renderer) && renderer.GetComponentInParent<PoseAppearance>(true) == this;
-
         // Restores the parts of an appearance that was added below this one, before that one stores their original look.
         void HandOverTo(PoseAppearance below)
         {
@@ -267,9 +269,6 @@ namespace Nowpose.Unity
                 return;
             }
         }
-
-        // The editor calls this method outside play mode, where the component is not enabled.
-        bool IsLabel(Renderer renderer) => _words != null && renderer.gameObject == _words.gameObject;
 
         void Follow(PoseCarrier carrier)
         {

@@ -61,6 +61,12 @@ namespace Nowpose.Unity
         /// <summary>The session that moves this rig; null while the rig is disabled, and if a script moves the rig.</summary>
         public MrilSession Session => _source;
 
+        /// <summary>The session that is assigned in the Inspector or by a script; null to use the session on this object or a parent.</summary>
+        internal MrilSession AssignedSession => _session;
+
+        /// <summary>Raised when the rig may have got another session.</summary>
+        internal event Action Followed;
+
         internal bool IsOf(MrilSession session) => this.IsOf(_session, session);
 
         /// <summary>Namespace of the robot in the cell; empty for the session's own robot.</summary>
@@ -116,6 +122,7 @@ namespace Nowpose.Unity
             _description = description;
             _shows = shows;
             if (isFollowing) OnEnable();
+            Followed?.Invoke();
         }
 
         /// <summary>Binds the transforms below the rig to the links of a robot, or builds them. Sets all joint positions to 0.</summary>
@@ -184,6 +191,7 @@ namespace Nowpose.Unity
             if (!this.IsBelowAnotherSession(_session, _source)) return;
             OnDisable();
             OnEnable();
+            Followed?.Invoke();
         }
 
         void Start()
