@@ -1,22 +1,11 @@
 // Tests the word for the reason why a joint has no current data.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { MS, plant } from './outputInVirtualTime.mjs';
+import { moveAndStop, plant } from './outputInVirtualTime.mjs';
 import { parts } from './parts.mjs';
 import { messages } from './messages.mjs';
 
 const { AdapterStatus, Log, diagnostics } = await parts('gateway/status', 'log', 'gateway/messages');
-
-/** Moves joint a at 1 rad/s for half a second and then sends no more values of this joint. Joint b keeps moving. */
-function moveAndStop(cell, seconds, hold = true) {
-  for (; cell.time.ms < 1000 * seconds; cell.time.ms += 10) {
-    const s = cell.time.ms / 1000;
-    if (s < 0.5) cell.value(0, s < 0.1 ? 5 * s * s : s - 0.05);
-    cell.value(1, Math.sin(s));
-    if (hold) cell.output.hold(cell.clock.now - 10n * MS, 30n * MS, new Set([1]));
-    cell.output.checkSilence();
-  }
-}
 
 describe('word for the reason of a joint', () => {
   const wordOf = ({ status }) => status.values()['reason/a'];

@@ -21,3 +21,14 @@ export function plant(joints = [{ joint: 'a' }, { joint: 'b' }], options = {}) {
   status.joints.changed = () => { if (status.values()[`joint/${joints[0]?.joint}`]?.startsWith('fault')) cell.faultMs ??= time.ms; };
   return cell;
 }
+
+/** Moves joint a at 1 rad/s for half a second and then sends no more values of this joint. Joint b keeps moving. */
+export function moveAndStop(cell, seconds, hold = true) {
+  for (; cell.time.ms < 1000 * seconds; cell.time.ms += 10) {
+    const s = cell.time.ms / 1000;
+    if (s < 0.5) cell.value(0, s < 0.1 ? 5 * s * s : s - 0.05);
+    cell.value(1, Math.sin(s));
+    if (hold) cell.output.hold(cell.clock.now - 10n * MS, 30n * MS, new Set([1]));
+    cell.output.checkSilence();
+  }
+}

@@ -1,24 +1,13 @@
 // Tests in virtual time how missing samples are interpreted and reported in the diagnostics.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { MS, T, plant } from './outputInVirtualTime.mjs';
+import { MS, T, moveAndStop, plant } from './outputInVirtualTime.mjs';
 import { parts } from './parts.mjs';
 import { ANY, like, messages } from './messages.mjs';
 
 const { refusalMessages, silenceMessages, stateMessages } = messages;
 
 const { AdapterStatus, Log, diagnostics } = await parts('gateway/status', 'log', 'gateway/messages');
-
-/** Moves joint a at 1 rad/s for half a second and then sends no more values of this joint. Joint b keeps moving. */
-function moveAndStop(cell, seconds, hold = true) {
-  for (; cell.time.ms < 1000 * seconds; cell.time.ms += 10) {
-    const s = cell.time.ms / 1000;
-    if (s < 0.5) cell.value(0, s < 0.1 ? 5 * s * s : s - 0.05);
-    cell.value(1, Math.sin(s));
-    if (hold) cell.output.hold(cell.clock.now - 10n * MS, 30n * MS, new Set([1]));
-    cell.output.checkSilence();
-  }
-}
 
 describe('silence', () => {
   it('Motion_Interrupted_JointIsInFaultAndNotRepeated', () => {
