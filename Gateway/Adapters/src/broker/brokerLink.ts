@@ -111,8 +111,9 @@ export class BrokerLink {
   }
 
   #open(): void {
-    if (this.#isPublishing) this.#keep(ALIVE, this.#presence);
     for (const [name, payload] of this.#retained) this.#keep(name, payload);
+    // Sent last, so that receivers have all values when the connection is announced.
+    if (this.#isPublishing) this.#keep(ALIVE, this.#presence);
     this.events.opened();
     this.#pump();
   }

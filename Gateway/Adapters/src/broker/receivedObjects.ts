@@ -10,6 +10,9 @@ import { brokerMessages, malformedMessages } from '../messages/broker';
 
 const MAX_NAMES = 256;
 
+/** Time in ms for which the values of the plant's gateway may still arrive after its connection. */
+const ARRIVAL_MS = 2000;
+
 /** Forwards objects and signals from the broker to a gateway. The gateway checks their content. */
 export class ReceivedObjects {
   readonly topics = [FRAMES, `${STATIONARY}/+`, `${SIGNAL}/+`, REPORTS];
@@ -19,6 +22,8 @@ export class ReceivedObjects {
   readonly #confirmed = new Set<string>();
   /** Whether the plant's gateway is connected to the broker. */
   #isThere = false;
+  /** Time of its connection in ms, while its values may still arrive; otherwise null. */
+  #entered: number | null = null;
   /** Signals that are not current at the plant's gateway, with the reasons. */
   #reported = new Map<string, string>();
   readonly #stationary = new Set<string>();
@@ -28,7 +33,7 @@ export class ReceivedObjects {
     readonly gateway: Pick<GatewayLink, 'publish' | 'publishNewest' | 'publishKept' | 'forgetKept' | 'watch'>,
     readonly clock: Pick<OfferedClock, 'isSettled'>,
     readonly status: AdapterStatus,
-    counter: () => number = () => performance.now(),
+    readonly counter: () => number = () => performance.now(),
   ) {
     this.#sender = new SignalSender(clock, gateway, () => status.sampled(), counter);
     gateway.watch(this.#sender);
@@ -49,14 +54,18 @@ export class ReceivedObjects {
     else if (this.#confirmed.delete(name)) this.#judge(name);
   }
 
-  /** Sends the signals that have waited for the clock. Called several times per second. */
+  /** Sends the signals that have waited for the clock, and judges those whose value has not arrived in time. Called several times per second. */
   check(): void {
     this.#sender.check();
+    if (this.#entered === null || this.counter() - this.#entered < ARRIVAL_MS) return;
+    this.#entered = null;
+    this.#judgeAll();
   }
 
-  /** Updates the state of all signals, because the plant's gateway is connected. */
+  /** Updates the state of all signals, because the plant's gateway is connected. A signal without a value keeps its state for ARRIVAL_MS. */
   enter(): void {
     this.#isThere = true;
+    this.#entered = this.counter();
     this.#judgeAll();
   }
 
@@ -119,8 +128,13 @@ export class ReceivedObjects {
   // A report without a signal does not confirm its value: the list of a gateway that has just started is empty.
   #judge(name: string): void {
     if (!this.#isThere) return;
-    const reason = this.#reported.get(name) ?? (this.#confirmed.has(name) ? null : brokerMessages.noSignal);
-    if (reason === null) this.status.signals.live(name);
-    else this.status.signals.fault(name, { reason: OTHER_GATEWAY, text: reason });
+    const reason = this.#reported.get(name);
+    if (reason !== undefined) this.#fault(name, reason);
+    else if (this.#confirmed.has(name)) this.status.signals.live(name);
+    else if (this.#entered === null) this.#fault(name, brokerMessages.noSignal);
+  }
+
+  #fault(name: string, text: string): void {
+    this.status.signals.fault(name, { reason: OTHER_GATEWAY, text });
   }
 }

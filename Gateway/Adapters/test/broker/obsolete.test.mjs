@@ -29,7 +29,8 @@ function publisher() {
 
 /** Creates a receiving bridge. `kept` has the keys of the messages that it sends again after a reconnection to its gateway. */
 function receiver() {
-  const kept = new Set(), sent = [], status = new AdapterStatus('broker', new Log('plant/test', [], () => {}, () => {}));
+  const kept = new Set(), sent = [], lines = [], time = { ms: 0 };
+  const status = new AdapterStatus('broker', new Log('plant/test', [], line => lines.push(line), () => {}));
   const gateway = {
     watch: () => {},
     publish: (topic, msg) => sent.push([topic, msg]),
@@ -37,9 +38,13 @@ function receiver() {
     publishKept: (topic, msg, key) => kept.add(key),
     forgetKept: key => kept.delete(key),
   };
-  const objects = new ReceivedObjects(gateway, { isSettled: true }, status, () => 0);
+  const objects = new ReceivedObjects(gateway, { isSettled: true }, status, () => time.ms);
+  const wait = ms => {
+    time.ms += ms;
+    objects.check();
+  };
   status.enter('connected');
-  return { objects, kept, sent, stateOf: name => status.signals.stateOf(name), reasonOf: name => status.signals.reasonOf(name) };
+  return { objects, kept, sent, status, lines, wait, stateOf: name => status.signals.stateOf(name), reasonOf: name => status.signals.reasonOf(name) };
 }
 
 describe('obsolete objects and signals on a broker', () => {
@@ -94,8 +99,36 @@ describe('obsolete objects and signals on a broker', () => {
     assert.deepEqual([...kept], ['/tf_static table']);
   });
 
+  for (const [kind, isAnnouncedFirst] of [['BeforeItsValues', true], ['AfterItsValues', false]])
+    it(`Receiver_ConnectionAnnounced${kind}_ReportsNoMissingValue`, () => {
+      const { objects, status, lines, wait, stateOf } = receiver(), names = ['closed', 'speed'];
+      const enter = () => {
+        status.enter('connected');
+        objects.enter();
+      };
+      enter();
+      for (const name of names) objects.take(`signals/${name}`, signal(name, 1));
+
+      for (let i = 0; i < 3; i++) {
+        wait(60_000);
+        objects.leave();
+        status.enter('waiting', brokerMessages.bridgeAway);
+        for (const name of names) objects.remove(`signals/${name}`);
+        if (isAnnouncedFirst) enter();
+        for (const name of names) {
+          wait(900);
+          objects.take(`signals/${name}`, signal(name, 1));
+        }
+        if (!isAnnouncedFirst) enter();
+        wait(60_000);
+        assert.deepEqual(names.map(stateOf), ['live', 'live']);
+      }
+
+      assert.deepEqual(lines.filter(line => line.includes(brokerMessages.noSignal)), []);
+    });
+
   it('Receiver_GatewayRestartedWithoutASource_SignalIsInFaultUntilItsNextValue', () => {
-    const { objects, stateOf, reasonOf } = receiver(), states = () => ['closed', 'speed'].map(stateOf);
+    const { objects, wait, stateOf, reasonOf } = receiver(), states = () => ['closed', 'speed'].map(stateOf);
     objects.enter();
     for (const name of ['closed', 'speed']) objects.take(`signals/${name}`, signal(name, 1));
     const before = states();
@@ -105,6 +138,7 @@ describe('obsolete objects and signals on a broker', () => {
     objects.enter();
     objects.take('signals/speed', signal('speed', 1));
     objects.take('signal_status', NOTHING);
+    wait(2000);
 
     assert.deepEqual([before, states(), reasonOf('closed')], [['live', 'live'], ['fault', 'live'], brokerMessages.noSignal]);
     objects.take('signals/closed', signal('closed', 1));
@@ -112,9 +146,10 @@ describe('obsolete objects and signals on a broker', () => {
   });
 
   it('Receiver_SignalRemoved_IsInFaultAndAnEmptyListDoesNotConfirmIt', () => {
-    const { objects, stateOf } = receiver();
+    const { objects, wait, stateOf } = receiver();
     objects.enter();
     objects.take('signals/closed', signal('closed', 1));
+    wait(2000);
 
     objects.remove('signals/closed');
     objects.take('signal_status', NOTHING);
