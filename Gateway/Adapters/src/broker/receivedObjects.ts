@@ -112,8 +112,9 @@ export class ReceivedObjects {
   #takeReports(message: Record<string, unknown>): void {
     const reports = reportsOf(message, Date.now());
     if (typeof reports === 'string') throw new Error(reports);
-    for (const name of this.#reported.keys()) if (!this.#signals.has(name)) this.status.signals.forget(name);
-    this.#reported = new Map(reports.map(({ joint, reason }) => [joint, reason]));
+    const reported = new Map(reports.map(({ joint, reason }) => [joint, reason]));
+    for (const name of this.#reported.keys()) if (!this.#signals.has(name) && !reported.has(name)) this.status.signals.forget(name);
+    this.#reported = reported;
     this.#judgeAll();
   }
 

@@ -178,6 +178,16 @@ describe('obsolete objects and signals on a broker', () => {
     assert.deepEqual([reported, stateOf('closed')], ['fault', undefined]);
   });
 
+  it('Receiver_SignalWithoutAValueReportedAgain_IsLoggedOnce', () => {
+    const { objects, lines } = receiver();
+    objects.enter();
+    lines.length = 0;
+
+    for (let i = 0n; i < 5n; i++) objects.take('signal_status', jointStatus(10n + i, { closed: 'refused 0.000 NaN' }));
+
+    assert.equal(lines.length, 1, lines.join(''));
+  });
+
   for (const topic of ['signal_status', 'tf', 'signals/%zz'])
     it(`Receiver_EmptyMessageOn${topic}_IsMalformed`, () => assert.throws(() => receiver().objects.remove(topic)));
 });
