@@ -21,6 +21,8 @@ export type Presence = 'true' | 'no gateway' | 'false';
 interface BrokerEvents {
   opened(): void;
   away(reason: string): void;
+  /** Called if the broker refuses the subscription to a topic. */
+  refused(reason: string): void;
   /** @param isRetained Whether the broker had the message before the subscription. */
   heard(topic: string, payload: Buffer, isRetained: boolean): void;
   /** Called when `heard` has thrown an exception for a message on this topic. */
@@ -52,10 +54,7 @@ export class BrokerLink {
           if (this.#isPublishing) this.#keep(ALIVE, 'false');
         },
         away: reason => events.away(reason),
-        // A publishing bridge without the right to read its topics cannot find the obsolete ones, but can publish.
-        refused: (_, reason) => {
-          if (!this.#isPublishing) events.away(reason);
-        },
+        refused: (_, reason) => events.refused(reason),
         heard: (topic, payload, isRetained) => events.heard(bare(topic), payload, isRetained),
         malformed: (topic, problem) => events.malformed(bare(topic), problem),
       },

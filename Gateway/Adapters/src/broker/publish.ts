@@ -3,6 +3,7 @@ import { JOINT_STATES, JOINT_STATUS, JOINT_TRAJECTORY, ROBOT_DESCRIPTION, topicO
 import { BrokerLink, below, DESCRIPTION, STATES, STATUS, TRAJECTORY } from './brokerLink';
 import { PublishedObjects } from './publishedObjects';
 import type { BrokerSettings } from './settings';
+import { brokerMessages } from '../messages/broker';
 
 /** Publishes the messages of the plant's gateway on the broker, in the same JSON format that headsets receive. */
 export async function publish({ configuration, gateway, status, stopping }: AdapterContext, settings: BrokerSettings): Promise<void> {
@@ -10,8 +11,11 @@ export async function publish({ configuration, gateway, status, stopping }: Adap
     opened: () => status.enter('connected'),
     away: reason => {
       if (status.state === 'connected') status.reconnected();
+      status.notice(null);
       status.enter('waiting', reason);
     },
+    // Without the right to read its topics, the bridge can publish, but cannot find the obsolete messages.
+    refused: () => status.notice(brokerMessages.notReadable(settings.topic)),
     heard: (topic, _, isRetained) => objects.heard(topic, isRetained),
     malformed: (name, problem) => status.refuse('malformed', name, problem),
   });

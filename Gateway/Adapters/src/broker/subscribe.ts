@@ -40,13 +40,15 @@ export async function subscribe(
     });
   }
 
+  const away = (reason: string): void => {
+    leave();
+    if (status.state === 'connected') status.reconnected();
+    status.enter('waiting', reason);
+  };
   const broker = new BrokerLink(settings, configuration.plant.name, [...take.keys(), ...objects.topics, ALIVE], {
     opened: () => status.enter('waiting', brokerMessages.noPublisher(settings.topic)),
-    away: reason => {
-      leave();
-      if (status.state === 'connected') status.reconnected();
-      status.enter('waiting', reason);
-    },
+    away,
+    refused: away,
     heard: (name, payload) => {
       if (name === ALIVE) return enter(payload.toString());
       const known = take.get(name);
