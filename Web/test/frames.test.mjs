@@ -135,6 +135,19 @@ describe('frames', () => {
     assert.deepEqual([shown().length, shown().includes(7), shown().includes(-1), shown().includes(256.5)], [256, false, true, true]);
   });
 
+  it('that move are kept when a stationary one was replaced, and the stationary one that arrived first is removed', () => {
+    for (const isStationary of [false, true]) {
+      const frames = new Frames(), shown = () => drawn(frames).filter(x => x !== null);
+      for (const [child, x] of [['table', -1], ['rack', -2], ['table', -3]]) frames.take(message(child, 'world', 0, x), true);
+      for (let i = 3; i <= 256; i++) frames.take(message(`part ${i}`, 'world', 20 + i / 1000, i), false);
+
+      frames.take(message('new', 'world', isStationary ? 0 : 20.4, 257), isStationary);
+      frames.pose(20.4, none);
+
+      assert.deepEqual(shown(), [-3, ...Array.from({ length: 255 }, (_, i) => i + 3)]);
+    }
+  });
+
   it('ignore messages with another format', () => {
     const frames = new Frames();
     for (const text of ['', '{}', '{"msg":{"transforms":[{}]}}', '{"msg":{"transforms":7}}']) frames.take(text, false);

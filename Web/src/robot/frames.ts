@@ -11,6 +11,9 @@ const MAX_FRAMES = 256;
 /** Maximum age at which a pose is still drawn, s. */
 const MAX_AGE = 1;
 
+/** Age at which a moving frame is removed before a stationary one if there are too many, s. */
+const SILENT_S = 3;
+
 /** Length of the stored history, s: more than the delay of the display and the time by which a stamp may be in the future. */
 const KEEP_S = 2;
 
@@ -41,6 +44,7 @@ interface Transform {
 /** Draws the frames of the cell as axes: x red, y green, z blue. */
 export class Frames {
   readonly group = new Group();
+  /** The stationary frames among them are in the order of their arrival. */
   private readonly frames = new Map<string, Frame>();
 
   /** @param text A message on /tf or /tf_static. An invalid message is ignored. */
@@ -77,30 +81,40 @@ export class Frames {
 
   private add({ header, child_frame_id, transform }: Transform, isStationary: boolean): void {
     const { translation: t, rotation: q } = transform;
-    const stamp = header.stamp.sec + header.stamp.nanosec / 1e9;
-    const { samples } = this.frameOf(child_frame_id);
+    // A stationary pose applies to all times. Its stamp may be 0.
+    const time = isStationary ? -Infinity : header.stamp.sec + header.stamp.nanosec / 1e9;
     const position = new Vector3(t.x, t.y, t.z);
     const rotation = new Quaternion(q.x, q.y, q.z, q.w);
-    // A stationary pose applies to all times. Its stamp may be 0.
-    if (isStationary) samples.clear();
-    samples.add(isStationary ? -Infinity : stamp, { parent: header.frame_id, position, rotation, isStationary });
+    const frame = this.frameOf(child_frame_id, time);
+    if (isStationary) {
+      frame.samples.clear();
+      this.frames.delete(child_frame_id);
+      this.frames.set(child_frame_id, frame);
+    }
+    frame.samples.add(time, { parent: header.frame_id, position, rotation, isStationary });
   }
 
-  private frameOf(name: string): Frame {
+  private frameOf(name: string, time: number): Frame {
     let frame = this.frames.get(name);
     if (frame) return frame;
-    if (this.frames.size >= MAX_FRAMES) this.removeOldest();
+    if (this.frames.size >= MAX_FRAMES) this.removeOldest(time);
     frame = { samples: new Track(KEEP_S), axes: new AxesHelper(AXES) };
     this.frames.set(name, frame);
     this.group.add(frame.axes);
     return frame;
   }
 
-  // Removes the frame whose newest pose is oldest, because the gateway accepts a new frame only after the end of another one. Keeps stationary frames
-  // as long as possible: they have no time.
-  private removeOldest(): void {
-    const lastOf = ({ samples }: Frame) => (samples.last === -Infinity ? Infinity : samples.last!);
-    const [name, { axes }] = [...this.frames].reduce((a, b) => (lastOf(a[1]) <= lastOf(b[1]) ? a : b));
+  // Removes a frame, because the gateway accepts a new one only after the end of another one: the moving frame with the oldest pose if it is silent,
+  // otherwise the stationary frame that arrived first.
+  private removeOldest(time: number): void {
+    const lastOf = (name: string) => this.frames.get(name)!.samples.last!;
+    const names = [...this.frames.keys()];
+    const stationary = names.find(name => lastOf(name) === -Infinity);
+    const moving = names.filter(name => lastOf(name) !== -Infinity).sort((a, b) => lastOf(a) - lastOf(b));
+    const newest = Math.max(time, ...moving.slice(-1).map(lastOf));
+    const isSilent = moving.length > 0 && newest - lastOf(moving[0]) > SILENT_S;
+    const name = isSilent || stationary === undefined ? moving[0] : stationary;
+    const { axes } = this.frames.get(name)!;
     this.frames.delete(name);
     this.group.remove(axes);
     axes.dispose();
