@@ -5,10 +5,12 @@ import { SIGNALS, signals } from './messages';
 
 /**
  * After each connection, a gateway drops signals until it has measured the clock of their stamps, which takes up to 20 s. Therefore all signals
- * are repeated for REPEATED_MS, at the interval REPEAT_EVERY_MS.
+ * are repeated for REPEATED_MS, at the interval REPEAT_EVERY_MS. Later, they are repeated at the interval REFUSED_EVERY_MS while the gateway refuses
+ * signals: the refusal may be permanent.
  */
 const REPEATED_MS = 30_000;
 const REPEAT_EVERY_MS = 1000;
+const REFUSED_EVERY_MS = 10_000;
 
 interface Change {
   value: number;
@@ -69,8 +71,8 @@ export class SignalSender implements LinkEvents {
   /** Sends changes that have waited for the clock, and repetitions that are due. Called several times per second. */
   check(): void {
     const now = this.counter();
-    const isRepeated = this.#isRefused || now < this.#repeatedUntil;
-    if (isRepeated && now - this.#repeated >= REPEAT_EVERY_MS) this.#repeat();
+    const isNew = now < this.#repeatedUntil;
+    if ((isNew || this.#isRefused) && now - this.#repeated >= (isNew ? REPEAT_EVERY_MS : REFUSED_EVERY_MS)) this.#repeat();
     else this.#send();
   }
 

@@ -64,18 +64,18 @@ describe('signals', () => {
     assert.deepEqual(new Set(closed.map(([, value, stamp]) => `${value} ${stamp}`)), new Set(['1 0']));
   });
 
-  it('Gateway_RefusesSignalsLongAfterTheConnection_ReceivesThemEverySecondUntilItAcceptsThem', () => {
+  it('Gateway_RefusesSignalsLongAfterTheConnection_ReceivesThemEveryTenSecondsUntilItAcceptsThem', () => {
     const { take, changes, output, time } = two(), seen = [];
     output.signals.sender.opened();
-    for (time.ms = 60_000; time.ms < 90_000; time.ms += 250) {
+    for (time.ms = 60_000; time.ms < 120_000; time.ms += 250) {
       if (time.ms === 60_000) take({ 0: 1 });
       output.check();
-      // The gateway refuses all signals until 70 s.
-      if (changes().length > seen.length && time.ms < 70_000) output.signals.sender.refused('publish /signals dropped: … (Unsynchronised)');
+      // The gateway refuses all signals until 85 s.
+      if (changes().length > seen.length && time.ms < 85_000) output.signals.sender.refused('publish /signals dropped: … (Unsynchronised)');
       while (seen.length < changes().length) seen.push(time.ms);
     }
 
-    assert.deepEqual(seen, [60_000, ...Array.from({ length: 11 }, (_, i) => 60_250 + 1000 * i)]);
+    assert.deepEqual(seen, [60_000, 60_250, 70_250, 80_250, 90_250]);
   });
 
   it('Gateway_RefusesAnotherTopic_DoesNotReceiveTheSignalsAgain', () => {
