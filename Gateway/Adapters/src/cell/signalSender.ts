@@ -18,8 +18,8 @@ interface Change {
 }
 
 /**
- * Sends each change of a signal as soon as the clock of its stamp is known and the connection has room. Repeats all signals after a new connection,
- * and as long as the gateway refuses signals.
+ * Sends the changes of signals as soon as the clock of their stamps is known and the connection has room. Until then, only the newest value of each
+ * signal is kept, so a short pulse can be lost. Repeats all signals after a new connection, and as long as the gateway refuses signals.
  */
 export class SignalSender implements LinkEvents {
   readonly #newest = new Map<string, Change>();
