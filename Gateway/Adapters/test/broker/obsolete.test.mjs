@@ -1,4 +1,6 @@
-// Tests that signals and stationary poses which the plant's gateway no longer has are not current at the other gateway. No broker is needed.
+// Tests that signals which the plant's gateway no longer has are not current at the other gateway, and that obsolete stationary poses are neither
+// retained nor sent again. The other gateway keeps a stationary pose that it has received until its restart or the next pose of this frame. No broker
+// is needed.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { messages } from '../messages.mjs';
