@@ -97,7 +97,7 @@ describe('ads', { concurrency: 4 }, () => {
     const stamps = states.filter(s => s.name.includes('arm_joint_5')).map(s => nanoseconds(s.header.stamp));
     const packets = server.packetsOf(plc.find('GVL.aJoints[4]')), sent = packets.flat().filter(time => time >= stamps[0] && time <= stamps.at(-1));
     assert.deepEqual(stamps, sent);
-    assert.ok(packets.length < packets.flat().length, `${packets.length} packets with ${packets.flat().length} samples`);
+    assert.ok(packets.length * 5 <= packets.flat().length, `${packets.length} packets with ${packets.flat().length} samples`);
   });
 
   it('Adapter_OneJointAtRest_RepeatsItOftenEnoughForAHeadset', async t => {
@@ -111,12 +111,15 @@ describe('ads', { concurrency: 4 }, () => {
     }, () => JSON.stringify(bridge.state));
 
     const stampsOf = name => bridge.jointStates.filter(s => s.name.includes(name)).map(s => nanoseconds(s.header.stamp));
-    const gapsOf = name => stampsOf(name).map((stamp, i, all) => Number(stamp - all[Math.max(0, i - 1)]) / 1e6).slice(1);
-    const gaps = gapsOf('still'), step = Math.max(...gapsOf('arm_joint_1'));
+    const still = stampsOf('still'), moving = stampsOf('arm_joint_1');
     assert.ok(told.every(s => s.position[s.name.indexOf('still')] === 1.5));
     // Each sample of the moving joint shows how long the other one has been at rest. Headsets show a sample for about 300 ms.
-    assert.ok(gaps.every(ms => ms > 0 && ms <= 60 + step), `${gaps} with steps of up to ${step} ms`);
-    assert.ok(stampsOf('still').at(-1) < plc.now());
+    for (const [i, end] of still.entries()) {
+      if (i === 0) continue;
+      const start = still[i - 1], unused = moving.findLast(stamp => stamp > start && stamp < end) ?? start;
+      assert.ok(end > start && Number(unused - start) / 1e6 <= 60, `not repeated ${Number(unused - start) / 1e6} ms after its last sample`);
+    }
+    assert.ok(still.at(-1) < plc.now());
   });
 
   it('Adapter_AllJointsAtRest_ReadsThemAndAssumesRest', async t => {
