@@ -44,9 +44,10 @@ namespace Nowpose.Tests.Unity
 
         internal static void AddARobot(BaseAnchor anchor, RobotDescriptionAsset description)
         {
-            var second = new GameObject("Second").AddComponent<RobotRig>();
-            second.gameObject.AddComponent<PoseAppearance>();
-            second.transform.SetParent(anchor.transform, worldPositionStays: false);
+            var made = new GameObject("Second");
+            made.transform.SetParent(anchor.transform, worldPositionStays: false);
+            var second = made.AddComponent<RobotRig>();
+            made.AddComponent<PoseAppearance>();
             second.Follow(null, "arm2", description);
         }
 
