@@ -45,7 +45,9 @@ namespace Nowpose.Frames
         /// <summary>Whether the displayed pose comes from /tf_static.</summary>
         public bool IsStationary => _isStationary && _reach == null;
 
-        /// <summary>Whether the pose of a stationary frame is from before the newest connection, so that its source may be gone.</summary>
+        /// <summary>
+        /// Whether the pose of a stationary frame is from before the newest connection, so that its source may be gone. The next pose resets it.
+        /// </summary>
         public bool IsOutdated { get; set; }
 
         /// <summary>Whether the displayed pose is the same at any display time, because this frame and all frames above it are stationary.</summary>
@@ -77,6 +79,7 @@ namespace Nowpose.Frames
         /// <param name="epoch">Time from which the predictor counts.</param>
         public DropReason Add(in FrameTransform pose, bool isStationary, ControlTime epoch)
         {
+            IsOutdated = false;
             if (_parent == null) Begin(pose, isStationary);
             if (pose.Parent == _parent && isStationary == _isStationary && _handOver.Count == 0)
             {

@@ -35,13 +35,9 @@ namespace Nowpose.Session.Cell
         /// <summary>Marks the frames of a tree whose poses have not been sent again since the newest connection began.</summary>
         public void Mark(FrameTree tree, HeadsetTime now)
         {
-            var isDue = _connection.HasLasted(Patience, now);
-            for (var i = 0; i < tree.Count; i++)
-            {
-                // A pose that is outdated stays so over further connections, until it arrives again.
-                var frame = tree[i];
-                frame.IsOutdated = (isDue || frame.IsOutdated) && _arrivals.TryGetValue(frame.Name, out var arrival) && !_connection.Includes(arrival);
-            }
+            if (!_connection.HasLasted(Patience, now)) return;
+            foreach (var known in _arrivals)
+                if (!_connection.Includes(known.Value) && tree.IndexOf(known.Key) is var index && index >= 0) tree[index].IsOutdated = true;
         }
     }
 }
