@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Robot;
 using UnityEditor;
 using UnityEngine;
 
@@ -46,17 +47,8 @@ namespace Nowpose.Editor.Inspectors
             for (var i = 0; i < rig.transform.childCount; i++)
             {
                 var child = rig.transform.GetChild(i);
-                if (IsDrawn(child)) yield return child.gameObject;
+                if (RigHierarchy.DrawnAt(child) != null) yield return child.gameObject;
             }
-        }
-
-        static bool IsDrawn(Transform at)
-        {
-            if (at.TryGetComponent<RobotRig>(out _) || at.TryGetComponent<VirtualGripper>(out _)) return false;
-            if (at.TryGetComponent<MeshFilter>(out _)) return true;
-            for (var i = 0; i < at.childCount; i++)
-                if (IsDrawn(at.GetChild(i))) return true;
-            return false;
         }
 
         // The grippers stay below the rig, where they follow the flange of the new robot.

@@ -91,18 +91,21 @@ namespace Nowpose.Unity.Robot
         /// Rejects drawn objects other than tools, because the wearer could mistake another, motionless robot below the rig for this robot.
         /// </summary>
         /// <exception cref="InputException">Something is drawn below the rig.</exception>
-        public static void RequireEmpty(RobotModel model, Transform rig) => RequireEmpty(model, rig, rig);
-
-        static void RequireEmpty(RobotModel model, Transform rig, Transform at)
+        public static void RequireEmpty(RobotModel model, Transform rig)
         {
+            for (var i = 0; i < rig.childCount; i++)
+                if (DrawnAt(rig.GetChild(i)) is Transform drawn)
+                    throw new InputException(RigMessages.NoRootLink(model.Name, rig.name, model.Root.Name, drawn.parent.name));
+        }
+
+        /// <summary>Returns the first drawn object at or below an object, other than tools and other rigs; null if there is none.</summary>
+        public static Transform DrawnAt(Transform at)
+        {
+            if (at.TryGetComponent<RobotRig>(out _) || at.TryGetComponent<VirtualGripper>(out _)) return null;
+            if (at.TryGetComponent<MeshFilter>(out _)) return at;
             for (var i = 0; i < at.childCount; i++)
-            {
-                var child = at.GetChild(i);
-                if (child.TryGetComponent<RobotRig>(out _) || child.TryGetComponent<VirtualGripper>(out _)) continue;
-                if (child.TryGetComponent<MeshFilter>(out _))
-                    throw new InputException(RigMessages.NoRootLink(model.Name, rig.name, model.Root.Name, at.name));
-                RequireEmpty(model, rig, child);
-            }
+                if (DrawnAt(at.GetChild(i)) is Transform drawn) return drawn;
+            return null;
         }
 
         // Rejects transformed objects between two links, because the origin of a joint is relative to the parent link.
