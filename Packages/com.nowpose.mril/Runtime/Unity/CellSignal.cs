@@ -99,7 +99,10 @@ namespace Nowpose.Unity
         }
 
         // The session may have ended. While its component is being disabled, no event is raised, because a listener must not switch objects then.
-        void LateUpdate() => _follower?.Judge();
+        void LateUpdate()
+        {
+            if (_follower != null && _follower.Source.Session == null) _follower.Judge();
+        }
 
         void OnDisable()
         {

@@ -90,7 +90,7 @@ namespace Nowpose.Unity.Cell
             Judge();
         }
 
-        /// <summary>Reports the fault if it has changed. Called in each frame, also without a session.</summary>
+        /// <summary>Reports the fault if it has changed. Called in each frame without a session; <see cref="Update"/> calls it in the others.</summary>
         public void Judge()
         {
             if (_hasLeft) return;
