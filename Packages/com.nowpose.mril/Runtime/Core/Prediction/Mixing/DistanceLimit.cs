@@ -14,9 +14,7 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Maximum distance as a multiple of the recent maximum. Values of 1 and 2.5 gave the same mean errors within 0.2 %.</summary>
         const double Growth = 1.5;
 
-        /// <summary>Time constant of the decay of the maximum, in s: that of the mixture's weights.</summary>
-        const double TimeConstant = 20;
-
+        // It decays like the weights of the mixture.
         double _max;
 
         /// <summary>Factor by which the distance from the line is multiplied until the next sample, 0 to 1.</summary>
@@ -30,7 +28,7 @@ namespace Nowpose.Prediction.Mixing
         {
             var max = Growth * _max;
             Factor = max > 0 && distance > max ? max / distance : 1;
-            _max *= Math.Exp(-interval / TimeConstant);
+            _max *= Math.Exp(-interval / Mixture.TimeConstant);
             if (double.IsFinite(distance) && !isUnconfirmed) _max = Math.Max(_max, distance);
         }
 

@@ -21,7 +21,7 @@ namespace Nowpose.Prediction.Mixing
         /// Time constant of the forgetting factor of the weights, in s: with 10 or 40 s, the errors of joints change by at most 0.2 %; with 40 s, the
         /// errors of objects are 1.5 % larger.
         /// </summary>
-        const double TimeConstant = 20;
+        internal const double TimeConstant = 20;
 
         /// <summary>
         /// Number of errors, one per component and sample, whose evidence has the same weight as the prior. It is larger than for independent errors, because

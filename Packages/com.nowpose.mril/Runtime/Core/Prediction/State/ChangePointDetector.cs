@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Prediction.Mixing;
 
 namespace Nowpose.Prediction.State
 {
@@ -12,9 +13,6 @@ namespace Nowpose.Prediction.State
     /// </remarks>
     sealed class ChangePointDetector
     {
-        /// <summary>Time constant of the decay of the maxima, in s: that of the mixture's weights.</summary>
-        const double TimeConstant = 20;
-
         /// <summary>
         /// Minimum ratio of the acceleration at a change point to the maximum recent acceleration. With 1.2, the errors of simulated motions are
         /// 2.9 % larger; with 2, those of recordings 1.4 %.
@@ -89,7 +87,8 @@ namespace Nowpose.Prediction.State
             _samples = Math.Min(_samples, MaxCount) + 1;
             if (_samples < 2) return;
             var interval = motion.Timing.Interval;
-            var forgettingFactor = Math.Exp(-interval / TimeConstant);
+            // The maxima decay like the weights of the mixture.
+            var forgettingFactor = Math.Exp(-interval / Mixture.TimeConstant);
             _maxAcceleration = Math.Max(_maxAcceleration, _acceleration) * forgettingFactor;
             _maxSpeed = Math.Max(_maxSpeed, _speed) * forgettingFactor;
             var (newest, before) = (motion.Speed, Vectors.Length(_before));
