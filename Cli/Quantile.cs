@@ -14,7 +14,7 @@ static class Quantile
         return SortedArrayStatistics.QuantileCustom(sorted, fraction, QuantileDefinition.R7);
     }
 
-    /// <summary>Returns the quantile; null if there is no value.</summary>
+    /// <summary>Returns the quantile; null for an empty list.</summary>
     public static double? OfOrNull(IEnumerable<double> values, double fraction)
     {
         var list = values.ToList();

@@ -9,7 +9,7 @@ namespace Nowpose.Unity.Rendering
         /// Returns whether a part belongs to an appearance: to the nearest one above it, even if that one is disabled, and to the last one of an object.
         /// The last one is the one that the user has added to an instance of an imported robot. Works outside play mode, too.
         /// </summary>
-        /// <param name="label">Label of the appearance, which is no part; may be null.</param>
+        /// <param name="label">Label of the appearance, which is not one of its parts; may be null.</param>
         public static bool Owns(this PoseAppearance appearance, Renderer part, TextMesh label)
         {
             if (label != null && part.gameObject == label.gameObject) return false;

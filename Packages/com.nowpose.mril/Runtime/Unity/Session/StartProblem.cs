@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Reason why a session could not start, and the time of the next attempt. The default is no problem.</summary>
+    /// <summary>Reason why a session could not start, and the time of the next attempt. The default has no reason.</summary>
     struct StartProblem
     {
         const double RetrySeconds = 1;
