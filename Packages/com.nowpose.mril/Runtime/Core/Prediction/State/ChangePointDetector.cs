@@ -6,10 +6,10 @@ namespace Nowpose.Prediction.State
     /// <summary>Detects change points: samples at which a motion breaks off, so that earlier samples do not predict later ones.</summary>
     /// <remarks>
     /// A window of samples across an emergency stop gives wrong forecasts. A change point is a change of velocity that is faster than all other
-    /// changes in the last few seconds; their maximum has the time constant of the weights. If it increased the speed, and the next sample confirms
-    /// the new speed, all samples are used again: the samples of a joint at rest do not impair the forecast of its start. While the velocity is constant
-    /// to rounding, the samples before it are left out, and each large change is a change point, even if earlier ones were faster: without noise, a
-    /// conveyor or turntable that is switched on moves at full speed at once.
+    /// changes in the last few seconds; their maximum has the time constant of the weights. If it increased the speed after noise, and the next sample
+    /// confirms the new speed, all samples are used again: the samples of a joint at rest do not impair the forecast of its start. While the velocity is
+    /// constant to rounding, the samples before it are left out, and each large change is a change point, even if earlier ones were faster: without
+    /// noise, a conveyor or turntable that is switched on moves at full speed at once.
     /// </remarks>
     sealed class ChangePointDetector
     {
@@ -36,13 +36,6 @@ namespace Nowpose.Prediction.State
         /// not become slower; the difference from 1 allows for noise. Without the confirmation, the errors on recordings are 1.0 % larger.
         /// </summary>
         const double MinConfirmationRatio = 0.9;
-
-        /// <summary>
-        /// The same after a constant velocity or a rest without noise: with constant jerk, the displacements in the first two intervals of a start are
-        /// 1 and 7. With a smaller ratio, the object moves at full speed at once, and the samples before the start would make a forecast overshoot: with
-        /// 2.5, turntables that are switched at random times have 1.2 % larger errors.
-        /// </summary>
-        const double MinSteadyConfirmationRatio = 7;
 
         /// <summary>
         /// Maximum change of a constant velocity, relative to the maximum recent speed. Without the rule, turntables with abrupt starts had up to 1.3
@@ -100,7 +93,7 @@ namespace Nowpose.Prediction.State
             if (_samples > 2)
             {
                 var acceleration = change / (0.5 * (interval + _intervalBefore));
-                if (IsConfirmed(newest, before, product, isSteady)) SamplesSince = _samples;
+                if (!isSteady && IsConfirmed(newest, before, product)) SamplesSince = _samples;
                 else if (IsChangePoint(change, acceleration, isSteady))
                 {
                     SamplesSince = 1;
@@ -133,8 +126,8 @@ namespace Nowpose.Prediction.State
             SpeedIncreased = _wasSteady = _isUnconfirmed = false;
         }
 
-        bool IsConfirmed(double newest, double before, double product, bool isSteady) => SamplesSince == 2 && SpeedIncreased && product > 0
-            && newest >= (isSteady ? MinSteadyConfirmationRatio : MinConfirmationRatio) * before;
+        bool IsConfirmed(double newest, double before, double product) =>
+            SamplesSince == 2 && SpeedIncreased && product > 0 && newest >= MinConfirmationRatio * before;
 
         bool IsChangePoint(double change, double acceleration, bool isSteady) =>
             change >= (isSteady ? MinSteadyChangeRatio : MinChangeRatio) * _maxSpeed && (isSteady || acceleration > MinAccelerationRatio * _maxAcceleration);

@@ -73,11 +73,14 @@ namespace Nowpose.Tests.Core.Prediction.State
         public void Add_AccelerationLikeEarlierOnes_IsNoChangePoint() =>
             Assert.That(After(0.2, 0.4, 0.6, 0.4, 0.2, 0, 0.2).SamplesSince, Is.EqualTo(8));
 
-        // A smooth start from rest has displacements of 1 and 7 or more in its first two intervals.
-        [TestCase(0.5, 1)]
-        [TestCase(0.8, 5)]
-        public void Add_StartFromRestWithoutNoise_UsesEarlierSamplesOnlyIfItIsSmooth(double second, int expected) =>
-            Assert.That(After(0, 0, 0.1, second).SamplesSince, Is.EqualTo(expected));
+        // The second displacement of a switched motion is any multiple of the first, because the motion may begin at any time in the first interval.
+        [TestCase(0.5)]
+        [TestCase(0.8)]
+        [TestCase(5)]
+        public void Add_StartFromRestWithoutNoise_LeavesOutTheRest(double second) => Assert.That(After(0, 0, 0.1, second).SamplesSince, Is.EqualTo(1));
+
+        [Test]
+        public void Add_SwitchedOn_LeavesOutTheRest() => Assert.That(After(0, 0, 0.9, 1, 1).SamplesSince, Is.EqualTo(3));
 
         // A stop within an interval shows in two intervals.
         [TestCase(0.3)]
