@@ -18,6 +18,13 @@ namespace Nowpose.Prediction.Mixing
         const double Regularisation = 0.1;
 
         /// <summary>
+        /// Minimum root mean square of the errors for λ, in m or rad: smaller errors are invisible, and weights that were learned only from rounding
+        /// would be unsuitable for the next motion. Without the minimum, vehicles that drive on a line and then turn had up to 2.4 times the error of a
+        /// quadratic, with it 1.6 times. With 1e-6 or 1e-4, the errors on recordings are the same.
+        /// </summary>
+        const double MinError = 1e-5;
+
+        /// <summary>
         /// Maximum number of steps per solve, each of which moves weight from one forecast to another. Few are sufficient, because each solve
         /// starts from the previous weights: ten change the errors on recordings by 0.02 %.
         /// </summary>
@@ -94,7 +101,7 @@ namespace Nowpose.Prediction.Mixing
             var min = double.PositiveInfinity;
             for (var i = 0; i < _weighted; i += _count + 1)
                 if (_products[i] < min) min = _products[i];
-            min += Tiny;
+            min = Math.Max(min, MinError * MinError * Evidence) + Tiny;
             var lambda = Regularisation * min * (1 + priorEvidence / Math.Max(Evidence, Positive));
             Span<double> gradient = stackalloc double[_count];
             for (var i = 0; i < gradient.Length; i++) gradient[i] = _products[_weighted + i] + lambda * (Values[i] - prior[i]);

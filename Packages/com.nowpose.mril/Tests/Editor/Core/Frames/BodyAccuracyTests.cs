@@ -23,6 +23,8 @@ namespace Nowpose.Tests.Core.Frames
             { "conveyor, noise", BodyMotions.WithNoise(BodyMotions.Conveyor, seed: 75) },
             { "unequal moves", BodyMotions.UnequalMoves },
             { "vehicle", BodyMotions.Vehicle },
+            { "first turns", BodyMotions.FirstTurns },
+            { "switched on", BodyMotions.SwitchedOn },
             { "switched turntable", BodyMotions.Switched },
             { "abrupt vehicle", BodyMotions.AbruptVehicle },
             { "reappearing workpiece", BodyMotions.Reappearing },
@@ -50,6 +52,10 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("vehicle", 20, 100, 1.05)]
         [TestCase("vehicle", 50, 100, 1.05)]
         [TestCase("vehicle", 100, 150, 1.05)]
+        [TestCase("first turns", 50, 100, 1.05)]
+        [TestCase("first turns", 50, 150, 1.05)]
+        [TestCase("switched on", 20, 100, 1.001)]
+        [TestCase("switched on", 50, 150, 1.001)]
         [TestCase("switched turntable", 20, 100, 1.05)]
         [TestCase("switched turntable", 50, 100, 1.05)]
         [TestCase("switched turntable", 100, 150, 1.05)]

@@ -83,6 +83,27 @@ namespace Nowpose.Tests.Core.Frames
                 t, new Vector3D(0.5 * Math.Sin(0.9 * t), 0.3 * Math.Cos(1.1 * t), 0.1), UnitQuaternion.Exp(new Vector3D(0, 0, angle)));
         }
 
+        /// <summary>
+        /// A vehicle that drives on a line, measured with a resolution of 1 nm, and turns twice, at up to 0.8 rad/s with ramps of 0.3 s: first after 8 s.
+        /// </summary>
+        public static PoseSample FirstTurns(double t)
+        {
+            double x = 0, y = 0, heading = 0;
+            const double step = 0.002;
+            for (var time = 0.0; time < t; time += step)
+            {
+                var seconds = Math.Min(step, t - time);
+                double Rate(double start) => Math.Max(0, Math.Min(1, Math.Min((time - start) / 0.3, (start + 1.8 - time) / 0.3)));
+                heading += 0.8 * seconds * (Rate(8.02) - Rate(13.41));
+                (x, y) = (x + seconds * Math.Cos(heading), y + seconds * Math.Sin(heading));
+            }
+            return new PoseSample(t, new Vector3D(Math.Round(x, 9), Math.Round(y, 9), 0.1), UnitQuaternion.Exp(new Vector3D(0, 0, heading)));
+        }
+
+        /// <summary>An object that rests for 8 s and then moves at 0.6 m/s at once, 2 ms before a sample at intervals of 20, 50 or 100 ms.</summary>
+        public static PoseSample SwitchedOn(double t) =>
+            new PoseSample(t, new Vector3D(0.6 * Math.Max(0, t - 7.998), 0.2, 0.9), UnitQuaternion.Exp(new Vector3D(0, 0, 0.4)));
+
         /// <summary>A table that is switched on and off: it has its full rate at once, and stands at once.</summary>
         public static PoseSample Switched(double t)
         {
