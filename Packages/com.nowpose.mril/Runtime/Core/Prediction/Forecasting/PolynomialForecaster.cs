@@ -5,9 +5,8 @@ namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>Forecasts by the polynomial of Schnierle &amp; Röck 2022, Eq. (8): interpolating for h = n, least squares for h &gt; n.</summary>
     /// <remarks>
-    /// For an interpolating polynomial, the weights are Lagrange's polynomials, the most accurate form for clustered times. For least squares, the weight of
-    /// sample j at time x is the sum of φ(x) φ(t_j) / |φ|² over polynomials φ that are orthogonal on the sample times (Forsythe 1957); unlike normal
-    /// equations, this does not square the condition number. For fewer than h + 1 samples, or coinciding times, the degree is the highest that the
+    /// The weight of sample j at time x is the sum of φ(x) φ(t_j) / |φ|² over polynomials φ that are orthogonal on the sample times (Forsythe 1957); unlike
+    /// normal equations, this does not square the condition number. For fewer than h + 1 samples, or coinciding times, the degree is the highest that the
     /// samples determine.
     /// </remarks>
     sealed class PolynomialForecaster : WeightedSumForecaster
@@ -19,12 +18,6 @@ namespace Nowpose.Prediction.Forecasting
         /// Maximum n, as in the paper. With stamp errors of ± 5 ms, the error of degree 3 is already 2.5 times that of degree 2 (T_s 50, L 100 ms).
         /// </summary>
         public const int MaxDegree = 3;
-
-        /// <summary>
-        /// Minimum interval between distinct times, s: half a tick of the time types. Closer times count as equal, because no polynomial can pass
-        /// through both samples.
-        /// </summary>
-        const double CoincidentSeconds = 0.5e-7;
 
         /// <summary>
         /// Minimum ratio of the squared norms of a polynomial and the previous one, divided by the squared norm of the polynomial of degree 1. A
@@ -39,7 +32,6 @@ namespace Nowpose.Prediction.Forecasting
 
         readonly int _maxDegree;
         int _degree;
-        bool _interpolates;
 
         // _values: for each degree, the values of the orthogonal polynomial at the sample times; a solve finally divides them by the squared norm.
         // _norms: for each degree, the squared norm.
@@ -48,9 +40,6 @@ namespace Nowpose.Prediction.Forecasting
 
         // The polynomial of degree k is x times that of degree k − 1, minus the sum of the lower polynomials with these coefficients.
         readonly double[][] _coefficients;
-
-        // Denominators of Lagrange's polynomials.
-        readonly double[] _denominators;
 
         /// <param name="degree">n, 0 to 3.</param>
         /// <param name="history">h, the number of samples used in addition to the newest one; n to 100.</param>
@@ -61,26 +50,10 @@ namespace Nowpose.Prediction.Forecasting
             _maxDegree = degree;
             (_values, _coefficients) = (new double[degree + 1][], new double[degree + 1][]);
             for (var k = 0; k <= degree; k++) (_values[k], _coefficients[k]) = (new double[RequiredSamples], new double[k]);
-            (_norms, _denominators) = (new double[degree + 1], new double[degree + 1]);
+            _norms = new double[degree + 1];
         }
 
         protected override int MinSamples => 1;
-
-        protected override void FillWeights(double ahead, Span<double> weights)
-        {
-            if (_interpolates) Interpolate(ahead, weights);
-            else Project(ahead, weights);
-        }
-
-        /// <returns>False if the degree is 0 or the times determine no velocity.</returns>
-        protected override bool SolveWeights()
-        {
-            _interpolates = Count - 1 <= _maxDegree && AreDistinct();
-            _degree = _interpolates ? Count - 1 : 0;
-            if (_interpolates) SolveDenominators();
-            else SolveBasis();
-            return _degree > 0;
-        }
 
         static int Checked(int degree, int history)
         {
@@ -91,42 +64,16 @@ namespace Nowpose.Prediction.Forecasting
             return history;
         }
 
-        bool AreDistinct()
+        /// <returns>False if the degree is 0 or the times determine no velocity.</returns>
+        protected override bool SolveWeights()
         {
-            for (var i = 1; i < Count; i++)
-                for (var j = 0; j < i; j++)
-                    if (Math.Abs(Times[i] - Times[j]) < CoincidentSeconds) return false;
-            return true;
-        }
-
-        void SolveDenominators()
-        {
-            for (var j = 0; j < Count; j++)
-            {
-                _denominators[j] = 1;
-                for (var i = 0; i < Count; i++)
-                    if (i != j) _denominators[j] *= Times[j] - Times[i];
-            }
-        }
-
-        void Interpolate(double ahead, Span<double> weights)
-        {
-            for (var j = 0; j < Count; j++)
-            {
-                var product = 1 / _denominators[j];
-                for (var i = 0; i < Count; i++)
-                    if (i != j) product *= ahead - Times[i];
-                weights[j] = product;
-            }
-        }
-
-        void SolveBasis()
-        {
+            _degree = 0;
             for (var j = 0; j < Count; j++) _values[0][j] = 1;
             _norms[0] = Count;
             while (_degree < _maxDegree && TryAddPolynomial(_degree + 1)) _degree++;
             for (var k = 0; k <= _degree; k++)
                 for (var j = 0; j < Count; j++) _values[k][j] /= _norms[k];
+            return _degree > 0;
         }
 
         // Computes the values of the polynomial of degree k at the sample times. Returns whether they determine it.
@@ -156,7 +103,7 @@ namespace Nowpose.Prediction.Forecasting
             return sum;
         }
 
-        void Project(double ahead, Span<double> weights)
+        protected override void FillWeights(double ahead, Span<double> weights)
         {
             Span<double> valuesAtTime = stackalloc double[MaxDegree + 1];
             for (var j = 0; j < Count; j++) weights[j] = _values[0][j];
