@@ -134,7 +134,7 @@ namespace Nowpose.Frames
 
         void Use(in BodySample sample, double displayed)
         {
-            if (!_pipeline.Accepts(sample)) return;
+            if (!_pipeline.Prepare(sample)) return;
             if (_pipeline.IsEmpty)
                 foreach (var blend in _blends) blend.Reset();
             var (isBlended, before) = (_blends[Position].IsNeeded(displayed) && !_pipeline.IsEmpty, NewestTime);

@@ -124,7 +124,7 @@ namespace Nowpose.Prediction
         void Use(in JointSample sample, double displayed)
         {
             var isNewest = _pipeline.HasNewestOrder(sample);
-            if (!_pipeline.Accepts(sample)) return;
+            if (!_pipeline.Prepare(sample)) return;
             var (shown, before) = (ShownAt(displayed), NewestTime);
             // Assumes the shorter way round between two samples more than half a turn apart.
             var turns = _limits.IsEndless && !_pipeline.IsEmpty ? WholeTurns(_newest + _shift - sample.Position) : 0;

@@ -57,7 +57,7 @@ namespace Nowpose.Prediction
 
         /// <summary>
         /// Maximum time from the newest sample to a prediction, s. Beyond the cap, the section's value at the cap is held; before the section's
-        /// oldest sample, its value at that sample is held. If infinite, only the forecasts of <c>adaptive</c> end, after 0.5 s. Default 0.3 s,
+        /// oldest sample, its value at that sample is held. The forecasts of <c>adaptive</c> end after 0.5 s. Default 0.3 s,
         /// because errors grow with the horizon: at 250 ms latency and T_s 50 ms, a quadratic has 0.62 times and a cubic 0.94 times the error of
         /// hold.
         /// </summary>

@@ -76,10 +76,11 @@ namespace Nowpose.Prediction
         }
 
         /// <summary>
-        /// Returns whether a sample can be used. Products of displacements as large as that of a far sample can overflow: if the sample is the newest, a
-        /// new history starts with it.
+        /// Checks a sample that is ready. Products of displacements as large as that of a far sample can overflow: if the sample is the newest, all earlier
+        /// samples are discarded.
         /// </summary>
-        public bool Accepts(in TSample sample)
+        /// <returns>Whether the sample can be added.</returns>
+        public bool Prepare(in TSample sample)
         {
             var isNear = true;
             for (var c = 0; c < sample.Components; c++) isNear &= Math.Abs(sample[c] - Newest[c]) < JointSample.MaxMagnitude;
@@ -87,7 +88,7 @@ namespace Nowpose.Prediction
             return isNear || IsEmpty;
         }
 
-        /// <summary>Uses a sample that is ready.</summary>
+        /// <summary>Adds a sample for which <see cref="Prepare"/> returned true.</summary>
         /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
         /// <returns>Whether the section has changed.</returns>
         public bool Add(in TSample sample, double displayed)

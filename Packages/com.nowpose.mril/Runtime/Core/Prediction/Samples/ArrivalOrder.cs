@@ -96,15 +96,8 @@ namespace Nowpose.Prediction.Samples
         bool IsWaiting(in TSample sample)
         {
             for (var i = 0; i < _lateCount; i++)
-                if (JointSample.IsSameTime(_late[i].Order, sample.Order) && HasSameComponents(_late[i], sample)) return true;
+                if (JointSample.IsSameTime(_late[i].Order, sample.Order) && RecentSamples<TSample>.HasSameComponents(_late[i], sample)) return true;
             return false;
-        }
-
-        static bool HasSameComponents(in TSample one, in TSample other)
-        {
-            for (var c = 0; c < one.Components; c++)
-                if (one[c] != other[c]) return false;
-            return true;
         }
 
         void ReleaseLate(bool withEvidence)

@@ -3,7 +3,7 @@ namespace Nowpose.Prediction.Samples
     /// <summary>A sample with its stamp: the position of a joint, or the pose of an object with several components.</summary>
     interface ISample<TSample>
     {
-        /// <summary>Stamp t_k, which may be wrong, in s.</summary>
+        /// <summary>Stamp t_k, which may be wrong; in a <see cref="SampleHistory{TSample}"/> the corrected time. In s.</summary>
         double Time { get; }
 
         /// <summary>Sort key of the samples, s: equal to <see cref="Time"/> unless the stamp is wrong.</summary>

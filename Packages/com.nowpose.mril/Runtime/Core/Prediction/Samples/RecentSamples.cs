@@ -29,25 +29,15 @@ namespace Nowpose.Prediction.Samples
         const int NoiseWindow = 8;
 
         readonly bool _isEndless;
-        readonly int _components = default(TSample).Components;
-
-        // Each sample is stored as its order, followed by its components.
-        readonly double[] _samples;
-        int _next;
-        int _count;
+        readonly TSample[] _samples = new TSample[Capacity];
+        int _next, _count;
 
         /// <param name="isEndless">Whether positions are angles in rad that may wrap from π to −π.</param>
-        public RecentSamples(bool isEndless)
-        {
-            _isEndless = isEndless;
-            _samples = new double[Capacity * (1 + _components)];
-        }
+        public RecentSamples(bool isEndless) => _isEndless = isEndless;
 
         public void Add(in TSample sample)
         {
-            var start = _next * (1 + _components);
-            _samples[start] = sample.Order;
-            for (var c = 0; c < _components; c++) _samples[start + 1 + c] = sample[c];
+            _samples[_next] = sample;
             _next = (_next + 1) % Capacity;
             if (_count < Capacity) _count++;
         }
@@ -57,8 +47,7 @@ namespace Nowpose.Prediction.Samples
         public bool Contains(in TSample sample, out bool isRepeated)
         {
             var i = IndexAt(sample.Order);
-            isRepeated = i >= 0;
-            for (var c = 0; c < _components && isRepeated; c++) isRepeated = sample[c] == Position(i, c);
+            isRepeated = i >= 0 && HasSameComponents(_samples[i], sample);
             return i >= 0;
         }
 
@@ -72,7 +61,7 @@ namespace Nowpose.Prediction.Samples
             var (before, after) = same >= 0 ? (same, same) : (Neighbour(sample.Order, -1), Neighbour(sample.Order, 1));
             if (before < 0 || after < 0) return false;
             var fraction = same >= 0 ? 0 : (sample.Order - Order(before)) / (Order(after) - Order(before));
-            for (var c = 0; c < _components; c++)
+            for (var c = 0; c < sample.Components; c++)
             {
                 var displacement = Difference(Position(after, c), Position(before, c));
                 var largest = Math.Max(Math.Abs(displacement), Math.Max(DisplacementFrom(before, -1, c), DisplacementFrom(after, 1, c)));
@@ -82,6 +71,13 @@ namespace Nowpose.Prediction.Samples
         }
 
         public void Clear() => _next = _count = 0;
+
+        public static bool HasSameComponents(in TSample one, in TSample other)
+        {
+            for (var c = 0; c < one.Components; c++)
+                if (one[c] != other[c]) return false;
+            return true;
+        }
 
         // Returns whether a sample is too far from the expected position. Before the first motion, no sample is.
         bool IsTooFar(double position, double reference, double displacement, double largest, int component)
@@ -100,9 +96,9 @@ namespace Nowpose.Prediction.Samples
             return i;
         }
 
-        double Order(int index) => _samples[index * (1 + _components)];
+        double Order(int index) => _samples[index].Order;
 
-        double Position(int index, int component) => _samples[index * (1 + _components) + 1 + component];
+        double Position(int index, int component) => _samples[index][component];
 
         double DisplacementFrom(int index, int direction, int component)
         {

@@ -41,7 +41,10 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first.</summary>
         public double NewestStamp => double.IsNegativeInfinity(_newestOrder) ? _newestOrder : Newest.Time;
 
-        /// <summary>Whether the corrected time of the last added sample is above those of all previous samples; otherwise it was overtaken.</summary>
+        /// <summary>
+        /// Whether the corrected time of the last added sample is above those of all previous samples. Otherwise it was overtaken, or the correction has
+        /// put it before an earlier sample.
+        /// </summary>
         public bool IsNewest { get; private set; }
 
         /// <summary>Returns whether a sample is newer than all previous samples, by its order as received.</summary>

@@ -59,14 +59,13 @@ namespace Nowpose.Prediction.Samples
         /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
         public void Add<TSample>(SampleHistory<TSample> samples, double before, double displayed) where TSample : struct, ISample<TSample>
         {
+            ConnectedSamples = samples.CountWithoutGap(_maximumGap);
             if (!(samples.NewestTime > before))
             {
-                // Newer samples have overtaken this sample, which may be the one before the newest.
-                ConnectedSamples = samples.CountWithoutGap(_maximumGap);
+                // The added sample may be the one before the newest.
                 if (samples.Count > 1) Interval = samples[0].Time - samples[1].Time;
                 return;
             }
-            ConnectedSamples = samples.HasGap(0, _maximumGap) ? 1 : Math.Min(ConnectedSamples + 1, samples.Count);
             if (double.IsNegativeInfinity(before)) return;
             Interval = samples.NewestTime - before;
             UpdateMeanInterval();

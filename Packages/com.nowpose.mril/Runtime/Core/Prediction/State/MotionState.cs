@@ -42,7 +42,7 @@ namespace Nowpose.Prediction.State
         /// <summary>Intervals of the samples, and the prediction horizon.</summary>
         public SampleTiming Timing { get; }
 
-        /// <summary>Whether the last added sample is newer than all previous samples; otherwise it was overtaken.</summary>
+        /// <inheritdoc cref="SampleBuffer{TSample}.IsNewest"/>
         public bool IsNewest { get; private set; }
 
         /// <summary>Time of the newest sample, and of the sample that was the newest before it, in s; negative infinity if there is none.</summary>

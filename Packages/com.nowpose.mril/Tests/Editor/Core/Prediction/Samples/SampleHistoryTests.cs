@@ -34,18 +34,17 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void ConnectedSamples_GapsAndLateSamples_CountsTheNewestWithoutGap()
+        public void CountWithoutGap_GapsAndLateSamples_CountsTheNewestWithoutGap()
         {
             var (history, random, time) = (new SampleHistory<JointSample>(8), new Random(3), 0.0);
-            var timing = new SampleTiming(new PredictionLimits(maximumGap: MaximumGap));
             for (var i = 0; i < 300; i++)
             {
                 var isNewest = i == 0 || random.Next(5) > 0;
                 if (isNewest) time += random.Next(4) > 0 ? 0.1 : 0.9;
-                var before = history.NewestTime;
-                if (history.Add(new JointSample(isNewest ? time : time - random.NextDouble(), 0))) timing.Add(history, before, displayed: double.NaN);
+                history.Add(new JointSample(isNewest ? time : time - random.NextDouble(), 0));
 
-                Assert.That(timing.ConnectedSamples, Is.EqualTo(history.CountWithoutGap(MaximumGap)), "sample " + i);
+                var gaps = Enumerable.Range(1, history.Count).Where(age => age == history.Count || history[age - 1].Time - history[age].Time > MaximumGap);
+                Assert.That(history.CountWithoutGap(MaximumGap), Is.EqualTo(gaps.First()), "sample " + i);
             }
         }
     }
