@@ -158,7 +158,7 @@ namespace Nowpose.Prediction
         // errors on swings are up to 1.7 times as large.
         static ForecasterSet Forecasters(int components, PredictionParts parts, params Forecaster[] more)
         {
-            var forecasters = new List<MixedForecaster>();
+            var forecasters = new List<(Forecaster, double, double)>();
             Add(PredictionParts.Process, new GaussianProcess(stopsAtReversal: true), 1 - LinePrior, 1 - ReportedPrior);
             var quadratic = new PolynomialForecaster(2, 2, stopsAtReversal: true);
             Add(PredictionParts.Quadratic, Has(parts, PredictionParts.Reported) ? new ReportedForecaster(quadratic) : (Forecaster)quadratic, 0, ReportedPrior);
@@ -167,12 +167,12 @@ namespace Nowpose.Prediction
             Add(PredictionParts.CubicOfSix, new PolynomialForecaster(3, 5));
             Add(PredictionParts.QuadraticOfTen, new PolynomialForecaster(2, 9));
             Add(PredictionParts.LineOfTen, new PolynomialForecaster(1, 9));
-            foreach (var forecaster in more) forecasters.Add(new MixedForecaster(forecaster));
+            foreach (var forecaster in more) forecasters.Add((forecaster, 0, 0));
             return new ForecasterSet(components, forecasters.ToArray());
 
             void Add(PredictionParts part, Forecaster forecaster, double prior = 0, double priorWhenReported = 0)
             {
-                if (Has(parts, part)) forecasters.Add(new MixedForecaster(forecaster, prior, priorWhenReported));
+                if (Has(parts, part)) forecasters.Add((forecaster, prior, priorWhenReported));
             }
         }
 

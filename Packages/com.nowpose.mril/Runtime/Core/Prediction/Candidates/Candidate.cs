@@ -24,8 +24,11 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>The forecast after the newest sample (<see cref="ForecastTable"/>), valid if there is one.</summary>
         public double[] Table { get; }
 
-        /// <summary>Whether the forecast replaces the mixture, unless another candidate is better.</summary>
-        public bool IsUsed { get; private set; }
+        /// <summary>
+        /// Mean square error relative to that of the mixture (<see cref="CandidateGate.ErrorRatio"/>); infinite while the forecast must not replace the
+        /// mixture.
+        /// </summary>
+        public double ErrorRatio { get; private set; } = double.PositiveInfinity;
 
         /// <summary>Adds a sample that is newer than all previous samples.</summary>
         /// <param name="points">Number of points of the table that are used.</param>
@@ -33,11 +36,8 @@ namespace Nowpose.Prediction.Candidates
         {
             _hasForecast = _forecaster.Solve(motion);
             if (_hasForecast) _forecaster.Fill(Table, 0, points, _components);
-            IsUsed = !double.IsInfinity(ErrorRatio(motion.StillSamples > 0));
+            ErrorRatio = _hasForecast ? _gate.ErrorRatio(motion.StillSamples > 0) : double.PositiveInfinity;
         }
-
-        /// <inheritdoc cref="CandidateGate.ErrorRatio"/>
-        public double ErrorRatio(bool isStill) => _hasForecast ? _gate.ErrorRatio(isStill) : double.PositiveInfinity;
 
         /// <summary>Returns the distance of the forecast made at the previous sample from the newest sample.</summary>
         /// <inheritdoc cref="Add" path="/param[@name='points']"/>
@@ -62,23 +62,15 @@ namespace Nowpose.Prediction.Candidates
             return _hasForecast;
         }
 
-        /// <summary>Scores a forecast.</summary>
-        /// <param name="mixtureError">Error of the mixture for the same time.</param>
-        /// <param name="truth">Position at that time.</param>
-        /// <param name="from">Position of the sample that was the newest when the forecast was made.</param>
-        /// <param name="wasStill">Whether the positions stood still then.</param>
-        /// <param name="time">Time of the newest sample, in s.</param>
-        public void Score(double[] forecast, double mixtureError, double[] truth, double[] from, bool wasStill, double time)
-        {
-            var displacement = Math.Max(Vectors.Distance(truth, from), Vectors.Distance(forecast, from));
-            _gate.Score(Vectors.Distance(forecast, truth), mixtureError, displacement, wasStill, time);
-        }
+        /// <inheritdoc cref="CandidateGate.Score"/>
+        public void Score(double error, double mixture, double displacement, bool wasStill, double time) =>
+            _gate.Score(error, mixture, displacement, wasStill, time);
 
         public void Reset()
         {
             _forecaster.Reset();
             _gate.Reset();
-            _hasForecast = IsUsed = false;
+            (_hasForecast, ErrorRatio) = (false, double.PositiveInfinity);
         }
     }
 }

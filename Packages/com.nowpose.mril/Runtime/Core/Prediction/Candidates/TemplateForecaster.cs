@@ -222,16 +222,7 @@ namespace Nowpose.Prediction.Candidates
             return moving < MinMoving ? full : Math.Min(full, moving + 2);
         }
 
-        double Displacement(int age)
-        {
-            var squares = 0.0;
-            for (int i = age * _components, end = i + _components; i < end; i++)
-            {
-                var displacement = _positions[i] - _positions[i + _components];
-                squares += displacement * displacement;
-            }
-            return Math.Sqrt(squares);
-        }
+        double Displacement(int age) => Vectors.Distance(_positions, age * _components, _positions, (age + 1) * _components, _components);
 
         void Weigh(double min)
         {

@@ -61,7 +61,7 @@ namespace Nowpose.Prediction.Forecasting
         void Learn(MotionState motion)
         {
             var age = AgeAtHorizon(motion);
-            if (age == 0 || !_process.Solve(motion, RequiredSamples, age)) return;
+            if (age == 0 || !_process.Solve(motion, age)) return;
             var (ahead, squares) = (-motion.Times[age], 0.0);
             for (var c = 0; c < motion.Components; c++)
             {

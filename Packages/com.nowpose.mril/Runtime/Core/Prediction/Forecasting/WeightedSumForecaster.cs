@@ -46,14 +46,14 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Times of the samples relative to the newest, in s.</summary>
         protected double[] Times { get; }
 
-        public override bool Solve(MotionState motion) => Solve(motion, Math.Min(motion.Count, RequiredSamples));
+        public override bool Solve(MotionState motion) => Solve(motion, age: 0);
 
         /// <summary>Solves as if an earlier sample were the newest. The results are relative to this sample until the next solve.</summary>
-        /// <param name="count">Number of samples to use, at most <see cref="RequiredSamples"/>.</param>
         /// <param name="age">Number of newer samples, which are ignored.</param>
-        /// <returns>Whether these samples determine the weights.</returns>
-        public bool Solve(MotionState motion, int count, int age = 0)
+        /// <returns>Whether the older samples determine the weights.</returns>
+        public bool Solve(MotionState motion, int age)
         {
+            var count = Math.Min(motion.Count - age, RequiredSamples);
             (_motion, _age) = (motion, age);
             if (count < MinSamples) return false;
             if (count == Count && HasTimes(motion.Times, age)) return _isSolved;

@@ -14,21 +14,20 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Maximum distance as a multiple of the recent maximum. Values of 1 and 2.5 gave the same mean errors within 0.2 %.</summary>
         const double Growth = 1.5;
 
-        // It decays like the weights of the mixture.
         double _max;
 
         /// <summary>Factor by which the distance from the line is multiplied until the next sample, 0 to 1.</summary>
         public double Factor { get; private set; } = 1;
 
         /// <summary>Adds the distance of the forecast that was computed after a sample.</summary>
-        /// <param name="interval">Time since the previous sample, s.</param>
         /// <param name="distance">Distance from the line after one horizon, m or rad.</param>
+        /// <param name="forgettingFactor">Factor of the maximum since the previous sample, 0 to 1.</param>
         /// <param name="isUnconfirmed">Whether the sample may be wrong: the distance does not increase the maximum.</param>
-        public void Add(double interval, double distance, bool isUnconfirmed = false)
+        public void Add(double distance, double forgettingFactor, bool isUnconfirmed)
         {
             var max = Growth * _max;
             Factor = max > 0 && distance > max ? max / distance : 1;
-            _max *= Math.Exp(-interval / Mixture.TimeConstant);
+            _max *= forgettingFactor;
             if (double.IsFinite(distance) && !isUnconfirmed) _max = Math.Max(_max, distance);
         }
 

@@ -4,21 +4,6 @@ using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Mixing
 {
-    /// <summary>A forecaster of the mixture and its prior weight.</summary>
-    readonly struct MixedForecaster
-    {
-        /// <param name="prior">Weight, 0 to 1.</param>
-        /// <param name="priorWhenReported">Weight if the source reports velocity and acceleration.</param>
-        public MixedForecaster(Forecaster forecaster, double prior = 0, double priorWhenReported = 0) =>
-            (Forecaster, Prior, PriorWhenReported) = (forecaster, prior, priorWhenReported);
-
-        public Forecaster Forecaster { get; }
-
-        public double Prior { get; }
-
-        public double PriorWhenReported { get; }
-    }
-
     /// <summary>The forecasters of a mixture: hold, whose table is zero, a line, and others. Fills their tables after a sample.</summary>
     /// <remarks>
     /// The joints of one robot, or the objects of one cell, use the same set in turn, because its forecasters keep no state from sample to sample. Their
@@ -30,24 +15,32 @@ namespace Nowpose.Prediction.Mixing
 
         const int First = Line + 1;
 
-        readonly MixedForecaster[] _mixed;
+        readonly Forecaster[] _forecasters;
         readonly double[] _prior, _priorWhenReported;
         readonly int _components;
         readonly double[] _tables;
 
         /// <param name="components">Number of components of the motions.</param>
-        /// <param name="mixed">Forecasters in addition to hold and line. The prior weight of the line is one minus the weights of the others.</param>
-        public ForecasterSet(int components, params MixedForecaster[] mixed)
+        /// <param name="forecasters">
+        /// Forecasters in addition to hold and line, with their weights without evidence, 0 to 1: for samples without and with a velocity and
+        /// acceleration that the source reports. The line has the remaining weight.
+        /// </param>
+        public ForecasterSet(int components, params (Forecaster Forecaster, double Prior, double PriorWhenReported)[] forecasters)
         {
-            (_components, _mixed) = (components, mixed);
-            _tables = new double[Start(Count)];
-            foreach (var one in mixed) MaxSamples = Math.Max(MaxSamples, one.Forecaster.MaxSamples);
-            _prior = Weights(one => one.Prior);
-            _priorWhenReported = Weights(one => one.PriorWhenReported);
+            (_components, _forecasters) = (components, Array.ConvertAll(forecasters, one => one.Forecaster));
+            (_tables, _prior, _priorWhenReported) = (new double[Start(Count)], new double[Count], new double[Count]);
+            _prior[Line] = _priorWhenReported[Line] = 1;
+            for (var i = First; i < Count; i++)
+            {
+                (_, _prior[i], _priorWhenReported[i]) = forecasters[i - First];
+                _prior[Line] -= _prior[i];
+                _priorWhenReported[Line] -= _priorWhenReported[i];
+                MaxSamples = Math.Max(MaxSamples, _forecasters[i - First].MaxSamples);
+            }
         }
 
         /// <summary>Number of forecasts, including hold and line.</summary>
-        public int Count => First + _mixed.Length;
+        public int Count => First + _forecasters.Length;
 
         /// <summary>Maximum number of newest samples that a forecast uses; the candidates need three.</summary>
         public int MaxSamples { get; } = 3;
@@ -66,7 +59,7 @@ namespace Nowpose.Prediction.Mixing
             FillLine(motion, lineFactor, points);
             for (var i = First; i < Count; i++)
             {
-                var forecaster = _mixed[i - First].Forecaster;
+                var forecaster = _forecasters[i - First];
                 // With two samples all forecasts are the same line. They must not differ by rounding, which would decide between equal errors.
                 if (samples > 2 && samples >= forecaster.RequiredSamples && forecaster.Solve(motion)) forecaster.Fill(_tables, Start(i), points, _components);
                 else Array.Copy(_tables, Start(Line), _tables, Start(i), points * _components);
@@ -89,18 +82,6 @@ namespace Nowpose.Prediction.Mixing
         {
             for (int point = 0, i = Start(Line); point < points; point++)
                 for (var c = 0; c < _components; c++) _tables[i++] = point * ForecastTable.Step * factor * motion.Velocity[c];
-        }
-
-        double[] Weights(Func<MixedForecaster, double> weightOf)
-        {
-            var weights = new double[Count];
-            weights[Line] = 1;
-            for (var i = 0; i < _mixed.Length; i++)
-            {
-                weights[First + i] = weightOf(_mixed[i]);
-                weights[Line] -= weights[First + i];
-            }
-            return weights;
         }
     }
 }

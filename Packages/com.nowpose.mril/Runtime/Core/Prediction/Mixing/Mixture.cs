@@ -21,7 +21,7 @@ namespace Nowpose.Prediction.Mixing
         /// Time constant of the forgetting factor of the weights, in s: with 10 or 40 s, the errors of joints change by at most 0.2 %; with 40 s, the
         /// errors of objects are 1.5 % larger.
         /// </summary>
-        internal const double TimeConstant = 20;
+        const double TimeConstant = 20;
 
         /// <summary>
         /// Number of errors, one per component and sample, whose evidence has the same weight as the prior. It is larger than for independent errors, because
@@ -85,7 +85,7 @@ namespace Nowpose.Prediction.Mixing
         // The first position, and the table of the displayed forecast.
         readonly double[] _first, _table;
 
-        double _lineUntil;
+        double _forgettingFactor, _lineUntil;
         bool _hasMoved, _wasReported;
 
         /// <param name="limits">Horizon cap, and for a joint the limits of its drive.</param>
@@ -116,6 +116,7 @@ namespace Nowpose.Prediction.Mixing
         {
             if (motion.IsNewest)
             {
+                _forgettingFactor = Math.Exp(-motion.Timing.Interval / TimeConstant);
                 DetectJump(motion);
                 DetectChangePoint(motion);
                 DetectFirstMotion(motion);
@@ -150,13 +151,13 @@ namespace Nowpose.Prediction.Mixing
             if (!IsVelocityUnknown) return;
             var max = MaxExplainedRatio * Vectors.Distance(motion.Newest, motion.Previous);
             foreach (var candidate in _candidates)
-                if (candidate.IsUsed && candidate.DistanceFrom(motion, _points) < max) _jumps.Dismiss();
+                if (!double.IsInfinity(candidate.ErrorRatio) && candidate.DistanceFrom(motion, _points) < max) _jumps.Dismiss();
         }
 
         void DetectChangePoint(MotionState motion)
         {
             if (IsVelocityUnknown) _changePoints.AddJump();
-            else _changePoints.Add(motion, _jumps.IsUnconfirmed);
+            else _changePoints.Add(motion, _forgettingFactor, _jumps.IsUnconfirmed);
         }
 
         void DetectFirstMotion(MotionState motion)
@@ -210,28 +211,24 @@ namespace Nowpose.Prediction.Mixing
         void Expect(MotionState motion)
         {
             var distance = _pending.Add(motion);
-            if (Uses(PredictionParts.DistanceLimit)) _distance.Add(motion.Timing.Interval, distance, _jumps.IsUnconfirmed);
+            if (Uses(PredictionParts.DistanceLimit)) _distance.Add(distance, _forgettingFactor, _jumps.IsUnconfirmed);
         }
 
         void FillTable(MotionState motion, double speedFactor)
         {
             Array.Clear(_table, 0, _table.Length);
-            var candidate = IsVelocityUnknown ? null : BestCandidate(motion.StillSamples > 0);
+            var candidate = IsVelocityUnknown ? null : BestCandidate();
             if (candidate != null) Array.Copy(candidate.Table, _table, _points * _components);
             else FillMixture(motion, speedFactor);
             // The displayed position is that of the newest sample at its time.
             Array.Clear(_table, 0, _components);
         }
 
-        Candidate BestCandidate(bool isStill)
+        Candidate BestCandidate()
         {
             Candidate best = null;
-            var min = double.PositiveInfinity;
             foreach (var candidate in _candidates)
-            {
-                var ratio = candidate.ErrorRatio(isStill);
-                if (ratio < min) (best, min) = (candidate, ratio);
-            }
+                if (candidate.ErrorRatio < (best?.ErrorRatio ?? double.PositiveInfinity)) best = candidate;
             return best;
         }
 

@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Prediction.Mixing;
 
 namespace Nowpose.Prediction.State
 {
@@ -73,15 +72,14 @@ namespace Nowpose.Prediction.State
         public bool IsSteady => _steadySamples > 0;
 
         /// <summary>Adds the newest sample of a motion.</summary>
+        /// <param name="forgettingFactor">Factor of the maxima since the previous sample, 0 to 1.</param>
         /// <param name="isUnconfirmed">Whether the sample may be wrong (<see cref="JumpDetector.IsUnconfirmed"/>): it does not increase the maxima.</param>
-        public void Add(MotionState motion, bool isUnconfirmed)
+        public void Add(MotionState motion, double forgettingFactor, bool isUnconfirmed)
         {
             SamplesSince = Math.Min(SamplesSince, MaxCount) + 1;
             _samples = Math.Min(_samples, MaxCount) + 1;
             if (_samples < 2) return;
             var interval = motion.Timing.Interval;
-            // The maxima decay like the weights of the mixture.
-            var forgettingFactor = Math.Exp(-interval / Mixture.TimeConstant);
             _maxAcceleration = Math.Max(_maxAcceleration, _acceleration) * forgettingFactor;
             _maxSpeed = Math.Max(_maxSpeed, _speed) * forgettingFactor;
             var (newest, before) = (motion.Speed, Vectors.Length(_before));

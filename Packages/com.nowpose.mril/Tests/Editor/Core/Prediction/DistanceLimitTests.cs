@@ -5,12 +5,12 @@ namespace Nowpose.Tests.Core.Prediction
 {
     public class DistanceLimitTests
     {
-        const double Interval = 0.05, Memory = 20;
+        const double ForgettingFactor = 0.9975;
 
         static DistanceLimit After(params double[] distances)
         {
             var limit = new DistanceLimit();
-            foreach (var distance in distances) limit.Add(Interval, distance);
+            foreach (var distance in distances) limit.Add(distance, ForgettingFactor, isUnconfirmed: false);
             return limit;
         }
 
@@ -36,11 +36,11 @@ namespace Nowpose.Tests.Core.Prediction
         public void Factor_AfterALongTime_DependsOnTheNewerDistances()
         {
             var limit = After(100);
-            for (var i = 0; i < 5 * Memory / Interval; i++) limit.Add(Interval, 0.1);
+            for (var i = 0; i < 2000; i++) limit.Add(0.1, ForgettingFactor, isUnconfirmed: false);
 
-            limit.Add(Interval, 50);
+            limit.Add(50, ForgettingFactor, isUnconfirmed: false);
 
-            Assert.That(limit.Factor * 50, Is.EqualTo(1.5 * 100 * System.Math.Exp(-5)).Within(0.05));
+            Assert.That(limit.Factor * 50, Is.EqualTo(1.5 * 100 * System.Math.Pow(ForgettingFactor, 2000)).Within(0.05));
         }
 
         [TestCase(double.NaN)]
@@ -49,10 +49,10 @@ namespace Nowpose.Tests.Core.Prediction
         {
             var limit = After(1, distance);
 
-            limit.Add(Interval, 1);
+            limit.Add(1, ForgettingFactor, isUnconfirmed: false);
 
             Assert.That(limit.Factor, Is.EqualTo(1));
-            limit.Add(Interval, 3);
+            limit.Add(3, ForgettingFactor, isUnconfirmed: false);
             Assert.That(limit.Factor, Is.EqualTo(0.5).Within(0.01));
         }
 
@@ -61,10 +61,10 @@ namespace Nowpose.Tests.Core.Prediction
         {
             var limit = After(1);
 
-            limit.Add(Interval, 100, isUnconfirmed: true);
+            limit.Add(100, ForgettingFactor, isUnconfirmed: true);
 
             Assert.That(limit.Factor, Is.EqualTo(0.015).Within(1e-4));
-            limit.Add(Interval, 3);
+            limit.Add(3, ForgettingFactor, isUnconfirmed: false);
             Assert.That(limit.Factor, Is.EqualTo(0.5).Within(0.01));
         }
 
@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Prediction
             limit.Clear();
 
             Assert.That(limit.Factor, Is.EqualTo(1));
-            limit.Add(Interval, 1e6);
+            limit.Add(1e6, ForgettingFactor, isUnconfirmed: false);
             Assert.That(limit.Factor, Is.EqualTo(1));
         }
     }

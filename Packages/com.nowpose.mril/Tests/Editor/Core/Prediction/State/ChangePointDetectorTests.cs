@@ -7,7 +7,7 @@ namespace Nowpose.Tests.Core.Prediction.State
 {
     public class ChangePointDetectorTests
     {
-        const double Interval = 0.05;
+        const double Interval = 0.05, ForgettingFactor = 0.9975;
 
         // Feeds a first sample, and one sample per speed.
         static ChangePointDetector After(params double[] speeds) => WithWrongSample(-2, speeds);
@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Prediction.State
                 buffer.Add(new JointSample(k * Interval, position), displayed: double.NaN);
                 motion.Take(buffer);
                 if (k == wrong + 2 && k > 0) detector.AddJump();
-                else detector.Add(motion, isUnconfirmed: k == wrong + 1);
+                else detector.Add(motion, ForgettingFactor, isUnconfirmed: k == wrong + 1);
             }
             return detector;
         }
@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Core.Prediction.State
                 buffer.Add(new JointSample(k * Interval, 0.01 * k + (k < 5 ? 0 : 3)), displayed: double.NaN);
                 motion.Take(buffer);
                 if (k == 5) detector.AddJump();
-                else detector.Add(motion, isUnconfirmed: false);
+                else detector.Add(motion, ForgettingFactor, isUnconfirmed: false);
             }
 
             Assert.That(detector.SamplesSince, Is.EqualTo(3));
