@@ -39,26 +39,20 @@ sealed class RobotLinks(Action changed)
     }
 
     /// <summary>Gets the root link of the robot to which a link belongs; null for a frame that is not a robot link.</summary>
-    public string RootOf(string link)
-    {
-        lock (_lock)
-        {
-            foreach (var (links, root) in _robots.Values)
-                if (links.ContainsKey(link)) return root;
-            return null;
-        }
-    }
+    public string RootOf(string link) => Find(link).Root;
 
     /// <summary>
     /// Gets the joints that decide whether the pose of a robot's link is current, by their cell-wide names; empty for a frame that is not a robot link.
     /// </summary>
-    public IReadOnlyList<string> JointsOf(string link)
+    public IReadOnlyList<string> JointsOf(string link) => Find(link).Joints;
+
+    (string Root, IReadOnlyList<string> Joints) Find(string link)
     {
         lock (_lock)
         {
-            foreach (var (links, _) in _robots.Values)
-                if (links.TryGetValue(link, out var joints)) return joints;
-            return [];
+            foreach (var (links, root) in _robots.Values)
+                if (links.TryGetValue(link, out var joints)) return (root, joints);
+            return (null, []);
         }
     }
 
