@@ -143,17 +143,8 @@ namespace Nowpose.Session
         /// <inheritdoc cref="DisplayFrame.IsLimitedByBase"/>
         internal bool IsLimitedByBase { get => _robot.IsLimitedByBase; set => _robot.IsLimitedByBase = value; }
 
-        /// <summary>The most severe state among the poses of all robots.</summary>
-        internal PoseState WorstPose
-        {
-            get
-            {
-                var worst = Pose;
-                foreach (var robot in _otherRobots)
-                    if (robot.Pose < worst) worst = robot.Pose;
-                return worst;
-            }
-        }
+        /// <summary>The most severe state among the poses of all displayed robots.</summary>
+        internal PoseState WorstPose { get; set; }
 
         /// <summary>
         /// Fraction of the frames of the last ten seconds in which the poses of all robots were current, 0 to 1; null before the first frame.
@@ -195,6 +186,7 @@ namespace Nowpose.Session
         /// <summary>Writes the states of all robots.</summary>
         internal void Fill(SessionRobots robots, HeadsetTime now)
         {
+            WorstPose = robots.WorstPose;
             robots[0].Fill(_robot, now, Clock);
             var shown = 0;
             for (var i = 1; i < robots.Count; i++)

@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Core.Session
         {
             (int, string) StatusOf(SessionStatistics statistics)
             {
-                statistics.Pose = PoseState.Current;
+                statistics.WorstPose = PoseState.Current;
                 var message = SessionDiagnostics.Of(statistics, "left", default);
                 return (message.Level, message.Message);
             }
@@ -92,7 +92,7 @@ namespace Nowpose.Tests.Core.Session
         [Test]
         public void Diagnostics_RestUncertainAndADisplayProblem_ContainBoth()
         {
-            var statistics = new SessionStatistics { Pose = PoseState.Current, IsDisplayTimeImplausible = true };
+            var statistics = new SessionStatistics { WorstPose = PoseState.Current, IsDisplayTimeImplausible = true };
             const string reason = StateNames.UncertainRestReason + "nothing confirms the last value";
             statistics.ChangeableJointStatuses.Add(new JointStatus("elbow", JointDataState.Rest, null, null, reason));
 
