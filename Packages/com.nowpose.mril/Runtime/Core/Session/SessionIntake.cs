@@ -79,7 +79,7 @@ namespace Nowpose.Session
         public void Add(JointStateMessage message, HeadsetTime arrival)
         {
             _arrivals.Enqueue(new SampleArrival(message, arrival));
-            if (_arrivals.Count > QueueLength && _arrivals.TryDequeue(out var oldest)) Judged(oldest, DropReason.SlowReader);
+            if (_arrivals.Count > QueueLength && _arrivals.TryDequeue(out var oldest)) CountDrop(oldest, DropReason.SlowReader);
         }
 
         /// <summary>Queues future set-points for the next frame with a known control time. Thread-safe.</summary>
@@ -90,11 +90,11 @@ namespace Nowpose.Session
             var plan = PlannedMotion.Of(new PlanArrival(message, arrival), _robot.IndexOfMovingJoint);
             if (plan.Count == 0)
             {
-                Judged(plan.Arrival, DropReason.UnknownJoint);
+                CountDrop(plan.Arrival, DropReason.UnknownJoint);
                 return;
             }
             _plans.Enqueue(plan);
-            if (_plans.Count > PlanQueueLength && _plans.TryDequeue(out var oldest)) Judged(oldest.Arrival, DropReason.SlowReader);
+            if (_plans.Count > PlanQueueLength && _plans.TryDequeue(out var oldest)) CountDrop(oldest.Arrival, DropReason.SlowReader);
         }
 
         /// <summary>Processes the queued messages within a frame.</summary>
@@ -105,7 +105,7 @@ namespace Nowpose.Session
             {
                 var mayBeKept = HasSampleHandler;
                 if (_backlog.IsSelected(i)) Take(_backlog[i], clock);
-                else Judged(_backlog[i], DropReason.SlowReader);
+                else CountDrop(_backlog[i], DropReason.SlowReader);
                 // Checks for handlers before and after the call, because other threads may add and remove them.
                 if (!mayBeKept && !HasSampleHandler) _backlog[i].Message.Release();
             }
@@ -123,12 +123,12 @@ namespace Nowpose.Session
             var stamp = arrival.Message.Stamp;
             if (clock.IsKnown && StampRule.IsInFuture(stamp, clock.ToControl(arrival.At), clock.ErrorBound))
             {
-                Judged(arrival, DropReason.StampInFuture);
+                CountDrop(arrival, DropReason.StampInFuture);
                 return;
             }
             var joints = _messageJoints.Of(arrival.Message);
             var reason = _tracks.Add(arrival.Message, joints);
-            Judged(arrival, reason);
+            CountDrop(arrival, reason);
             if (reason != DropReason.None) return;
             Samples++;
             _hindcast.Add(arrival.Message, joints);
@@ -139,17 +139,17 @@ namespace Nowpose.Session
         void Take(PlannedMotion plan, in ClockModel clock)
         {
             var isInFuture = StampRule.IsInFuture(plan.Stamp, clock.ToControl(plan.Arrival.At), clock.ErrorBound);
-            Judged(plan.Arrival, isInFuture ? DropReason.StampInFuture : DropReason.None);
+            CountDrop(plan.Arrival, isInFuture ? DropReason.StampInFuture : DropReason.None);
             if (!isInFuture && _followsPlans) _tracks.Follow(plan);
         }
 
-        void Judged(in SampleArrival arrival, DropReason reason)
+        void CountDrop(in SampleArrival arrival, DropReason reason)
         {
             _drops.Count(reason);
             SampleJudged?.Invoke(arrival, reason);
         }
 
-        void Judged(in PlanArrival arrival, DropReason reason)
+        void CountDrop(in PlanArrival arrival, DropReason reason)
         {
             _drops.Count(reason);
             PlanJudged?.Invoke(arrival, reason);
