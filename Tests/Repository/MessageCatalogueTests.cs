@@ -92,7 +92,7 @@ public sealed partial class MessageCatalogueTests
         ["RequestMessages"] = ["Closed", "ClosedForRate", "Dropped", "NotAccepted"],
         ["RobotMessages"] = ["OfRobot"],
         ["SessionMessages"] = ["Description", "DescriptionUnusable", "PlausibleAgain", "Recording", "Stale", "Synchronised", "WithinRange"],
-        ["SignalMessages"] = ["OlderThanConnection"],
+        ["SignalMessages"] = ["ClockUnsynchronised", "NoConnection", "NoValue", "OlderThanConnection"],
         ["SimulationMessages"] = ["Error", "Read", "Written"],
         ["SweepMessages"] = ["Responds"],
         ["SyncServerMessages"] = ["Closed", "NotAccepted"],

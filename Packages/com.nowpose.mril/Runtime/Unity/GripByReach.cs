@@ -1,6 +1,6 @@
 using Nowpose.Frames;
+using Nowpose.Messages;
 using Nowpose.Session;
-using Nowpose.Session.Cell;
 using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
@@ -59,7 +59,7 @@ namespace Nowpose.Unity
 
         string IShownPart.Title => _title;
 
-        bool IShownPart.IsFaultCommon => _grip != null && Fault == SessionSignals.ClockUnsynchronised;
+        bool IShownPart.IsFaultCommon => _grip != null && Fault == SignalMessages.ClockUnsynchronised;
 
         ControlTime? IShownPart.FaultSince => _grip != null && _grip.Fault == null ? _followed.Signals.EndOf(Signal) : null;
 

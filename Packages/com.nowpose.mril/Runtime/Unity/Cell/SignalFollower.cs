@@ -1,6 +1,6 @@
 using System;
+using Nowpose.Messages;
 using Nowpose.Session;
-using Nowpose.Session.Cell;
 using Nowpose.Signals;
 using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
@@ -46,7 +46,7 @@ namespace Nowpose.Unity.Cell
 
         string IShownPart.Title => _title;
 
-        bool IShownPart.IsFaultCommon => Fault == SessionSignals.ClockUnsynchronised;
+        bool IShownPart.IsFaultCommon => Fault == SignalMessages.ClockUnsynchronised;
 
         ControlTime? IShownPart.FaultSince => _session?.Signals.EndOf(_name);
 

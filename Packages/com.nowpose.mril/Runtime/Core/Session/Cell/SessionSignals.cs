@@ -17,9 +17,6 @@ namespace Nowpose.Session.Cell
         /// <summary>Queue capacity in messages. Messages wait for a display frame with a known control time.</summary>
         const int QueueLength = 1000;
 
-        /// <summary>Reason why a value is not current while the display time is not known well enough. It affects all signals alike.</summary>
-        public const string ClockUnsynchronised = "clock unsynchronised";
-
         readonly Arrivals<SignalsMessage> _arrivals = new Arrivals<SignalsMessage>(QueueLength);
         readonly NewestSignals _overflow = new NewestSignals();
         readonly List<ArrivedSignal> _kept = new List<ArrivedSignal>();
@@ -81,16 +78,16 @@ namespace Nowpose.Session.Cell
         /// <param name="isConnected">Whether messages can arrive.</param>
         public string FaultOf(string signal, bool isConnected)
         {
-            if (!isConnected) return "no connection";
+            if (!isConnected) return SignalMessages.NoConnection;
             if (_ended.TryGetValue(signal, out var report)) return report.Reason;
             var index = Table.IndexOf(signal);
             if (index < 0 || !Table[index].IsKnown)
             {
-                if (!_isWaitingForClock) return "no value received";
+                if (!_isWaitingForClock) return SignalMessages.NoValue;
             }
             // The gateway sends each value again at once, unless it has restarted and has no value from the signal's source.
             else if (!_received.TryGetValue(signal, out var arrival) || !_connection.Includes(arrival)) return SignalMessages.OlderThanConnection;
-            return _isTimeKnown ? null : ClockUnsynchronised;
+            return _isTimeKnown ? null : SignalMessages.ClockUnsynchronised;
         }
 
         /// <summary>Returns the time at which the source of a signal ended; null if it has not ended.</summary>

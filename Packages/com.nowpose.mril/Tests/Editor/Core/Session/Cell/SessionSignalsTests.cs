@@ -1,10 +1,10 @@
 using System;
 using System.Collections.Generic;
+using NUnit.Framework;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
-using Nowpose.Session.Cell;
-using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session.Cell
 {
@@ -106,13 +106,13 @@ namespace Nowpose.Tests.Core.Session.Cell
         public void FaultOf_EachState_IsNamed()
         {
             var cell = new CellSession();
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo("no value received"));
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo(SignalMessages.NoValue));
             cell.Send("grip", 19.5, 1);
             cell.Run(0.1);
             Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: false), Is.EqualTo("no connection"));
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: false), Is.EqualTo(SignalMessages.NoConnection));
             cell.Session.Signals.Show(new DisplayMoment());
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo("clock unsynchronised"));
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo(SignalMessages.ClockUnsynchronised));
             cell.Run(0.2);
             Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
 
@@ -132,11 +132,11 @@ namespace Nowpose.Tests.Core.Session.Cell
         {
             var cell = new CellSession(isClockKnown: false);
             cell.Run(0.1);
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo(SessionSignals.ClockUnsynchronised));
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo(SignalMessages.ClockUnsynchronised));
 
             cell.Synchronise();
             cell.Run(0.1);
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo("no value received"));
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo(SignalMessages.NoValue));
         }
 
         [Test]
