@@ -19,7 +19,6 @@ using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Sync;
 using Nowpose.Pairing;
 using Nowpose.Protocol;
-using Nowpose.Web;
 
 namespace Nowpose.Gateway;
 
@@ -33,7 +32,7 @@ public sealed class GatewayServer : IAsyncDisposable
     readonly RateLimitedLog _log;
     readonly AccessWatch _access;
     readonly RosbridgeServer _rosbridge;
-    readonly CodePage _page;
+    readonly VlcPage _page;
     readonly PairingRoutes _pairing;
     readonly SyncServer _sync;
     readonly PendingConnections _webPending;
@@ -57,7 +56,7 @@ public sealed class GatewayServer : IAsyncDisposable
         var wrong = new WrongTokens(options.Time);
         var accessControl = new AccessControl(options, wrong, WebSocketConnections, Log);
         _rosbridge = new RosbridgeServer(options, Clock, PlantClocks, Hub, accessControl, _access, WebSocketConnections, Log);
-        _page = new CodePage(options, Clock, accessControl, WebSocketConnections, Log, LightCodePage.Html);
+        _page = new VlcPage(options, Clock, accessControl, WebSocketConnections, Log, Web.VlcPage.Html);
         _pairing = new PairingRoutes(options, accessControl, WebSocketConnections, Log, Web.PairingPage.Html);
         Recorder = new Recorder(options, Hub, Clock, PlantClocks, Drops, Log);
         _sync = new SyncServer(options, Clock, _access, wrong, Log);
@@ -73,7 +72,7 @@ public sealed class GatewayServer : IAsyncDisposable
             _pairing.ServeAsync,
             new StatusRoutes(_status, accessControl).ServeAsync,
             new RecordingRoutes(Recorder, recordings, accessControl).ServeAsync,
-            new OperationsRoutes(options, accessControl, WebSocketConnections, Log, OperationsPage.Html).ServeAsync,
+            new OperationsRoutes(options, accessControl, WebSocketConnections, Log, Web.OperationsPage.Html).ServeAsync,
             RosbridgeServer.CountFragmentsAsync);
     }
 
@@ -86,12 +85,12 @@ public sealed class GatewayServer : IAsyncDisposable
     /// <summary>
     /// Addresses of the page that shows the control time as a code for cameras, one per host name; empty if the page was not built.
     /// </summary>
-    public IReadOnlyList<Uri> CodePageUris =>
-        !_page.IsBuilt ? [] : [.. OwnHosts.Reachable(_options.Bind).Select(host => PageUri(host, CodePage.Path))];
+    public IReadOnlyList<Uri> VlcPageUris =>
+        !_page.IsBuilt ? [] : [.. OwnHosts.Reachable(_options.Bind).Select(host => PageUri(host, VlcPage.Path))];
 
     /// <summary>Addresses of the operations page, one per host name; empty if the page was not built.</summary>
     public IReadOnlyList<Uri> OperationsPageUris =>
-        OperationsPage.Html == null ? [] : [.. OwnHosts.Reachable(_options.Bind).Select(host => PageUri(host, OperationsRoutes.Path))];
+        Web.OperationsPage.Html == null ? [] : [.. OwnHosts.Reachable(_options.Bind).Select(host => PageUri(host, OperationsRoutes.Path))];
 
     /// <summary>Whether the gateway pairs headsets. Each paired headset receives its own token.</summary>
     public bool PairsHeadsets => _options.Headsets != null;

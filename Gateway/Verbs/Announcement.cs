@@ -23,8 +23,8 @@ static class Announcement
     {
         Line("sync", gateway.SyncEndPoint.ToString());
         Line("websocket", $"{(gateway.Pin == null ? "ws" : "wss")}://{gateway.WebSocketEndPoint}/");
-        foreach (var page in gateway.CodePageUris) Line("vlc", page.ToString());
-        if (gateway.CodePageUris.Count == 0) Log(OperationsMessages.NoPage("vlc"));
+        foreach (var page in gateway.VlcPageUris) Line("vlc", page.ToString());
+        if (gateway.VlcPageUris.Count == 0) Log(OperationsMessages.NoPage("vlc"));
         foreach (var page in gateway.OperationsPageUris) Line("operations", page.ToString());
         if (gateway.OperationsPageUris.Count == 0) Log(OperationsMessages.NoPage("operations"));
         Line("pair", gateway.PairingPageUri?.ToString());

@@ -114,7 +114,7 @@ sealed class VlcEvaluation
         [.. Profile == null ? [] : ProfileFacts.Of(Profile), .. Facts()])
     {
         Warnings = _warnings,
-        Sections = [VlcPage.OverPictures(_result), .. RangePage.Sections(Pictures, null)],
+        Sections = [VlcSection.OverPictures(_result), .. RangePage.Sections(Pictures, null)],
     };
 
     IEnumerable<string[]> Facts()

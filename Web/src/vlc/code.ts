@@ -1,4 +1,4 @@
-// Encodes a control time as 8×8 lights. Nowpose.VisibleLight.TimestampCode implements and documents the same code.
+// Encodes a control time as 8×8 lights. Nowpose.Latency.TimestampCode implements and documents the same code.
 // Both are tested with led-matrix/timestamp-codes.csv of the manual.
 
 /** Number of cells along one side. */

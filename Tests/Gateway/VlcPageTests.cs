@@ -8,13 +8,12 @@ using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Codes;
 using Nowpose.Gateway.Security;
-using Nowpose.Web;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
 /// <summary>Tests the page with the control clock's code, and its requests for the time. Web/test checks the drawing in a browser.</summary>
-public class CodePageTests
+public class VlcPageTests
 {
     const string TimeRequest = "POST /vlc/time";
     const string Empty = "Content-Length: 0\r\n";
@@ -37,11 +36,11 @@ public class CodePageTests
         using var response = await AskAsync(gateway, HttpMethod.Get, "/vlc");
         var page = await response.Content.ReadAsStringAsync().Bounded();
 
-        Needs.BuiltByNode(LightCodePage.Html != null);
+        Needs.BuiltByNode(Nowpose.Web.VlcPage.Html != null);
         Assert.That(response.StatusCode, Is.EqualTo(HttpStatusCode.OK), "a browser that opens the page has no token");
         Assert.That(response.Content.Headers.ContentType.MediaType, Is.EqualTo("text/html"));
         Assert.That(page, Does.Contain("connect-src 'self'").And.Not.Contain(Gateways.ObserverToken).And.Not.Contain("https://"));
-        Assert.That(gateway.CodePageUris, Is.EqualTo(new[] { new Uri($"http://127.0.0.1:{gateway.WebSocketEndPoint.Port}/vlc") }));
+        Assert.That(gateway.VlcPageUris, Is.EqualTo(new[] { new Uri($"http://127.0.0.1:{gateway.WebSocketEndPoint.Port}/vlc") }));
     }
 
     [Test]
@@ -65,7 +64,7 @@ public class CodePageTests
     {
         var counters = new ConnectionCounters();
         var accessControl = new AccessControl(Gateways.Options(), new WrongTokens(TimeProvider.System), counters, _ => { });
-        var page = new CodePage(Gateways.Options(), new StopwatchControlClock(Gateways.Start), accessControl, counters, _ => { }, html: null);
+        var page = new VlcPage(Gateways.Options(), new StopwatchControlClock(Gateways.Start), accessControl, counters, _ => { }, html: null);
         var context = new DefaultHttpContext { Request = { Method = "GET", Path = "/vlc" }, Response = { Body = new MemoryStream() } };
 
         await page.ServeAsync(context, _ => throw new InvalidOperationException("handed on")).Bounded();

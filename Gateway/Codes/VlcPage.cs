@@ -14,7 +14,7 @@ namespace Nowpose.Gateway.Codes;
 /// a token if the gateway has tokens. The page requests the time by POST, because browsers always send the Origin header with it.
 /// </remarks>
 /// <param name="html">The page; null if it was not built.</param>
-sealed class CodePage(GatewayOptions options, IControlClock clock, AccessControl accessControl, ConnectionCounters counters, Action<string> log, string html)
+sealed class VlcPage(GatewayOptions options, IControlClock clock, AccessControl accessControl, ConnectionCounters counters, Action<string> log, string html)
 {
     public const string Path = "/vlc";
     const string TimePath = "/vlc/time";

@@ -4,7 +4,7 @@ using Nowpose.Cli.Messages;
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>Creates the page section with L_visu of each picture, for measurements without a known load.</summary>
-static class VlcPage
+static class VlcSection
 {
     public static CalibrationSection OverPictures(VlcResult result)
     {
