@@ -1,8 +1,8 @@
 using Nowpose.Editor.Setup;
 using NUnit.Framework;
-using static Nowpose.Headless.Tests.Cli.UnityManifests;
+using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
 
-namespace Nowpose.Headless.Tests.Cli;
+namespace Nowpose.Headless.Tests.Cli.Unity;
 
 /// <summary>Tests copying the package's samples to a project.</summary>
 public class UnitySampleTests

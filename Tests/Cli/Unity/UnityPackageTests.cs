@@ -1,8 +1,8 @@
 using Nowpose.Editor.Setup;
 using NUnit.Framework;
-using static Nowpose.Headless.Tests.Cli.UnityManifests;
+using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
 
-namespace Nowpose.Headless.Tests.Cli;
+namespace Nowpose.Headless.Tests.Cli.Unity;
 
 /// <summary>Tests the address of the package in the manifest, and the package's dependencies.</summary>
 public class UnityPackageTests

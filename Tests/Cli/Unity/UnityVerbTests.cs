@@ -1,9 +1,9 @@
 using System.Text.Json;
 using Nowpose.Editor.Setup;
 using NUnit.Framework;
-using static Nowpose.Headless.Tests.Cli.UnityManifests;
+using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
 
-namespace Nowpose.Headless.Tests.Cli;
+namespace Nowpose.Headless.Tests.Cli.Unity;
 
 public class UnityVerbTests
 {

@@ -1,7 +1,7 @@
 using NUnit.Framework;
-using static Nowpose.Headless.Tests.Cli.UnityManifests;
+using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
 
-namespace Nowpose.Headless.Tests.Cli;
+namespace Nowpose.Headless.Tests.Cli.Unity;
 
 /// <summary>Tests entries of the manifest that conflict with those the package needs.</summary>
 public class UnityConflictTests

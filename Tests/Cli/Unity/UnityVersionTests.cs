@@ -1,7 +1,7 @@
 using NUnit.Framework;
-using static Nowpose.Headless.Tests.Cli.UnityManifests;
+using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
 
-namespace Nowpose.Headless.Tests.Cli;
+namespace Nowpose.Headless.Tests.Cli.Unity;
 
 /// <summary>Tests which Unity versions and folders the verb <c>unity</c> accepts.</summary>
 public class UnityVersionTests

@@ -1,6 +1,6 @@
 using System.Text;
 
-namespace Nowpose.Headless.Tests.Cli;
+namespace Nowpose.Headless.Tests.Cli.Unity;
 
 /// <summary>A temporary Unity project with a version and a manifest. Deleted after the test.</summary>
 sealed class UnityProjectFolder : IDisposable
