@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 
 namespace UnityEditor;
 
@@ -12,11 +13,14 @@ public sealed class EditorApplication
     /// <summary>Time since the start of the editor in s. Tests set it.</summary>
     internal static double Now { get; set; }
 
+    /// <summary>Paths of the executed menu items. Items of Unity itself are only recorded.</summary>
     internal static List<string> MenuItems { get; } = new List<string>();
 
     public static bool ExecuteMenuItem(string menuItemPath)
     {
         MenuItems.Add(menuItemPath);
+        var method = MenuItem.All.FirstOrDefault(item => item.Path == menuItemPath).Method;
+        method?.Invoke(null, method.GetParameters().Length == 0 ? null : new object[] { new MenuCommand(null) });
         return true;
     }
 

@@ -1,4 +1,7 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Reflection;
 
 namespace UnityEditor;
 
@@ -19,4 +22,11 @@ public sealed class MenuItem : Attribute
         validate = isValidateFunction;
         this.priority = priority;
     }
+
+    /// <summary>The menu items of the project, with their methods.</summary>
+    internal static IEnumerable<(string Path, MethodInfo Method)> All =>
+        from type in EditorAssemblies.Types
+        from method in type.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic)
+        from item in method.GetCustomAttributes<MenuItem>()
+        select (item.menuItem, method);
 }

@@ -1,4 +1,3 @@
-using System.Reflection;
 using Nowpose.Editor;
 using NUnit.Framework;
 using UnityEditor;
@@ -21,7 +20,7 @@ public sealed class CellMenuTests : EditorFixture
     {
         var prefab = Put((PackageAsset)of);
 
-        Choose(item);
+        EditorApplication.ExecuteMenuItem(item);
 
         var instance = Keep((GameObject)Selection.activeObject);
         Assert.That(PrefabUtility.GetCorrespondingObjectFromSource(instance), Is.SameAs(prefab));
@@ -40,7 +39,7 @@ public sealed class CellMenuTests : EditorFixture
     [TestCase("Planned Path", typeof(PlannedPath))]
     public void MenuItem_ForAComponent_CreatesAndSelectsAnObjectWithUndo(string item, Type component)
     {
-        Choose("GameObject/Nowpose/" + item);
+        EditorApplication.ExecuteMenuItem("GameObject/Nowpose/" + item);
 
         var made = Keep((GameObject)Selection.activeObject);
         Assert.That(made.GetComponent(component), Is.Not.Null);
@@ -50,8 +49,7 @@ public sealed class CellMenuTests : EditorFixture
     [Test]
     public void SetupWindow_Entries_EqualTheMenu()
     {
-        var items = typeof(CellMenu).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
-            .Select(method => (method.GetCustomAttribute<MenuItem>()?.menuItem, method)).Where(item => item.menuItem != null);
+        var items = MenuItem.All.Where(item => item.Path.StartsWith("GameObject/Nowpose/", StringComparison.Ordinal));
 
         Assert.That(CellMenu.Entries.Select(entry => ("GameObject/Nowpose/" + entry.Name, entry.Create.Method)), Is.EquivalentTo(items));
     }
@@ -94,9 +92,6 @@ public sealed class CellMenuTests : EditorFixture
         }));
         Assert.That(Undo.Steps, Is.Empty);
     }
-
-    static void Choose(string item) => typeof(CellMenu).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
-        .Single(m => m.GetCustomAttribute<MenuItem>()?.menuItem == item).Invoke(null, new object[] { new MenuCommand(null) });
 
     GameObject Put(PackageAsset prefab)
     {

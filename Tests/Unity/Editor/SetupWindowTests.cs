@@ -1,4 +1,3 @@
-using System.Reflection;
 using Nowpose.Editor;
 using NUnit.Framework;
 using UnityEditor;
@@ -209,10 +208,7 @@ public sealed class SetupWindowTests : EditorFixture
     [Test]
     public void Menu_Clicked_OpensTheWindow()
     {
-        var open = typeof(SetupWindow).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
-            .Single(m => m.GetCustomAttribute<MenuItem>()?.menuItem == "Window/Nowpose/Project Setup");
-
-        open.Invoke(null, null);
+        EditorApplication.ExecuteMenuItem("Window/Nowpose/Project Setup");
 
         Assert.That(_window.Title, Is.EqualTo("Nowpose Setup"));
     }
@@ -227,6 +223,5 @@ public sealed class SetupWindowTests : EditorFixture
         return GuiRecorder.Texts.ToList();
     }
 
-    void Send(string message) =>
-        typeof(SetupWindow).GetMethod(message, BindingFlags.Instance | BindingFlags.NonPublic).Invoke(_window, null);
+    void Send(string message) => ScriptableMessages.Call(_window, message);
 }

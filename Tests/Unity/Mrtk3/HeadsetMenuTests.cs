@@ -148,12 +148,11 @@ public sealed class HeadsetMenuTests
     public void Menu_NothingChanges_AllocatesNothing()
     {
         Run();
-        var late = typeof(HeadsetMenu).GetMethod("LateUpdate", System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic)
-            .CreateDelegate<Action>(_menu);
-        late();
+        void LateUpdate() => _menu.Script.Call(Message.LateUpdate, _menu);
+        LateUpdate();
 
         var before = GC.GetAllocatedBytesForCurrentThread();
-        for (var i = 0; i < 100; i++) late();
+        for (var i = 0; i < 100; i++) LateUpdate();
 
         Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
     }
