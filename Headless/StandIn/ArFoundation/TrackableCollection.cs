@@ -9,8 +9,6 @@ public struct TrackableCollection<TTrackable>
 
     public TrackableCollection(Dictionary<TrackableId, TTrackable> trackables) => _trackables = trackables;
 
-    public int count => _trackables.Count;
-
     public Enumerator GetEnumerator() => new(_trackables);
 
     public bool TryGetTrackable(TrackableId trackableId, out TTrackable trackable) => _trackables.TryGetValue(trackableId, out trackable);

@@ -14,11 +14,9 @@ public sealed class InputAction : ICloneable, IDisposable
         string name = null, InputActionType type = default, string binding = null, string interactions = null, string processors = null,
         string expectedControlType = null)
     {
-        this.type = type;
         if (!string.IsNullOrEmpty(binding)) _paths.Add(binding);
     }
 
-    public InputActionType type { get; }
     public bool enabled { get; private set; }
 
     internal void Bind(string path) => _paths.Add(path);

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Runtime.CompilerServices;
 using Nowpose.UnityPlayer.Assets;
 using Nowpose.UnityPlayer.Assets.Files;
@@ -24,20 +21,7 @@ public sealed class AssetLibrary
     /// <param name="projectRoot">Folder that contains Assets/ and Packages/. The samples in packages are included.</param>
     /// <exception cref="AssetException">A .meta file has no GUID, or two files have the same GUID.</exception>
     public AssetLibrary(string projectRoot)
-        : this(AssetIndex.FoldersOf(projectRoot))
-    {
-    }
-
-    /// <summary>Constructs a library for given folders.</summary>
-    /// <param name="folders">Folders with assets. The path of an asset starts with the name of its folder.</param>
-    /// <exception cref="AssetException">A .meta file has no GUID, or two files have the same GUID.</exception>
-    public AssetLibrary(IEnumerable<string> folders)
-        : this(folders.Select(f => (Path.GetFileName(f.TrimEnd('/', '\\')), f)))
-    {
-    }
-
-    AssetLibrary(IEnumerable<(string Name, string FullPath)> folders)
-        : this(new AssetFiles(new AssetIndex(folders)))
+        : this(new AssetFiles(new AssetIndex(AssetIndex.FoldersOf(projectRoot))))
     {
     }
 

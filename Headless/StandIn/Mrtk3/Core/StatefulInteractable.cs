@@ -24,19 +24,7 @@ public class StatefulInteractable : MRTKBaseInteractable
         set => allowSelectByVoice = value;
     }
 
-    public string SpeechRecognitionKeyword
-    {
-        get => speechRecognitionKeyword;
-        set => speechRecognitionKeyword = value;
-    }
-
     public void ForceSetToggled(bool active) => IsToggled.Active = active;
-
-    public void ForceSetToggled(bool active, bool fireEvents = true)
-    {
-        if (fireEvents) IsToggled.Active = active;
-        else IsToggled.Initialize(active);
-    }
 
     protected override void Awake()
     {

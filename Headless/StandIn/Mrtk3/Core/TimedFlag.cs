@@ -20,12 +20,4 @@ public class TimedFlag
             (active ? onEntered : onExited).Invoke(Time.time);
         }
     }
-
-    public StatefulTimerEvent OnEntered => onEntered;
-    public StatefulTimerEvent OnExited => onExited;
-
-    /// <summary>Sets the value without raising events.</summary>
-    public void Initialize(bool value) => active = value;
-
-    public static implicit operator bool(TimedFlag flag) => flag.Active;
 }

@@ -8,8 +8,6 @@ public abstract class XRBaseInteractable : MonoBehaviour
     public SelectEnterEvent firstSelectEntered { get; set; } = new();
     public SelectExitEvent lastSelectExited { get; set; } = new();
 
-    public bool isSelected => _selecting > 0;
-
     protected virtual void Awake() { }
 
     /// <summary>Simulates an interactor that takes hold of the object. Does nothing if the object is inactive, as in Unity.</summary>

@@ -14,8 +14,6 @@ public sealed class AssetDatabase
 
     public static Object LoadMainAssetAtPath(string assetPath) => LoadAssetAtPath<Object>(assetPath);
 
-    public static Object LoadAssetAtPath(string assetPath, Type type) => Project.Load(assetPath).FirstOrDefault(type.IsInstanceOfType);
-
     public static T LoadAssetAtPath<T>(string assetPath) where T : Object => Project.Load(assetPath).OfType<T>().FirstOrDefault();
 
     /// <param name="filter">Search filter. The stand-in supports only the form t:TYPE.</param>

@@ -4,5 +4,4 @@ namespace UnityEditor;
 
 public class AssetImporter : Object
 {
-    public string assetPath { get; internal set; }
 }

@@ -26,7 +26,6 @@ static class Importers
     /// <param name="importer">The importer with its import settings.</param>
     internal static Imported Import(ScriptedImporter importer, string path)
     {
-        importer.assetPath = path;
         var context = new AssetImportContext(path);
         Project.InRoot(() =>
         {

@@ -12,9 +12,6 @@ public readonly struct NamedBuildTarget : IEquatable<NamedBuildTarget>, ICompara
 
     public string TargetName { get; }
 
-    public static bool operator ==(NamedBuildTarget lhs, NamedBuildTarget rhs) => lhs.Equals(rhs);
-    public static bool operator !=(NamedBuildTarget lhs, NamedBuildTarget rhs) => !lhs.Equals(rhs);
-
     public bool Equals(NamedBuildTarget other) => TargetName == other.TargetName;
     public override bool Equals(object obj) => obj is NamedBuildTarget other && Equals(other);
     public override int GetHashCode() => TargetName == null ? 0 : TargetName.GetHashCode(StringComparison.Ordinal);

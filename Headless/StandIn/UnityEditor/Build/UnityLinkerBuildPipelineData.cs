@@ -4,11 +4,5 @@ public sealed class UnityLinkerBuildPipelineData
 {
     public readonly BuildTarget target;
 
-    public UnityLinkerBuildPipelineData(BuildTarget target, string inputDirectory)
-    {
-        this.target = target;
-        InputDirectory = inputDirectory;
-    }
-
-    internal string InputDirectory { get; }
+    public UnityLinkerBuildPipelineData(BuildTarget target, string inputDirectory) => this.target = target;
 }

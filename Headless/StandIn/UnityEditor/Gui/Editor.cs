@@ -13,7 +13,6 @@ public class Editor : ScriptableObject, IPreviewable, IToolModeOwner
     public SerializedObject serializedObject => _serializedObject ??= new SerializedObject(targets);
 
     public static Editor CreateEditor(Object targetObject) => CreateEditor(new[] { targetObject }, null);
-    public static Editor CreateEditor(Object targetObject, Type editorType) => CreateEditor(new[] { targetObject }, editorType);
     public static Editor CreateEditor(Object[] targetObjects) => CreateEditor(targetObjects, null);
 
     public static Editor CreateEditor(Object[] targetObjects, Type editorType)

@@ -47,7 +47,6 @@ public struct Bounds : IEquatable<Bounds>, IFormattable
     public override readonly int GetHashCode() => HashCode.Combine(center, extents);
 
     public override readonly string ToString() => ToString(null, null);
-    public readonly string ToString(string format) => ToString(format, null);
 
     public readonly string ToString(string format, IFormatProvider formatProvider) =>
         $"Center: {center.ToString(format, formatProvider)}, Extents: {extents.ToString(format, formatProvider)}";

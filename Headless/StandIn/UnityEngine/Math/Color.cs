@@ -26,8 +26,6 @@ public struct Color : IEquatable<Color>, IFormattable
     public static Color blue => new(0, 0, 1);
     public static Color clear => new(0, 0, 0, 0);
 
-    public static Color operator +(Color a, Color b) => new(a.r + b.r, a.g + b.g, a.b + b.b, a.a + b.a);
-    public static Color operator -(Color a, Color b) => new(a.r - b.r, a.g - b.g, a.b - b.b, a.a - b.a);
     public static Color operator *(Color a, float b) => new(a.r * b, a.g * b, a.b * b, a.a * b);
     public static bool operator ==(Color lhs, Color rhs) => (Vector4)lhs == (Vector4)rhs;
     public static bool operator !=(Color lhs, Color rhs) => !(lhs == rhs);
@@ -39,7 +37,6 @@ public struct Color : IEquatable<Color>, IFormattable
     public override readonly int GetHashCode() => ((Vector4)this).GetHashCode();
 
     public override readonly string ToString() => ToString(null, null);
-    public readonly string ToString(string format) => ToString(format, null);
 
     public readonly string ToString(string format, IFormatProvider formatProvider) =>
         "RGBA" + ((Vector4)this).ToString(string.IsNullOrEmpty(format) ? "F3" : format, formatProvider ?? CultureInfo.InvariantCulture);

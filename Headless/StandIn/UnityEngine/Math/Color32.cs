@@ -21,7 +21,6 @@ public struct Color32 : IFormattable
     public static implicit operator Color(Color32 c) => new(c.r / 255f, c.g / 255f, c.b / 255f, c.a / 255f);
 
     public override readonly string ToString() => ToString(null, null);
-    public readonly string ToString(string format) => ToString(format, null);
 
     public readonly string ToString(string format, IFormatProvider formatProvider) =>
         $"RGBA({r.ToString(format, formatProvider)}, {g.ToString(format, formatProvider)}, " +

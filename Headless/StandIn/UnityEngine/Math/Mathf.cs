@@ -16,15 +16,12 @@ public struct Mathf
     public static float Sqrt(float f) => MathF.Sqrt(f);
     public static float Exp(float power) => MathF.Exp(power);
     public static float Abs(float f) => MathF.Abs(f);
-    public static int Abs(int value) => Math.Abs(value);
     public static float Round(float f) => MathF.Round(f);
     public static float Sign(float f) => f >= 0 ? 1 : -1;
     public static float Min(float a, float b) => a < b ? a : b;
     public static int Min(int a, int b) => a < b ? a : b;
     public static float Max(float a, float b) => a > b ? a : b;
-    public static int Max(int a, int b) => a > b ? a : b;
     public static float Clamp(float value, float min, float max) => value < min ? min : value > max ? max : value;
-    public static int Clamp(int value, int min, int max) => value < min ? min : value > max ? max : value;
     public static float Clamp01(float value) => Clamp(value, 0, 1);
     public static float Lerp(float a, float b, float t) => a + (b - a) * Clamp01(t);
     public static float Repeat(float t, float length) => Clamp(t - MathF.Floor(t / length) * length, 0, length);

@@ -88,7 +88,6 @@ public struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
     public override readonly int GetHashCode() => HashCode.Combine(GetColumn(0), GetColumn(1), GetColumn(2), GetColumn(3));
 
     public override readonly string ToString() => ToString(null, null);
-    public readonly string ToString(string format) => ToString(format, null);
 
     public readonly string ToString(string format, IFormatProvider formatProvider)
     {

@@ -42,9 +42,6 @@ public struct Rect : IEquatable<Rect>, IFormattable
         set => height = value - y;
     }
 
-    public static bool operator ==(Rect lhs, Rect rhs) => lhs.Equals(rhs);
-    public static bool operator !=(Rect lhs, Rect rhs) => !lhs.Equals(rhs);
-
     public readonly bool Equals(Rect other) =>
         x.Equals(other.x) && y.Equals(other.y) && width.Equals(other.width) && height.Equals(other.height);
 
@@ -52,7 +49,6 @@ public struct Rect : IEquatable<Rect>, IFormattable
     public override readonly int GetHashCode() => HashCode.Combine(x, y, width, height);
 
     public override readonly string ToString() => ToString(null, null);
-    public readonly string ToString(string format) => ToString(format, null);
 
     public readonly string ToString(string format, IFormatProvider formatProvider)
     {

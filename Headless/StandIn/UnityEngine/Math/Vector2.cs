@@ -18,12 +18,9 @@ public struct Vector2 : IEquatable<Vector2>, IFormattable
 
     public readonly float sqrMagnitude => x * x + y * y;
 
-    public static Vector2 operator +(Vector2 a, Vector2 b) => new(a.x + b.x, a.y + b.y);
     public static Vector2 operator -(Vector2 a, Vector2 b) => new(a.x - b.x, a.y - b.y);
-    public static Vector2 operator *(Vector2 a, float d) => new(a.x * d, a.y * d);
     public static bool operator ==(Vector2 lhs, Vector2 rhs) => (lhs - rhs).sqrMagnitude < Vector3.EqualitySquared;
     public static bool operator !=(Vector2 lhs, Vector2 rhs) => !(lhs == rhs);
-    public static implicit operator Vector2(Vector3 v) => new(v.x, v.y);
     public static implicit operator Vector3(Vector2 v) => new(v.x, v.y, 0);
 
     public readonly bool Equals(Vector2 other) => x.Equals(other.x) && y.Equals(other.y);
@@ -31,7 +28,6 @@ public struct Vector2 : IEquatable<Vector2>, IFormattable
     public override readonly int GetHashCode() => HashCode.Combine(x, y);
 
     public override readonly string ToString() => ToString(null, null);
-    public readonly string ToString(string format) => ToString(format, null);
 
     public readonly string ToString(string format, IFormatProvider formatProvider)
     {

@@ -30,20 +30,7 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
     public static Vector3 back => new(0, 0, -1);
     public static Vector3 up => new(0, 1, 0);
     public static Vector3 down => new(0, -1, 0);
-    public static Vector3 left => new(-1, 0, 0);
     public static Vector3 right => new(1, 0, 0);
-
-    public float this[int index]
-    {
-        readonly get => index switch { 0 => x, 1 => y, 2 => z, _ => throw new IndexOutOfRangeException("Invalid Vector3 index!") };
-        set
-        {
-            if (index == 0) x = value;
-            else if (index == 1) y = value;
-            else if (index == 2) z = value;
-            else throw new IndexOutOfRangeException("Invalid Vector3 index!");
-        }
-    }
 
     public readonly float sqrMagnitude => x * x + y * y + z * z;
     public readonly float magnitude => MathF.Sqrt(sqrMagnitude);

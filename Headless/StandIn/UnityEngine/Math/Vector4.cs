@@ -18,28 +18,11 @@ public struct Vector4 : IEquatable<Vector4>, IFormattable
         this.w = w;
     }
 
-    public static Vector4 zero => new(0, 0, 0, 0);
-
-    public float this[int index]
-    {
-        readonly get => index switch { 0 => x, 1 => y, 2 => z, 3 => w, _ => throw new IndexOutOfRangeException("Invalid Vector4 index!") };
-        set
-        {
-            if (index == 0) x = value;
-            else if (index == 1) y = value;
-            else if (index == 2) z = value;
-            else if (index == 3) w = value;
-            else throw new IndexOutOfRangeException("Invalid Vector4 index!");
-        }
-    }
-
     public readonly float sqrMagnitude => Dot(this, this);
 
     public static float Dot(Vector4 a, Vector4 b) => a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 
-    public static Vector4 operator +(Vector4 a, Vector4 b) => new(a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w);
     public static Vector4 operator -(Vector4 a, Vector4 b) => new(a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w);
-    public static Vector4 operator *(Vector4 a, float d) => new(a.x * d, a.y * d, a.z * d, a.w * d);
     public static bool operator ==(Vector4 lhs, Vector4 rhs) => (lhs - rhs).sqrMagnitude < Vector3.EqualitySquared;
     public static bool operator !=(Vector4 lhs, Vector4 rhs) => !(lhs == rhs);
     public static implicit operator Vector4(Vector3 v) => new(v.x, v.y, v.z, 0);
@@ -50,7 +33,6 @@ public struct Vector4 : IEquatable<Vector4>, IFormattable
     public override readonly int GetHashCode() => HashCode.Combine(x, y, z, w);
 
     public override readonly string ToString() => ToString(null, null);
-    public readonly string ToString(string format) => ToString(format, null);
 
     public readonly string ToString(string format, IFormatProvider formatProvider)
     {

@@ -30,15 +30,10 @@ public class Component : Object
 
     public bool CompareTag(string tag) => gameObject.CompareTag(tag);
 
-    public Component GetComponent(Type type) => gameObject.GetComponent(type);
     public T GetComponent<T>() => gameObject.GetComponent<T>();
-    public bool TryGetComponent(Type type, out Component component) => gameObject.TryGetComponent(type, out component);
     public bool TryGetComponent<T>(out T component) => gameObject.TryGetComponent(out component);
-    public Component GetComponentInChildren(Type t) => gameObject.GetComponentInChildren(t);
-    public Component GetComponentInChildren(Type t, bool includeInactive) => gameObject.GetComponentInChildren(t, includeInactive);
     public T GetComponentInChildren<T>() => gameObject.GetComponentInChildren<T>();
     public T GetComponentInChildren<T>(bool includeInactive) => gameObject.GetComponentInChildren<T>(includeInactive);
-    public Component GetComponentInParent(Type t) => gameObject.GetComponentInParent(t);
     public T GetComponentInParent<T>() => gameObject.GetComponentInParent<T>();
     public T GetComponentInParent<T>(bool includeInactive) => gameObject.GetComponentInParent<T>(includeInactive);
     public Component[] GetComponents(Type type) => gameObject.GetComponents(type);
@@ -51,7 +46,6 @@ public class Component : Object
     public void GetComponentsInChildren<T>(bool includeInactive, List<T> result) =>
         gameObject.GetComponentsInChildren(includeInactive, result);
 
-    public T[] GetComponentsInParent<T>() => gameObject.GetComponentsInParent<T>();
     public T[] GetComponentsInParent<T>(bool includeInactive) => gameObject.GetComponentsInParent<T>(includeInactive);
 
     internal void AttachTo(GameObject owner) => _gameObject = owner;

@@ -27,12 +27,6 @@ public sealed partial class GameObject
         return default;
     }
 
-    public bool TryGetComponent(Type type, out Component component)
-    {
-        component = GetComponent(type);
-        return component is not null;
-    }
-
     public bool TryGetComponent<T>(out T component)
     {
         component = GetComponent<T>();
@@ -59,8 +53,6 @@ public sealed partial class GameObject
         AddComponents(results);
     }
 
-    public Component GetComponentInChildren(Type type) => GetComponentInChildren(type, false);
-
     public Component GetComponentInChildren(Type type, bool includeInactive)
     {
         if (includeInactive || activeInHierarchy)
@@ -81,8 +73,6 @@ public sealed partial class GameObject
     public T GetComponentInChildren<T>() => GetComponentInChildren<T>(false);
 
     public T GetComponentInChildren<T>(bool includeInactive) => (T)(object)GetComponentInChildren(typeof(T), includeInactive);
-
-    public Component GetComponentInParent(Type type) => GetComponentInParent(type, false);
 
     public Component GetComponentInParent(Type type, bool includeInactive)
     {
@@ -116,8 +106,6 @@ public sealed partial class GameObject
         results.Clear();
         AddComponentsBelow(includeInactive, results);
     }
-
-    public T[] GetComponentsInParent<T>() => GetComponentsInParent<T>(false);
 
     public T[] GetComponentsInParent<T>(bool includeInactive)
     {

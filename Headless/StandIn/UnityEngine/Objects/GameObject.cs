@@ -35,8 +35,6 @@ public sealed partial class GameObject : Object
         private set;
     }
 
-    public GameObject gameObject => this;
-
     public int layer { get; set; }
 
     public string tag { get; set; } = "Untagged";

@@ -23,7 +23,6 @@ public class MonoBehaviour : Behaviour
     }
 
     public void StopCoroutine(Coroutine routine) => World.Coroutines.Stop(this, routine);
-    public void StopCoroutine(IEnumerator routine) => World.Coroutines.Stop(this, routine);
 
     /// <summary>Calls Start if it has not been called yet. This happens before the first frame message of the script.</summary>
     internal void EnsureStarted()

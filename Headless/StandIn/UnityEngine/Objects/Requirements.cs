@@ -13,7 +13,7 @@ sealed class Requirements
         var types = new List<Type>();
         foreach (var attribute in type.GetCustomAttributes<RequireComponent>(true))
         {
-            foreach (var required in new[] { attribute.m_Type0, attribute.m_Type1, attribute.m_Type2 })
+            foreach (var required in new[] { attribute.m_Type0, attribute.m_Type1 })
             {
                 if (required != null) types.Add(required);
             }

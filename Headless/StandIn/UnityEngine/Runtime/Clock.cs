@@ -5,8 +5,8 @@ namespace UnityEngine;
 /// <summary>Unity's times, in s. They change only from frame to frame.</summary>
 sealed class Clock
 {
-    // Delta time of the first frame, as in Unity.
-    const double FirstDelta = 0.02;
+    // Delta time of the first frame, and the maximum of all others, as in Unity.
+    const double FirstDelta = 0.02, MaximumDelta = 1f / 3;
 
     internal int Frame { get; private set; }
 
@@ -15,13 +15,10 @@ sealed class Clock
 
     internal double RealDelta { get; private set; }
 
-    /// <summary>Scaled time. Each frame advances it by the real delta time, limited to the maximum delta time, times the time scale.</summary>
+    /// <summary>Scaled time. Each frame advances it by the real delta time, limited to the maximum delta time.</summary>
     internal double Scaled { get; private set; }
 
     internal double ScaledDelta { get; private set; }
-
-    internal float Scale { get; set; } = 1;
-    internal float MaximumDelta { get; set; } = 1f / 3;
 
     /// <summary>Starts a frame at the given time, s.</summary>
     internal void Advance(double seconds)
@@ -34,7 +31,7 @@ sealed class Clock
 
         var first = Frame == 0;
         RealDelta = first ? FirstDelta : seconds - Real;
-        ScaledDelta = Math.Min(RealDelta, MaximumDelta) * Scale;
+        ScaledDelta = Math.Min(RealDelta, MaximumDelta);
         Scaled = first ? seconds : Scaled + ScaledDelta;
         Real = seconds;
         Frame++;

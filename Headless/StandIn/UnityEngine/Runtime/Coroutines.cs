@@ -27,9 +27,6 @@ sealed class Coroutines
         if (routine != null && ReferenceEquals(routine.Owner, owner)) Stop(routine);
     }
 
-    internal void Stop(MonoBehaviour owner, IEnumerator routine) =>
-        Stop(owner, _running.Find(r => ReferenceEquals(r.Owner, owner) && ReferenceEquals(r.Routine, routine)));
-
     internal void StopAll(MonoBehaviour owner)
     {
         for (var i = _running.Count - 1; i >= 0; i--)

@@ -11,7 +11,7 @@ sealed class Host
     internal event Application.LogCallback LogReceived;
 
     /// <summary>Unity version of the editor or player.</summary>
-    internal string UnityVersion { get; set; } = "2022.3.62f1";
+    internal string UnityVersion { get; } = "2022.3.62f1";
 
     internal bool RunInBackground { get; set; } = true;
     internal bool Focused { get; set; } = true;

@@ -22,8 +22,6 @@ public struct Scene
 
     public readonly string path => _content?.Path ?? "";
 
-    internal readonly SceneContent Content => _content;
-
     public readonly bool IsValid() => _content is { IsLoaded: true };
 
     public readonly GameObject[] GetRootGameObjects() =>

@@ -14,16 +14,6 @@ sealed class ScriptList
     /// <summary>Number of entries, including the empty entries of removed scripts.</summary>
     internal int Size => _places.Count;
 
-    internal int Count
-    {
-        get
-        {
-            var count = _arriving.Count;
-            foreach (var script in _places) count += script is null ? 0 : 1;
-            return count;
-        }
-    }
-
     internal MonoBehaviour this[int index] => _places[index];
 
     /// <summary>Adds a script. The next pass is the first one that includes it.</summary>

@@ -7,9 +7,6 @@ sealed class Scripts
     readonly ScriptList _updating = new();
     readonly ScriptList _lateUpdating = new();
 
-    /// <summary>Number of entries in the lists for Start, Update and LateUpdate. A running script can have several entries.</summary>
-    internal int Count => _starting.Count + _updating.Count + _lateUpdating.Count;
-
     internal void Add(MonoBehaviour script, bool starts)
     {
         if (starts) _starting.Add(script);

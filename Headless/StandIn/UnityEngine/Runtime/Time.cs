@@ -12,17 +12,5 @@ public class Time
     public static double realtimeSinceStartupAsDouble => Clock.Real;
     public static int frameCount => Clock.Frame;
 
-    public static float timeScale
-    {
-        get => Clock.Scale;
-        set => Clock.Scale = value;
-    }
-
-    public static float maximumDeltaTime
-    {
-        get => Clock.MaximumDelta;
-        set => Clock.MaximumDelta = value;
-    }
-
     static Clock Clock => World.Current.Clock;
 }

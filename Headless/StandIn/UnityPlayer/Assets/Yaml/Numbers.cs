@@ -7,8 +7,6 @@ static class Numbers
 {
     public static string Write(long value) => value.ToString(CultureInfo.InvariantCulture);
 
-    public static string Write(ulong value) => value.ToString(CultureInfo.InvariantCulture);
-
     /// <summary>Returns the shortest string that is read back as the same value. Exponents have the form <c>1e-7</c>.</summary>
     public static string Write(float value) => Exponent(value.ToString("R", CultureInfo.InvariantCulture));
 
@@ -18,11 +16,6 @@ static class Numbers
     public static bool TryRead(string text, out long value)
     {
         return long.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out value);
-    }
-
-    public static bool TryRead(string text, out ulong value)
-    {
-        return ulong.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out value);
     }
 
     public static bool TryRead(string text, out double value)
