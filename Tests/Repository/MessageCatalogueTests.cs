@@ -56,7 +56,7 @@ public sealed partial class MessageCatalogueTests
         ["AccessMessages"] = ["ClosedForNewer", "FormerContentUsed", "OtherLinesUsed", "Refused", "TooManyWrongLog"],
         ["AdapterMessages"] = ["Ended"],
         ["AppearanceMessages"] = ["NoMaterial", "NotFadeable"],
-        ["BaseMessages"] = ["FollowsMarker", "Lost", "MovedLabel", "NotLocated"],
+        ["BaseMessages"] = ["FollowsMarker", "Lost", "MovedLabel", "NotConfirmedLabel", "NotLocated", "NotLockedLabel"],
         ["CalibrationMessages"] = ["Of"],
         ["CellMessageFaults"] = ["ChildTwice", "Frame", "Has", "Named", "NoName", "Of", "OwnParent", "StampZero", "Twice"],
         ["ComponentMessages"] = ["GripperWithoutJoint", "Of"],

@@ -1,9 +1,10 @@
-using Nowpose.Gateway.Plants;
 using Nowpose.Frames;
+using Nowpose.Gateway.Plants;
 using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using static Nowpose.Unity.Tests.Hatched;
@@ -53,7 +54,7 @@ public class PlayedNamespaceTests : PlayedParts
         Assert.That(FaultsNow(), Is.Empty);
         Run(1, t => Send(t, isBaseSent: false));
         Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Held), "the robot is not where its base was");
-        Assert.That(FaultsNow(), Is.EqualTo("robot arm2: its base is not current"));
+        Assert.That(FaultsNow(), Is.EqualTo("robot arm2: " + StatusMessages.BaseNotCurrent));
         AssertStoppedBefore(1);
         Run(2, t => Send(t));
         Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Current));
@@ -121,7 +122,7 @@ public class PlayedNamespaceTests : PlayedParts
         Run(0.5);
 
         Assert.That(rig.IsFollowing, Is.False);
-        Assert.That(_cell.Messages, Has.Exactly(1).Contains("assign a Robot Description to the rig 'Second'"));
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains(RigMessages.NoDescription("arm2", "Second")));
     }
 
     // The data of the first part that is not current stopped this many seconds before now.
@@ -139,7 +140,7 @@ public class PlayedNamespaceTests : PlayedParts
             new TransformsMessage(Along(1).ToTransform(At(0), "unknown", "fixture")), true, HeadsetTime.FromSeconds(1000));
         Run(0.5, t => SendPose("world", "box", t, Along(t)));
 
-        Assert.That(FaultsNow(), Does.StartWith("object fixture: its parent is unknown; object world: "));
+        Assert.That(FaultsNow(), Does.StartWith($"object fixture: {ObjectMessages.ParentUnknown}; object world: "));
         Assert.That((_session.Parts.FaultCount, _session.Parts.Summary), Is.EqualTo((2, "! 3 not current")));
     }
 
@@ -164,18 +165,18 @@ public class PlayedNamespaceTests : PlayedParts
         var parts = _session.Parts;
         Run(6, t => SendPose("world", "part", t, Along(0.1 * t)));
 
-        Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("object lid: no pose received", "! 1 not current")));
+        Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("object lid: " + ObjectMessages.NoPose, "! 1 not current")));
 
         SendPose("world", "lid", _cell.Now - Latency, Along(1));
         Run(2);
 
-        Assert.That(FaultsNow(), Is.EqualTo("object part: no new poses are arriving; object lid: no new poses are arriving"));
+        Assert.That(FaultsNow(), Is.EqualTo($"object part: {ObjectMessages.PosesStopped}; object lid: {ObjectMessages.PosesStopped}"));
         AssertStoppedBefore(2);
         Assert.That(parts.Summary, Is.EqualTo("! 2 not current"));
         var signal = Below<CellSignal>("closed", _session.transform);
         _session.transform.Find("part").gameObject.SetActive(false);
         Run(0.1);
-        Assert.That(FaultsNow(), Is.EqualTo("object lid: no new poses are arriving; signal closed: " + signal.Fault), "a hidden object is not shown");
+        Assert.That(FaultsNow(), Is.EqualTo($"object lid: {ObjectMessages.PosesStopped}; signal closed: {signal.Fault}"), "a hidden object is not shown");
         Run(1, t => SendPose("world", "lid", t, Along(1)));
         signal.gameObject.SetActive(false);
         Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("", "1 current")));

@@ -61,7 +61,7 @@ namespace Nowpose.Editor
         {
             var shown = Array.IndexOf(Platforms, _project.Platform);
             var chosen = GUILayout.Toolbar(shown, PlatformNames);
-            EditorGUILayout.LabelField(Summary(_review.MissingCount, _project.Platform), EditorStyles.boldLabel);
+            EditorGUILayout.LabelField(SetupTexts.Summary(_review.MissingCount, _project.Platform.Headset), EditorStyles.boldLabel);
             if (_activity != null) EditorGUILayout.HelpBox(_activity, MessageType.Info);
             if (_trouble != null) EditorGUILayout.HelpBox(_trouble, MessageType.Error);
             var clicked = -1;
@@ -132,10 +132,6 @@ namespace Nowpose.Editor
             _trouble = _project.Trouble;
             _advice = _review.Advice.ToArray();
         }
-
-        static string Summary(int missing, HeadsetPlatform platform) => missing == 0
-            ? SetupTexts.Complete(platform.Headset)
-            : missing + (missing == 1 ? " item is" : " items are") + " missing for " + platform.Headset + ".";
 
         bool Draw(int index)
         {

@@ -1,8 +1,12 @@
 using Nowpose.Anchoring;
 using Nowpose.Editor.Inspectors;
+using Nowpose.Editor.Messages;
 using Nowpose.Editor.Setup;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
+using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using static Nowpose.Unity.Tests.Anchoring.PlayedBaseAnchor;
@@ -29,22 +33,22 @@ public class BaseAnchorDisplayTests
 
         _played.Cell.Run(1, _played.Session);
 
-        Assert.That(_played.Anchor.Words, Is.EqualTo("looking for markers; no AR Session is in the scene"));
+        Assert.That(_played.Anchor.Words, Is.EqualTo(BaseStatusMessages.Looking(isBlind: false, _played.Markers.Problem)));
         _played.Markers.enabled = false;
         _played.Cell.Run(12, _played.Session);
-        Assert.That(_played.Anchor.Words, Is.EqualTo("looking for markers; allow access to the camera if it is blocked"));
+        Assert.That(_played.Anchor.Words, Is.EqualTo(BaseStatusMessages.Looking(isBlind: true, problem: null)));
     }
 
     [Test]
     public void Use_AfterInvalidFields_ClearsTheProblem()
     {
         _played.Play(new AnchorMarker("", Vector3.zero, Vector3.zero));
-        Assert.That(_played.Anchor.Words, Does.StartWith("marker"));
+        Assert.That(_played.Anchor.Words, Is.EqualTo(MarkerMessages.PayloadEmpty));
 
         _played.Anchor.Use("cell", [new BaseMarker("a", InBase)]);
         _played.Cell.Run(3, _played.Session);
 
-        Assert.That(_played.Anchor.Words, Is.EqualTo("locked by 1 marker"));
+        Assert.That(_played.Anchor.Words, Is.EqualTo(BaseStatusMessages.Locked(1)));
     }
 
     [Test]
@@ -57,7 +61,7 @@ public class BaseAnchorDisplayTests
         _played.Cell.Run(3, _played.Session);
 
         Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Searching));
-        Assert.That(_played.Anchor.Words, Is.EqualTo("marker 'a' is seen too obliquely: stand in front of it"));
+        Assert.That(_played.Anchor.Words, Is.EqualTo(MarkerName.Of("a") + " " + BaseStatusMessages.TooOblique));
     }
 
     [Test]
@@ -71,9 +75,9 @@ public class BaseAnchorDisplayTests
 
         Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Moved));
         Assert.That(
-            _played.Anchor.Words, Does.Match("^marker 'a' is (49|50|51) mm, 0\\.\\d° from its expected position: put it back, or lock again$"));
+            _played.Anchor.Words, Does.Match("^" + BaseStatusMessages.Moved(1, MarkerName.Of("a"), @"(49|50|51) mm, 0\.\d°") + "$"));
         Assert.That(_played.Anchor.transform.position, Is.EqualTo(before));
-        var said = _played.Cell.Player.Logs.Where(log => log.Message.Contains("from its expected position")).ToList();
+        var said = _played.Cell.Player.Logs.Where(log => log.Message.Contains(MarkerName.Of("a"))).ToList();
         Assert.That(said.Select(log => log.Type), Is.EqualTo(new[] { LogType.Warning }), "once");
     }
 
@@ -83,18 +87,18 @@ public class BaseAnchorDisplayTests
         _played.Markers.IsBlind = true;
         _played.PlayOne();
         _played.Cell.Run(5, _played.Session);
-        Assert.That(_played.Look(), Is.EqualTo((0.8f, 1f, "base not locked")));
+        Assert.That(_played.Look(), Is.EqualTo((0.8f, 1f, BaseMessages.NotLockedLabel)));
 
         _played.Markers.IsBlind = false;
         _played.Cell.Run(3, _played.Session);
         Assert.That(_played.Look(), Is.EqualTo((0f, 0f, "")), "locked");
         _played.Markers.Base = Base * RigidTransform.FromXyzRpy(0.1, 0, 0, 0, 0, 0);
         _played.Cell.Run(1, _played.Session);
-        Assert.That(_played.Look(), Is.EqualTo((0.5f, 1f, "base or marker moved")));
+        Assert.That(_played.Look(), Is.EqualTo((0.5f, 1f, BaseMessages.MovedLabel)));
         _played.Cell.IsPlantUp = false;
         _played.Cell.Run(3, _played.Session);
 
-        Assert.That(_played.Look().Words, Is.EqualTo("held, base or marker moved"));
+        Assert.That(_played.Look().Words, Is.EqualTo($"{PoseMessages.Of(PoseState.Held)}, {BaseMessages.MovedLabel}"));
     }
 
     [Test]
@@ -112,7 +116,7 @@ public class BaseAnchorDisplayTests
 
         Assert.That(Text("Base 1"), Is.EqualTo("! moved"));
         Assert.That(Text("Base 2"), Is.EqualTo("100 mm off"));
-        Assert.That(Text("Message 0"), Does.Match("^! base: marker 'a' is (99|100|101) mm, "));
+        Assert.That(Text("Message 0"), Does.Match("^! base: .*'a'.* (99|100|101) mm, "));
     }
 
     [Test]
@@ -124,8 +128,9 @@ public class BaseAnchorDisplayTests
         _played.Anchor.enabled = true;
         _played.Cell.Run(1, _played.Session);
 
-        Assert.That(_played.Anchor.Words, Is.EqualTo("marker 'a': its size: 9 m is out of range; allowed: 0.005 to 5 m"));
-        Assert.That(_played.Logged.Distinct(), Is.EqualTo(new[] { "[Nowpose] base anchor 'Base Anchor': " + _played.Anchor.Words }));
+        var fault = Assert.Throws<InputException>(() => _ = new BaseMarker("a", RigidTransform.Identity, sizeMetres: 9));
+        Assert.That(_played.Anchor.Words, Is.EqualTo(fault.Message));
+        Assert.That(_played.Logged.Distinct(), Is.EqualTo(new[] { "[Nowpose] " + ComponentMessages.Of("base anchor", "Base Anchor", _played.Anchor.Words) }));
         Assert.That(_played.Session.Frame, Is.Not.Null, "the session continues");
     }
 
@@ -139,11 +144,12 @@ public class BaseAnchorDisplayTests
 
         var rows = BaseRows.Of(_played.Anchor.Tracker).Select(row => row.Label + ": " + row.Value).ToList();
 
-        Assert.That(rows, Has.Some.Match("^Spread: (0.9|1.0)\\d mm, 0.2\\d°$"));
-        Assert.That(rows, Does.Contain("Held by the device: yes, kept as cell 7"));
-        Assert.That(rows, Does.Contain("Moved by the newest lock: 0.00 mm, 0.00°"));
-        Assert.That(rows, Does.Contain("a: ignored: too old"));
-        Assert.That(rows, Has.Some.Match("^  Sightings: 1[12]\\d; ignored: 1 too old$"));
-        Assert.That(rows, Has.Some.Match("^  Off by: 0\\.\\d\\d mm, 0\\.\\d\\d°$"));
+        Assert.That(rows, Has.Some.Match($@"^{InspectorTexts.LockSpread}: (0.9|1.0)\d mm, 0.2\d°$"));
+        Assert.That(rows, Does.Contain($"{InspectorTexts.HeldByDevice}: {InspectorTexts.Held("cell 7")}"));
+        Assert.That(rows, Does.Contain(InspectorTexts.MovedByLock + ": 0.00 mm, 0.00°"));
+        var old = InspectorTexts.Of(SightingFault.Old);
+        Assert.That(rows, Does.Contain("a: " + InspectorTexts.Ignored(old)));
+        Assert.That(rows, Has.Some.Match($@"^{InspectorTexts.Sightings}: 1[12]\d; {InspectorTexts.Ignored("1 " + old)}$"));
+        Assert.That(rows, Has.Some.Match($@"^{InspectorTexts.OffBy}: 0\.\d\d mm, 0\.\d\d°$"));
     }
 }

@@ -1,6 +1,8 @@
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Status;
 using NUnit.Framework;
 using UnityEngine;
@@ -32,7 +34,7 @@ public class PlayedAnchorTests
 
         Assert.That(_played.Anchor.transform.position, Is.EqualTo(new Vector3(3, 2, 1)));
         Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Placed));
-        Assert.That(_played.Anchor.Words, Is.EqualTo("placed by hand"));
+        Assert.That(_played.Anchor.Words, Is.EqualTo(BaseStatusMessages.Placed));
         Assert.That(_played.Logged, Is.Empty);
     }
 
@@ -46,8 +48,8 @@ public class PlayedAnchorTests
 
         device.Problem = "the store is full";
         _played.Cell.Run(3, _played.Session);
-        Assert.That(texts.FaultOf(_played.Anchor), Is.EqualTo("base: locked by 1 marker; the store is full"));
-        Assert.That(_played.Logged.Count(message => message.EndsWith("; the store is full")), Is.EqualTo(1));
+        Assert.That(texts.FaultOf(_played.Anchor), Is.EqualTo("base: " + BaseStatusMessages.Locked(1) + BaseStatusMessages.Because(device.Problem)));
+        Assert.That(_played.Logged.Count(message => message.EndsWith(BaseStatusMessages.Because(device.Problem))), Is.EqualTo(1));
         device.Problem = null;
         _played.Cell.Run(1, _played.Session);
         Assert.That(texts.FaultOf(_played.Anchor), Is.Null);
@@ -55,8 +57,8 @@ public class PlayedAnchorTests
         device.Pose = RigidTransform.FromXyzRpy(0.012, 0, 0, 0, 0, 0) * device.Pose.Value;
         _played.Markers.IsBlind = true;
         _played.Cell.Run(3, _played.Session);
-        Assert.That(texts.FaultOf(_played.Anchor), Is.EqualTo("base: locked by 1 marker; the headset has moved it by 12 mm, 0.0°"));
-        Assert.That(_played.Logged.Count(message => message.Contains("the headset has moved it by 12 mm")), Is.EqualTo(1));
+        Assert.That(texts.FaultOf(_played.Anchor), Is.EqualTo("base: " + BaseStatusMessages.Locked(1) + BaseStatusMessages.Corrected(12, "0.0")));
+        Assert.That(_played.Logged.Count(message => message.Contains(BaseStatusMessages.Corrected(12, "0.0"))), Is.EqualTo(1));
     }
 
     [Test]
@@ -72,10 +74,9 @@ public class PlayedAnchorTests
         Assert.That(_played.OffFrom(Base).Metres, Is.LessThan(0.001));
         Assert.That(_played.OffFrom(Base).Degrees, Is.LessThan(0.15));
         Assert.That(states[^1], Is.EqualTo(BaseAnchorState.Locked));
-        Assert.That(_played.Logged, Is.EqualTo(new[]
-        {
-            "[Nowpose] base anchor 'Base Anchor': looking for markers", "[Nowpose] base anchor 'Base Anchor': locked by 1 marker",
-        }));
+        Assert.That(_played.Logged, Is.EqualTo(
+            new[] { BaseStatusMessages.Looking(isBlind: false, problem: null), BaseStatusMessages.Locked(1) }
+                .Select(words => "[Nowpose] " + ComponentMessages.Of("base anchor", "Base Anchor", words))));
     }
 
     [Test]
@@ -97,7 +98,7 @@ public class PlayedAnchorTests
 
         Assert.That(_played.OffFrom(there).Metres, Is.LessThan(0.001));
         Assert.That(fastest, Is.InRange(0.001f, 0.01f), "metres in a frame");
-        Assert.That(_played.Anchor.Words, Does.Match("^locked by 1 marker, moved by (99|100)\\.\\d mm, 0\\.\\d\\d°$"));
+        Assert.That(_played.Anchor.Words, Does.Match($"^{BaseStatusMessages.Locked(1)}{BaseStatusMessages.MovedBy(@"(99|100)\.\d", @"0\.\d\d")}$"));
     }
 
     [Test]
@@ -145,7 +146,7 @@ public class PlayedAnchorTests
 
         Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Restored));
         Assert.That(_played.OffFrom(Base).Metres, Is.LessThan(1e-6));
-        Assert.That(_played.Look(), Is.EqualTo((0.2f, 1f, "base not confirmed")));
+        Assert.That(_played.Look(), Is.EqualTo((0.2f, 1f, BaseMessages.NotConfirmedLabel)));
         _played.Markers.IsBlind = false;
         _played.Cell.Run(3, _played.Session);
         Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Locked));

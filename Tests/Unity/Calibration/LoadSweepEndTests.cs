@@ -1,8 +1,11 @@
-using NUnit.Framework;
+using System.Text.RegularExpressions;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
 using Nowpose.Latency.Sweep;
+using Nowpose.Messages;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
+using NUnit.Framework;
 using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Calibration;
@@ -47,7 +50,7 @@ public sealed class LoadSweepEndTests
         _played.Run(0.1);
 
         Assert.That(_played.Sweep.IsRunning, Is.False);
-        Assert.That(_played.Sweep.Words, Is.EqualTo("sweep stopped"));
+        Assert.That(_played.Sweep.Words, Is.EqualTo(LoadSweepMessages.Stopped));
         Assert.That(_played.Load.Vertices, Is.EqualTo(7777));
         await Soon.BecomesAsync(() => File.Exists(path) && SweepTable.Read(path, out _).Count > 30, "the log is written");
         _played.Run(1);
@@ -77,8 +80,8 @@ public sealed class LoadSweepEndTests
         _played.Run(12);
         await _played.Judged();
 
-        Assert.That(_played.Sweep.Problem, Does.StartWith("sweep log " + _played.Sweep.Path + " cannot be written: "));
-        Assert.That(_played.Cell.Messages.Count(m => m.Contains("cannot be written", StringComparison.Ordinal)), Is.EqualTo(1));
+        Assert.That(_played.Sweep.Problem, Does.Match($"^{SweepMessages.LogNotWritten(Regex.Escape(_played.Sweep.Path), ".+")}$"));
+        Assert.That(_played.Cell.Messages.Count(m => m.Contains(_played.Sweep.Problem, StringComparison.Ordinal)), Is.EqualTo(1));
         Assert.That(_played.Load.Vertices, Is.EqualTo(7777));
     }
 
@@ -91,8 +94,8 @@ public sealed class LoadSweepEndTests
         _played.Run(5);
 
         Assert.That(_played.Sweep.IsRunning, Is.False);
-        Assert.That(_played.Sweep.Problem, Is.EqualTo("load generator 'Load' has no material; assign one"));
-        Assert.That(_played.Sweep.Words, Is.EqualTo("sweep stopped"));
+        Assert.That(_played.Sweep.Problem, Is.EqualTo("load generator 'Load' " + ComponentMessages.NoMaterial));
+        Assert.That(_played.Sweep.Words, Is.EqualTo(LoadSweepMessages.Stopped));
     }
 
     [Test]
@@ -106,8 +109,8 @@ public sealed class LoadSweepEndTests
         _played.Run(1);
 
         Assert.That(_played.Sweep.IsRunning, Is.False);
-        Assert.That(_played.Sweep.Problem, Is.EqualTo("load generator 'Load' is switched off; the sweep needs it, so switch it on and sweep again"));
-        Assert.That(_played.Cell.Messages.Count(m => m.Contains("switched off", StringComparison.Ordinal)), Is.EqualTo(1));
+        Assert.That(_played.Sweep.Problem, Is.EqualTo(LoadSweepMessages.GeneratorOff("Load")));
+        Assert.That(_played.Cell.Messages.Count(m => m.Contains(LoadSweepMessages.GeneratorOff("Load"), StringComparison.Ordinal)), Is.EqualTo(1));
         Assert.That(_played.Load.Vertices, Is.EqualTo(7777), "as before");
         await Soon.BecomesAsync(() => File.Exists(_played.Sweep.Path) && SweepTable.Read(_played.Sweep.Path, out _).Count > 30, "the log is written");
     }
@@ -123,7 +126,7 @@ public sealed class LoadSweepEndTests
         _played.Run(1, gpuSeesLoad: false);
 
         Assert.That(_played.Sweep.IsRunning, Is.False);
-        Assert.That(_played.Sweep.Problem, Does.EndWith("stopped, because its load generator was destroyed; sweep again. The log of this sweep is kept"));
+        Assert.That(_played.Sweep.Problem, Is.EqualTo(LoadSweepMessages.NoGenerator(_played.Sweep.name)));
         Assert.That(_played.Cell.Messages.Where(m => m.Contains("Exception", StringComparison.Ordinal)), Is.Empty);
     }
 
@@ -134,7 +137,7 @@ public sealed class LoadSweepEndTests
 
         sweep.StartSweep();
 
-        Assert.That(sweep.Problem, Is.EqualTo("load sweep 'Alone' has no session on its object or a parent; assign one"));
+        Assert.That(sweep.Problem, Is.EqualTo(ComponentMessages.ComponentWithoutSession("load sweep", "Alone")));
         Assert.That(sweep.IsRunning, Is.False);
     }
 

@@ -1,8 +1,10 @@
-using NUnit.Framework;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Sweep;
+using Nowpose.Messages;
+using Nowpose.Unity.Messages;
+using NUnit.Framework;
 using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Calibration;
@@ -98,11 +100,11 @@ public sealed class LoadSweepTests
         Assert.That(_played.Sweep.Verdict.Sight, Is.EqualTo(LoadSight.Seen));
         Assert.That(_played.Sweep.IsRunning, Is.False);
         Assert.That(_played.Load.Vertices, Is.EqualTo(7777), "as before");
-        Assert.That(words[0], Is.EqualTo("waiting for the clock"));
-        Assert.That(words, Has.Some.EqualTo("building 50000 vertices").And.Some.EqualTo("load 2 of 5: 50000 vertices"));
-        Assert.That(words[^1], Does.StartWith("this source responds to load: "));
+        Assert.That(words[0], Is.EqualTo(LoadSweepMessages.WaitingForClock));
+        Assert.That(words, Has.Some.EqualTo(LoadSweepMessages.Building(50000)).And.Some.EqualTo("load 2 of 5: 50000 vertices"));
+        Assert.That(words[^1], Does.StartWith(SweepMessages.Responds("")));
         Assert.That(
-            _played.Cell.Messages, Has.Some.EqualTo("[Nowpose] load sweep done: " + _played.Sweep.Verdict.Words + "; log: " + _played.Sweep.Path));
+            _played.Cell.Messages, Has.Some.EqualTo("[Nowpose] " + LoadSweepMessages.Done(_played.Sweep.Verdict.Words, _played.Sweep.Path)));
     }
 
     [Test]
@@ -114,8 +116,9 @@ public sealed class LoadSweepTests
         _played.Run(12, gpuSeesLoad: false);
         await _played.Judged();
 
-        Assert.That(_played.Sweep.Verdict.Words, Does.StartWith("this source does not respond to load: "));
-        Assert.That(_played.Cell.Messages, Has.Some.StartWith("[Nowpose] load sweep done: this source does not respond to load: "));
+        Assert.That(_played.Sweep.Verdict.Sight, Is.EqualTo(LoadSight.Unseen));
+        Assert.That(
+            _played.Cell.Messages, Has.Some.EqualTo("[Nowpose] " + LoadSweepMessages.Done(_played.Sweep.Verdict.Words, _played.Sweep.Path)));
     }
 
     [Test]
@@ -127,7 +130,7 @@ public sealed class LoadSweepTests
 
         _played.Run(20);
 
-        Assert.That(_played.Sweep.Words, Is.EqualTo("waiting for the clock"));
+        Assert.That(_played.Sweep.Words, Is.EqualTo(LoadSweepMessages.WaitingForClock));
         Assert.That(_played.Load.Vertices, Is.Zero);
     }
 

@@ -2,6 +2,7 @@ using System.Text.Json;
 using Nowpose.Cli.Demo;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
+using Nowpose.Messages;
 using NUnit.Framework;
 using static System.FormattableString;
 
@@ -61,7 +62,7 @@ public class DemoLoadTests
         var result = new DemoScore(LoadedDemo.Play(1_500_000, 1, 12, profile)).Result();
 
         Assert.That(result.Range.Alarms, Is.Zero, "without a limit there is no alarm");
-        Assert.That((result.Hindcast.Reduction, result.Hindcast.Withheld), Is.EqualTo(((double?)null, "beyond measured range")));
+        Assert.That((result.Hindcast.Reduction, result.Hindcast.Withheld), Is.EqualTo(((double?)null, StateNames.BeyondMeasured)));
     }
 
     [Test]
@@ -72,7 +73,7 @@ public class DemoLoadTests
 
         var result = new DemoScore(LoadedDemo.Play(1_500_000, 1, 12, profile)).Result();
 
-        Assert.That((result.Hindcast.Reduction, result.Hindcast.Withheld), Is.EqualTo(((double?)null, "frames miss refreshes")));
+        Assert.That((result.Hindcast.Reduction, result.Hindcast.Withheld), Is.EqualTo(((double?)null, StateNames.FramesMissRefreshes)));
     }
 
     [Test]

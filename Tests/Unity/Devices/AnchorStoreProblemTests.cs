@@ -1,6 +1,7 @@
 using Microsoft.MixedReality.OpenXR;
 using Nowpose.Anchoring;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using Object = UnityEngine.Object;
@@ -29,7 +30,7 @@ public sealed class AnchorStoreProblemTests
         _played.Storage.Accepts = true;
         _played.Run(1.1);
 
-        Assert.That(meanwhile, Does.Contain("has not stored the anchor yet"));
+        Assert.That(meanwhile, Does.Contain(DeviceMessages.NotStoredYet));
         Assert.That(anchor.KeptAs, Is.EqualTo("cell"));
         Assert.That(anchor.Problem, Is.Null);
     }
@@ -43,21 +44,21 @@ public sealed class AnchorStoreProblemTests
         var anchor = _played.Kept("cell");
         _played.Run(15);
 
-        Assert.That(anchor.Problem, Is.EqualTo("the device could not store the anchor as 'cell'; it is lost at the next start, so place the base again then"));
+        Assert.That(anchor.Problem, Is.EqualTo(DeviceMessages.NotStored("cell", problem: null)));
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
     }
 
-    [TestCase("", "without a name")]
-    [TestCase("  ", "without a name")]
-    [TestCase(null, "without a name")]
-    [TestCase("129", "has 129 characters; the maximum is 128")]
-    public void Keep_InvalidName_IsReported(string name, string expected)
+    [TestCase("")]
+    [TestCase("  ")]
+    [TestCase(null)]
+    [TestCase("129")]
+    public void Keep_InvalidName_IsReported(string name)
     {
         _played.Run(0.1);
 
         var anchor = _played.Kept(name == "129" ? new string('x', 129) : name);
 
-        Assert.That(anchor.Problem, Does.Contain(expected));
+        Assert.That(anchor.Problem, Is.EqualTo(name == "129" ? DeviceMessages.AnchorNameTooLong(129, 128) : DeviceMessages.AnchorWithoutName));
         Assert.That(_played.Storage.PersistedAnchorNames, Is.Empty);
     }
 
@@ -71,7 +72,7 @@ public sealed class AnchorStoreProblemTests
         XRAnchorStore.Loading = _ => Task.FromResult(_played.Storage);
         _played.Run(2);
 
-        Assert.That(problem, Is.EqualTo("the device's XR runtime has no anchor store, so anchors are lost at the next start; place the base again after each start"));
+        Assert.That(problem, Is.EqualTo(DeviceMessages.NoAnchorStore));
         Assert.That(_played.Cell.Messages.Count(m => m.Contains("anchor store 'Anchors'")), Is.EqualTo(1));
         Assert.That(_played.Anchors.IsReady);
         Assert.That(_played.Anchors.Problem, Is.Null);
@@ -87,7 +88,7 @@ public sealed class AnchorStoreProblemTests
 
         _played.Run(3);
 
-        Assert.That(_played.Anchors.Problem, Is.EqualTo("cannot load the stored anchors: no such library"));
+        Assert.That(_played.Anchors.Problem, Is.EqualTo(DeviceMessages.StoreFailed(DeviceMessages.LoadAnchors, "no such library")));
         Assert.That(_played.Cell.Messages.Count(m => m.Contains("no such library")), Is.EqualTo(1));
         Assert.That(_played.Cell.Player.Logs.Where(log => log.Type == LogType.Exception), Is.Empty);
         Assert.That(_played.Anchors.Find("cell"), Is.Null);

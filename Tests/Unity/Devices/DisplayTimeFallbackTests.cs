@@ -4,6 +4,7 @@ using Nowpose.Messages;
 using Nowpose.OpenXR;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Status;
 using NUnit.Framework;
 using UnityEngine;
@@ -62,7 +63,7 @@ public sealed class DisplayTimeFallbackTests
         Assert.That(_played.Session.Statistics.IsLightPredicted, Is.False);
         Assert.That(_played.Session.Frame.State, Is.EqualTo(PoseState.Current));
         var warnings = _played.Cell.Messages.Where(
-            m => m.Contains(CounterMessages.Missing("kernel32.dll") + "; the calibrated L_visu is used"));
+            m => m.Contains(DeviceMessages.NoDisplayTime(_played.Session.name, CounterMessages.Missing("kernel32.dll"))));
         Assert.That(warnings.Count(), Is.EqualTo(1));
     }
 
@@ -115,7 +116,8 @@ public sealed class DisplayTimeFallbackTests
 
         Assert.That(_played.Session.Statistics.IsLightPredicted, Is.False);
         Assert.That(_played.Session.Frame.State, Is.EqualTo(PoseState.Current));
-        Assert.That(_played.Cell.Messages.Count(m => m.Contains("MicrosoftOpenXRPlugin; the calibrated L_visu is used")), Is.EqualTo(1));
+        Assert.That(
+            _played.Cell.Messages.Count(m => m.Contains(DeviceMessages.NoDisplayTime(_played.Session.name, "MicrosoftOpenXRPlugin"))), Is.EqualTo(1));
     }
 
     [Test]
@@ -131,7 +133,7 @@ public sealed class DisplayTimeFallbackTests
         _played.Run(1);
 
         Assert.That(_played.Session.Statistics.IsLightPredicted, Is.False);
-        Assert.That(_played.Cell.Messages.Count(m => m.Contains("does not read the performance counter")), Is.EqualTo(1));
+        Assert.That(_played.Cell.Messages.Count(m => m.Contains(DeviceMessages.OtherClock)), Is.EqualTo(1));
     }
 
     [Test]
@@ -139,7 +141,7 @@ public sealed class DisplayTimeFallbackTests
     {
         new GameObject("Alone").AddComponent<OpenXrDisplayTime>();
 
-        Assert.That(_played.Cell.Messages, Has.Some.Contains("display time 'Alone' has no session on its object or a parent"));
+        Assert.That(_played.Cell.Messages, Has.Some.Contains(ComponentMessages.ComponentWithoutSession("display time", "Alone")));
     }
 
     sealed class OtherClock(SteppedClock clock) : IHeadsetClock

@@ -1,4 +1,5 @@
 using Nowpose.Editor;
+using Nowpose.Editor.Messages;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
@@ -87,8 +88,7 @@ public sealed class CellMenuTests : EditorFixture
 
         Assert.That(logs, Is.EqualTo(new[]
         {
-            $"Error: [Nowpose] The prefab 'Nowpose Robot Cell' (GUID {PackageAsset.RobotCell.Guid}) is not in this project; "
-            + "reinstall the package com.nowpose.mril.",
+            "Error: [Nowpose] " + SetupTexts.PrefabMissing("Nowpose Robot Cell", PackageAsset.RobotCell.Guid),
         }));
         Assert.That(Undo.Steps, Is.Empty);
     }

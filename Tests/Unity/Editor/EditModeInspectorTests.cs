@@ -112,8 +112,8 @@ public sealed class EditModeInspectorTests : EditorFixture
 
         Inspect(anchor).OnInspectorGUI();
 
-        Assert.That(GuiRecorder.Texts, Does.Contain("Base in the room, m: x 3.000   y 1.000   z 2.000"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("Base rotation to the left: 90.0°").And.Contain("Tilted: 30.0°"));
+        Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.BasePosition + ": x 3.000   y 1.000   z 2.000"));
+        Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.BaseRotation + ": 90.0°").And.Contain("Tilted: 30.0°"));
     }
 
     [TestCase("x + 5 mm, forward", 0, 0, 0.005f)]

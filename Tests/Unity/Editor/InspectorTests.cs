@@ -1,6 +1,9 @@
-using Nowpose.Editor.Setup;
-using Nowpose.Unity;
-using Nowpose.Unity.Tests;
+using Nowpose.Editor.Messages;
+using Nowpose.Kinematics;
+using Nowpose.Latency;
+using Nowpose.Messages;
+using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
@@ -46,9 +49,8 @@ public sealed class InspectorTests : EditorFixture
         _played.Editors[0].OnInspectorGUI();
 
         Assert.That(GuiRecorder.Lines, Has.Count.EqualTo(1));
-        Assert.That(
-            GuiRecorder.Texts.Single(t => t.StartsWith("Gap", StringComparison.Ordinal)),
-            Does.StartWith(FormattableString.Invariant($"Gap to the displayed tool {1000 * ghost.GapMetres:0.##} mm")));
+        Assert.That(GuiRecorder.Texts, Has.Exactly(1).StartsWith(
+            FormattableString.Invariant($"{InspectorTexts.GhostGap} {1000 * ghost.GapMetres:0.##} mm")));
     }
 
     [Test]
@@ -66,7 +68,7 @@ public sealed class InspectorTests : EditorFixture
         _played.Inspect(source).OnInspectorGUI();
 
         Assert.That(GuiRecorder.Texts, Does.Contain("Attached to: arm_link_5"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("Source: not measured"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Source: " + RenderTimeNames.NameOf(RenderTimeSourceKind.None)));
     }
 
     [Test]
@@ -87,11 +89,11 @@ public sealed class InspectorTests : EditorFixture
 
         foreach (var shown in new Component[] { tracked, part, signal, grip, path, fixture }) _played.Inspect(shown).OnInspectorGUI();
 
-        Assert.That(GuiRecorder.Texts, Does.Contain("Parent: –").And.Contain("State: no pose received"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("Share of the stroke: 0 %").And.Contain("Value: –"));
-        Assert.That(GuiRecorder.Texts.Count(text => text == "State: no connection"), Is.EqualTo(3), "part, signal and gripper");
+        Assert.That(GuiRecorder.Texts, Does.Contain("Parent: –").And.Contain("State: " + ObjectMessages.NoPose));
+        Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.StrokeShare + ": 0 %").And.Contain("Value: –"));
+        Assert.That(GuiRecorder.Texts.Count(text => text == "State: " + SignalMessages.NoConnection), Is.EqualTo(3), "part, signal and gripper");
         Assert.That(GuiRecorder.Texts, Does.Contain("Holds: nothing").And.Contain("Drawn ahead: nothing").And.Contain("Moved by hand: no"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("State: not placed; place it by hand, or publish its frame on /tf_static"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("State: " + ObjectMessages.NotPlaced));
     }
 
     [TestCase(0.0115, "gripper_finger_joint_l: 11.5 mm")]
@@ -107,8 +109,8 @@ public sealed class InspectorTests : EditorFixture
         _played.Inspect(gripper).OnInspectorGUI();
 
         Assert.That(GuiRecorder.Texts, Does.Contain(row));
-        Assert.That(GuiRecorder.Texts, Does.Contain("gripper_finger_joint_x: robot 'youbot' has no such joint; the finger does not move"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("A finger without a joint: robot 'youbot' has no such joint; the finger does not move"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("gripper_finger_joint_x: " + InspectorTexts.NoFingerJoint("youbot")));
+        Assert.That(GuiRecorder.Texts, Does.Contain($"{InspectorTexts.FingerWithoutJoint}: {InspectorTexts.NoFingerJoint("youbot")}"));
     }
 
     [Test]
@@ -142,12 +144,13 @@ public sealed class InspectorTests : EditorFixture
         _played.Cell.IsPlantUp = false;
         _played.Play(session, 2);
         editor.OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: held").And.Contain("Reason: too few recent samples").And.Contain("Drawn: striped, fade 0.5"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: " + PoseMessages.Of(PoseState.Held))
+            .And.Contain("Reason: " + StatusMessages.TooFewSamples).And.Contain("Drawn: striped, fade 0.5"));
 
         GuiRecorder.Clear();
         session.enabled = false;
         editor.OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: no session").And.Contain("Reason: the session is disabled or paused"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: " + StatusMessages.NoSession).And.Contain("Reason: " + PoseMessages.SessionPaused));
     }
 
     [Test]
@@ -160,7 +163,7 @@ public sealed class InspectorTests : EditorFixture
 
         _played.Inspect(appearance).OnInspectorGUI();
 
-        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: no positions yet").And.Contain("Drawn: nothing"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: " + PoseMessages.Of(PoseState.Incomplete)).And.Contain("Drawn: nothing"));
     }
 
     [Test]
@@ -181,7 +184,7 @@ public sealed class InspectorTests : EditorFixture
         GuiRecorder.Clear();
         panel.enabled = false;
         _played.Editors[0].OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Shows: nothing; the component is disabled"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shows: " + InspectorTexts.Disabled));
     }
 
     [Test]
@@ -192,7 +195,7 @@ public sealed class InspectorTests : EditorFixture
         var editor = _played.Inspect(follow);
         _played.Cell.Frame(null);
         editor.OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Follows: nothing: Head is empty, and no camera is tagged MainCamera"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Follows: " + InspectorTexts.NoHead));
 
         GuiRecorder.Clear();
         follow.With("_head", head);

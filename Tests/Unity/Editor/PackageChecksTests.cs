@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Editor.Setup;
 using NUnit.Framework;
 using UnityEditor;
@@ -18,11 +19,11 @@ public sealed class PackageChecksTests : EditorFixture
     public void UnityPackage_Missing_IsRequestedByNameAndFoundOnceInstalled()
     {
         var check = _reviewed.IndexOf("OpenXR");
-        Assert.That(_reviewed.Review.Results[check].Found, Is.EqualTo("com.unity.xr.openxr is not installed"));
+        Assert.That(_reviewed.Review.Results[check].Found, Is.EqualTo(CheckResults.NotInstalled("com.unity.xr.openxr")));
 
         _reviewed.Review.Fix(check);
         Assert.That(Client.Asked, Is.EqualTo(new[] { "com.unity.xr.openxr" }));
-        Assert.That(_reviewed.Settings.Activity, Is.EqualTo("adding com.unity.xr.openxr …"));
+        Assert.That(_reviewed.Settings.Activity, Is.EqualTo(SetupTexts.Adding("com.unity.xr.openxr")));
 
         Client.Newest.Succeed();
         PackageInfo.Registered.Add(new PackageInfo("com.unity.xr.openxr", "1.13.0"));
@@ -39,7 +40,7 @@ public sealed class PackageChecksTests : EditorFixture
         _reviewed.Review.Fix(_reviewed.IndexOf("AR Foundation"));
 
         Assert.That(Client.Asked, Is.EqualTo(new[] { "com.unity.xr.arfoundation@5.1.5" }));
-        Assert.That(_reviewed.Settings.Activity, Is.EqualTo("adding com.unity.xr.arfoundation …"));
+        Assert.That(_reviewed.Settings.Activity, Is.EqualTo(SetupTexts.Adding("com.unity.xr.arfoundation")));
     }
 
     [Test]
@@ -51,7 +52,8 @@ public sealed class PackageChecksTests : EditorFixture
 
         var found = _reviewed.Review.Results[_reviewed.IndexOf("AR Foundation")];
         Assert.That(found.State, Is.EqualTo(CheckState.Advice));
-        Assert.That(found.Found, Is.EqualTo("com.unity.xr.arfoundation 4.1.7 is too old; allowed: 5.0.0 or newer, but older than 7.0.0"));
+        Assert.That(found.Found, Is.EqualTo(
+            CheckResults.OutsideBounds("com.unity.xr.arfoundation", "4.1.7", isTooNew: false, "5.0.0" + CheckResults.OrNewer(new Version(7, 0, 0)))));
         Assert.That(_reviewed.Review.Results[_reviewed.IndexOf("Mixed Reality OpenXR")].State, Is.EqualTo(CheckState.Good));
     }
 
@@ -61,7 +63,7 @@ public sealed class PackageChecksTests : EditorFixture
         _reviewed.Review.Fix(_reviewed.IndexOf("NativeWebSocket (optional)"));
         Client.Newest.Fail("no git");
 
-        Assert.That(_reviewed.Settings.Trouble, Is.EqualTo("com.endel.nativewebsocket could not be added: no git"));
+        Assert.That(_reviewed.Settings.Trouble, Is.EqualTo(SetupTexts.PackageNotAdded("com.endel.nativewebsocket", "no git")));
         Assert.That(_reviewed.Settings.Activity, Is.Null);
     }
 
@@ -84,9 +86,9 @@ public sealed class PackageChecksTests : EditorFixture
         Assert.That(_reviewed.Settings.Trouble, Is.Null);
     }
 
-    [TestCase(null, "com.microsoft.mixedreality.openxr could not be added: Could not find file")]
-    [TestCase("nothing", "com.microsoft.mixedreality.openxr could not be added: Packages/manifest.json:1: not a JSON object")]
-    public void AddPackage_ManifestInvalid_StatesTheReasonAndChangesNothing(string manifest, string trouble)
+    [TestCase(null, "Could not find file")]
+    [TestCase("nothing", "Packages/manifest.json:1: ")]
+    public void AddPackage_ManifestInvalid_StatesTheReasonAndChangesNothing(string manifest, string reason)
     {
         using var folder = new ProjectFolder();
         folder.Write("Packages/other.txt", "");
@@ -99,7 +101,7 @@ public sealed class PackageChecksTests : EditorFixture
             return true;
         });
 
-        Assert.That(_reviewed.Settings.Trouble, Does.StartWith(trouble));
+        Assert.That(_reviewed.Settings.Trouble, Does.StartWith(SetupTexts.PackageNotAdded("com.microsoft.mixedreality.openxr", reason)));
         Assert.That(Client.Resolved, Is.Zero);
         if (manifest != null) Assert.That(folder.Read("Packages/manifest.json"), Is.EqualTo(manifest));
     }
@@ -133,7 +135,7 @@ public sealed class PackageChecksTests : EditorFixture
         _reviewed.Review.Refresh();
         Assert.That(
             _reviewed.Review.Results[_reviewed.IndexOf("MRTK3 (optional)")].Found,
-            Does.StartWith("org.mixedrealitytoolkit.windowsspeech is not installed"));
+            Is.EqualTo(CheckResults.NotInstalled("org.mixedrealitytoolkit.windowsspeech", 1)));
 
         PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit.windowsspeech", "3.0.4"));
         _reviewed.Review.Refresh();
@@ -144,7 +146,8 @@ public sealed class PackageChecksTests : EditorFixture
         _reviewed.Review.Refresh();
         Assert.That(
             _reviewed.Review.Results[_reviewed.IndexOf("MRTK3 (optional)")].Found,
-            Is.EqualTo("org.mixedrealitytoolkit.uxcomponents 3.2.9 is too old; allowed: 3.3.0 or newer, but older than 4.0.0"));
+            Is.EqualTo(CheckResults.OutsideBounds(
+                "org.mixedrealitytoolkit.uxcomponents", "3.2.9", isTooNew: false, "3.3.0" + CheckResults.OrNewer(new Version(4, 0, 0)))));
     }
 
     [Test]

@@ -1,4 +1,5 @@
 using Nowpose.Editor.Inspectors;
+using Nowpose.Editor.Messages;
 using Nowpose.Editor.Setup;
 using Nowpose.Unity;
 using Nowpose.Unity.Tests;
@@ -68,7 +69,7 @@ public sealed class SessionInspectorTests : EditorFixture
         editor.OnInspectorGUI();
 
         Assert.That(editor, Is.InstanceOf<LatencyProfileLoaderEditor>());
-        Assert.That(GuiRecorder.Texts, Does.Contain("Profile: none; the settings apply"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Profile: " + InspectorTexts.NoProfile));
     }
 
     [Test]
@@ -198,7 +199,7 @@ public sealed class SessionInspectorTests : EditorFixture
         Assert.That(editor, Is.InstanceOf<MrilSessionEditor>());
         Assert.That(editor.serializedObject.isEditingMultipleObjects);
         Assert.That(GuiRecorder.Properties, Does.Contain("_settings"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("Live values are shown for one object at a time."));
+        Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.OneObject));
         Assert.That(GuiRecorder.Lines, Is.Empty);
         Assert.That(editor.RequiresConstantRepaint(), Is.False);
     }

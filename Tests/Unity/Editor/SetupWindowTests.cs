@@ -1,4 +1,6 @@
 using Nowpose.Editor;
+using Nowpose.Editor.Messages;
+using Nowpose.Editor.Setup;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEditor.PackageManager;
@@ -18,9 +20,9 @@ public sealed class SetupWindowTests : EditorFixture
     {
         Send("OnGUI");
 
-        Assert.That(GuiRecorder.Texts[2], Is.EqualTo("15 items are missing for a HoloLens 2."));
-        Assert.That(GuiRecorder.Texts, Does.Contain("✗ Scripting backend is IL2CPP"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("missing: a backend other than IL2CPP is selected"));
+        Assert.That(GuiRecorder.Texts[2], Is.EqualTo(SetupTexts.Summary(15, HeadsetPlatform.HoloLens2.Headset)));
+        Assert.That(GuiRecorder.Texts, Does.Contain("✗ " + CheckTitles.ScriptingBackend));
+        Assert.That(GuiRecorder.Texts, Does.Contain("missing: " + CheckResults.ScriptingBackend));
         Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64));
         Assert.That(Client.Asked, Is.Empty);
     }
@@ -35,7 +37,7 @@ public sealed class SetupWindowTests : EditorFixture
         GuiRecorder.Clear();
         Send("OnGUI");
 
-        Assert.That(GuiRecorder.Texts[2], Is.EqualTo("14 items are missing for a HoloLens 2."));
+        Assert.That(GuiRecorder.Texts[2], Is.EqualTo(SetupTexts.Summary(14, HeadsetPlatform.HoloLens2.Headset)));
         Assert.That(GuiRecorder.Texts, Does.Contain("✓ Capability WebCam"));
         Assert.That(GuiRecorder.Buttons, Does.Not.Contain("Declare WebCam"));
         Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam));
@@ -50,7 +52,7 @@ public sealed class SetupWindowTests : EditorFixture
         Send("OnFocus");
         Send("OnGUI");
 
-        Assert.That(GuiRecorder.Texts, Does.Contain("✓ Frame Timing Stats are on"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("✓ " + CheckTitles.FrameTiming));
     }
 
     [Test]
@@ -68,15 +70,15 @@ public sealed class SetupWindowTests : EditorFixture
     [Test]
     public void Click_OnTheOtherHeadset_ListsItsRequirements()
     {
-        GuiRecorder.Click = "Android headset (Quest, Magic Leap 2)";
+        GuiRecorder.Click = SetupTexts.AndroidHeadset;
         Send("OnGUI");
         Assert.That(GuiRecorder.Texts, Does.Contain("✗ Capability WebCam"), "changed between a layout and its event");
         EditorApplication.RunDelayed();
 
         var texts = Draw();
 
-        Assert.That(texts[2], Is.EqualTo("8 items are missing for an Android headset."));
-        Assert.That(texts, Does.Contain("✗ Internet Access is set to Require"));
+        Assert.That(texts[2], Is.EqualTo(SetupTexts.Summary(8, HeadsetPlatform.AndroidHeadset.Headset)));
+        Assert.That(texts, Does.Contain("✗ " + CheckTitles.InternetAccess));
         Assert.That(texts, Has.None.Contains("Capability"));
         Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64), "a selection in the list does not switch the build target");
     }
@@ -84,13 +86,13 @@ public sealed class SetupWindowTests : EditorFixture
     [Test]
     public void Reload_OtherHeadsetChosen_KeepsTheChoice()
     {
-        GuiRecorder.Click = "Android headset (Quest, Magic Leap 2)";
+        GuiRecorder.Click = SetupTexts.AndroidHeadset;
         Send("OnGUI");
         EditorApplication.RunDelayed();
 
         Reload();
 
-        Assert.That(Draw()[2], Is.EqualTo("8 items are missing for an Android headset."));
+        Assert.That(Draw()[2], Is.EqualTo(SetupTexts.Summary(8, HeadsetPlatform.AndroidHeadset.Headset)));
     }
 
     [Test]
@@ -106,8 +108,8 @@ public sealed class SetupWindowTests : EditorFixture
         Client.Newest.Fail("offline");
         Send("Update");
         var texts = Draw();
-        Assert.That(texts, Does.Contain("com.unity.xr.openxr could not be added: offline"));
-        Assert.That(texts, Has.Some.Contains("Universal Windows Platform Build Support"));
+        Assert.That(texts, Does.Contain(SetupTexts.PackageNotAdded("com.unity.xr.openxr", "offline")));
+        Assert.That(texts, Does.Contain(CheckFixes.BuildSupport("Universal Windows Platform")));
 
         Reload();
 
@@ -134,7 +136,7 @@ public sealed class SetupWindowTests : EditorFixture
         EditorApplication.RunDelayed();
         Send("OnGUI");
 
-        Assert.That(GuiRecorder.Texts, Does.Contain("✓ Frame Timing Stats are on"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("✓ " + CheckTitles.FrameTiming));
     }
 
     [Test]
@@ -144,13 +146,13 @@ public sealed class SetupWindowTests : EditorFixture
         Send("OnGUI");
         EditorApplication.RunDelayed();
         var texts = Draw();
-        Assert.That(texts, Does.Contain("adding com.unity.xr.openxr …"));
+        Assert.That(texts, Does.Contain(SetupTexts.Adding("com.unity.xr.openxr")));
 
         Client.Newest.Fail("offline");
         Assert.That(Draw(), Is.EqualTo(texts), "changed between a layout and its event");
         Send("Update");
 
-        Assert.That(Draw(), Does.Contain("com.unity.xr.openxr could not be added: offline"));
+        Assert.That(Draw(), Does.Contain(SetupTexts.PackageNotAdded("com.unity.xr.openxr", "offline")));
         Assert.That(_window.Repaints, Is.EqualTo(2));
     }
 
@@ -164,7 +166,7 @@ public sealed class SetupWindowTests : EditorFixture
 
         for (var tick = 0; tick < 3; tick++) Send("Update");
 
-        Assert.That(Draw(), Does.Not.Contain("✓ Frame Timing Stats are on"));
+        Assert.That(Draw(), Does.Not.Contain("✓ " + CheckTitles.FrameTiming));
         Assert.That(_window.Repaints, Is.EqualTo(1));
     }
 

@@ -2,6 +2,7 @@ using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using NUnit.Framework;
 using UnityEngine;
@@ -68,7 +69,7 @@ public class RenderTimeSourceTests
         Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
         Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
         Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Inside));
-        Assert.That(Logged(), Is.EqualTo(new[] { "GPU time from headset" }), "once");
+        Assert.That(Logged(), Is.EqualTo(new[] { RenderTimeNames.NameOf(RenderTimeSourceKind.DisplayGpuTime) }), "once");
         Assert.That(Gpu.PendingReadbacks, Is.EqualTo(0), "no readback is requested");
     }
 
@@ -86,7 +87,7 @@ public class RenderTimeSourceTests
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.EngineGpuTime));
         Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(11).Within(1e-3));
         Assert.That(_session.Statistics.RangeUnknownReason, Is.EqualTo(RangeUnknownReason.OtherSource), "the limit was found with the headset's");
-        Assert.That(Logged(), Is.EqualTo(new[] { "GPU time from Unity" }));
+        Assert.That(Logged(), Is.EqualTo(new[] { RenderTimeNames.NameOf(RenderTimeSourceKind.EngineGpuTime) }));
     }
 
     [TestCase(1)]
@@ -101,7 +102,7 @@ public class RenderTimeSourceTests
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
         Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * framesUntilDone).Within(0.01));
         Assert.That(_session.Statistics.RangeUnknownReason, Is.EqualTo(RangeUnknownReason.OtherSource), "the limit was found with the GPU's time");
-        Assert.That(Logged(), Is.EqualTo(new[] { "time to GPU completion" }));
+        Assert.That(Logged(), Is.EqualTo(new[] { RenderTimeNames.NameOf(RenderTimeSourceKind.GpuCompletion) }));
     }
 
     [Test]
@@ -128,7 +129,7 @@ public class RenderTimeSourceTests
 
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.CameraCpu));
         Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(2).Within(1e-3), "the time spans from before to after the camera's rendering");
-        Assert.That(Logged(), Is.EqualTo(new[] { "camera CPU, unverified" }));
+        Assert.That(Logged(), Is.EqualTo(new[] { RenderTimeNames.NameOf(RenderTimeSourceKind.CameraCpu) }));
     }
 
     [Test]
@@ -172,9 +173,9 @@ public class RenderTimeSourceTests
         Assert.That(before, Is.EqualTo(RangeState.Outside));
         Assert.That(soon, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime), "a few frames without values do not end the use of a source");
         Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Unknown));
-        Assert.That(Logged().First(), Is.EqualTo("GPU time from headset"));
-        Assert.That(Logged().Last(), Is.EqualTo("time to GPU completion"));
-        Assert.That(Logged(), Has.None.Contains("CPU"), "a source that is about to be replaced is not logged");
+        Assert.That(Logged().First(), Is.EqualTo(RenderTimeNames.NameOf(RenderTimeSourceKind.DisplayGpuTime)));
+        Assert.That(Logged().Last(), Is.EqualTo(RenderTimeNames.NameOf(RenderTimeSourceKind.GpuCompletion)));
+        Assert.That(Logged(), Has.None.EqualTo(RenderTimeNames.NameOf(RenderTimeSourceKind.CameraCpu)), "a source that is about to be replaced is not logged");
         Assert.That(Logged().Count(), Is.LessThanOrEqualTo(3));
     }
 

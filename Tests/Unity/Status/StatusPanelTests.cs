@@ -1,9 +1,12 @@
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
+using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
+using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -30,13 +33,14 @@ public class StatusPanelTests
         Assert.That(_played.Row("Pose"), Is.EqualTo(("current", "")));
         Assert.That(_played.Row("Clock").Value, Is.EqualTo("synchronised"));
         Assert.That(_played.Row("Clock").Note, Does.Match(@"^± \d\.\d+ ms$"));
-        Assert.That(_played.Row("L_app"), Is.EqualTo(("80.0 ms", "95 % below 80 ms")));
+        Assert.That(_played.Row("L_app"), Is.EqualTo(("80.0 ms", StatusMessages.PercentilePrefix + "80 ms")));
         Assert.That(_played.Row("L_visu").Value, Is.EqualTo("40.0 ms"));
         Assert.That(_played.Row("Horizon").Value, Does.Match(@"^1[2-6]\d ms$"));
-        Assert.That(_played.Row("Render time"), Is.EqualTo(("9.5 ms", "GPU time from headset")));
+        Assert.That(_played.Row("Render time"), Is.EqualTo(("9.5 ms", RenderTimeNames.NameOf(RenderTimeSourceKind.DisplayGpuTime))));
         Assert.That(_played.Row("Range"), Is.EqualTo(("inside", "")));
         Assert.That(_played.Row("Error reduction").Value, Does.Match(@"^9\d %$"));
-        Assert.That(_played.Row("Gateway"), Is.EqualTo(("not connected", "within this machine")));
+        Assert.That(_played.Row("Gateway"), Is.EqualTo(
+            (StatusMessages.Of(LinkState.Idle, LinkState.Idle), StatusMessages.Of(TransportSecurity.Plain, isLocal: true))));
         Assert.That(_played.Row("Robot"), Is.EqualTo(("–", "ur5")));
     }
 
@@ -52,7 +56,7 @@ public class StatusPanelTests
         Assert.That(
             _played.Text("Message 0").Replace('\n', ' '), Does.Match(@"^! joints shoulder_pan_joint, .*wrist_3_joint: no data since \d\d:\d\d:\d\d$"));
         Assert.That(
-            _played.Cell.Messages, Has.Some.Match(@"joint positions are stale; the pose is held: joints shoulder_pan_joint, .*: no data for 0 s"));
+            _played.Cell.Messages, Has.Some.Match(SessionMessages.Stale("joints shoulder_pan_joint, .* 0 s")));
     }
 
     [Test]
@@ -139,7 +143,7 @@ public class StatusPanelTests
         Assert.That(_played.Row("L_app").Value, Is.EqualTo("–"));
         Assert.That(_played.Row("Error reduction").Value, Is.EqualTo("–"));
         Assert.That(_played.Row("Render time").Value, Is.EqualTo("–"));
-        Assert.That(_played.Row("Pose").Value, Is.EqualTo("! no positions yet"));
+        Assert.That(_played.Row("Pose").Value, Is.EqualTo("! " + PoseMessages.Of(PoseState.Incomplete)));
     }
 
     [Test]
@@ -178,7 +182,7 @@ public class StatusPanelTests
 
         _played.Play(1);
 
-        Assert.That(_played.Text("Message 0").Replace('\n', ' '), Does.Contain("has no settings; assign a Session Settings asset"));
+        Assert.That(_played.Text("Message 0").Replace('\n', ' '), Does.Contain(ComponentMessages.NoSettings(_played.Session.name)));
         Assert.That(_played.Row("Clock").Value, Is.EqualTo("–"));
     }
 
@@ -227,7 +231,7 @@ public class StatusPanelTests
 
         _played.Play(1);
 
-        Assert.That(_played.Cell.Player.Logs.Count(l => l.Message.Contains("has no Text Mesh to copy")), Is.EqualTo(1));
+        Assert.That(_played.Cell.Player.Logs.Count(l => l.Message.Contains(ComponentMessages.PanelWithoutText(_played.Panel.name))), Is.EqualTo(1));
         Assert.That(_played.Cell.Player.Logs.Where(l => l.Exception != null), Is.Empty);
     }
 
@@ -262,7 +266,7 @@ public class StatusPanelTests
         Assert.That(_played.Row("Pose").Value, Is.EqualTo("current"));
         Assert.That(_played.Row("Objects").Value, Is.EqualTo("! 1 not current"));
         Assert.That(_played.Text("FirstPart 1"), Is.EqualTo("! object lid"));
-        Assert.That(_played.Text("FirstPart 2"), Is.EqualTo("no pose received"));
+        Assert.That(_played.Text("FirstPart 2"), Is.EqualTo(ObjectMessages.NoPose));
         Assert.That(_played.Text("SecondPart 1"), Is.Empty);
         Assert.That(_played.Text("FirstPart 0"), Is.Empty, "never received");
         var pose = RigidTransform.Identity.ToTransform(ControlTime.FromSeconds(1310), FrameParents.World, "lid");

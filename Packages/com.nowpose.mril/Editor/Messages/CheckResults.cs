@@ -52,6 +52,11 @@ namespace Nowpose.Editor.Messages
             $"{packages} {Are(count)} not supported; close Unity and run `nowpose unity PATH --mrtk3 --on-conflict replace`, or write {supported} "
             + "into Packages/manifest.json";
 
+        public static string NotInstalled(string package) => $"{package} is not installed";
+
+        public static string OutsideBounds(string package, string version, bool isTooNew, string bounds) =>
+            $"{package} {version} is too {(isTooNew ? "new" : "old")}; allowed: {bounds}";
+
         static string Are(int count) => count == 1 ? "is" : "are";
     }
 }

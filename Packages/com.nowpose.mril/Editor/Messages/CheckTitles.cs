@@ -26,6 +26,7 @@ namespace Nowpose.Editor.Messages
         public const string RenderPipeline = "Render pipeline is the built-in one or URP";
         public const string RunInBackground = "Run In Background is on";
         public const string TurnRunInBackgroundOn = "Turn Run In Background on";
+        public const string ScriptingBackend = "Scripting backend is IL2CPP";
         public const string UnityVersion = "Unity version is recommended";
     }
 }

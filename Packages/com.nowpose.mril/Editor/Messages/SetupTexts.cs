@@ -14,6 +14,13 @@ namespace Nowpose.Editor.Messages
         public const string AndroidHeadset = "Android headset (Quest, Magic Leap 2)";
         public const string AddToScene = "Add to the scene, below the selected object";
 
-        public static string Complete(string headset) => $"Nothing is missing for {headset}.";
+        public static string Adding(string package) => $"adding {package} …";
+
+        /// <param name="missing">Number of missing items.</param>
+        public static string Summary(int missing, string headset)
+        {
+            if (missing == 0) return $"Nothing is missing for {headset}.";
+            return missing == 1 ? $"1 item is missing for {headset}." : $"{missing} items are missing for {headset}.";
+        }
     }
 }

@@ -16,12 +16,9 @@ namespace Nowpose.Editor.Setup
             var missing = packages.Where(package => project.VersionOf(package.Name) == null).Select(package => package.Name).ToList();
             if (missing.Count > 0) return new CheckResult(CheckState.Advice, WhatToDo(missing));
             var wrong = packages.FirstOrDefault(package => package.Serves(project.VersionOf(package.Name)) != true);
-            return wrong == null
-                ? Good("MRTK3 " + project.VersionOf(packages[0].Name))
-                : new CheckResult(
-                    CheckState.Advice,
-                    wrong.Name + " " + project.VersionOf(wrong.Name) + (wrong.IsTooNew(project.VersionOf(wrong.Name)) ? " is too new" : " is too old")
-                    + "; allowed: " + wrong.Bounds);
+            if (wrong == null) return Good("MRTK3 " + project.VersionOf(packages[0].Name));
+            var version = project.VersionOf(wrong.Name);
+            return new CheckResult(CheckState.Advice, CheckResults.OutsideBounds(wrong.Name, version, wrong.IsTooNew(version), wrong.Bounds));
         }
 
         public override string Fix(IProjectSettings project) => null;

@@ -1,3 +1,5 @@
+using Nowpose.Editor.Messages;
+
 namespace Nowpose.Editor.Setup
 {
     /// <summary>Checks whether a package is installed in a supported version.</summary>
@@ -17,11 +19,9 @@ namespace Nowpose.Editor.Setup
         public override CheckResult Look(IProjectSettings project)
         {
             var version = project.VersionOf(_package.Name);
-            if (version == null) return new CheckResult(_without, _package.Name + " is not installed");
+            if (version == null) return new CheckResult(_without, CheckResults.NotInstalled(_package.Name));
             if (_package.Serves(version) == true) return Good(_package.Name + " " + version);
-            return new CheckResult(
-                _without,
-                _package.Name + " " + version + (_package.IsTooNew(version) ? " is too new" : " is too old") + "; allowed: " + _package.Bounds);
+            return new CheckResult(_without, CheckResults.OutsideBounds(_package.Name, version, _package.IsTooNew(version), _package.Bounds));
         }
 
         public override string Fix(IProjectSettings project)

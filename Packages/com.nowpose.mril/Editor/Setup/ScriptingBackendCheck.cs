@@ -5,7 +5,7 @@ namespace Nowpose.Editor.Setup
     sealed class ScriptingBackendCheck : ProjectCheck
     {
         public ScriptingBackendCheck(HeadsetPlatform platform)
-            : base("Scripting backend is IL2CPP", CheckReasons.ScriptingBackend(platform.Headset), "Use IL2CPP") { }
+            : base(CheckTitles.ScriptingBackend, CheckReasons.ScriptingBackend(platform.Headset), "Use IL2CPP") { }
 
         public override CheckResult Look(IProjectSettings project) => project.UsesIl2Cpp ? Good("IL2CPP") : Missing(CheckResults.ScriptingBackend);
 

@@ -31,7 +31,7 @@ namespace Nowpose.Editor.Setup
 
         public HeadsetPlatform Platform { get; }
 
-        public string Activity => _adding == null || _adding.IsCompleted ? null : "adding " + _package.Name + " …";
+        public string Activity => _adding == null || _adding.IsCompleted ? null : SetupTexts.Adding(_package.Name);
 
         public string Trouble => _adding != null && _adding.Status == StatusCode.Failure
             ? SetupTexts.PackageNotAdded(_package.Name, _adding.Error.message)

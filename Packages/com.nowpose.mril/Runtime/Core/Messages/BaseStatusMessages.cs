@@ -6,6 +6,15 @@ namespace Nowpose.Messages
         public const string Placed = "placed by hand";
         public const string BeingPlaced = "being placed by hand";
 
+        /// <param name="markers">Number of markers of the lock; 0 if the base was placed by hand.</param>
+        public static string Locked(int markers)
+        {
+            if (markers == 0) return Placed;
+            return markers == 1 ? "locked by 1 marker" : $"locked by {markers} markers";
+        }
+
+        public static string MovedBy(string mm, string degrees) => $", moved by {mm} mm, {degrees}°";
+
         public static string Conflict(string first, string second, string difference) =>
             $"{first} and {second} disagree by {difference}: measure their poses again";
 

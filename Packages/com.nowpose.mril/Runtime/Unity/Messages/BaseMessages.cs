@@ -15,6 +15,8 @@ namespace Nowpose.Unity.Messages
         public const string FollowsMarker = "the base follows a marker that is being moved";
         public const string NotLocated = "no marker has located the base";
         public const string Restored = "the base has its pose from an earlier run; look at a marker to confirm it";
+        public const string NotLockedLabel = "base not locked";
+        public const string NotConfirmedLabel = "base not confirmed";
         public const string MovedLabel = "base or marker moved";
         public const string Moved = "a marker is not at its expected position";
         public const string Lost = "the headset has lost its position in the room";

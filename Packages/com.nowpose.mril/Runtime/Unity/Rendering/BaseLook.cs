@@ -31,8 +31,8 @@ namespace Nowpose.Unity.Rendering
                 case BaseAnchorState.Searching:
                     return _isBeingPlaced
                         ? look.Also("being placed", BaseMessages.FollowsMarker, 0)
-                        : look.Also("base not locked", BaseMessages.NotLocated, 0.8f);
-                case BaseAnchorState.Restored: return look.Also("base not confirmed", BaseMessages.Restored, 0);
+                        : look.Also(BaseMessages.NotLockedLabel, BaseMessages.NotLocated, 0.8f);
+                case BaseAnchorState.Restored: return look.Also(BaseMessages.NotConfirmedLabel, BaseMessages.Restored, 0);
                 case BaseAnchorState.Moved: return look.Also(BaseMessages.MovedLabel, BaseMessages.Moved, 0.5f);
                 case BaseAnchorState.Lost: return look.Also("base lost", BaseMessages.Lost, 0.5f);
                 default: return look;

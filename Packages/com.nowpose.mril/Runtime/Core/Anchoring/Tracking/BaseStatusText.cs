@@ -145,9 +145,9 @@ namespace Nowpose.Anchoring.Tracking
         static string Locked(BaseTracker tracker)
         {
             var locked = tracker.Lock;
-            var text = locked.Markers == 0 ? BaseStatusMessages.Placed : "locked by " + locked.Markers + (locked.Markers == 1 ? " marker" : " markers");
+            var text = BaseStatusMessages.Locked(locked.Markers);
             if (locked.ChangeMetres > 0 || locked.ChangeRadians > 0)
-                text += ", moved by " + Number(1000 * locked.ChangeMetres, "0.0") + " mm, " + Number(Degrees(locked.ChangeRadians), "0.00") + "°";
+                text += BaseStatusMessages.MovedBy(Number(1000 * locked.ChangeMetres, "0.0"), Number(Degrees(locked.ChangeRadians), "0.00"));
             if (tracker.Conflict is { } conflict)
                 text += BaseStatusMessages.ConflictOfLock(Name(conflict.Marker), Mm(conflict.Metres), Number(Degrees(conflict.Radians), "0.0"));
             if (tracker.IsCorrected)
