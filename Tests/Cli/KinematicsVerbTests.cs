@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli;
@@ -62,7 +63,7 @@ public class KinematicsVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0));
         Assert.That(X(run, "a"), Is.EqualTo(-0.25));
-        Assert.That(run.Errors.TrimEnd(), Is.EqualTo("nowpose: joint lead: -0.25 m is outside its limits 0 to 0.5 m; the given value is used"));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo("nowpose: " + KinematicsMessages.BeyondLimits("lead", -0.25, "m", 0, 0.5)));
     }
 
     [Test]
@@ -71,7 +72,7 @@ public class KinematicsVerbTests
         var run = await RunAsync("--joints", "lead=0.125");
 
         Assert.That(run.ExitStatus, Is.EqualTo(0));
-        Assert.That(run.Lines[0], Is.EqualTo("slide: poses relative to base, metres"));
+        Assert.That(run.Lines[0], Is.EqualTo(KinematicsMessages.Title("slide", "base").TrimEnd()));
         Assert.That(run.Output, Does.Contain("\na\n     1.000000     0.000000     0.000000     0.125000\n"));
     }
 
@@ -86,22 +87,27 @@ public class KinematicsVerbTests
         Assert.That(run.Output, Does.Contain('"' + tool + '"'));
     }
 
-    [TestCase("nothing=1", "the robot has no joint nothing; allowed: lead, follow")]
-    [TestCase("mount=1", "mount is a fixed joint; allowed: lead, follow")]
-    [TestCase("lead=1,lead=1", "lead is given twice")]
-    [TestCase("lead=x", "lead: 'x' is not a finite number in m")]
-    [TestCase("lead=NaN", "lead: 'NaN' is not a finite number in m")]
-    [TestCase("lead=", "lead: '' is not a finite number in m")]
-    [TestCase("lead", "'lead' must have the form name=value")]
-    [TestCase("lead=1,", "'' must have the form name=value")]
-    [TestCase("lead=1.5e308", "too large")]
+    static readonly string[][] InvalidJoints =
+    [
+        ["nothing=1", KinematicsMessages.NotAMovingJoint(KinematicsMessages.UnknownJoint("nothing"), "lead, follow")],
+        ["mount=1", KinematicsMessages.NotAMovingJoint(KinematicsMessages.FixedJoint("mount"), "lead, follow")],
+        ["lead=1,lead=1", KinematicsMessages.JointTwice("lead")],
+        ["lead=x", KinematicsMessages.NotANumber("lead", "x", "m")],
+        ["lead=NaN", KinematicsMessages.NotANumber("lead", "NaN", "m")],
+        ["lead=", KinematicsMessages.NotANumber("lead", "", "m")],
+        ["lead", KinematicsMessages.NotAPair("lead")],
+        ["lead=1,", KinematicsMessages.NotAPair("")],
+        ["lead=1.5e308", KinematicsMessages.TooLarge],
+    ];
+
+    [TestCaseSource(nameof(InvalidJoints))]
     public async Task Kinematics_InvalidJoints_PrintsOneLineAndExitsWith2(string joints, string message)
     {
         var run = await RunAsync("--joints", joints, "--json");
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
         Assert.That(run.Output, Is.Empty);
-        Assert.That(run.Errors.TrimEnd().Split('\n')[^1], Does.StartWith("nowpose: --joints: ").And.Contains(message));
+        Assert.That(run.Errors.TrimEnd().Split('\n')[^1], Does.StartWith("nowpose: " + message));
     }
 
     [Test]

@@ -1,39 +1,47 @@
-using NUnit.Framework;
 using Nowpose.Gateway.Configuration;
+using Nowpose.Gateway.Messages;
+using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
 /// <summary>Tests the configuration file and --check through the command line.</summary>
 public class ConfigurationTests : ConfigurationFixture
 {
-    [TestCase("bind: nowhere", "bind: 'nowhere' is not an address")]
-    [TestCase("sync-port: 70000", "sync-port: 70000 is out of range; allowed: 0 to 65535")]
-    [TestCase("sync-port: many", "'many' is not a number")]
-    [TestCase("ws-prot: 1", "did you mean 'ws-port'?")]
-    [TestCase("colour: red", "allowed: bind, cell")]
-    [TestCase("tls: yes", "'yes' is neither true nor false")]
-    [TestCase("cell: [a, b]", "is a list; give one value")]
-    [TestCase("tokens:", "has no value")]
-    [TestCase("ws-port: {a: b}", "must be a scalar")]
-    [TestCase("plants: [[a]]", "must be a scalar")]
-    [TestCase("cell: *anchor", "must be a scalar")]
-    [TestCase("check: true", "no such entry")]
-    [TestCase("config: other.yaml", "no such entry")]
-    [TestCase("? [a]\n: b", "a key must be a scalar")]
-    [TestCase("clock: UPPER", "'UPPER' is not a valid clock name")]
-    [TestCase("\"a", ": not valid YAML")]
-    [TestCase("plants: []", "has no value")]
-    [TestCase("ws-port: []", "is a list; give one value")]
-    [TestCase("tokens: \"a\\0b\"", "control character")]
-    [TestCase("recordings: \"a\\0b\"", "control character")]
-    [TestCase("cell: !secret foo", "without tags")]
-    [TestCase("cell: &name foo", "without tags or anchors")]
-    [TestCase("plants: [!file a.yaml]", "without tags")]
-    [TestCase("plants: !files [a.yaml]", "without tags")]
-    [TestCase("!secret cell: foo", "a key must be a scalar")]
-    [TestCase("!all {cell: foo}", "\"key: value\"")]
-    [TestCase("[a, b]", "\"key: value\"")]
-    [TestCase("word", "\"key: value\"")]
+    const string Place = "gateway.yaml:3";
+
+    static readonly string[][] InvalidEntries =
+    [
+        ["bind: nowhere", $"{Place}: bind: 'nowhere'"],
+        ["sync-port: 70000", $"{Place}: sync-port: 70000"],
+        ["sync-port: many", "'many'"],
+        ["ws-prot: 1", "'ws-port'"],
+        ["colour: red", "bind, cell"],
+        ["tls: yes", ConfigurationMessages.NotASwitch("yes")],
+        ["cell: [a, b]", ConfigurationMessages.List],
+        ["tokens:", "has no value"],
+        ["ws-port: {a: b}", ConfigurationMessages.ValueNotAWord(Place, "ws-port")],
+        ["plants: [[a]]", ConfigurationMessages.ValueNotAWord(Place, "plants")],
+        ["cell: *anchor", ConfigurationMessages.ValueNotAWord(Place, "cell")],
+        ["check: true", ConfigurationMessages.UnknownEntry("serve", "")],
+        ["config: other.yaml", ConfigurationMessages.UnknownEntry("serve", "")],
+        ["? [a]\n: b", ConfigurationMessages.KeyNotAWord(Place)],
+        ["clock: UPPER", "'UPPER'"],
+        ["\"a", ": not valid YAML"],
+        ["plants: []", "has no value"],
+        ["ws-port: []", ConfigurationMessages.List],
+        ["tokens: \"a\\0b\"", ConfigurationMessages.ControlCharacter],
+        ["recordings: \"a\\0b\"", ConfigurationMessages.ControlCharacter],
+        ["cell: !secret foo", ConfigurationMessages.ValueNotAWord(Place, "cell")],
+        ["cell: &name foo", ConfigurationMessages.ValueNotAWord(Place, "cell")],
+        ["plants: [!file a.yaml]", ConfigurationMessages.ValueNotAWord(Place, "plants")],
+        ["plants: !files [a.yaml]", ConfigurationMessages.ValueNotAWord(Place, "plants")],
+        ["!secret cell: foo", ConfigurationMessages.KeyNotAWord(Place)],
+        ["!all {cell: foo}", ConfigurationMessages.NoEntry(Place)],
+        ["[a, b]", ConfigurationMessages.NoEntry(Place)],
+        ["word", ConfigurationMessages.NoEntry(Place)],
+    ];
+
+    [TestCaseSource(nameof(InvalidEntries))]
     public async Task Entry_Invalid_IsReportedInOneLineWithFileLineNumberAndKey(string entry, string part)
     {
         foreach (var isCheck in new[] { true, false })
@@ -43,7 +51,7 @@ public class ConfigurationTests : ConfigurationFixture
             Assert.That(status, Is.EqualTo(2));
             Assert.That(errors, Has.Length.EqualTo(1), string.Join(" | ", errors));
             Assert.That(errors[0], Does.Contain("gateway.yaml:").And.Contain(part));
-            if (!part.Contains("YAML")) Assert.That(errors[0], Does.Contain("gateway.yaml:3: "));
+            if (!part.Contains("YAML")) Assert.That(errors[0], Does.Contain(Place + ": "));
         }
     }
 

@@ -1,5 +1,6 @@
 using System.Net;
 using System.Text.Json;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Protocol;
@@ -32,7 +33,7 @@ public class JointFaultTests
         var lines = await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable);
         Assert.That(lines, Has.Length.EqualTo(2), "the other joint continues");
         Assert.That(lines[0], Is.EqualTo("waiting"));
-        Assert.That(lines[1], Does.StartWith("joint a (gateway) is stale: "));
+        Assert.That(lines[1], Does.StartWith($"joint a (gateway) {EventTexts.Is("stale")}: "));
         var state = await _gateway.StateAsync();
         var joint = state.GetProperty("joints")[0];
         Assert.That(joint.GetProperty("state").GetString(), Is.EqualTo("stale"));
@@ -51,12 +52,12 @@ public class JointFaultTests
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
         Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("ok"));
         await _gateway.EndsAsync("joint", "a (gateway)");
-        Assert.That(_gateway.Log.Count(line => line.Contains("joint a (gateway) is stale")), Is.EqualTo(2), string.Join('\n', _gateway.Log));
+        Assert.That(_gateway.Log.Count(line => line.Contains("joint a (gateway) " + EventTexts.Is("stale"))), Is.EqualTo(2), string.Join('\n', _gateway.Log));
     }
 
-    [TestCase("refused", "is refused", "Check the values that its source sends.")]
-    [TestCase("missing", "is missing", "Check that the plant offers the joint's value and that the plant's configuration names it correctly.")]
-    [TestCase("fault", "is in fault", "Check the plant and its connection.")]
+    [TestCase("refused", EventTexts.IsRefused, EventRemedies.Values)]
+    [TestCase("missing", EventTexts.IsMissing, EventRemedies.MissingJoint)]
+    [TestCase("fault", EventTexts.InFault, EventRemedies.Plant)]
     public async Task Joint_AdapterReportsAFault_IsReportedWithReasonStartAndRemedy(string word, string what, string remedy)
     {
         await _gateway.StartAsync(options => options with { ExpectsSources = true });
@@ -115,8 +116,8 @@ public class JointFaultTests
         Assert.That((await _gateway.GetAsync("/metrics")).Text, Does.Contain("nowpose_joint_rest_uncertain{joint=\"a\",source=\"press\"} 1"));
         Assert.That(status.GetProperty("level").GetString(), Is.EqualTo("warning"));
         Assert.That(status.GetProperty("text").GetString(), Is.EqualTo(
-            "joint a (press) may not be at rest: the stop itself was not observed (since 2026-11-20 11:59:57 UTC). "
-                + "Check that the joint is at rest; if it is, set its max_deceleration in the plant's configuration."));
+            $"joint a (press) {EventTexts.UncertainRest}: the stop itself was not observed (since 2026-11-20 11:59:57 UTC). "
+                + EventRemedies.SetDeceleration));
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
 
         _gateway.Report("adapter/press", ("state", "connected"), ("joint/a", $"live {_gateway.Since()} "));
@@ -139,7 +140,7 @@ public class JointFaultTests
         await _gateway.BeginsAsync("joint", "a (press)");
         Assert.That(
             (await _gateway.StateAsync()).GetProperty("status").GetProperty("text").GetString(),
-            Does.EndWith("UTC). Check that the joint is at rest."));
+            Does.EndWith("UTC). " + EventRemedies.CheckRest));
     }
 
     [TestCase(null, "error")]
@@ -205,10 +206,11 @@ public class JointFaultTests
             "the joint is outside its limits");
 
         var one = await _gateway.EventAsync("limit", "arm_joint_3");
-        Assert.That(one.GetProperty("what").GetString(), Is.EqualTo("is exceeded"));
-        Assert.That(one.GetProperty("text").GetString(), Does.Match(
-            "^joint arm_joint_3 is outside the limits of the robot description: its position was 200 rad; allowed: [-0-9.]+ to [-0-9.]+ rad[.] "
-                + "Check that the description belongs to this robot and that the source sends rad, not degrees[.]$"));
+        Assert.That(one.GetProperty("what").GetString(), Is.EqualTo(EventTexts.IsExceeded));
+        var limits = RobotFiles.Load("youbot").MovingJoints.Single(joint => joint.Name == "arm_joint_3").Limits;
+        Assert.That(one.GetProperty("text").GetString(), Is.EqualTo(
+            $"{EventTexts.JointBeyondLimits("arm_joint_3")}: {EventTexts.BeyondLimits(200, "rad", limits.Lower, limits.Upper)}. "
+                + EventRemedies.Limits("rad", "degrees")));
     }
 
     [Test]
@@ -224,7 +226,7 @@ public class JointFaultTests
 
         var reasons = await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable);
 
-        Assert.That(reasons[1..], Has.Length.EqualTo(1).And.Some.Contains($"joint {all[0]} (no source) is missing"));
+        Assert.That(reasons[1..], Has.Length.EqualTo(1).And.Some.Contains($"joint {all[0]} (no source) {EventTexts.IsMissing}"));
         Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
         Assert.That((await _gateway.GetAsync("/metrics")).Text, Does.Contain($"joint=\"{all[0]}\",source=\"no source\",state=\"missing\"}} 1"));
         _gateway.Publish(all);

@@ -1,5 +1,6 @@
 using System.Net;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -19,12 +20,11 @@ public class SourceFaultTests
     [TearDown]
     public Task Close() => _gateway.DisposeAsync().AsTask();
 
-    [TestCase("null", 5000, "position of joint b is null (NotFinite)")]
-    [TestCase("NaN", 5000, "position of joint b is NaN (NotFinite)")]
-    [TestCase("\"1\"", 5000, "position of joint b is \"1\" (WrongType)")]
-    [TestCase("1.5", 50000,
-        "the time stamp is later than the control time by more than the clock's error bound plus 1 s; set the clock of the source (StampInFuture)")]
-    public async Task Joints_SourceSendsInvalidSamples_AreRefusedWithTheNameOfTheJoint(string position, int seconds, string reason)
+    [TestCase("null", 5000, DropReason.NotFinite)]
+    [TestCase("NaN", 5000, DropReason.NotFinite)]
+    [TestCase("\"1\"", 5000, DropReason.WrongType)]
+    [TestCase("1.5", 50000, DropReason.StampInFuture)]
+    public async Task Joints_SourceSendsInvalidSamples_AreRefusedWithTheNameOfTheJoint(string position, int seconds, DropReason reason)
     {
         await _gateway.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
@@ -42,15 +42,13 @@ public class SourceFaultTests
             "both sources are refused");
         var lines = await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable);
         Assert.That(lines, Has.Length.EqualTo(3));
-        Assert.That(
-            lines[1], Does.StartWith($"joint a (rosbridge) is refused: the gateway drops the samples of rosbridge 127.0.0.1: {reason} (since "));
+        Assert.That(lines[1], Does.StartWith(Refused("a", "b", position, reason)));
     }
 
     // In the second case the time stamp is 30 s ahead of the control clock.
-    [TestCase("NaN", 5000, "position of joint c is NaN (NotFinite)")]
-    [TestCase("1.5", 5030,
-        "the time stamp is later than the control time by more than the clock's error bound plus 1 s; set the clock of the source (StampInFuture)")]
-    public async Task Joints_SourceSendsNoValidSample_AreRefusedWhileTheJointOfAnotherSourceIsLive(string position, int seconds, string reason)
+    [TestCase("NaN", 5000, DropReason.NotFinite)]
+    [TestCase("1.5", 5030, DropReason.StampInFuture)]
+    public async Task Joints_SourceSendsNoValidSample_AreRefusedWhileTheJointOfAnotherSourceIsLive(string position, int seconds, DropReason reason)
     {
         await _gateway.StartAsync();
         _gateway.Publish("a");
@@ -61,8 +59,7 @@ public class SourceFaultTests
 
         var lines = await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable);
         Assert.That(lines, Has.Length.EqualTo(2));
-        Assert.That(
-            lines[1], Does.StartWith($"joint c (rosbridge) is refused: the gateway drops the samples of rosbridge 127.0.0.1: {reason} (since "));
+        Assert.That(lines[1], Does.StartWith(Refused("c", "c", position, reason)));
         var joints = (await _gateway.StateAsync()).GetProperty("joints").EnumerateArray();
         Assert.That(joints.Select(joint => joint.GetProperty("state").GetString()), Is.EqualTo(new[] { "live", "refused" }));
         await _gateway.BeginsAsync("joint", "c (rosbridge)");
@@ -81,9 +78,16 @@ public class SourceFaultTests
 
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
         // The gateway counts the refusal after it has responded to the client, so the test must wait for the count.
-        const string Expected = "source rosbridge 127.0.0.1 is refused for joint a: the source gateway already publishes this joint";
+        var expected = $"{EventTexts.SourceRefused("rosbridge 127.0.0.1", "joint a")}: {EventTexts.Taken("gateway", "joint")}";
         string Text() => _gateway.StateAsync().Result.GetProperty("status").GetProperty("text").GetString();
-        await Soon.BecomesAsync(() => Text().StartsWith(Expected, StringComparison.Ordinal), () => Text());
+        await Soon.BecomesAsync(() => Text().StartsWith(expected, StringComparison.Ordinal), () => Text());
+    }
+
+    // The start of the line for a joint of a source whose samples are dropped because of the position of another joint or the stamp.
+    static string Refused(string joint, string invalid, string position, DropReason reason)
+    {
+        var trouble = reason == DropReason.StampInFuture ? DropMessages.Of(reason) : $"position of joint {invalid} is {position}";
+        return $"joint {joint} (rosbridge) {EventTexts.IsRefused}: {RequestMessages.Dropped("rosbridge 127.0.0.1", trouble, reason)} (since ";
     }
 
     static string Invalid(string joint, int seconds, string position) =>
@@ -129,7 +133,7 @@ public class SourceFaultTests
         await _gateway.BeginsAsync("source", "copy of " + part);
         _gateway.Time.Advance(TimeSpan.FromMinutes(10));
         var status = (await _gateway.StateAsync()).GetProperty("status").GetProperty("text").GetString();
-        Assert.That(status, Does.Contain($"source copy is refused for {part}"));
+        Assert.That(status, Does.Contain(EventTexts.SourceRefused("copy", part)));
 
         if (end == "second unadvertises") second.Release(topic);
         else (end == "first ends" ? first : second).Dispose();
@@ -158,7 +162,8 @@ public class SourceFaultTests
         using var third = Source("new plc");
         _gateway.Time.Advance(TimeSpan.FromMinutes(1));
 
-        Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("text").GetString(), Does.Contain("the source new plc already publishes this signal"));
+        Assert.That(
+            (await _gateway.StateAsync()).GetProperty("status").GetProperty("text").GetString(), Does.Contain(EventTexts.Taken("new plc", "signal")));
     }
 
     [Test]
@@ -174,8 +179,8 @@ public class SourceFaultTests
 
         Assert.That(
             (await _gateway.StateAsync()).GetProperty("status").GetProperty("text").GetString(),
-            Does.Match("^source rosbridge 127[.]0[.]0[.]1 is refused for joint a: "
-                + "the source rosbridge 127[.]0[.]0[.]1 already publishes this joint [(]since .*[)][.] Stop one of the two sources[.]$"));
+            Does.StartWith($"{EventTexts.SourceRefused("rosbridge 127.0.0.1", "joint a")}: {EventTexts.Taken("rosbridge 127.0.0.1", "joint")} (since ")
+                .And.EndsWith("). " + EventRemedies.TwoSources));
     }
 
     [Test]
@@ -206,8 +211,7 @@ public class SourceFaultTests
         await _gateway.BeginsAsync("source", "of joint positions");
 
         Assert.That((await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable))[1], Is.EqualTo(
-            "a source of joint positions is missing: no adapter has reported a joint and no sample has arrived (since 2026-11-20 12:00:00 UTC). "
-                + "Check that the adapter of each plant is running and connected."));
+            $"{EventTexts.SourceMissing}: {EventTexts.NoSource} (since 2026-11-20 12:00:00 UTC). {EventRemedies.Adapters}"));
     }
 
     [TestCase(false, HttpStatusCode.OK, TestName = "Ready_PlantWithObjectsOnly_NeedsNoSourceOfJointPositions")]
