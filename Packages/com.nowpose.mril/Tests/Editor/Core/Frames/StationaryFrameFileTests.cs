@@ -3,6 +3,7 @@ using System.IO;
 using System.Linq;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Protocol.Cell;
 using NUnit.Framework;
 
@@ -45,18 +46,51 @@ namespace Nowpose.Tests.Core.Frames
             }
         }
 
-        [TestCase("\"w\": 1.0", "\"w\": 1.1", 25, "frame box has a transform.rotation with the norm 1.1; it must be 1 ± 0.001; normalise it")]
-        [TestCase("\"x\": 0.5", "\"x\": NaN", 14, "frame box has transform.translation.x NaN; enter a finite number")]
-        [TestCase("\"x\": 0.5", "\"x\": \"q\"", 14, "frame box has transform.translation.x \"q\"; enter a finite number")]
-        [TestCase("\"x\": 0.5", "\"x\": null", 14, "frame box has transform.translation.x null; enter a finite number")]
-        [TestCase("\"x\": 0.5", "\"x\": 2e6", 14, "frame box has transform.translation.x 2000000.0; enter a number from -1000000 to 1000000 m")]
-        [TestCase("\"w\": 1.0", "\"w\": [1]", 22, "frame box has transform.rotation.w [1]; enter a finite number")]
-        [TestCase("\"frame_id\": \"world\"", "\"frame_id\": \"box\"", 25, "frame box is its own parent; correct its header.frame_id")]
-        [TestCase("\"frame_id\": \"world\"", "\"frame_id\": 3", 9, "frame box has header.frame_id 3; enter a text")]
-        [TestCase("\"child_frame_id\": \"box\",", "", 25, "transform 1 has no child_frame_id; add it")]
-        [TestCase("\"child_frame_id\": \"box\",", "\"child_frame_id\": \"\",", 11, "transform 1 has no child_frame_id; add it")]
-        [TestCase("\"y\": 0.0,", "", 17, "frame box has no transform.translation.y; add it")]
-        [TestCase("\"y\": 0.0,", "\"y\": 0.0;", 15, "is not a tf2_msgs/TFMessage in JSON (NotJson); correct the file")]
+        static readonly object[][] InvalidContents =
+        {
+            new object[] { "\"w\": 1.0", "\"w\": 1.1", 25, FrameMessages.OfFrame("box", FrameMessages.Norm(1.1, "0.001")) },
+            new object[]
+            {
+                "\"x\": 0.5", "\"x\": NaN", 14,
+                FrameMessages.OfFrame("box", FrameMessages.WrongField("transform.translation.x", "NaN", FrameMessages.FiniteNumber)),
+            },
+            new object[]
+            {
+                "\"x\": 0.5", "\"x\": \"q\"", 14,
+                FrameMessages.OfFrame("box", FrameMessages.WrongField("transform.translation.x", "\"q\"", FrameMessages.FiniteNumber)),
+            },
+            new object[]
+            {
+                "\"x\": 0.5", "\"x\": null", 14,
+                FrameMessages.OfFrame("box", FrameMessages.WrongField("transform.translation.x", "null", FrameMessages.FiniteNumber)),
+            },
+            new object[]
+            {
+                "\"x\": 0.5", "\"x\": 2e6", 14,
+                FrameMessages.OfFrame("box", FrameMessages.WrongField("transform.translation.x", "2000000.0", FrameMessages.Coordinate(1e6))),
+            },
+            new object[]
+            {
+                "\"w\": 1.0", "\"w\": [1]", 22,
+                FrameMessages.OfFrame("box", FrameMessages.WrongField("transform.rotation.w", "[1]", FrameMessages.FiniteNumber)),
+            },
+            new object[] { "\"frame_id\": \"world\"", "\"frame_id\": \"box\"", 25, FrameMessages.OfFrame("box", FrameMessages.IsOwnParent) },
+            new object[]
+            {
+                "\"frame_id\": \"world\"", "\"frame_id\": 3", 9,
+                FrameMessages.OfFrame("box", FrameMessages.WrongField("header.frame_id", "3", FrameMessages.Text)),
+            },
+            new object[] { "\"child_frame_id\": \"box\",", "", 25, FrameMessages.OfTransform(1, FrameMessages.NoField("child_frame_id")) },
+            new object[]
+            {
+                "\"child_frame_id\": \"box\",", "\"child_frame_id\": \"\",", 11,
+                FrameMessages.OfTransform(1, FrameMessages.NoField("child_frame_id")),
+            },
+            new object[] { "\"y\": 0.0,", "", 17, FrameMessages.OfFrame("box", FrameMessages.NoField("transform.translation.y")) },
+            new object[] { "\"y\": 0.0,", "\"y\": 0.0;", 15, FrameMessages.NotTransforms(DropReason.NotJson) },
+        };
+
+        [TestCaseSource(nameof(InvalidContents))]
         public void Load_InvalidContent_IsRefusedWithTheLineNumber(string good, string bad, int line, string words)
         {
             var pose = RigidTransform.FromXyzRpy(0.5, 0, 0, 0, 0, 0);
@@ -68,7 +102,7 @@ namespace Nowpose.Tests.Core.Frames
 
             var fault = Assert.Throws<InputException>(() => StationaryFrameFile.Load(_path));
 
-            Assert.That(fault.Message, Is.EqualTo(_path + ", line " + line + ": " + words));
+            Assert.That(fault.Message, Is.EqualTo(FrameMessages.FileLine(_path, line, words)));
         }
 
         [TestCase("")]
@@ -94,7 +128,7 @@ namespace Nowpose.Tests.Core.Frames
 
             var fault = Assert.Throws<InputException>(() => StationaryFrameFile.Load(_path));
 
-            Assert.That(fault.Message, Does.EndWith(": frame lid occurs twice as child_frame_id; remove one"));
+            Assert.That(fault.Message, Does.EndWith(": " + FrameMessages.OfFrame("lid", FrameMessages.OccursTwice)));
         }
 
         [Test]

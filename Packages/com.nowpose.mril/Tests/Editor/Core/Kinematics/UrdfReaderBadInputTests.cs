@@ -1,4 +1,5 @@
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Kinematics
@@ -9,57 +10,112 @@ namespace Nowpose.Tests.Core.Kinematics
         const string Links = "<link name='a'/><link name='b'/><link name='c'/>\n";
         const string Ends = "<parent link='a'/><child link='b'/>";
 
-        [TestCase("", "r.urdf:1: not well-formed XML")]
-        [TestCase("not a robot", "r.urdf:1: not well-formed XML")]
-        [TestCase("<robot>\n<link name='a'>\n</robot>", "r.urdf:3: not well-formed XML")]
-        [TestCase("<robot name='r'/><robot name='s'/>", "r.urdf:1: not well-formed XML")]
-        [TestCase("<sdf version='1'>\n<model/></sdf>", "r.urdf:1: sdf: the root element must be <robot>")]
-        [TestCase("<robot name='r'/>", "r.urdf:1: robot 'r': the robot has no links")]
-        [TestCase("<!DOCTYPE r [<!ENTITY a 'b'>]>\n<robot/>", "r.urdf:1: a document type (DTD)")]
-        [TestCase("<?xml version='1.0'?>\n<!DOCTYPE r SYSTEM 'file:///etc/passwd'>\n<robot/>", "r.urdf:2: a document type (DTD)")]
+        static readonly string[][] NotRobots =
+        {
+            new[] { "", "r.urdf:1: not well-formed XML" },
+            new[] { "not a robot", "r.urdf:1: not well-formed XML" },
+            new[] { "<robot>\n<link name='a'>\n</robot>", "r.urdf:3: not well-formed XML" },
+            new[] { "<robot name='r'/><robot name='s'/>", "r.urdf:1: not well-formed XML" },
+            new[] { "<sdf version='1'>\n<model/></sdf>", "r.urdf:1: sdf: " + UrdfMessages.Root },
+            new[] { "<robot name='r'/>", "r.urdf:1: robot 'r': " + UrdfMessages.NoLinks },
+            new[] { "<!DOCTYPE r [<!ENTITY a 'b'>]>\n<robot/>", "r.urdf:1: " + UrdfMessages.DocumentType },
+            new[] { "<?xml version='1.0'?>\n<!DOCTYPE r SYSTEM 'file:///etc/passwd'>\n<robot/>", "r.urdf:2: " + UrdfMessages.DocumentType },
+        };
+
+        [TestCaseSource(nameof(NotRobots))]
         public void Read_NotARobot_NamesTheLine(string text, string message) => Refuses(text, message);
 
-        [TestCase("<link/>", "r.urdf:2: link: its attribute name is missing")]
-        [TestCase("<link name='a'/>\n<link name='a'/>", "r.urdf:3: link 'a': another link has the same name")]
-        [TestCase("<link name='a'/>\n<link name='b'/>", "r.urdf:3: link 'b': there are two root links, this one and 'a'")]
-        [TestCase("<link name='a'><visual><geometry><box size='1 2'/></geometry></visual></link>", "link 'a' <box>: size has 2 numbers")]
-        [TestCase("<link name='a'><visual><geometry><sphere/></geometry></visual></link>", "link 'a' <sphere>: its attribute radius is missing")]
-        [TestCase("<link name='a'><visual><geometry><cylinder radius='1' length='-1'/></geometry></visual></link>", "link 'a' <cylinder>: length is -1 m; it must be a length of at least 0 m")]
-        [TestCase("<link name='a'><visual><geometry><mesh/></geometry></visual></link>", "link 'a' <mesh>: its attribute filename is missing")]
-        [TestCase("<material name='m'>\n<color rgba='1 0'/></material><link name='a'/>", "r.urdf:3: material 'm' <color>: rgba has 2 numbers")]
+        static readonly string[][] InvalidLinks =
+        {
+            new[] { "<link/>", "r.urdf:2: link: " + UrdfMessages.AttributeMissing("name") },
+            new[] { "<link name='a'/>\n<link name='a'/>", "r.urdf:3: link 'a': " + UrdfMessages.LinkTwice },
+            new[] { "<link name='a'/>\n<link name='b'/>", "r.urdf:3: link 'b': " + UrdfMessages.TwoRoots("'a'") },
+            new[]
+            {
+                "<link name='a'><visual><geometry><box size='1 2'/></geometry></visual></link>",
+                "link 'a' <box>: " + UrdfMessages.NotATriple("size", 2),
+            },
+            new[]
+            {
+                "<link name='a'><visual><geometry><sphere/></geometry></visual></link>",
+                "link 'a' <sphere>: " + UrdfMessages.AttributeMissing("radius"),
+            },
+            new[]
+            {
+                "<link name='a'><visual><geometry><cylinder radius='1' length='-1'/></geometry></visual></link>",
+                "link 'a' <cylinder>: " + UrdfMessages.Length("length", -1),
+            },
+            new[]
+            {
+                "<link name='a'><visual><geometry><mesh/></geometry></visual></link>",
+                "link 'a' <mesh>: " + UrdfMessages.AttributeMissing("filename"),
+            },
+            new[]
+            {
+                "<material name='m'>\n<color rgba='1 0'/></material><link name='a'/>",
+                "r.urdf:3: material 'm' <color>: " + UrdfMessages.Colour(2),
+            },
+        };
+
+        [TestCaseSource(nameof(InvalidLinks))]
         public void Read_InvalidLink_NamesTheElement(string body, string message) => Refuses("<robot name='r'>\n" + body + "</robot>", message);
 
-        [TestCase("<joint type='fixed'>" + Ends + "</joint>", "r.urdf:3: joint: its attribute name is missing")]
-        [TestCase("<joint name='j'>" + Ends + "</joint>", "r.urdf:3: joint 'j': its attribute type is missing")]
-        [TestCase("<joint name='j' type='planar'>" + Ends + "</joint>", "r.urdf:3: joint 'j': type 'planar' is not supported; allowed: fixed, revolute, continuous and prismatic")]
-        [TestCase("<joint name='j' type='floating'>" + Ends + "</joint>", "joint 'j': type 'floating' is not supported")]
-        [TestCase("<joint name='j' type='screw'>" + Ends + "</joint>", "joint 'j': type 'screw' is not supported")]
-        [TestCase("<joint name='j' type='fixed'><child link='b'/></joint>", "joint 'j': its <parent link=…/> is missing")]
-        [TestCase("<joint name='j' type='fixed'><parent link='a'/><child/></joint>", "joint 'j' <child>: its attribute link is missing")]
-        [TestCase(
-            "<joint name='j' type='fixed'>\n<parent link='a'/>\n<child link='z'/></joint>", "r.urdf:5: joint 'j' <child>: unknown link 'z'")]
-        [TestCase("<joint name='j' type='fixed'>\n<parent link='z'/><child link='a'/></joint>", "r.urdf:4: joint 'j' <parent>: unknown link 'z'")]
-        [TestCase("<joint name='j' type='fixed'>" + Ends + "</joint>\n<joint name='j' type='fixed'><parent link='a'/><child link='c'/></joint>", "r.urdf:4: joint 'j': another joint has the same name")]
+        static readonly string[][] InvalidJoints =
+        {
+            new[] { "<joint type='fixed'>" + Ends + "</joint>", "r.urdf:3: joint: " + UrdfMessages.AttributeMissing("name") },
+            new[] { "<joint name='j'>" + Ends + "</joint>", "r.urdf:3: joint 'j': " + UrdfMessages.AttributeMissing("type") },
+            new[] { "<joint name='j' type='planar'>" + Ends + "</joint>", "r.urdf:3: joint 'j': " + UrdfMessages.JointType("'planar'") },
+            new[] { "<joint name='j' type='floating'>" + Ends + "</joint>", "joint 'j': " + UrdfMessages.JointType("'floating'") },
+            new[] { "<joint name='j' type='screw'>" + Ends + "</joint>", "joint 'j': " + UrdfMessages.JointType("'screw'") },
+            new[] { "<joint name='j' type='fixed'><child link='b'/></joint>", "joint 'j': " + UrdfMessages.LinkMissing("parent") },
+            new[]
+            {
+                "<joint name='j' type='fixed'><parent link='a'/><child/></joint>",
+                "joint 'j' <child>: " + UrdfMessages.AttributeMissing("link"),
+            },
+            new[]
+            {
+                "<joint name='j' type='fixed'>\n<parent link='a'/>\n<child link='z'/></joint>",
+                "r.urdf:5: joint 'j' <child>: " + UrdfMessages.UnknownLink("'z'"),
+            },
+            new[]
+            {
+                "<joint name='j' type='fixed'>\n<parent link='z'/><child link='a'/></joint>",
+                "r.urdf:4: joint 'j' <parent>: " + UrdfMessages.UnknownLink("'z'"),
+            },
+            new[]
+            {
+                "<joint name='j' type='fixed'>" + Ends + "</joint>\n<joint name='j' type='fixed'><parent link='a'/><child link='c'/></joint>",
+                "r.urdf:4: joint 'j': " + UrdfMessages.JointTwice,
+            },
+        };
+
+        [TestCaseSource(nameof(InvalidJoints))]
         public void Read_InvalidJoint_NamesTheJoint(string joints, string message) => RefusesJoints(joints, message);
 
-        [TestCase("<axis xyz='0 0 0'/>", "<axis>: xyz is not a direction")]
-        [TestCase("<axis xyz='0 1'/>", "<axis>: xyz has 2 numbers; it needs 3")]
-        [TestCase("<origin xyz='0 0 0 0'/>", "<origin>: xyz has 4 numbers; it needs 3")]
-        [TestCase("<origin xyz=''/>", "<origin>: xyz has 0 numbers; it needs 3")]
-        [TestCase("<origin rpy='0 x 0'/>", "<origin>: rpy 'x' is not a finite number")]
-        [TestCase("<origin rpy='0 NaN 0'/>", "<origin>: rpy 'NaN' is not a finite number")]
-        [TestCase("<origin xyz='0 1e999 0'/>", "<origin>: xyz '1e999' is not a finite number")]
-        [TestCase("<origin xyz='0,5 0 0'/>", "<origin>: xyz '0,5' is not a finite number")]
-        [TestCase("<origin xyz='${pi} 0 0'/>", "<origin>: xyz '${pi}' is not a finite number; expand the file with xacro first")]
-        [TestCase("<limit lower='1' upper='-1'/>", "<limit>: lower 1 is above upper -1")]
-        [TestCase("<limit lower='1'/>", "<limit>: lower 1 is above upper 0")]
-        [TestCase("<limit upper='Infinity'/>", "<limit>: upper 'Infinity' is not a finite number")]
-        [TestCase("<limit velocity='fast'/>", "<limit>: velocity 'fast' is not a finite number")]
-        [TestCase("<mimic/>", "<mimic>: its attribute joint is missing")]
-        [TestCase("<mimic joint='z'/>", "<mimic>: unknown joint 'z'")]
-        [TestCase("<mimic joint='j'/>", "<mimic>: the chain of mimicked joints through 'j' leads back to this joint")]
-        [TestCase("<mimic joint='k'/>", "<mimic>: joint 'k' is fixed; only a moving joint can be mimicked")]
-        [TestCase("<mimic joint='m' multiplier='two'/>", "<mimic>: multiplier 'two' is not a finite number")]
+        static readonly string[][] InvalidJointContents =
+        {
+            new[] { "<axis xyz='0 0 0'/>", "<axis>: " + UrdfMessages.Axis },
+            new[] { "<axis xyz='0 1'/>", "<axis>: " + UrdfMessages.NotATriple("xyz", 2) },
+            new[] { "<origin xyz='0 0 0 0'/>", "<origin>: " + UrdfMessages.NotATriple("xyz", 4) },
+            new[] { "<origin xyz=''/>", "<origin>: " + UrdfMessages.NotATriple("xyz", 0) },
+            new[] { "<origin rpy='0 x 0'/>", "<origin>: " + UrdfMessages.NotANumber("rpy", "'x'", isXacro: false) },
+            new[] { "<origin rpy='0 NaN 0'/>", "<origin>: " + UrdfMessages.NotANumber("rpy", "'NaN'", isXacro: false) },
+            new[] { "<origin xyz='0 1e999 0'/>", "<origin>: " + UrdfMessages.NotANumber("xyz", "'1e999'", isXacro: false) },
+            new[] { "<origin xyz='0,5 0 0'/>", "<origin>: " + UrdfMessages.NotANumber("xyz", "'0,5'", isXacro: false) },
+            new[] { "<origin xyz='${pi} 0 0'/>", "<origin>: " + UrdfMessages.NotANumber("xyz", "'${pi}'", isXacro: true) },
+            new[] { "<limit lower='1' upper='-1'/>", "<limit>: " + UrdfMessages.Limits(1, -1) },
+            new[] { "<limit lower='1'/>", "<limit>: " + UrdfMessages.Limits(1, 0) },
+            new[] { "<limit upper='Infinity'/>", "<limit>: " + UrdfMessages.NotANumber("upper", "'Infinity'", isXacro: false) },
+            new[] { "<limit velocity='fast'/>", "<limit>: " + UrdfMessages.NotANumber("velocity", "'fast'", isXacro: false) },
+            new[] { "<mimic/>", "<mimic>: " + UrdfMessages.AttributeMissing("joint") },
+            new[] { "<mimic joint='z'/>", "<mimic>: " + UrdfMessages.UnknownJoint("'z'") },
+            new[] { "<mimic joint='j'/>", "<mimic>: " + UrdfMessages.MimicCycle("'j'") },
+            new[] { "<mimic joint='k'/>", "<mimic>: " + UrdfMessages.MimicOfFixed("'k'") },
+            new[] { "<mimic joint='m' multiplier='two'/>", "<mimic>: " + UrdfMessages.NotANumber("multiplier", "'two'", isXacro: false) },
+        };
+
+        [TestCaseSource(nameof(InvalidJointContents))]
         public void Read_InvalidJointContent_NamesTheElement(string inside, string message) => RefusesJoints(
             "<joint name='j' type='revolute'>" + Ends + "\n" + inside + "</joint>"
             + "<joint name='k' type='fixed'><parent link='b'/><child link='c'/></joint>", "r.urdf:4: joint 'j' " + message);
@@ -68,24 +124,24 @@ namespace Nowpose.Tests.Core.Kinematics
         public void Read_MimicCycle_NamesAJointOfTheCycle() => RefusesJoints(
             Joint("i", "a", "b", "<mimic joint='j'/>") + "\n" + Joint("j", "b", "c", "<mimic joint='k'/>") + "\n"
             + "<link name='d'/>" + Joint("k", "c", "d", "<mimic joint='j'/>"),
-            "r.urdf:4: joint 'j' <mimic>: the chain of mimicked joints through 'k' leads back to this joint");
+            "r.urdf:4: joint 'j' <mimic>: " + UrdfMessages.MimicCycle("'k'"));
 
         [Test]
         public void Read_LinkWithTwoParents_NamesTheLink() => RefusesJoints(
             Joint("i", "a", "c") + "\n" + Joint("j", "b", "c"),
-            "r.urdf:4: joint 'j': link 'c' is already the child of joint 'i'; a link must have at most one parent; remove one of the joints");
+            "r.urdf:4: joint 'j': " + UrdfMessages.TwoParents("'c'", "'i'"));
 
         [Test]
         public void Read_CycleOfAllLinks_NamesTheCycle() => RefusesJoints(
-            Joint("i", "a", "b") + Joint("j", "b", "c") + Joint("k", "c", "a"), "is its own ancestor: the joints form a cycle");
+            Joint("i", "a", "b") + Joint("j", "b", "c") + Joint("k", "c", "a"), UrdfMessages.Cycle("'a'"));
 
         [Test]
         public void Read_CycleBesideARoot_NamesALinkOfTheCycle() => RefusesJoints(
-            Joint("j", "b", "c") + "\n" + Joint("k", "c", "b"), "r.urdf:4: joint 'k': link 'b' is its own ancestor: the joints form a cycle");
+            Joint("j", "b", "c") + "\n" + Joint("k", "c", "b"), "r.urdf:4: joint 'k': " + UrdfMessages.Cycle("'b'"));
 
         [Test]
         public void Read_LinkJoinedToItself_IsRefusedAsACycle() => RefusesJoints(
-            Joint("i", "a", "b") + Joint("j", "c", "c"), "joint 'j': link 'c' is its own ancestor");
+            Joint("i", "a", "b") + Joint("j", "c", "c"), "joint 'j': " + UrdfMessages.Cycle("'c'"));
 
         [Test]
         public void Read_LongNameWithLineBreak_IsShownInOneShortLine()
@@ -100,12 +156,12 @@ namespace Nowpose.Tests.Core.Kinematics
         [Test]
         public void Read_DeeplyNestedElements_AreRefused() => Refuses(
             "<robot name='r'><link name='a'/>\n<gazebo>" + string.Concat(System.Linq.Enumerable.Repeat("<x>", 100000)),
-            "r.urdf:2: elements are nested more than 100 levels deep");
+            UrdfMessages.TooDeep("r.urdf", 2, 100));
 
         [Test]
         public void Read_NestedEntities_AreRefusedWithoutExpansion() => Refuses(
             "<!DOCTYPE r [<!ENTITY a '0000000000'><!ENTITY b '&a;&a;&a;&a;&a;&a;&a;&a;'><!ENTITY c '&b;&b;&b;&b;&b;&b;&b;&b;'>]>"
-            + "<robot name='&c;'><link name='a'/></robot>", "r.urdf:1: a document type (DTD) with its entities is not allowed");
+            + "<robot name='&c;'><link name='a'/></robot>", "r.urdf:1: " + UrdfMessages.DocumentType);
 
         static string Joint(string name, string parent, string child, string inside = "") =>
             UrdfFiles.Joint(name, parent, child, "revolute", inside);

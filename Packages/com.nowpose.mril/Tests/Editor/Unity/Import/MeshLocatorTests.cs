@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using Nowpose.Editor;
 using Nowpose.Editor.Import;
+using Nowpose.Editor.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Unity.Import
@@ -70,26 +71,26 @@ namespace Nowpose.Tests.Unity.Import
                 "Assets/other/meshes/a.stl",
                 "Packages/other/meshes/a.stl",
             }));
-            Assert.That(found.Fault, Does.StartWith("'package://other/meshes/a.stl' was not found; searched at Assets/Robots/"));
+            Assert.That(found.Fault, Is.EqualTo(MeshMessages.NotFound("package://other/meshes/a.stl", string.Join(", ", found.Candidates))));
         }
 
-        [TestCase("../../../../a.stl", "is outside the project's Assets and Packages; copy it beside the URDF")]
-        [TestCase("../../../../../a.stl", "is outside the project's")]
-        [TestCase("/projects/meshes/a.stl", "is outside the project's")]
-        [TestCase("/projects/project/Library/a.stl", "is outside the project's")]
-        [TestCase("/projects/project/Assets/../../a.stl", "is outside the project's")]
-        [TestCase("D:/meshes/a.stl", "is outside the project's")]
-        [TestCase("http://example.org/a.stl", "is not supported")]
-        [TestCase("package://other", "does not name a file in a package")]
-        [TestCase("package://other/", "does not name a file in a package")]
-        [TestCase("package:///a.stl", "does not name a file in a package")]
-        [TestCase("$(find other)/a.stl", "is not a path; expand the file with xacro first")]
+        [TestCase("../../../../a.stl", MeshMessages.Outside)]
+        [TestCase("../../../../../a.stl", MeshMessages.Outside)]
+        [TestCase("/projects/meshes/a.stl", MeshMessages.Outside)]
+        [TestCase("/projects/project/Library/a.stl", MeshMessages.Outside)]
+        [TestCase("/projects/project/Assets/../../a.stl", MeshMessages.Outside)]
+        [TestCase("D:/meshes/a.stl", MeshMessages.Outside)]
+        [TestCase("http://example.org/a.stl", MeshMessages.Scheme)]
+        [TestCase("package://other", MeshMessages.NoFileInPackage)]
+        [TestCase("package://other/", MeshMessages.NoFileInPackage)]
+        [TestCase("package:///a.stl", MeshMessages.NoFileInPackage)]
+        [TestCase("$(find other)/a.stl", MeshMessages.Xacro)]
         public void Find_PathOutsideTheProject_ReturnsTheFault(string name, string fault)
         {
             var found = new MeshLocator(Urdf, "/projects/project", path => true).Find(name);
 
             Assert.That(found.Path, Is.Null);
-            Assert.That(found.Fault, Does.StartWith("'" + name + "' " + fault));
+            Assert.That(found.Fault, Is.EqualTo("'" + name + "' " + fault));
         }
 
         static MeshLocator Locator(params string[] files) =>

@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Nowpose.Editor;
+using Nowpose.Editor.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Unity.Import
@@ -78,29 +79,34 @@ namespace Nowpose.Tests.Unity.Import
             Assert.That(ReadText(Solid(Facet(corners))).Count, Is.EqualTo(1));
         }
 
-        [TestCase("", "a.stl, byte 0: the file ends within its header")]
-        [TestCase("soli", "a.stl, byte 4: the file ends within its header")]
-        [TestCase("solid empty\nendsolid\n", "a.stl: the mesh has no triangles")]
-        [TestCase("solid a\n", "a.stl:1: the file ends without endsolid, so it is incomplete; export it again")]
-        [TestCase("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", "a.stl:4: the file ends without endsolid, so it is incomplete; export it again")]
-        [TestCase("solid a\nfacet\nvertex 0 0\n", "a.stl:3: a vertex has 2 numbers; it needs 3")]
-        [TestCase("solid a\nfacet\nvertex 0 0 nan\n", "a.stl:3: 'nan' is not a finite number")]
-        [TestCase("solid a\nfacet\nvertex 0 0 1e99\n", "a.stl:3: '1e99' is not a finite number")]
-        [TestCase("solid a\nfacet\nvertex 0 0 1,5\n", "a.stl:3: '1,5' is not a finite number")]
-        [TestCase("solid a\nvertex 0 0 0\n", "a.stl:2: a vertex is outside a facet")]
-        [TestCase("solid a\nfacet\nfacet\n", "a.stl:3: a facet is outside a solid, or inside another facet")]
-        [TestCase("solid a\nfacet\nendsolid\n", "a.stl:3: endsolid without a solid, or inside a facet")]
-        [TestCase("solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\n", "a.stl:5: the facet has 2 corners; it needs 3")]
-        [TestCase("solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n", "a.stl:6: the facet has a fourth corner; it needs 3")]
-        [TestCase("solid a\nendfacet\n", "a.stl:2: endfacet without a facet")]
-        [TestCase("solid a\nouter loop\n", "a.stl:2: endloop outside a facet")]
-        [TestCase("solid a\nsolid b\n", "a.stl:2: a solid is inside another solid")]
-        [TestCase("solid a\n\nbox 1 2 3\n", "a.stl:3: 'box' is not a keyword of the STL format")]
+        static readonly string[][] InvalidTexts =
+        {
+            new[] { "", StlMessages.HeaderCut("a.stl", 0, 84) },
+            new[] { "soli", StlMessages.HeaderCut("a.stl", 4, 84) },
+            new[] { "solid empty\nendsolid\n", "a.stl: " + StlMessages.NoTriangles },
+            new[] { "solid a\n", "a.stl:1: " + StlMessages.NoEndSolid },
+            new[] { "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", "a.stl:4: " + StlMessages.NoEndSolid },
+            new[] { "solid a\nfacet\nvertex 0 0\n", "a.stl:3: " + StlMessages.VertexNumbers(2) },
+            new[] { "solid a\nfacet\nvertex 0 0 nan\n", "a.stl:3: " + StlMessages.NotANumber("nan") },
+            new[] { "solid a\nfacet\nvertex 0 0 1e99\n", "a.stl:3: " + StlMessages.NotANumber("1e99") },
+            new[] { "solid a\nfacet\nvertex 0 0 1,5\n", "a.stl:3: " + StlMessages.NotANumber("1,5") },
+            new[] { "solid a\nvertex 0 0 0\n", "a.stl:2: " + StlMessages.VertexOutside },
+            new[] { "solid a\nfacet\nfacet\n", "a.stl:3: " + StlMessages.FacetOutside },
+            new[] { "solid a\nfacet\nendsolid\n", "a.stl:3: " + StlMessages.EndSolid },
+            new[] { "solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\n", "a.stl:5: " + StlMessages.Corners(2) },
+            new[] { "solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n", "a.stl:6: " + StlMessages.FourthCorner },
+            new[] { "solid a\nendfacet\n", "a.stl:2: " + StlMessages.EndFacet },
+            new[] { "solid a\nouter loop\n", "a.stl:2: " + StlMessages.EndLoop },
+            new[] { "solid a\nsolid b\n", "a.stl:2: " + StlMessages.SolidInSolid },
+            new[] { "solid a\n\nbox 1 2 3\n", "a.stl:3: " + StlMessages.NotAKeyword("box") },
+        };
+
+        [TestCaseSource(nameof(InvalidTexts))]
         public void Read_InvalidText_ThrowsWithThePosition(string text, string message) => Refuses(Encoding.UTF8.GetBytes(text), message);
 
         [Test]
         public void Read_OnlyTrianglesWithoutArea_ThrowsWithTheCount() => Refuses(
-            Binary("", new float[9], new float[9]), "a.stl: each of its 2 triangles has zero area");
+            Binary("", new float[9], new float[9]), "a.stl: " + StlMessages.NoArea(2));
 
         [Test]
         public void Read_LongWordWithControlCharacters_IsShownInOneShortLine()
@@ -119,7 +125,7 @@ namespace Nowpose.Tests.Unity.Import
 
             Refuses(
                 content.Take(content.Length - 1).ToArray(),
-                "a.stl, byte 80: 2 triangles take 184 bytes, but the incomplete file has 183; export it again");
+                StlMessages.OtherLength("a.stl", 80, 2, 184, 183));
         }
 
         [Test]
@@ -128,7 +134,7 @@ namespace Nowpose.Tests.Unity.Import
             var content = Binary("exported", Lower, Upper);
             content[80] = 1;
 
-            Refuses(content, "a.stl, byte 80: 1 triangles take 134 bytes, but the file has 184");
+            Refuses(content, StlMessages.OtherLength("a.stl", 80, 1, 134, 184));
         }
 
         [Test]
@@ -137,7 +143,7 @@ namespace Nowpose.Tests.Unity.Import
             var content = Binary("exported", Lower);
             content[80] = content[81] = content[82] = content[83] = 0xFF;
 
-            Refuses(content, "a.stl, byte 80: 4294967295 triangles or more; the maximum is 1000000");
+            Refuses(content, StlMessages.TooMany("a.stl, byte 80", uint.MaxValue, StlReader.MaxTriangles));
         }
 
         [TestCase(float.NaN)]
@@ -148,7 +154,7 @@ namespace Nowpose.Tests.Unity.Import
             corners[4] = bad;
 
             // The number follows 84 bytes of header, 50 bytes of the first triangle, 12 bytes of the normal, and 16 bytes of four numbers.
-            Refuses(Binary("exported", Lower, corners), "a.stl, byte 162: triangle 2 has a corner that is not a finite number");
+            Refuses(Binary("exported", Lower, corners), StlMessages.NotFinite("a.stl", 162, 2));
         }
 
         [Test]
@@ -161,7 +167,7 @@ namespace Nowpose.Tests.Unity.Import
 
                 var error = Assert.Throws<InputException>(() => StlReader.ReadFile(path, "a.stl"));
 
-                Assert.That(error.Message, Does.StartWith("a.stl: 314572801 bytes; the maximum is 314572800"));
+                Assert.That(error.Message, Is.EqualTo(StlMessages.FileTooLong("a.stl", StlReader.MaxFileBytes + 1, StlReader.MaxFileBytes)));
             }
             finally
             {
@@ -173,7 +179,7 @@ namespace Nowpose.Tests.Unity.Import
         {
             var error = Assert.Throws<InputException>(() => StlReader.Read(content, "a.stl"));
 
-            Assert.That(error.Message, Does.StartWith(message));
+            Assert.That(error.Message, Is.EqualTo(message));
         }
 
         static StlTriangles ReadText(string text) => StlReader.Read(Encoding.UTF8.GetBytes(text), "a.stl");

@@ -1,6 +1,7 @@
 using System.Linq;
 using Newtonsoft.Json.Linq;
 using Nowpose.Editor;
+using Nowpose.Editor.Messages;
 using Nowpose.Editor.Setup;
 using NUnit.Framework;
 
@@ -179,36 +180,46 @@ namespace Nowpose.Tests.Unity.Setup
             Assert.That(merge.Text, Is.EqualTo(after));
         }
 
-        [TestCase("", ":1: not a JSON object: { is expected")]
-        [TestCase("nothing", ":1: not a JSON object: { is expected")]
-        [TestCase("[]", ":1: not a JSON object: { is expected")]
-        [TestCase("{\n\"dependencies\": {\n", ":3: not a JSON object: a name in double quotes is expected")]
-        [TestCase("{\n // why\n}", ":2: not a JSON object: a name in double quotes is expected; remove the comment")]
-        [TestCase("{\"a\": 1,}", ":1: not a JSON object: a name in double quotes is expected")]
-        [TestCase("{\"a\": [1,]}", ":1: not a JSON object: a value is expected")]
-        [TestCase("{\"a\": 01}", ":1: not a JSON object: , is expected")]
-        [TestCase("{\"a\": NaN}", ":1: not a JSON object: a value is expected")]
-        [TestCase("{'a': 1}", ":1: not a JSON object: a name in double quotes is expected")]
-        [TestCase("{\"a\" 1}", ":1: not a JSON object: : is expected")]
-        [TestCase("{\"a\": \"b\n\"}", ":1: not a JSON object: the string does not end")]
-        [TestCase("{} {}", ":1: not a JSON object: text follows the object; remove it")]
-        [TestCase("{\"a\": 1, \"a\": 2}", ":1: not a JSON object: \"a\" occurs twice")]
-        [TestCase("{\"dependencies\": []}", ":1: dependencies must be an object")]
-        [TestCase("{\"dependencies\": {\n\"com.unity.b\": 2}}", ":2: com.unity.b must be a string: a version or an address")]
+        static readonly string[][] InvalidManifests =
+        {
+            new[] { "", ManifestMessages.NotJson(File, "1", ManifestMessages.Expected('{'), isComment: false) },
+            new[] { "nothing", ManifestMessages.NotJson(File, "1", ManifestMessages.Expected('{'), isComment: false) },
+            new[] { "[]", ManifestMessages.NotJson(File, "1", ManifestMessages.Expected('{'), isComment: false) },
+            new[] { "{\n\"dependencies\": {\n", ManifestMessages.NotJson(File, "3", ManifestMessages.NoName, isComment: false) },
+            new[] { "{\n // why\n}", ManifestMessages.NotJson(File, "2", ManifestMessages.NoName, isComment: true) },
+            new[] { "{\"a\": 1,}", ManifestMessages.NotJson(File, "1", ManifestMessages.NoName, isComment: false) },
+            new[] { "{\"a\": [1,]}", ManifestMessages.NotJson(File, "1", ManifestMessages.NoValue, isComment: false) },
+            new[] { "{\"a\": 01}", ManifestMessages.NotJson(File, "1", ManifestMessages.Expected(','), isComment: false) },
+            new[] { "{\"a\": NaN}", ManifestMessages.NotJson(File, "1", ManifestMessages.NoValue, isComment: false) },
+            new[] { "{'a': 1}", ManifestMessages.NotJson(File, "1", ManifestMessages.NoName, isComment: false) },
+            new[] { "{\"a\" 1}", ManifestMessages.NotJson(File, "1", ManifestMessages.Expected(':'), isComment: false) },
+            new[] { "{\"a\": \"b\n\"}", ManifestMessages.NotJson(File, "1", ManifestMessages.StringEnd, isComment: false) },
+            new[] { "{} {}", ManifestMessages.NotJson(File, "1", ManifestMessages.AfterObject, isComment: false) },
+            new[] { "{\"a\": 1, \"a\": 2}", ManifestMessages.NotJson(File, "1", ManifestMessages.Twice("a"), isComment: false) },
+            new[] { "{\"dependencies\": []}", ManifestMessages.NotAContainer(File + ":1", "dependencies", isObject: true) },
+            new[] { "{\"dependencies\": {\n\"com.unity.b\": 2}}", ManifestMessages.NotAString(File + ":2", "com.unity.b") },
+        };
+
+        [TestCaseSource(nameof(InvalidManifests))]
         public void Need_InvalidManifest_ThrowsWithLineAndReason(string manifest, string message)
         {
             var error = Assert.Throws<InputException>(() => Merge(manifest, Plain));
 
-            Assert.That(error.Message, Does.StartWith(File + message));
+            Assert.That(error.Message, Is.EqualTo(message));
         }
 
-        [TestCase("{\"scopedRegistries\": {}}", ":1: scopedRegistries must be an array")]
-        [TestCase("{\"scopedRegistries\": [{\"scopes\": 1}]}", ":1: scopes must be an array")]
+        static readonly string[][] InvalidRegistries =
+        {
+            new[] { "{\"scopedRegistries\": {}}", ManifestMessages.NotAContainer(File + ":1", "scopedRegistries", isObject: false) },
+            new[] { "{\"scopedRegistries\": [{\"scopes\": 1}]}", ManifestMessages.Scopes(File + ":1") },
+        };
+
+        [TestCaseSource(nameof(InvalidRegistries))]
         public void Need_RegistriesOfTheWrongType_ThrowsWithTheLineNumber(string manifest, string message)
         {
             var error = Assert.Throws<InputException>(() => Merge(manifest, OpenXr));
 
-            Assert.That(error.Message, Does.StartWith(File + message));
+            Assert.That(error.Message, Is.EqualTo(message));
         }
 
         [Test]
@@ -216,7 +227,7 @@ namespace Nowpose.Tests.Unity.Setup
         {
             var deep = "{\"a\":" + new string('[', 100000) + new string(']', 100000) + "}";
 
-            Assert.That(() => Merge(deep, Plain), Throws.TypeOf<InputException>().With.Message.Contains("nested more than 64 levels deep"));
+            Assert.That(() => Merge(deep, Plain), Throws.TypeOf<InputException>().With.Message.Contains(ManifestMessages.TooDeep("64")));
         }
     }
 }

@@ -2,6 +2,7 @@ using System;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Latency.Profile
@@ -107,30 +108,36 @@ namespace Nowpose.Tests.Core.Latency.Profile
             Assert.That(LatencyProfileJson.Read(text, "profile.json").Measurements, Is.EqualTo(300));
         }
 
-        [TestCase(@"""version"": 1", @"""version"": 2, ""lengths"": {}", "profile.json: the latency profile has version 2; this release of Nowpose reads versions up to 1; "
-            + "update Nowpose or calibrate again", TestName = "Read_NewerVersion_NamesTheRemedy")]
-        [TestCase(@"""version"": 1", @"""version"": 0", "profile.json: version: 0 is not supported; allowed: 1; calibrate again")]
-        [TestCase(@"""version"": 1,", "", "profile.json: version is missing; calibrate again")]
-        [TestCase("nowpose-latency-profile", "other", "profile.json: it is not a latency profile: its format is 'other', not 'nowpose-latency-profile'; "
-            + "choose a file that calibrate has written")]
-        [TestCase("40.2", "NaN", "profile.json: visu_ms: NaN ms is out of range; allowed: 0 to 500 ms")]
-        [TestCase("40.2", "700", "profile.json: visu_ms: 700 ms is out of range; allowed: 0 to 500 ms")]
-        [TestCase("40.2", @"""40.2""", "profile.json: visu_ms is '40.2'; it must be a number from 0 to 500 ms; calibrate again")]
-        [TestCase("40.2", "null", "profile.json: visu_ms is missing; calibrate again")]
-        [TestCase("40.2", "[40.2]", "profile.json: visu_ms is neither a string nor a number; it must be a number from 0 to 500 ms; calibrate again")]
-        [TestCase(@"""limit_render_ms"": 15.0", @"""limit_render_ms"": 0", "profile.json: limit_render_ms: 0 ms is out of range; allowed: 0.1 to 1000 ms")]
-        [TestCase(@"""display_gpu_time""", @"""gpu""", "profile.json: render_source: 'gpu' is unknown; allowed: display_gpu_time, engine_gpu_time, "
-            + "gpu_completion, camera_cpu")]
-        [TestCase(@"""display_gpu_time""", "null", "profile.json: render time limit: state the source of the render times from which it was determined")]
-        [TestCase(@"""vlc""", @"""guess""", "profile.json: method: 'guess' is unknown; allowed: vlc, sine, nudge, manual")]
-        [TestCase("2026-11-20T13:00:00Z", "yesterday", "profile.json: measured: 'yesterday' is not a date; write it as 2026-11-20T13:00:00Z")]
-        [TestCase(@"""measurements"": 300", @"""measurements"": 2.5", "profile.json: measurements is 2.5; it must be a whole number; calibrate again")]
-        [TestCase(@"""display_hz"": 60", @"""display_hz"": 60, ""display_hz"": 90", "profile.json: display_hz occurs twice; remove one")]
+        static readonly string[][] InvalidValues =
+        {
+            new[] { @"""version"": 1", @"""version"": 2, ""lengths"": {}", ProfileMessages.NewerVersion(2, 1) },
+            new[] { @"""version"": 1", @"""version"": 0", ProfileMessages.Version(0, 1) },
+            new[] { @"""version"": 1,", "", ProfileMessages.Missing("version") },
+            new[] { "nowpose-latency-profile", "other", ProfileMessages.OtherFormat("other", "nowpose-latency-profile") },
+            new[] { "40.2", "NaN", SettingMessages.OutOfRange("visu_ms", double.NaN, " ms", 0, 500) },
+            new[] { "40.2", "700", SettingMessages.OutOfRange("visu_ms", 700, " ms", 0, 500) },
+            new[] { "40.2", @"""40.2""", ProfileMessages.NotANumber("visu_ms", "'40.2'", 0, 500, " ms") },
+            new[] { "40.2", "null", ProfileMessages.Missing("visu_ms") },
+            new[] { "40.2", "[40.2]", ProfileMessages.NotANumber("visu_ms", ProfileMessages.OtherKind, 0, 500, " ms") },
+            new[] { @"""limit_render_ms"": 15.0", @"""limit_render_ms"": 0", SettingMessages.OutOfRange("limit_render_ms", 0, " ms", 0.1, 1000) },
+            new[]
+            {
+                @"""display_gpu_time""", @"""gpu""",
+                ProfileMessages.UnknownSource("gpu", "display_gpu_time, engine_gpu_time, gpu_completion, camera_cpu"),
+            },
+            new[] { @"""display_gpu_time""", "null", ProfileMessages.LimitWithoutSource },
+            new[] { @"""vlc""", @"""guess""", ProfileMessages.UnknownMethod("guess", "vlc, sine, nudge, manual") },
+            new[] { "2026-11-20T13:00:00Z", "yesterday", ProfileMessages.NotADate("measured", "yesterday") },
+            new[] { @"""measurements"": 300", @"""measurements"": 2.5", ProfileMessages.NotWhole("measurements", 2.5) },
+            new[] { @"""display_hz"": 60", @"""display_hz"": 60, ""display_hz"": 90", ProfileMessages.Twice("display_hz") },
+        };
+
+        [TestCaseSource(nameof(InvalidValues))]
         public void Read_InvalidValue_ThrowsWithTheReason(string part, string instead, string message)
         {
             Assert.That(Good, Does.Contain(part), "the text contains the part to replace");
 
-            Assert.That(FaultOf(Good.Replace(part, instead)), Is.EqualTo(message));
+            Assert.That(FaultOf(Good.Replace(part, instead)), Is.EqualTo("profile.json: " + message));
         }
 
         [Test]
@@ -139,7 +146,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
             foreach (var field in new[] { "visu_ms", "visu_spread_ms", "device", "display_hz", "measured", "method", "measurements" })
                 Assert.That(
                     FaultOf(Good.Replace("\"" + field + "\"", "\"other\"")),
-                    Is.EqualTo("profile.json: " + field + " is missing; calibrate again"));
+                    Is.EqualTo("profile.json: " + ProfileMessages.Missing(field)));
         }
 
         [Test]

@@ -1,10 +1,10 @@
 using System;
 using System.Collections.Generic;
-using NUnit.Framework;
 using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
+using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session.Cell
 {
