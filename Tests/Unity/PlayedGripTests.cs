@@ -1,3 +1,6 @@
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -37,6 +40,31 @@ public class PlayedGripTests : PlayedParts
         Run(1, Send);
         Assert.That(Vector3.Distance(box.transform.position, UnityPoses.ToWorld(pose).position), Is.LessThan(1e-4), "a hidden gripper returns the object to its source");
         Assert.That(_session.Parts.Count, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void GripByReach_SignalEndsWhileAnObjectIsHeld_ObjectLooksDifferentAndStatesTheReason()
+    {
+        var (rig, grip, box) = NewGrip();
+        var part = Rendering.PlayedAppearance.Part("part", box.transform);
+        box.GetComponent<PoseAppearance>().Refresh();
+        Run(2, _ => { });
+        var pose = UnityPoses.ToRoom(rig.Tool.position, rig.Tool.rotation);
+        void Send(double t) => SendPose("world", "box", t, pose);
+        Run(1, Send);
+        SendSignal("grip", _cell.Now - 1, 0);
+        Run(0.5, Send);
+        SendSignal("grip", _cell.Now - Latency, 1);
+        Run(1, Send);
+        Assert.That((grip.Held, box.Fault, Hatched.IsHatched(part)), Is.EqualTo(("box", (string)null, false)));
+
+        _session.Session.Listener.SignalStatusReceived(
+            new JointStatusMessage([new JointReport("grip", JointDataState.Stale, At(0), "its source ended")]), HeadsetTime.FromSeconds(1000));
+        Run(0.5, Send);
+
+        Assert.That((box.State, Hatched.IsHatched(part)), Is.EqualTo((PoseState.Held, true)));
+        Assert.That(box.Fault, Is.EqualTo(ObjectMessages.MayBeGripped("its source ended")));
+        Assert.That(FaultsNow(), Does.Contain("object box: " + box.Fault).And.Contain("gripper grip: its source ended"));
     }
 
     (RobotRig Rig, GripByReach Grip, TrackedObject Box) NewGrip(string link = "")

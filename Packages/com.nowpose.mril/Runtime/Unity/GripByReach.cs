@@ -51,9 +51,8 @@ namespace Nowpose.Unity
             get
             {
                 if (_source == null) return StatusMessages.NoRig;
-                if (_followed == null) return StatusMessages.NoSession;
-                if (_grip == null) return _problem ?? ObjectMessages.RobotUnknown;
-                return _grip.Fault ?? SignalFollower.FaultOf(_followed, Signal);
+                if (_followed == null || _followed != _session.Session) return StatusMessages.NoSession;
+                return _grip == null ? _problem ?? ObjectMessages.RobotUnknown : _grip.Fault;
             }
         }
 
@@ -61,7 +60,7 @@ namespace Nowpose.Unity
 
         bool IShownPart.IsFaultCommon => _grip != null && Fault == SignalMessages.ClockUnsynchronised;
 
-        ControlTime? IShownPart.FaultSince => _grip != null && _grip.Fault == null ? _followed.Signals.EndOf(Signal) : null;
+        ControlTime? IShownPart.FaultSince => _grip?.FaultSince;
 
         void OnEnable()
         {

@@ -18,6 +18,7 @@ namespace Nowpose.Frames
         PoseFade _fade;
         string _parent;
         ReachPlace _reach, _nextReach;
+        ReachGrip _unknownGrip;
         SourceRest _sourceRest;
         double _displayed = double.NaN;
         double _evaluated = double.NaN;
@@ -60,6 +61,13 @@ namespace Nowpose.Frames
 
         /// <summary>Whether a change of the parent, or of the place that a gripper determines, waits for the next display frame.</summary>
         public bool IsBeingHandedOver => _handOver.Count > 0 || _isReachWaiting;
+
+        /// <summary>A gripper that may hold the object or may have moved it, and whose held object is unknown; null if there is none.</summary>
+        public ReachGrip UnknownGrip
+        {
+            get => _unknownGrip?.Fault != null ? _unknownGrip : null;
+            set => _unknownGrip = value;
+        }
 
         /// <summary>Displayed pose in the world, right-handed, metres.</summary>
         public RigidTransform World { get; private set; } = RigidTransform.Identity;
@@ -143,6 +151,7 @@ namespace Nowpose.Frames
             var pose = PoseInParent(time, out var kind);
             State = kind == PredictionKind.None ? FrameState.Missing
                 : kind == PredictionKind.Held ? FrameState.Held
+                : UnknownGrip != null ? FrameState.GripUnknown
                 : isParentCurrent ? FrameState.Current : FrameState.ParentNotCurrent;
             if (kind == PredictionKind.None) return;
             var now = parent * pose;

@@ -12,6 +12,12 @@ namespace Nowpose.Frames
         /// <summary>The newest pose is too old to be predicted.</summary>
         Held,
 
+        /// <summary>
+        /// The pose would be valid, but it is unknown what a gripper holds that may hold the object or may have moved it; see
+        /// <see cref="CellFrame.UnknownGrip"/>.
+        /// </summary>
+        GripUnknown,
+
         /// <summary>The pose relative to the parent is valid for the display time, but the pose of the parent is not current.</summary>
         ParentNotCurrent,
 

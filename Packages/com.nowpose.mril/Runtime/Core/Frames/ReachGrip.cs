@@ -37,6 +37,7 @@ namespace Nowpose.Frames
         int _held = -1;
         RigidTransform _inHand;
         ReachPlace _before;
+        string _unknown, _signalFault;
 
         /// <param name="link">Index of the link in the robot; its origin is the gripping point.</param>
         /// <param name="reach">Maximum distance of an object's origin from the gripping point, m.</param>
@@ -55,7 +56,10 @@ namespace Nowpose.Frames
         public string Held => _isClosed == true && IsMine ? _tree[_held].Name : null;
 
         /// <summary>Reason why the held object is unknown, in one line; null if it is known.</summary>
-        public string Fault { get; private set; }
+        public string Fault => _unknown ?? _signalFault;
+
+        /// <summary>Control time since which the held object has been unknown; null while this time is unknown, and if there is no fault.</summary>
+        public ControlTime? FaultSince { get; private set; }
 
         // False after the object's source or another gripper has taken the object over.
         bool IsMine => _held >= 0 && _tree[_held].Reach?.Gripper == this;
@@ -67,7 +71,7 @@ namespace Nowpose.Frames
             if (isClosed == _isClosed) return;
             Decide(isLast: true);
             (_isClosed, _since, _isFinal) = (isClosed, since ?? default, since == null);
-            Fault = isClosed && since == null ? FrameMessages.ClosedAtUnknownTime : null;
+            _unknown = isClosed && since == null ? FrameMessages.ClosedAtUnknownTime : null;
             if (!isClosed && since == null) Leave();
         }
 
@@ -92,7 +96,27 @@ namespace Nowpose.Frames
                 _tree.TakeFrom(this);
                 _held = -1;
             }
-            if (_isClosed == true) Fault = FrameMessages.SignalRestarted;
+            if (_isClosed == true) _unknown = FrameMessages.SignalRestarted;
+        }
+
+        /// <summary>
+        /// Marks the objects that the gripper may hold or may have moved if its held object is unknown. Call it after each <see cref="Decide(ControlTime)"/>.
+        /// </summary>
+        /// <param name="signalFault">Reason why the value of the gripper's signal is not current; null if it is current.</param>
+        /// <param name="since">Control time at which the value stopped being current; null if unknown.</param>
+        public void Judge(string signalFault, ControlTime? since)
+        {
+            _signalFault = signalFault;
+            FaultSince = _unknown == null ? since : null;
+            if (Fault == null) return;
+            foreach (var name in _objects)
+            {
+                var index = _tree.IndexOf(name);
+                if (index < 0) continue;
+                var frame = _tree[index];
+                if (CanMove(index)) frame.UnknownGrip = this;
+                else if (frame.UnknownGrip == this) frame.UnknownGrip = null;
+            }
         }
 
         /// <summary>Lets a held object's own source determine its place again.</summary>
@@ -101,6 +125,7 @@ namespace Nowpose.Frames
             if (IsMine) _tree.Put(_held, null);
             _held = -1;
             _isFinal = true;
+            _unknown = _signalFault = null;
         }
 
         void Decide(bool isLast)
@@ -119,7 +144,7 @@ namespace Nowpose.Frames
             foreach (var name in _objects)
             {
                 var index = _tree.IndexOf(name);
-                if (handOrigin == PoseOrigin.None || index < 0 || _tree.IsCarried(index) || _tree.IsBelow(_tree.IndexOf(_robot), index)) continue;
+                if (handOrigin == PoseOrigin.None || index < 0 || !CanGrip(index)) continue;
                 if (IsTakenLater(_tree[index].Reach)) continue;
                 var pose = hand.Inverse * _tree.PoseAt(index, index == _held ? _before : _tree[index].Reach, _since, out var origin);
                 isMeasured &= origin == PoseOrigin.Measured;
@@ -128,11 +153,16 @@ namespace Nowpose.Frames
                 (nearest, inHand) = (index, pose);
             }
             _isFinal = isMeasured || isLast;
-            if (_isFinal && handOrigin == PoseOrigin.None) Fault = FrameMessages.ArmWithoutData;
+            if (_isFinal && handOrigin == PoseOrigin.None) _unknown = FrameMessages.ArmWithoutData;
             if (nearest != _held) Take(nearest, inHand);
             else if (_isFinal && IsMine) Put(new ReachPlace(this, _linkName, inHand, _since, isReleased: false));
             _inHand = inHand;
         }
+
+        bool CanGrip(int index) => !_tree.IsCarried(index) && !_tree.IsBelow(_tree.IndexOf(_robot), index);
+
+        // Another gripper would have to release its object first.
+        bool CanMove(int index) => CanGrip(index) && !(_tree[index].Reach is { IsReleased: false } place && place.Gripper != this);
 
         // The gripper that closed or opened last determines the place, in whichever order the messages arrive. At equal times, the name decides.
         bool IsTakenLater(ReachPlace place) => place != null && place.Gripper != this

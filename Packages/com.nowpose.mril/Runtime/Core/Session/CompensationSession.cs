@@ -220,7 +220,8 @@ namespace Nowpose.Session
                 Robots.Take(clock);
                 var displayTime = _display.Selector.LightOf(start, isComparable: isLast && _display.RenderTimes.State != RangeState.Outside);
                 var onControlClock = clock.IsKnown ? clock.ToControl(displayTime) : (ControlTime?)null;
-                _cell.Show(new DisplayMoment(start, onControlClock, clock, Settings.Clock.Trusts(clock), _display.Selector, _display.RenderTimes));
+                var isTrusted = Settings.Clock.Trusts(clock);
+                _cell.Show(new DisplayMoment(start, onControlClock, clock, isTrusted, _display.Selector, _display.RenderTimes), CanReceiveSignals);
                 if (isLast) _currentShare.Add(start, Robots.WorstPose == PoseState.Current);
                 Ticked?.Invoke(_main.Frame);
                 return _main.Frame;

@@ -23,6 +23,7 @@ namespace Nowpose.Unity.Cell
         DropReason _refused;
         CompensationSession _session;
         CellFrame _frame;
+        (string Of, string Text) _gripFault;
 
         FollowedFrame(MrilSession source, Transform world, string name, bool isGhost, string missing)
         {
@@ -76,8 +77,13 @@ namespace Nowpose.Unity.Cell
             }
         }
 
-        static string ReasonOf(CellFrame held)
+        string ReasonOf(CellFrame held)
         {
+            if (held.UnknownGrip?.Fault is string fault && held.State == FrameState.GripUnknown)
+            {
+                if (fault != _gripFault.Of) _gripFault = (fault, ObjectMessages.MayBeGripped(fault));
+                return _gripFault.Text;
+            }
             if (held.State == FrameState.ParentNotCurrent) return ObjectMessages.ParentNotCurrent;
             return held.IsStationary ? ObjectMessages.OlderThanConnection : ObjectMessages.PosesStopped;
         }

@@ -11,6 +11,10 @@ namespace Nowpose.Unity.Messages
         public const string ParentNotCurrent = "its parent's pose is not current";
         public const string PosesStopped = "no new poses are arriving";
         public const string OlderThanConnection = "no pose since the connection was restored; check its source";
+
+        /// <param name="fault">Reason why it is unknown what a gripper holds.</param>
+        public static string MayBeGripped(string fault) => $"a gripper may have moved it: {fault}";
+
         public const string OtherMover = "the tracked or stationary object on the same object moves it; put the actuated part on a child object";
         public const string SignalNotCurrent = "signal not current";
         public const string RobotUnknown = "its robot is unknown";

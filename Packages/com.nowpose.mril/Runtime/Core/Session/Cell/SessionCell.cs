@@ -33,13 +33,14 @@ namespace Nowpose.Session.Cell
         public SessionGrips Grips { get; }
 
         /// <summary>Computes everything for the display time of a frame.</summary>
-        public void Show(in DisplayMoment moment)
+        /// <param name="canReceiveSignals">Whether values of signals can arrive.</param>
+        public void Show(in DisplayMoment moment, bool canReceiveSignals)
         {
             Robots.Show(moment);
             Frames.Take(moment);
             Signals.Show(moment);
             // A gripper takes an object in the frame in which its signal's change is visible.
-            Grips.Decide(moment);
+            Grips.Decide(moment, canReceiveSignals);
             Frames.Show(moment);
             Robots.PlaceRoots();
         }

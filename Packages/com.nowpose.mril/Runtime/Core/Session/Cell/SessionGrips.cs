@@ -11,6 +11,7 @@ namespace Nowpose.Session.Cell
     {
         readonly SessionSignals _signals;
         readonly List<(ReachGrip Grip, string Signal)> _grips = new List<(ReachGrip, string)>();
+        bool _canReceive;
 
         public SessionGrips(SessionSignals signals)
         {
@@ -26,6 +27,7 @@ namespace Nowpose.Session.Cell
             _grips.Add((grip, signal));
             var known = _signals.Table.IndexOf(signal);
             if (known >= 0 && _signals.Table[known].IsKnown) Change(grip, _signals.Table[known]);
+            Judge(grip, signal);
         }
 
         /// <summary>Removes a gripper. An object that it holds follows its own source again.</summary>
@@ -35,11 +37,19 @@ namespace Nowpose.Session.Cell
             grip.Leave();
         }
 
-        /// <summary>Decides what the grippers hold. Call it after the signals are evaluated and before the frames are evaluated.</summary>
-        public void Decide(in DisplayMoment moment)
+        /// <summary>
+        /// Decides what the grippers hold, or marks the objects of a gripper for which this is unknown. Call it after the signals are evaluated and
+        /// before the frames are evaluated.
+        /// </summary>
+        /// <param name="canReceive">Whether values of signals can arrive.</param>
+        public void Decide(in DisplayMoment moment, bool canReceive)
         {
-            if (!(moment.DisplayTime is ControlTime displayTime)) return;
-            foreach (var (grip, _) in _grips) grip.Decide(displayTime);
+            _canReceive = canReceive;
+            foreach (var (grip, signal) in _grips)
+            {
+                if (moment.DisplayTime is ControlTime displayTime) grip.Decide(displayTime);
+                Judge(grip, signal);
+            }
         }
 
         /// <summary>Decides pending changes with the available samples. Call it before the samples are discarded.</summary>
@@ -60,6 +70,8 @@ namespace Nowpose.Session.Cell
             foreach (var (grip, name) in _grips)
                 if (name == signal.Name) grip.Restart(isOfSource: signal.Newest.HasValue);
         }
+
+        void Judge(ReachGrip grip, string signal) => grip.Judge(_signals.FaultOf(signal, _canReceive), _signals.EndOf(signal));
 
         static void Change(ReachGrip grip, SignalTrack signal) => grip.Change(signal.Value >= 0.5, signal.Since);
     }

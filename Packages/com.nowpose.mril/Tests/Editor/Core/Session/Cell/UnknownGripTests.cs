@@ -1,0 +1,116 @@
+using Nowpose.Frames;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using NUnit.Framework;
+using static Nowpose.Tests.Core.Session.Cell.GripScene;
+
+namespace Nowpose.Tests.Core.Session.Cell
+{
+    /// <summary>
+    /// Tests the state of the objects of a gripper while it is unknown what the gripper holds. The sources of the objects repeat their poses.
+    /// </summary>
+    public class UnknownGripTests
+    {
+        [TestCase(Close + 1, "box")]
+        [TestCase(Open + 1, null)]
+        public void StateOf_SignalEndsDuringOrAfterTheGrip_IsHeldSinceTheEndUntilTheSignalContinues(double end, string held)
+        {
+            var (cell, grip) = NewGrip();
+            cell.Send("grip", 19, 0);
+            Until(cell, Close);
+            cell.Send("grip", Close, 1);
+            cell.Send("grip", Open, 0);
+            Until(cell, end);
+            Assert.That((grip.Held, StateOf(cell)), Is.EqualTo((held, PoseState.Current)));
+
+            Report(cell, new JointReport("grip", JointDataState.Stale, ControlTime.FromSeconds(end), "its source has ended"));
+            Until(cell, end + 0.1, _ =>
+                Assert.That((StateOf(cell), cell.Session.Frames.HeldSince(Find(cell, "box"))), Is.EqualTo((PoseState.Held, (ControlTime?)ControlTime.FromSeconds(end)))));
+            Report(cell);
+            Until(cell, end + 0.2);
+
+            Assert.That((StateOf(cell), cell.Session.Frames.HeldSince(Find(cell, "box"))), Is.EqualTo((PoseState.Current, (ControlTime?)null)));
+        }
+
+        [Test]
+        public void StateOf_GripperClosedBeforeTheFirstSample_IsHeldUntilTheGripperOpens()
+        {
+            var (cell, _) = NewGrip();
+            cell.Send("grip", 5, 1);
+            Until(cell, Close);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held), "the box may be in the gripper");
+
+            cell.Send("grip", Close, 0);
+            Until(cell, Close + 1);
+
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
+        }
+
+        [Test]
+        public void StateOf_SignalRestartsWhileTheGripperIsClosed_IsHeld()
+        {
+            var (cell, _) = NewGrip();
+            cell.Send("grip", 19, 0);
+            Until(cell, Close);
+            cell.Send("grip", Close, 1);
+            Until(cell, Close + 1);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
+
+            for (var t = Close + 1; t < Close + 2; t += 0.05)
+            {
+                cell.Send("grip", t - 10, 1);
+                Until(cell, t + 0.05);
+            }
+
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held));
+        }
+
+        [Test]
+        public void StateOf_NoValueOfTheSignal_IsHeldOnlyForObjectsThatTheGripperCanHold()
+        {
+            var (cell, _) = NewGrip("part", "cart", "table");
+            cell.Send("tool_centre_point", "part", 20, At(0, 0), isStationary: true);
+            cell.Send("world", "cart", 20, At(0, 0), isStationary: true);
+            cell.Send("cart", "base", 20, At(0, 0), isStationary: true);
+            cell.Send("world", "table", 20, At(9, 0), isStationary: true);
+
+            Until(cell, Close);
+
+            Assert.That((StateOf(cell), StateOf(cell, "table")), Is.EqualTo((PoseState.Held, PoseState.Held)));
+            Assert.That(StateOf(cell, "part"), Is.EqualTo(PoseState.Current), "its source reports that the robot carries it");
+            Assert.That(StateOf(cell, "cart"), Is.EqualTo(PoseState.Current), "the robot stands on it");
+        }
+
+        [Test]
+        public void Remove_GripperWithoutAValue_ObjectsAreCurrent()
+        {
+            var (cell, grip) = NewGrip();
+            Until(cell, Close);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held));
+
+            cell.Session.Grips.Remove(grip);
+            Until(cell, Close + 0.1);
+
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
+        }
+
+        static (CellSession Cell, ReachGrip Grip) NewGrip(params string[] others)
+        {
+            var objects = new string[others.Length + 1];
+            objects[0] = "box";
+            others.CopyTo(objects, 1);
+            var (cell, grip) = NewCell(objects);
+            cell.Sampling = t =>
+            {
+                if (t > 20) cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "box", t, At(1.05, 0.02));
+            };
+            return (cell, grip);
+        }
+
+        static PoseState StateOf(CellSession cell, string frame = "box") => cell.Session.Frames.StateOf(Find(cell, frame));
+
+        static void Report(CellSession cell, params JointReport[] reports) =>
+            cell.Session.Listener.SignalStatusReceived(new JointStatusMessage(reports), HeadsetTime.FromSeconds(cell.Now));
+    }
+}
