@@ -72,6 +72,9 @@ namespace Nowpose.Frames
         /// <summary>Displayed pose in the world, right-handed, metres.</summary>
         public RigidTransform World { get; private set; } = RigidTransform.Identity;
 
+        /// <summary>Whether the frame has a pose in the world on which other frames can be placed, current or not.</summary>
+        public bool IsPlaced => _hasPose && State != FrameState.Orphan;
+
         /// <summary>Newest pose in the parent, which a display without compensation shows; the identity before the first pose.</summary>
         public RigidTransform Held => _reach != null ? _reach.Pose : _given;
 
@@ -176,7 +179,7 @@ namespace Nowpose.Frames
             return _reach.Pose;
         }
 
-        /// <summary>Keeps the displayed pose, because the parent is unknown.</summary>
+        /// <summary>Keeps the displayed pose, because the parent or a frame above it is unknown.</summary>
         public void Orphan() => State = FrameState.Orphan;
 
         /// <summary>Discards the poses of a tracked frame, because their times are no longer valid. The displayed pose is kept.</summary>

@@ -56,35 +56,27 @@ namespace Nowpose.Frames
         }
 
         /// <param name="isFixed">Whether the parent has the same pose at any display time.</param>
-        /// <returns>False if the parent is unknown.</returns>
+        /// <returns>False if the parent, or a frame above it, is unknown or has never had a pose.</returns>
         public bool TryFindParent(in Place place, out RigidTransform pose, out bool isCurrent, out bool isFixed)
         {
             (pose, isCurrent, isFixed) = (RigidTransform.Identity, true, place.IsInWorld);
-            if (place.Robot >= 0)
+            // Without a frame of its root link, a robot is at the world's origin.
+            var above = place.Robot < 0 ? place.Parent : RootIndexOf(place.Robot);
+            if (above >= 0)
             {
-                var robot = _robots[place.Robot];
-                pose = RootOf(place.Robot, out isCurrent) * robot.Poses[place.Parent];
-                isCurrent &= robot.IsCurrentAt(place.Parent);
-                return true;
+                var frame = _frames[above];
+                if (!frame.IsPlaced) return false;
+                (pose, isCurrent) = (frame.World, frame.State == FrameState.Current);
+                isFixed = isCurrent && place.Robot < 0 && frame.IsFixed;
             }
-            if (place.Parent < 0) return place.IsInWorld;
-            pose = _frames[place.Parent].World;
-            isCurrent = _frames[place.Parent].State == FrameState.Current;
-            isFixed = isCurrent && _frames[place.Parent].IsFixed;
+            if (place.Robot < 0) return above >= 0 || place.IsInWorld;
+            pose *= _robots[place.Robot].Poses[place.Parent];
+            isCurrent &= _robots[place.Robot].IsCurrentAt(place.Parent);
             return true;
         }
 
-        /// <summary>Returns the pose of a robot's root link in the world, and whether it is current.</summary>
-        /// <param name="robot">Index of the robot. A robot that was added after the last arrangement is at the world's origin.</param>
-        public RigidTransform RootOf(int robot, out bool isCurrent)
-        {
-            var root = RootIndexOf(robot);
-            isCurrent = root < 0 || _frames[root].State == FrameState.Current;
-            return root < 0 ? RigidTransform.Identity : _frames[root].World;
-        }
-
         /// <summary>Returns the frame that places a robot; null if there is none.</summary>
-        /// <inheritdoc cref="RootOf(int, out bool)"/>
+        /// <param name="robot">Index of the robot. A robot that was added after the last arrangement has no such frame.</param>
         public CellFrame RootOf(int robot)
         {
             var root = RootIndexOf(robot);

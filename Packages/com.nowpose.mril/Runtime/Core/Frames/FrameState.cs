@@ -6,7 +6,9 @@ namespace Nowpose.Frames
         /// <summary>No pose has been received; the displayed pose is a placeholder.</summary>
         Missing,
 
-        /// <summary>The parent is neither the world, nor a link of a known robot, nor a known frame. The last displayed pose is kept.</summary>
+        /// <summary>
+        /// The parent, or a frame above it, is neither the world, nor a link of a known robot, nor a known frame. The last displayed pose is kept.
+        /// </summary>
         Orphan,
 
         /// <summary>The newest pose is too old to be predicted.</summary>

@@ -143,7 +143,7 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(tree.IndexOf("missing"), Is.EqualTo(-1));
             Assert.That(new[] { "part", "orphan", "child", "box", "lid" }.Select(name => FrameOf(tree, name).State), Is.EqualTo(new[]
             {
-                FrameState.Current, FrameState.Orphan, FrameState.ParentNotCurrent, FrameState.Current, FrameState.Current,
+                FrameState.Current, FrameState.Orphan, FrameState.Orphan, FrameState.Current, FrameState.Current,
             }));
             arm.IsCurrent = false;
             tree.Evaluate(At(5 * Sampling + 1));
@@ -151,6 +151,25 @@ namespace Nowpose.Tests.Core.Frames
             {
                 FrameState.ParentNotCurrent, FrameState.Held, FrameState.ParentNotCurrent,
             }));
+        }
+
+        [Test]
+        public void State_RootOfARobotIsAnOrphan_ObjectsOnTheRobotAreOrphansUntilItsParentIsKnown()
+        {
+            var arm = new MovingLinks("arm", TestRobot.Model);
+            var tree = NewTree();
+            tree.Add(arm);
+            tree.Add(Pose(0, "hall", "arm/base", 1), isStationary: true);
+            tree.Add(Pose(0, "arm/tool_centre_point", "part", 0.1), isStationary: true);
+            tree.Add(Pose(0, "part", "screw", 0.01), isStationary: true);
+
+            tree.Evaluate(At(0));
+            Assert.That(new[] { "part", "screw" }.Select(name => FrameOf(tree, name).State), Is.All.EqualTo(FrameState.Orphan));
+
+            tree.Add(Pose(0, "world", "hall", 10), isStationary: true);
+            tree.Evaluate(At(0.1));
+            Assert.That(FrameOf(tree, "screw").State, Is.EqualTo(FrameState.Current));
+            Assert.That(FrameOf(tree, "screw").World.X, Is.EqualTo(11.11).Within(1e-12));
         }
 
         /// <summary>
