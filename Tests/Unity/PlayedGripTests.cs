@@ -1,4 +1,6 @@
+using Nowpose.Frames;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using Nowpose.Unity.Messages;
 using NUnit.Framework;
@@ -35,7 +37,7 @@ public class PlayedGripTests : PlayedParts
         });
 
         Assert.That(moved, Is.GreaterThan(0.001), "the arm moves");
-        Assert.That(_session.Parts.Objects, Is.EqualTo(new[] { "box" }));
+        Assert.That(_session.Parts.Grippable, Is.EqualTo(new[] { "box" }));
         grip.gameObject.SetActive(false);
         Run(1, Send);
         Assert.That(Vector3.Distance(box.transform.position, UnityPoses.ToWorld(pose).position), Is.LessThan(1e-4), "a hidden gripper returns the object to its source");
@@ -76,6 +78,24 @@ public class PlayedGripTests : PlayedParts
         var grip = made.AddComponent<GripByReach>().With("_link", link).With("_reachMetres", 0.5f);
         made.SetActive(true);
         return (rig, grip, Below<TrackedObject>("box", _session.transform));
+    }
+
+    [TestCase(false, null)]
+    [TestCase(true, "fixture")]
+    public void GripByReach_FixtureWithinReach_IsGrippedOnlyIfItCanBeGripped(bool canBeGripped, string held)
+    {
+        var (rig, grip, _) = NewGrip();
+        Below<StationaryObject>("fixture", _session.transform).With("_canBeGripped", canBeGripped);
+        Run(2, _ => { });
+        _session.Session.Listener.FramesReceived(
+            new TransformsMessage(UnityPoses.ToRoom(rig.Tool.position, rig.Tool.rotation).ToTransform(default, "world", "fixture")), true, HeadsetTime.FromSeconds(1000));
+        SendSignal("grip", _cell.Now - 1, 0);
+        Run(0.5);
+
+        SendSignal("grip", _cell.Now - Latency, 1);
+        Run(1.5);
+
+        Assert.That((grip.Held, grip.Fault), Is.EqualTo((held, (string)null)));
     }
 
     [Test]

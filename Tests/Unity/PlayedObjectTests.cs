@@ -126,6 +126,6 @@ public class PlayedObjectTests : PlayedParts
             AssertAt(ghost.transform, _session.transform, Along(0.3 * (_cell.Now - 1 / 60.0 - Latency)), 1e-4);
             Assert.That(ghost.GapMetres, Is.EqualTo(0.3 * (Visu + 1 / 60.0 + Latency)).Within(1e-3));
         });
-        Assert.That((_session.Parts.Count, _session.Parts.Objects.Count), Is.EqualTo((0, 0)));
+        Assert.That((_session.Parts.Count, _session.Parts.Grippable.Count), Is.EqualTo((0, 0)));
     }
 }

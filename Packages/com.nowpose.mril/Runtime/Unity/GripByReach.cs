@@ -12,7 +12,7 @@ namespace Nowpose.Unity
     /// Makes a virtual gripper carry the object within its reach while a signal is on, for cells in which no source reports the held object.
     /// </summary>
     /// <remarks>
-    /// The gripper can carry objects of the same session that have the component Tracked Object or Stationary Object. The poses at the stamp of the
+    /// The gripper can carry the Tracked Objects and Stationary Objects of the same session for which Can Be Gripped is on. The poses at the stamp of the
     /// signal's change determine which object is within reach, so the result is the same on all headsets. A parent that a source reports for the
     /// object has priority.
     /// </remarks>
@@ -111,7 +111,7 @@ namespace Nowpose.Unity
                 ConsoleLog.Fail(this, ComponentMessages.Of("grip by reach", name, _problem));
                 return;
             }
-            _grip = new ReachGrip(_followed.Frames.Tree, _robot, index, _reachMetres, _session.Parts.Objects);
+            _grip = new ReachGrip(_followed.Frames.Tree, _robot, index, _reachMetres, _session.Parts.Grippable);
             _followed.Grips.Add(_grip, Signal);
         }
 

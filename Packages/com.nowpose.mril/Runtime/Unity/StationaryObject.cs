@@ -35,6 +35,9 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Name of the file on the device that stores the poses of objects that were placed by hand. Empty: stationary-objects.json.")]
         string _fileName = DefaultFile;
 
+        [SerializeField, Tooltip("Whether a Grip by Reach can grip the object. It takes effect when this component is enabled.")]
+        bool _canBeGripped = false;
+
         FollowedFrame _followed;
         RigidTransform? _saved;
 
@@ -79,8 +82,7 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _followed = FollowedFrame.Of(
-                this, _session, "stationary object", Frame, missing: ObjectMessages.NotPlaced);
+            _followed = FollowedFrame.Of(this, _session, "stationary object", Frame, _canBeGripped, missing: ObjectMessages.NotPlaced);
             if (_followed == null) return;
             _saved = Saved();
             _followed.Source.Movers.Add(this, Show);

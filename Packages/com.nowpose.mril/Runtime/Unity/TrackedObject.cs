@@ -26,6 +26,9 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Displayed: the object's pose at the time when the light reaches the eye. Held: the newest pose, for comparison.")]
         RigPose _shows = RigPose.Displayed;
 
+        [SerializeField, Tooltip("Whether a Grip by Reach can grip the object. It takes effect when this component is enabled.")]
+        bool _canBeGripped = true;
+
         FollowedFrame _followed;
 
         /// <summary>Name of the frame.</summary>
@@ -54,7 +57,7 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _followed = FollowedFrame.Of(this, _session, "tracked object", Frame, isGhost: _shows == RigPose.Held);
+            _followed = FollowedFrame.Of(this, _session, "tracked object", Frame, _canBeGripped, isGhost: _shows == RigPose.Held);
             if (_followed == null) return;
             _followed.Source.Movers.Add(this, Show);
         }

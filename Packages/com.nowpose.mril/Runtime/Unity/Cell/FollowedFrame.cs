@@ -16,7 +16,7 @@ namespace Nowpose.Unity.Cell
     sealed class FollowedFrame : IShownPart
     {
         readonly MrilSession _source;
-        readonly bool _isGhost;
+        readonly bool _isGhost, _canBeGripped;
         readonly string _missing;
         readonly string _invalid;
         readonly bool _canWaitForClock;
@@ -25,17 +25,18 @@ namespace Nowpose.Unity.Cell
         CellFrame _frame;
         (string Of, string Text) _gripFault;
 
-        FollowedFrame(MrilSession source, Transform world, string name, bool isGhost, string missing)
+        FollowedFrame(MrilSession source, Transform world, string name, bool canBeGripped, bool isGhost, string missing)
         {
             _source = source;
             Name = name;
             _isGhost = isGhost;
+            _canBeGripped = canBeGripped;
             _invalid = IsValid(name) ? null : ObjectMessages.InvalidFrame(name);
             _missing = _invalid ?? missing ?? ObjectMessages.NoPose;
             _canWaitForClock = missing == null;
             World = world;
             Title = "object " + InputException.OneLine(name, ProtocolLimits.NameLength);
-            if (!isGhost) source.Parts.Add(this, name);
+            if (!isGhost) source.Parts.Add(this, canBeGripped ? name : null);
         }
 
         /// <summary>The component that has the session.</summary>
@@ -103,15 +104,16 @@ namespace Nowpose.Unity.Cell
 
         /// <summary>Starts to follow a frame in the session of a component.</summary>
         /// <param name="kind">Kind of the component, for the text of the warning that is logged if it has no session.</param>
+        /// <param name="canBeGripped">Whether a gripper can grip the object by reach. Not used for a ghost.</param>
         /// <param name="isGhost">Whether the object is a second view of a frame that another object shows. It is then not listed again.</param>
         /// <param name="missing">Value of <see cref="Fault"/> while no pose of a frame that does not move is known; null for other frames.</param>
         /// <returns>Null if the component has no session.</returns>
         public static FollowedFrame Of(
-            Component component, MrilSession assigned, string kind, string name, bool isGhost = false, string missing = null)
+            Component component, MrilSession assigned, string kind, string name, bool canBeGripped, bool isGhost = false, string missing = null)
         {
             var source = component.RequiredSession(assigned, kind);
             if (source == null) return null;
-            var followed = new FollowedFrame(source, CellPlace.WorldOf(component, source), name, isGhost, missing);
+            var followed = new FollowedFrame(source, CellPlace.WorldOf(component, source), name, canBeGripped, isGhost, missing);
             if (followed._invalid != null) ConsoleLog.Fail(component, ComponentMessages.Of(kind, component.name, followed._invalid));
             return followed;
         }
@@ -119,7 +121,7 @@ namespace Nowpose.Unity.Cell
         /// <summary>Stops following the frame.</summary>
         public void Leave()
         {
-            if (!_isGhost) _source.Parts.Remove(this, Name);
+            if (!_isGhost) _source.Parts.Remove(this, _canBeGripped ? Name : null);
             _session = null;
             _frame = null;
         }

@@ -27,14 +27,14 @@ namespace Nowpose.Unity.Cell
     sealed class ShownParts
     {
         readonly List<IShownPart> _parts = new List<IShownPart>();
-        readonly List<string> _objects = new List<string>();
+        readonly List<string> _grippable = new List<string>();
         readonly List<(string Title, string Fault, ControlTime? Since)> _faults = new List<(string, string, ControlTime?)>();
         int _count = -1, _notCurrent;
 
         public int Count => _parts.Count;
 
-        /// <summary>Frame names of the shown objects. A frame that two objects show is listed twice.</summary>
-        public IReadOnlyList<string> Objects => _objects;
+        /// <summary>Frame names of the shown objects that a gripper can grip. A frame that two objects show is listed twice.</summary>
+        public IReadOnlyList<string> Grippable => _grippable;
 
         /// <summary>Number of parts that had a fault of their own at the last <see cref="Update"/>.</summary>
         public int FaultCount => _faults.Count;
@@ -59,17 +59,18 @@ namespace Nowpose.Unity.Cell
 
         public void Remove(IShownPart part) => _parts.Remove(part);
 
-        /// <summary>Adds an object that is shown at a frame. A gripper can grip this object when it is within reach.</summary>
-        public void Add(IShownPart part, string frame)
+        /// <summary>Adds an object.</summary>
+        /// <param name="grippable">Name of its frame if a gripper can grip the object when it is within reach; otherwise null.</param>
+        public void Add(IShownPart part, string grippable)
         {
             Add(part);
-            _objects.Add(frame);
+            if (grippable != null) _grippable.Add(grippable);
         }
 
-        public void Remove(IShownPart part, string frame)
+        public void Remove(IShownPart part, string grippable)
         {
             Remove(part);
-            _objects.Remove(frame);
+            if (grippable != null) _grippable.Remove(grippable);
         }
 
         /// <summary>Reads the faults of all parts. Allocates only when their number or the number of parts has changed.</summary>
