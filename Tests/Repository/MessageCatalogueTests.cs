@@ -79,7 +79,7 @@ public sealed partial class MessageCatalogueTests
         ["LoaderMessages"] = ["Unkept"],
         ["ManifestMessages"] = ["TooDeep", "Twice"],
         ["MeshMessages"] = ["Of"],
-        ["ObjectMessages"] = ["NoPose", "ParentNotCurrent", "ParentUnknown", "PosesStopped", "RobotUnknown", "SignalNotCurrent"],
+        ["ObjectMessages"] = ["FingerNotMoved", "MayBeGripped", "NoPose", "ParentNotCurrent", "ParentUnknown", "PosesStopped", "RobotUnknown", "SignalNotCurrent"],
         ["OperationsMessages"] = ["LoggedIn", "NoTokenNeeded", "UnknownTokenLog"],
         ["OptionMessages"] = ["SeeHelp"],
         ["PairedCellMessages"] = ["Field", "List", "Unusable"],

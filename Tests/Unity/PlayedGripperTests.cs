@@ -1,5 +1,6 @@
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.UnityPlayer;
 using NUnit.Framework;
 using UnityEngine;
@@ -88,19 +89,29 @@ public class PlayedGripperTests
     }
 
     [Test]
-    public void Gripper_RobotWithoutItsJoints_IsLoggedOnceWithoutAWarning()
+    public void Gripper_RobotHasOtherFingerJoints_IsLoggedOnceListedAndStriped()
     {
+        var appearance = _played.Rig.gameObject.AddComponent<PoseAppearance>();
         var gripper = Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform);
         var finger = Below<FrameProbe>("Finger", gripper.transform).transform;
+        var part = Rendering.PlayedAppearance.Part("part", finger);
         gripper.With("_fingers", new List<GripperFinger> { new("left_joint", finger), new("gripper_finger_joint_l", finger), new("right_joint", finger) });
 
-        _played.Play(0.5);
+        _played.Play(2);
 
         var said = _played.Cell.Player.Logs.Single(l => l.Message.Contains("gripper"));
-        Assert.That(said.Type, Is.EqualTo(LogType.Log));
-        Assert.That(said.Message, Is.EqualTo(
-            "[Nowpose] gripper 'Virtual Gripper': robot 'youbot' has no moving joint 'left_joint' and no 'right_joint', so its finger does not move"));
-        Assert.That(said.Context, Is.SameAs(gripper));
+        var fault = ComponentMessages.FingerJointUnknown("youbot", "'left_joint' and no 'right_joint'");
+        Assert.That((said.Type, said.Context), Is.EqualTo((LogType.Error, gripper)));
+        Assert.That(said.Message, Does.EndWith(ComponentMessages.Of("gripper", "Virtual Gripper", fault)));
+        var parts = _played.Session.Parts;
+        parts.Update();
+        Assert.That((parts.FaultCount, parts.FaultyTitle(0), parts.FaultOf(0)), Is.EqualTo((1, "gripper Virtual Gripper", fault)));
+        Assert.That(_played.Session.Frame.State, Is.EqualTo(PoseState.Current));
+        Assert.That((Hatched.IsHatched(part), appearance.Look.Label, appearance.Look.Reason), Is.EqualTo((true, ObjectMessages.FingerNotMoved, fault)));
+
+        gripper.gameObject.SetActive(false);
+        parts.Update();
+        Assert.That(parts.Count, Is.Zero);
     }
 
     [Test]

@@ -49,6 +49,8 @@ namespace Nowpose.Unity
         /// <summary>Reason why the part does not follow the signal or the signal's value is not current, in one line; null if it is current.</summary>
         public string Fault => _follower != null ? _follower.Fault : GetComponent<ICellObject>() is object ? ObjectMessages.OtherMover : StatusMessages.NoSession;
 
+        string ISignalComponent.FaultLabel => ObjectMessages.SignalNotCurrent;
+
         void OnEnable()
         {
             _restPosition = transform.localPosition;

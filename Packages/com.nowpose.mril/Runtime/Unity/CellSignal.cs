@@ -82,6 +82,8 @@ namespace Nowpose.Unity
         /// <summary>Reason why the value is not current, in one line; null if it is current.</summary>
         public string Fault => _follower == null ? StatusMessages.NoSession : _follower.Fault;
 
+        string ISignalComponent.FaultLabel => ObjectMessages.SignalNotCurrent;
+
         /// <summary>Raised with each new value.</summary>
         public event Action<double> Changed;
 

@@ -245,8 +245,8 @@ namespace Nowpose.Unity
 
         // A part whose signal is not current may be at the wrong end of its stroke or in the wrong state, so it is striped like a pose that is not
         // current.
-        static PoseLook WithSignal(PoseLook look, string fault) => fault == null ? look
-            : look.Also(ObjectMessages.SignalNotCurrent, fault, PoseLook.Of(PoseState.Held).Fade);
+        static PoseLook WithSignal(PoseLook look, (string Label, string Reason) fault) => fault.Reason == null ? look
+            : look.Also(fault.Label, fault.Reason, PoseLook.Of(PoseState.Held).Fade);
 
         /// <summary>The first active carrier (rig before gripper) that does not follow the session; null if all follow.</summary>
         PoseCarrier Unmoved

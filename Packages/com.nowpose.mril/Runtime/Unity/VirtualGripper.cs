@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
+using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
+using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -9,12 +11,13 @@ namespace Nowpose.Unity
 {
     /// <summary>Makes a virtual tool follow the flange of a rig, and moves its fingers with joints of the robot.</summary>
     /// <remarks>
-    /// A finger does not move if the robot has no joint with the name that is entered for the finger. This component does not move fingers that are
-    /// links of the rig, because the rig already moves them.
+    /// A finger does not move if the robot has no joint with the name that is entered for the finger. If the robot has other joints beyond the flange,
+    /// the <see cref="PoseAppearance"/> on this object or above it then stripes the gripper. This component does not move fingers that are links of
+    /// the rig, because the rig already moves them.
     /// </remarks>
     [AddComponentMenu("Nowpose/Virtual Gripper")]
     [DisallowMultipleComponent]
-    public sealed class VirtualGripper : MonoBehaviour
+    public sealed class VirtualGripper : MonoBehaviour, IShownPart, ISignalComponent
     {
         [SerializeField, Tooltip("The rig whose flange carries the gripper. Empty: the rig on a parent.")]
         RobotRig _rig = null;
@@ -28,6 +31,8 @@ namespace Nowpose.Unity
         RobotRig _source;
         Transform _flange;
         FingerDrive[] _drives = Array.Empty<FingerDrive>();
+        MrilSession _listedBy;
+        string _fault, _title;
 
         /// <summary>The rig that the gripper follows; null if it follows none.</summary>
         public RobotRig Rig => _source;
@@ -36,6 +41,18 @@ namespace Nowpose.Unity
         public Transform Flange => _flange;
 
         internal IReadOnlyList<GripperFinger> Fingers => _fingers;
+
+        string IShownPart.Title => _title;
+
+        string IShownPart.Fault => _fault;
+
+        bool IShownPart.IsFaultCommon => false;
+
+        ControlTime? IShownPart.FaultSince => null;
+
+        string ISignalComponent.Fault => _fault;
+
+        string ISignalComponent.FaultLabel => ObjectMessages.FingerNotMoved;
 
         /// <summary>Starts to follow a rig instead of the previous rig. The component itself calls this method when it is enabled.</summary>
         public void Mount(RobotRig rig)
@@ -58,6 +75,8 @@ namespace Nowpose.Unity
             _source.Posed -= Follow;
             _source = null;
             _flange = null;
+            _fault = null;
+            List();
         }
 
         void OnEnable()
@@ -80,9 +99,34 @@ namespace Nowpose.Unity
             foreach (var finger in _fingers)
                 if (TryDrive(finger, ref unknown, out var drive)) drives.Add(drive);
             _drives = drives.ToArray();
-            // This is not a warning, because a robot without a gripper has no such joints.
-            if (unknown.Length > 0)
-                ConsoleLog.Info(this, ComponentMessages.GripperWithoutJoint(name, _source.Model.Name, unknown));
+            _fault = null;
+            if (unknown.Length > 0) Report(unknown);
+            List();
+        }
+
+        // A robot without a gripper has no joints of fingers. If it has such joints, the name is wrong, and the fingers would look right but not move.
+        void Report(string unknown)
+        {
+            var model = _source.Model;
+            var carrier = model.IndexOfLink(_flangeLink);
+            if (model.HasMovingJointBelow(carrier < 0 ? model.FlangeLink : model.Links[carrier]))
+            {
+                _fault = ComponentMessages.FingerJointUnknown(model.Name, unknown);
+                ConsoleLog.Fail(this, ComponentMessages.Of("gripper", name, _fault));
+            }
+            else ConsoleLog.Info(this, ComponentMessages.GripperWithoutJoint(name, model.Name, unknown));
+        }
+
+        // Only a gripper with a fault is listed, because the robot is listed already.
+        void List()
+        {
+            var session = _fault == null || _source == null ? null : _source.Session;
+            if (ReferenceEquals(session, _listedBy)) return;
+            if (_listedBy is object) _listedBy.Parts.Remove(this);
+            _listedBy = session;
+            if (session is null) return;
+            _title = "gripper " + name;
+            session.Parts.Add(this);
         }
 
         bool TryDrive(GripperFinger finger, ref string unknown, out FingerDrive drive)
@@ -111,6 +155,7 @@ namespace Nowpose.Unity
 
         void Follow()
         {
+            List();
             if (_flange != null && !transform.IsChildOf(_flange)) transform.SetPositionAndRotation(_flange.position, _flange.rotation);
             var joints = _source.Joints;
             foreach (var drive in _drives)

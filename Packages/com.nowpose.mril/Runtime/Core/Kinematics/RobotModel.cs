@@ -61,6 +61,15 @@ namespace Nowpose.Kinematics
         /// <summary>Returns the index of a joint in <see cref="MovingJoints"/>; -1 if the joint does not exist or is fixed.</summary>
         public int IndexOfMovingJoint(string name) => _movingIndices.TryGetValue(name, out var index) ? index : -1;
 
+        /// <summary>Returns whether a joint moves a link relative to a given link that is above it in the tree.</summary>
+        internal bool HasMovingJointBelow(RobotLink link)
+        {
+            foreach (var joint in MovingJoints)
+                for (var at = IndexOfLink(joint.ParentLink); at >= 0; at = Links[at].ParentIndex)
+                    if (Links[at] == link) return true;
+            return false;
+        }
+
         /// <summary>Computes the position of each mimic joint without a given position from the position of its master; allocates nothing.</summary>
         /// <param name="positions">One per moving joint, in rad or m.</param>
         /// <param name="given">One per moving joint: whether its position is given and must not be changed.</param>

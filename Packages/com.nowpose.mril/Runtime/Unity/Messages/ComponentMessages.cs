@@ -48,5 +48,9 @@ namespace Nowpose.Unity.Messages
 
         public static string GripperWithoutJoint(string component, string robot, string joints) =>
             $"gripper '{component}': robot '{robot}' has no moving joint {joints}, so its finger does not move";
+
+        /// <param name="joints">Quoted names that are not names of moving joints.</param>
+        public static string FingerJointUnknown(string robot, string joints) =>
+            $"robot '{robot}' has no moving joint {joints}; correct Joint of the gripper's finger";
     }
 }

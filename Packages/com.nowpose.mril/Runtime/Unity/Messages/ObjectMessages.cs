@@ -17,6 +17,7 @@ namespace Nowpose.Unity.Messages
 
         public const string OtherMover = "the tracked or stationary object on the same object moves it; put the actuated part on a child object";
         public const string SignalNotCurrent = "signal not current";
+        public const string FingerNotMoved = "finger not moved";
         public const string RobotUnknown = "its robot is unknown";
 
         /// <param name="frame">An invalid name.</param>

@@ -41,8 +41,8 @@ namespace Nowpose.Unity.Rendering
         public PoseCarrier Carrier { get; private set; }
 
         /// <summary>
-        /// The components at or above the renderer that move or change it according to a signal. Actuated parts above the nearest object of the cell
-        /// do not move the renderer, because this object has its own place; signals above the appearance belong to other parts.
+        /// The components at or above the renderer that move or change it according to a signal or to joints. Actuated parts and grippers above the
+        /// nearest object of the cell do not move the renderer, because this object has its own place; signals above the appearance belong to other parts.
         /// </summary>
         public List<MonoBehaviour> Signals { get; } = new List<MonoBehaviour>();
 
@@ -76,7 +76,10 @@ namespace Nowpose.Unity.Rendering
         {
             Signals.Clear();
             for (var at = _renderer.transform; at != null && !at.TryGetComponent<ICellObject>(out _); at = at.parent)
+            {
                 if (at.TryGetComponent<ActuatedPart>(out var actuated)) Signals.Add(actuated);
+                if (at.TryGetComponent<VirtualGripper>(out var gripper)) Signals.Add(gripper);
+            }
             for (var at = _renderer.transform; at != null; at = at == _root ? null : at.parent)
             {
                 at.GetComponents(_found);

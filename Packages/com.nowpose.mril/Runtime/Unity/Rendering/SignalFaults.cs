@@ -3,28 +3,34 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>A component that moves or changes parts according to a signal. Its parts look different while the signal is not current.</summary>
+    /// <summary>
+    /// A component that moves or changes the parts at and below its object according to a signal or to joints. The parts look different while it has a
+    /// fault.
+    /// </summary>
     interface ISignalComponent
     {
-        /// <summary>Reason why the value of the signal is not current, in one line; null if it is current.</summary>
+        /// <summary>Reason why the parts may not be in the state of the real parts, in one line; null if they are.</summary>
         string Fault { get; }
+
+        /// <summary>Label of the parts while there is a fault, in a few words.</summary>
+        string FaultLabel { get; }
     }
 
-    /// <summary>The components with a signal that affect the renderers of a pose, with the faults that were last drawn.</summary>
+    /// <summary>The components with a signal or joints that affect the renderers of a pose, with the faults that were last drawn.</summary>
     sealed class SignalFaults
     {
-        // Null for no fault.
-        readonly Dictionary<MonoBehaviour, string> _drawn = new Dictionary<MonoBehaviour, string>();
+        // The fault is null if there is none.
+        readonly Dictionary<MonoBehaviour, (string Label, string Fault)> _drawn = new Dictionary<MonoBehaviour, (string, string)>();
         readonly List<MonoBehaviour> _changed = new List<MonoBehaviour>();
 
-        /// <summary>The first fault of all parts; null if there is none.</summary>
-        public string First
+        /// <summary>The first fault of all parts, with its label; a null fault if there is none.</summary>
+        public (string Label, string Fault) First
         {
             get
             {
-                foreach (var fault in _drawn.Values)
-                    if (fault != null) return fault;
-                return null;
+                foreach (var drawn in _drawn.Values)
+                    if (drawn.Fault != null) return drawn;
+                return default;
             }
         }
 
@@ -47,16 +53,20 @@ namespace Nowpose.Unity.Rendering
             return _changed.Count > 0;
         }
 
-        /// <summary>Returns the first fault of the components that affect one renderer; null if there is none.</summary>
-        public string Of(PosePart part)
+        /// <summary>Returns the first fault of the components that affect one renderer, with its label; a null fault if there is none.</summary>
+        public (string Label, string Fault) Of(PosePart part)
         {
             foreach (var component in part.Signals)
-                if (_drawn[component] is string fault) return fault;
-            return null;
+                if (_drawn[component] is var drawn && drawn.Fault != null) return drawn;
+            return default;
         }
 
-        // A disabled component does not follow its signal on purpose, and a destroyed one no longer affects anything.
-        static string FaultOf(MonoBehaviour component) =>
-            component != null && component.isActiveAndEnabled ? ((ISignalComponent)component).Fault : null;
+        // A disabled component does not move its parts on purpose, and a destroyed one no longer affects anything.
+        static (string Label, string Fault) FaultOf(MonoBehaviour component)
+        {
+            if (component == null || !component.isActiveAndEnabled) return default;
+            var driver = (ISignalComponent)component;
+            return driver.Fault is string fault ? (driver.FaultLabel, fault) : default;
+        }
     }
 }
