@@ -79,7 +79,11 @@ public sealed partial class MessageCatalogueTests
         ["LoaderMessages"] = ["Unkept"],
         ["ManifestMessages"] = ["TooDeep", "Twice"],
         ["MeshMessages"] = ["Of"],
-        ["ObjectMessages"] = ["FingerNotMoved", "MayBeGripped", "NoPose", "ParentNotCurrent", "ParentUnknown", "PosesStopped", "RobotUnknown", "SignalNotCurrent"],
+        ["ObjectMessages"] =
+        [
+            "FingerNotMoved", "MayBeGripped", "NoPose", "OutsideStroke", "ParentNotCurrent", "ParentUnknown", "PosesStopped", "RobotUnknown",
+            "SignalNotCurrent",
+        ],
         ["OperationsMessages"] = ["LoggedIn", "NoTokenNeeded", "UnknownTokenLog"],
         ["OptionMessages"] = ["SeeHelp"],
         ["PairedCellMessages"] = ["Field", "List", "Unusable"],

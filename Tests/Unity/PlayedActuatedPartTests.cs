@@ -1,5 +1,6 @@
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using static Nowpose.Unity.Tests.Hatched;
@@ -57,6 +58,30 @@ public class PlayedActuatedPartTests : PlayedParts
         jaw.enabled = false;
         Run(0.1);
         Assert.That(IsHatched(moved), Is.False, "a disabled part follows no signal");
+    }
+
+    // A signal with the opening in millimetres would keep the jaw at its end.
+    [TestCase(1.005, false)]
+    [TestCase(42, true)]
+    [TestCase(-1, true)]
+    public void ActuatedPart_ValueOutsideItsStroke_LooksDifferentUntilAValueIsWithinIt(double value, bool isOutside)
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var appearance = rig.gameObject.AddComponent<PoseAppearance>();
+        var jaw = Below<ActuatedPart>("jaw", rig.transform).With("_strokeMs", 0f);
+        var moved = Rendering.PlayedAppearance.Part("moved", jaw.transform);
+        appearance.Refresh();
+        Run(1);
+
+        SendSignal("jaw", _cell.Now - 1, value);
+        Run(0.5);
+        var fault = isOutside ? ObjectMessages.ValueOutsideStroke(value) : null;
+        Assert.That((jaw.Fault, IsHatched(moved), appearance.Look.Label), Is.EqualTo((fault, isOutside, isOutside ? ObjectMessages.OutsideStroke : "")));
+        Assert.That(FaultsNow(), Is.EqualTo(isOutside ? "signal jaw: " + fault : ""));
+
+        SendSignal("jaw", _cell.Now - Latency, 0.5);
+        Run(0.5);
+        Assert.That((jaw.Fault, jaw.Share, IsHatched(moved)), Is.EqualTo(((string)null, 0.5f, false)));
     }
 
     [Test]

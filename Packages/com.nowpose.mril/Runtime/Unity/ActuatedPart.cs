@@ -12,8 +12,8 @@ namespace Nowpose.Unity
     /// <remarks>
     /// A move starts at the stamp of the signal's change and takes the stroke time. The object therefore moves in phase with the real part even if
     /// the message arrived late; see <see cref="ActuatedStroke"/>. The pose for the value 0 is the object's local pose when this component is
-    /// enabled. The object keeps this pose until the first value is known. While the signal's value is not current, the <see cref="PoseAppearance"/>
-    /// on this object or above it stripes the part.
+    /// enabled. The object keeps this pose until the first value is known. While the signal's value is not current or is outside 0 to 1, the
+    /// <see cref="PoseAppearance"/> on this object or above it stripes the part.
     /// </remarks>
     [AddComponentMenu("Nowpose/Actuated Part")]
     [DisallowMultipleComponent]
@@ -46,10 +46,14 @@ namespace Nowpose.Unity
         /// <summary>Position within the stroke in the newest frame, from 0 (start) to 1 (end).</summary>
         public float Share { get; private set; }
 
-        /// <summary>Reason why the part does not follow the signal or the signal's value is not current, in one line; null if it is current.</summary>
+        /// <summary>
+        /// Reason why the part does not follow the signal, or why the signal's value is not current or is outside the stroke, in one line; null if there is
+        /// none.
+        /// </summary>
         public string Fault => _follower != null ? _follower.Fault : GetComponent<ICellObject>() is object ? ObjectMessages.OtherMover : StatusMessages.NoSession;
 
-        string ISignalComponent.FaultLabel => ObjectMessages.SignalNotCurrent;
+        string ISignalComponent.FaultLabel =>
+            _follower != null && _follower.CurrentFault == null ? ObjectMessages.OutsideStroke : ObjectMessages.SignalNotCurrent;
 
         void OnEnable()
         {
@@ -94,6 +98,7 @@ namespace Nowpose.Unity
         {
             if (!signal.Since.HasValue) _stroke.Forget(null);
             _stroke.Change(signal.Value, signal.Since ?? default);
+            _follower.Problem = ActuatedStroke.Includes(signal.Value) ? null : ObjectMessages.ValueOutsideStroke(signal.Value);
         }
 
         void Move(float share)

@@ -12,6 +12,9 @@ namespace Nowpose.Signals
     /// </remarks>
     sealed class ActuatedStroke
     {
+        /// <summary>Tolerance of values, as a share of the stroke, because the control system may scale and round a measured position.</summary>
+        const double Tolerance = 0.01;
+
         readonly double _atZero;
         readonly double _atOne;
         readonly double _strokeSeconds;
@@ -42,6 +45,9 @@ namespace Nowpose.Signals
             _move = ProfileOf(to - from);
             if (_strokeSeconds <= 0) _from = to;
         }
+
+        /// <summary>Returns whether a value is within the stroke. Another value moves the part to the nearest end.</summary>
+        public static bool Includes(double value) => value >= -Tolerance && value <= 1 + Tolerance;
 
         /// <summary>Returns the position at a display time.</summary>
         public double At(ControlTime at) => _start.HasValue ? _from + _move.PositionAt(ClockTicks.Seconds(at - _start.Value)) : _from;

@@ -41,8 +41,14 @@ namespace Nowpose.Unity.Cell
         /// <summary>The signal; null until its first value is known.</summary>
         public SignalTrack Track { get; private set; }
 
+        /// <summary>Reason why the component cannot show the value, although it may be current; null if it can.</summary>
+        public string Problem { get; set; }
+
+        /// <summary>Reason why the value is not current or cannot be shown, in one line; null if there is none.</summary>
+        public string Fault => CurrentFault ?? Problem;
+
         /// <summary>Reason why the value is not current, in one line; null if it is current.</summary>
-        public string Fault => FaultOf(_source.Session == null ? null : _session, _name);
+        public string CurrentFault => FaultOf(_source.Session == null ? null : _session, _name);
 
         string IShownPart.Title => _title;
 

@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -17,6 +18,7 @@ namespace Nowpose.Unity.Messages
 
         public const string OtherMover = "the tracked or stationary object on the same object moves it; put the actuated part on a child object";
         public const string SignalNotCurrent = "signal not current";
+        public const string OutsideStroke = "value outside the stroke";
         public const string FingerNotMoved = "finger not moved";
         public const string RobotUnknown = "its robot is unknown";
 
@@ -33,6 +35,9 @@ namespace Nowpose.Unity.Messages
 
         public static string NotAccepted(string title, DropReason reason) =>
             $"{title} cannot be placed: {reason}; correct its frame, or reduce the frames of the cell";
+
+        public static string ValueOutsideStroke(double value) =>
+            FormattableString.Invariant($"the value {value:0.###} is outside the stroke; publish a value from 0 to 1");
 
         public const string NotPlaced = "not placed; place it by hand, or publish its frame on /tf_static";
 
