@@ -59,6 +59,48 @@ public class ReparentedPartTests : PlayedParts
         Assert.That(appearance.Look.Label, Is.Empty);
     }
 
+    [TestCase(true)]
+    [TestCase(false)]
+    public void ActuatedPart_OtherParentDuringItsStroke_ContinuesFromItsPlaceThere(bool keepsWorldPose)
+    {
+        var (first, second) = (new GameObject("first"), new GameObject("second"));
+        foreach (var tool in new[] { first, second }) tool.transform.SetParent(_session.transform, false);
+        second.transform.localPosition = new Vector3(3, 0, 0);
+        var jaw = Below<ActuatedPart>("jaw", first.transform).With("_wayMetres", new Vector3(0, 0, 0.02f)).With("_turnDegrees", new Vector3(0, 40, 0))
+            .With("_strokeMs", 0f);
+        jaw.transform.localPosition = new Vector3(0, 1, 0);
+        Run(1);
+        SendSignal("jaw", _cell.Now - 1, 0.5);
+        Run(0.5);
+        Assert.That(jaw.transform.localPosition.z, Is.EqualTo(0.01).Within(1e-6));
+
+        jaw.transform.SetParent(second.transform, keepsWorldPose);
+        var before = jaw.transform.localPosition;
+        Run(0.1);
+        Assert.That(Vector3.Distance(jaw.transform.localPosition, before), Is.LessThan(1e-6));
+        Assert.That(Quaternion.Angle(jaw.transform.localRotation, Quaternion.Euler(0, 20, 0)), Is.LessThan(0.1));
+
+        SendSignal("jaw", _cell.Now - Latency, 1);
+        Run(0.5);
+        Assert.That(Vector3.Distance(jaw.transform.localPosition, before + new Vector3(0, 0, 0.01f)), Is.LessThan(1e-6));
+    }
+
+    [Test]
+    public void ActuatedPart_MovedBelowAnotherSession_KeepsItsPlaceThere()
+    {
+        var other = _cell.Play();
+        var jaw = Below<ActuatedPart>("jaw", _session.transform).With("_wayMetres", new Vector3(0, 0, 0.02f)).With("_strokeMs", 0f);
+        Run(1);
+        SendSignal("jaw", _cell.Now - 1, 1);
+        Run(0.5);
+
+        jaw.transform.SetParent(other.transform, false);
+        jaw.transform.localPosition = new Vector3(5, 0, 0.02f);
+        jaw.transform.SetParent(_session.transform, false);
+
+        Assert.That(Vector3.Distance(jaw.transform.localPosition, new Vector3(5, 0, 0.02f)), Is.LessThan(1e-6));
+    }
+
     [Test]
     public void Appearance_RigFollowsASessionElsewhere_ShowsThatSession()
     {

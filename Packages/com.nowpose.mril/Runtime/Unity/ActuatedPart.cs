@@ -12,7 +12,8 @@ namespace Nowpose.Unity
     /// <remarks>
     /// A move starts at the stamp of the signal's change and takes the stroke time. The object therefore moves in phase with the real part even if
     /// the message arrived late; see <see cref="ActuatedStroke"/>. The pose for the value 0 is the object's local pose when this component is
-    /// enabled. The object keeps this pose until the first value is known. While the signal's value is not current or is outside 0 to 1, the
+    /// enabled. The object keeps this pose until the first value is known. If the object gets another parent, the pose for the value 0 is computed
+    /// from its new local pose and its position within the stroke. While the signal's value is not current or is outside 0 to 1, the
     /// <see cref="PoseAppearance"/> on this object or above it stripes the part.
     /// </remarks>
     [AddComponentMenu("Nowpose/Actuated Part")]
@@ -57,8 +58,7 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _restPosition = transform.localPosition;
-            _restRotation = transform.localRotation;
+            TakeRest();
             _stroke = new ActuatedStroke(0, 1, _strokeMs / 1000.0);
             if (GetComponent<ICellObject>() is object)
             {
@@ -82,6 +82,7 @@ namespace Nowpose.Unity
 
         void OnTransformParentChanged()
         {
+            TakeRest();
             if (!this.IsBelowAnotherSession(_session, _source)) return;
             OnDisable();
             OnEnable();
@@ -99,6 +100,13 @@ namespace Nowpose.Unity
             if (!signal.Since.HasValue) _stroke.Forget(null);
             _stroke.Change(signal.Value, signal.Since ?? default);
             _follower.Problem = ActuatedStroke.Includes(signal.Value) ? null : ObjectMessages.ValueOutsideStroke(signal.Value);
+        }
+
+        // The part keeps its share of the stroke below a new parent.
+        void TakeRest()
+        {
+            _restPosition = transform.localPosition - Share * _wayMetres;
+            _restRotation = transform.localRotation * Quaternion.Inverse(Quaternion.Euler(Share * _turnDegrees));
         }
 
         void Move(float share)
