@@ -15,6 +15,8 @@ namespace Nowpose.Simulation.Work
         readonly Random _random;
         readonly Queue<(TransformsMessage Frames, SignalsMessage Signals, HeadsetTime At)> _underway =
             new Queue<(TransformsMessage, SignalsMessage, HeadsetTime)>();
+        // The newest value of each signal that has arrived, with its stamp. A gateway sends these to each new session.
+        readonly Dictionary<string, (ControlTime Stamp, double Value)> _latched = new Dictionary<string, (ControlTime, double)>(StringComparer.Ordinal);
         HeadsetTime _lastTaken, _inOrder;
         CompensationSession _described;
 
@@ -31,15 +33,28 @@ namespace Nowpose.Simulation.Work
         public void Run(HeadsetTime from, HeadsetTime now, in VirtualCellSettings settings, CompensationSession session)
         {
             if (_lastTaken < from) _lastTaken = from;
-            if (_described != session) session.Listener.FramesReceived(_messages.Stationary(), isStationary: true, now);
+            if (_described != session) Describe(session, now);
             _described = session;
             while (_lastTaken + settings.SamplingInterval <= now) Take(_lastTaken += settings.SamplingInterval, settings);
             while (_underway.Count > 0 && _underway.Peek().At <= now)
             {
                 var (frames, signals, at) = _underway.Dequeue();
                 if (frames != null) session.Listener.FramesReceived(frames, isStationary: false, at);
-                else session.Listener.SignalsReceived(signals, at);
+                else Deliver(signals, session, at);
             }
+        }
+
+        void Describe(CompensationSession session, HeadsetTime now)
+        {
+            session.Listener.FramesReceived(_messages.Stationary(), isStationary: true, now);
+            foreach (var signal in _latched)
+                session.Listener.SignalsReceived(new SignalsMessage(signal.Value.Stamp, new SignalValue(signal.Key, signal.Value.Value)), now);
+        }
+
+        void Deliver(SignalsMessage signals, CompensationSession session, HeadsetTime at)
+        {
+            for (var i = 0; i < signals.Count; i++) _latched[signals[i].Name] = (signals.Stamp, signals[i].Value);
+            session.Listener.SignalsReceived(signals, at);
         }
 
         // Changes of signals are never lost, because a stream retransmits lost packets.
