@@ -1,5 +1,7 @@
+using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using NUnit.Framework;
 using UnityEngine;
@@ -59,6 +61,25 @@ public class PlayedPathTests : PlayedParts
 
         Assert.That(_cell.AllocatedIn(() => _cell.Run(1, _session)), Is.Zero);
         Assert.That(path.DrawnSeconds, Is.GreaterThan(0.9));
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public void PlannedPath_BaseMoves_IsHiddenUntilTheBaseIsStationary(bool isRootFrame)
+    {
+        var (rig, _, line) = NewPath();
+        Run(0.1);
+        var carrier = isRootFrame ? _session.Session.Robots[0].Root : "cart";
+        if (!isRootFrame) rig.transform.SetParent(Below<TrackedObject>("cart", _session.transform).transform, false);
+        Run(1, t => SendPose("world", carrier, t, Along(0.5 * t)));
+        SendPlan(_cell.Now, 6);
+        Run(1, t => SendPose("world", carrier, t, Along(0.5 * t)));
+        Assert.That((_session.Frame.State, line.enabled), Is.EqualTo((PoseState.Current, false)));
+
+        _session.Session.Listener.FramesReceived(
+            new TransformsMessage(Along(1).ToTransform(default, "world", carrier)), true, HeadsetTime.FromSeconds(1000 + _cell.Now));
+        Run(0.5);
+        Assert.That((_session.Frame.State, line.enabled), Is.EqualTo((PoseState.Current, true)));
     }
 
     (RobotRig Rig, PlannedPath Path, LineRenderer Line) NewPath()

@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Kinematics;
 using Nowpose.Session;
+using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -10,7 +11,8 @@ namespace Nowpose.Unity
     /// <summary>Draws the path that the tool will take, if the control system publishes its set-points.</summary>
     /// <remarks>
     /// The line starts at the displayed tool. It ends where the plan ends, or at the time given in the Inspector. It is hidden while the pose is
-    /// not current, while no plan is known, and while the robot does not follow its plan.
+    /// not current, while no plan is known, while the robot does not follow its plan, and while the robot stands on something that moves, because the
+    /// plan does not contain the motion of the base.
     /// </remarks>
     [AddComponentMenu("Nowpose/Planned Path")]
     [DisallowMultipleComponent]
@@ -79,11 +81,23 @@ namespace Nowpose.Unity
         void Show(DisplayFrame frame)
         {
             var robot = _source.Robot;
-            var count = robot != null && frame.DisplayTime is ControlTime displayTime && robot.Frame.State == PoseState.Current
+            var count = robot != null && frame.DisplayTime is ControlTime displayTime && robot.Frame.State == PoseState.Current && IsBaseFixed(robot)
                 ? Plan(robot, displayTime)
                 : 0;
             if (count < 2) Hide();
             else Draw(count);
+        }
+
+        // Without a frame of its own, the robot stands on the object or robot above the rig.
+        bool IsBaseFixed(SessionRobot robot)
+        {
+            if (robot.HasRootFrame) return robot.HasFixedRootFrame;
+            for (var at = _source.transform; at != null; at = at.parent)
+            {
+                if (at.TryGetComponent<ICellObject>(out var shown)) return shown.IsFixed;
+                if (at.TryGetComponent<RobotRig>(out var other) && other != _source) return false;
+            }
+            return true;
         }
 
         int Plan(SessionRobot robot, ControlTime displayTime)

@@ -58,6 +58,8 @@ namespace Nowpose.Unity
 
         bool ICellObject.IsUnplaced => _followed != null && !_followed.IsKnown;
 
+        bool ICellObject.IsFixed => _followed != null && _followed.IsFixed;
+
         /// <summary>
         /// Starts a move by hand, in which the frame follows this transform. Does nothing while a source or a gripper moves the object.
         /// </summary>

@@ -53,6 +53,8 @@ namespace Nowpose.Unity
 
         bool ICellObject.IsUnplaced => false;
 
+        bool ICellObject.IsFixed => _followed != null && _followed.IsFixed;
+
         internal bool IsOf(MrilSession session) => this.IsOf(_session, session);
 
         void OnEnable()

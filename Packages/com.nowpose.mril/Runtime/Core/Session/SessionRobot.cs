@@ -67,6 +67,9 @@ namespace Nowpose.Session
         /// <summary>Whether a frame of the cell has the root link's name. Such a frame determines the pose of the robot's base.</summary>
         public bool HasRootFrame { get; private set; }
 
+        /// <summary>Whether the frame of the root link has the same pose at any time; false if there is no such frame.</summary>
+        public bool HasFixedRootFrame { get; private set; }
+
         public bool IsCurrentAt(int link) => _computer.IsCurrentAt(link);
 
         public ReadOnlySpan<RigidTransform> Poses => Frame.LinkPoses;
@@ -87,9 +90,11 @@ namespace Nowpose.Session
 
         /// <summary>Places the root link in the cell. Call it after <see cref="Show"/>.</summary>
         /// <param name="state">State of the root link's pose.</param>
-        public void PlaceRoot(in RigidTransform pose, PoseState state)
+        /// <param name="isFixed">Whether the root link has this pose at any time.</param>
+        public void PlaceRoot(in RigidTransform pose, PoseState state, bool isFixed)
         {
             HasRootFrame = true;
+            HasFixedRootFrame = isFixed;
             RootPose = pose;
             Frame.SetBase(state);
         }

@@ -62,6 +62,9 @@ namespace Nowpose.Unity.Cell
         /// <summary>Whether the frame can move: its source publishes it as moving, or a gripper holds it.</summary>
         public bool IsMoved => _frame != null && !_frame.IsStationary;
 
+        /// <summary>Whether the frame's pose is known and is the same at any time.</summary>
+        public bool IsFixed => _frame != null && _frame.IsFixed;
+
         public PoseState State => _session == null ? PoseState.Incomplete : _session.Frames.StateOf(_frame);
 
         public string Fault

@@ -10,5 +10,8 @@ namespace Nowpose.Unity.Cell
 
         /// <summary>Whether the object is still at its pose from the scene, because neither the user nor a source has placed it.</summary>
         bool IsUnplaced { get; }
+
+        /// <summary>Whether the object's pose is known and is the same at any time.</summary>
+        bool IsFixed { get; }
     }
 }

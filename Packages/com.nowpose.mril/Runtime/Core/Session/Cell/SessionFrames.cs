@@ -54,7 +54,7 @@ namespace Nowpose.Session.Cell
         /// <summary>Places a robot's base at the frame of the cell that has the name of the robot's root link, if there is one.</summary>
         public void PlaceRoot(SessionRobot robot)
         {
-            if (Tree.RootOf(robot) is CellFrame root) robot.PlaceRoot(root.World, StateOf(root));
+            if (Tree.RootOf(robot) is CellFrame root) robot.PlaceRoot(root.World, StateOf(root), root.IsFixed);
         }
 
         /// <summary>Predicts a frame from now on, even if no pose of the frame has been received yet.</summary>
