@@ -81,7 +81,7 @@ public sealed partial class MessageCatalogueTests
         ["MeshMessages"] = ["Of"],
         ["ObjectMessages"] =
         [
-            "FingerNotMoved", "MayBeGripped", "NoPose", "OutsideStroke", "ParentNotCurrent", "ParentUnknown", "PosesStopped", "RobotUnknown",
+            "FingerNotMoved", "FrameNotCurrent", "FrameUnknown", "MayBeGripped", "NoPose", "OutsideStroke", "PosesStopped", "RobotUnknown",
             "SignalNotCurrent",
         ],
         ["OperationsMessages"] = ["LoggedIn", "NoTokenNeeded", "UnknownTokenLog"],

@@ -140,7 +140,7 @@ public class PlayedNamespaceTests : PlayedParts
             new TransformsMessage(Along(1).ToTransform(At(0), "unknown", "fixture")), true, HeadsetTime.FromSeconds(1000));
         Run(0.5, t => SendPose("world", "box", t, Along(t)));
 
-        Assert.That(FaultsNow(), Does.StartWith($"object fixture: {ObjectMessages.ParentUnknown}; object world: "));
+        Assert.That(FaultsNow(), Does.StartWith($"object fixture: {ObjectMessages.FrameUnknown("unknown")}; object world: "));
         Assert.That((_session.Parts.FaultCount, _session.Parts.Summary), Is.EqualTo((2, "! 3 not current")));
     }
 

@@ -170,6 +170,9 @@ namespace Nowpose.Frames
             return false;
         }
 
+        /// <summary>Returns the robot to which a link belongs; null for a frame that is not a link.</summary>
+        public IRobotLinks RobotOfLink(string frame) => _links.TryGetValue(frame, out var link) ? _robots[link.Robot] : null;
+
         /// <summary>Returns the root link of the robot to which a link belongs; null for a frame that is not a link.</summary>
         public string RootOfLink(string frame) => _links.TryGetValue(frame, out var link) ? _rootNames[link.Robot] : null;
 

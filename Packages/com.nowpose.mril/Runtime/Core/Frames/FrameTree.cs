@@ -99,6 +99,34 @@ namespace Nowpose.Frames
             return _order.PoseAt(index, reach, MomentOf(at), out origin);
         }
 
+        /// <summary>Determines why a frame is an orphan or its parent is not current, and returns the name of the frame above it that is the reason.</summary>
+        /// <param name="frame">A frame in one of these two states.</param>
+        /// <param name="above">The frame with this name; null if it is unknown or a link.</param>
+        /// <param name="robot">The robot whose joints are not current, if the reason is one of its links; otherwise null.</param>
+        public string ReasonAbove(CellFrame frame, out CellFrame above, out IRobotLinks robot)
+        {
+            var state = frame.State;
+            var name = frame.Parent;
+            above = null;
+            robot = null;
+            // The steps are limited, because a grip by reach can close a cycle.
+            for (var steps = 0; steps < _frames.Count; steps++)
+            {
+                var isLink = IsLink(name);
+                var index = IndexOf(isLink ? _order.RootOfLink(name) : name);
+                above = index < 0 ? null : _frames[index];
+                if (isLink && (above == null || above.State == FrameState.Current))
+                {
+                    robot = _order.RobotOfLink(name);
+                    above = null;
+                    return name;
+                }
+                if (above == null || above.State != state) return above?.Name ?? name;
+                name = above.Parent;
+            }
+            return name;
+        }
+
         /// <inheritdoc cref="FrameOrder.IsLink"/>
         public bool IsLink(string name) => _order.IsLink(name);
 

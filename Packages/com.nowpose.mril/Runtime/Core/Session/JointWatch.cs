@@ -24,6 +24,7 @@ namespace Nowpose.Session
         readonly JointTracks _tracks;
         readonly TimeSpan _horizonCap;
         readonly bool[] _isToolJoint;
+        readonly List<JointStatus> _listed = new List<JointStatus>();
         volatile Reports _newest;
 
         /// <param name="name">Namespace of the robot. It precedes the joints' names in reports; empty for the robot without a namespace.</param>
@@ -75,6 +76,17 @@ namespace Nowpose.Session
                     into.Add(StatusOf(i, JointDataState.Rest, report.Since, controlNow, report.Reason));
                 else if (IsOld(i, shownFor)) into.Add(StatusOf(i, JointDataState.Stale, _tracks.NewestOf(i), controlNow, ""));
             }
+        }
+
+        /// <summary>Returns the time since which a joint has had no data; null if it is unknown or all joints have data.</summary>
+        /// <inheritdoc cref="Fill"/>
+        public ControlTime? MissingSince(HeadsetTime now, in ClockModel clock, ControlTime? shownFor)
+        {
+            Fill(_listed, now, clock, shownFor);
+            ControlTime? since = null;
+            foreach (var joint in _listed)
+                if (joint.IsMissing && !(joint.Since >= since)) since = joint.Since ?? since;
+            return since;
         }
 
         bool IsOld(int joint, ControlTime? shownFor) => _isToolJoint[joint] && shownFor - _tracks.NewestOf(joint) > _horizonCap;

@@ -99,6 +99,9 @@ namespace Nowpose.Session
             Frame.SetBase(state);
         }
 
+        /// <inheritdoc cref="JointWatch.MissingSince"/>
+        public ControlTime? MissingSince(in DisplayMoment moment) => Joints.MissingSince(moment.Start, moment.Clock, moment.DisplayTime);
+
         /// <summary>Writes the robot's state into a reusable object; allocates nothing.</summary>
         /// <param name="now">Headset time at which the states of the joints are evaluated.</param>
         public void Fill(RobotStatistics into, HeadsetTime now, in ClockModel clock)

@@ -23,7 +23,7 @@ namespace Nowpose.Unity.Cell
         DropReason _refused;
         CompensationSession _session;
         CellFrame _frame;
-        (string Of, string Text) _gripFault;
+        (FrameState State, string Of, string Text) _reason;
 
         FollowedFrame(MrilSession source, Transform world, string name, bool canBeGripped, bool isGhost, string missing)
         {
@@ -74,7 +74,7 @@ namespace Nowpose.Unity.Cell
                 switch (State)
                 {
                     case PoseState.Current: return null;
-                    case PoseState.Incomplete: return _frame == null ? _missing : ObjectMessages.ParentUnknown;
+                    case PoseState.Incomplete: return _frame == null ? _missing : ReasonOf(_frame);
                     case PoseState.Held: return ReasonOf(_frame);
                     default: return PoseMessages.Of(State);
                 }
@@ -83,13 +83,22 @@ namespace Nowpose.Unity.Cell
 
         string ReasonOf(CellFrame held)
         {
-            if (held.UnknownGrip?.Fault is string fault && held.State == FrameState.GripUnknown)
+            switch (held.State)
             {
-                if (fault != _gripFault.Of) _gripFault = (fault, ObjectMessages.MayBeGripped(fault));
-                return _gripFault.Text;
+                case FrameState.Missing: return ObjectMessages.NoPose;
+                case FrameState.Held: return held.IsStationary ? ObjectMessages.OlderThanConnection : ObjectMessages.PosesStopped;
+                case FrameState.GripUnknown: return Kept(held.State, held.UnknownGrip?.Fault);
+                default: return Kept(held.State, _session.Frames.Tree.ReasonAbove(held, out _, out _));
             }
-            if (held.State == FrameState.ParentNotCurrent) return ObjectMessages.ParentNotCurrent;
-            return held.IsStationary ? ObjectMessages.OlderThanConnection : ObjectMessages.PosesStopped;
+        }
+
+        // Creates the text only if the reason has changed.
+        string Kept(FrameState state, string of)
+        {
+            if (state == _reason.State && of == _reason.Of) return _reason.Text;
+            _reason = (state, of, state == FrameState.GripUnknown ? ObjectMessages.MayBeGripped(of)
+                : state == FrameState.Orphan ? ObjectMessages.FrameUnknown(of) : ObjectMessages.FrameNotCurrent(of));
+            return _reason.Text;
         }
 
         public bool IsFaultCommon

@@ -86,12 +86,16 @@ namespace Nowpose.Session.Cell
 
         /// <summary>
         /// Returns the time since which a held frame has had no newer pose: the stamp of its newest pose, or that of the frame above it whose poses
-        /// have stopped; null if the frame is not held, or is held because of a robot. If it is unknown what a gripper holds, returns the time since which
-        /// this is unknown.
+        /// have stopped, or that of a joint of the robot on which it is. If it is unknown what a gripper holds, returns the time since which this is
+        /// unknown. Returns null if the frame is not held.
         /// </summary>
         public ControlTime? HeldSince(CellFrame frame)
         {
-            while (frame != null && frame.State == FrameState.ParentNotCurrent) frame = Tree.IsLink(frame.Parent) ? null : Find(frame.Parent);
+            if (frame?.State == FrameState.ParentNotCurrent)
+            {
+                Tree.ReasonAbove(frame, out frame, out var robot);
+                if (robot != null) return (robot as SessionRobot)?.MissingSince(_moment);
+            }
             if (frame?.State == FrameState.GripUnknown) return frame.UnknownGrip?.FaultSince;
             return frame != null && frame.State == FrameState.Held ? frame.Newest : null;
         }

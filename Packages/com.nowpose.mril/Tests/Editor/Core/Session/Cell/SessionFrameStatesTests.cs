@@ -80,7 +80,48 @@ namespace Nowpose.Tests.Core.Session.Cell
 
             Assert.That(SinceOf("table"), Is.EqualTo(ControlTime.FromSeconds(newest)));
             Assert.That(SinceOf("on_table"), Is.EqualTo(ControlTime.FromSeconds(newest)), "the frame above it has stopped");
-            Assert.That(SinceOf("in_hand"), Is.Null, "its robot has stopped");
+            Assert.That(SinceOf("in_hand"), Is.Null, "its robot has never had data");
+        }
+
+        [Test]
+        public void HeldSince_RobotStopped_IsTheStampOfItsNewestSample()
+        {
+            var cell = new CellSession();
+            foreach (var name in new[] { "in_hand", "screw" }) cell.Session.Frames.Need(name);
+            var newest = 0.0;
+            cell.Sampling = t =>
+            {
+                if (t < 20.5) cell.SendJoints(newest = t, 0, 0);
+                cell.Send("tool_centre_point", "in_hand", t, Along(0.1));
+                cell.Send("in_hand", "screw", t, Along(0.1));
+            };
+
+            cell.Run(2);
+
+            var (frames, screw) = (cell.Session.Frames, cell.Session.Frames.Find("screw"));
+            Assert.That((screw.State, frames.HeldSince(screw)), Is.EqualTo((FrameState.ParentNotCurrent, (ControlTime?)ControlTime.FromSeconds(newest))));
+            Assert.That(frames.Tree.ReasonAbove(screw, out _, out var robot), Is.EqualTo("tool_centre_point"));
+            Assert.That(robot, Is.SameAs(cell.Session.Robots[0]));
+        }
+
+        [Test]
+        public void ReasonAbove_FrameAboveStoppedOrIsUnknown_IsThatFrame()
+        {
+            var cell = new CellSession();
+            foreach (var name in new[] { "screw", "lost" }) cell.Session.Frames.Need(name);
+            cell.Send("plate", "screw", 20, Along(0.1), isStationary: true);
+            cell.Send("table", "plate", 20, Along(0.1), isStationary: true);
+            cell.Send("conveyor", "lost", 20, Along(0.1), isStationary: true);
+            cell.Send("hall", "conveyor", 20, Along(0.1), isStationary: true);
+            cell.Sampling = t =>
+            {
+                if (t < 20.5) cell.Send("world", "table", t, Along(t));
+            };
+
+            cell.Run(2);
+
+            string ReasonOf(string name) => cell.Session.Frames.Tree.ReasonAbove(cell.Session.Frames.Find(name), out _, out _);
+            Assert.That((ReasonOf("screw"), ReasonOf("lost")), Is.EqualTo(("table", "hall")));
         }
 
         static ConstantLatencyRange SmallRange => new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime);
