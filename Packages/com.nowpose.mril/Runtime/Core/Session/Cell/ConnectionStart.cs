@@ -16,11 +16,14 @@ namespace Nowpose.Session.Cell
         /// <summary>Returns whether a message has arrived over the newest connection, or from a program that supplies the session.</summary>
         public bool Includes(HeadsetTime arrival) => arrival.SinceEpoch.Ticks >= Interlocked.Read(ref _ticks);
 
-        /// <summary>Returns whether the newest connection has lasted for a given time; false without a connection.</summary>
-        public bool HasLasted(TimeSpan length, HeadsetTime now)
+        /// <summary>Start of the newest connection; null before the first one.</summary>
+        public HeadsetTime? Newest
         {
-            var ticks = Interlocked.Read(ref _ticks);
-            return ticks != long.MinValue && now.SinceEpoch - new TimeSpan(ticks) >= length;
+            get
+            {
+                var ticks = Interlocked.Read(ref _ticks);
+                return ticks == long.MinValue ? (HeadsetTime?)null : new HeadsetTime(new TimeSpan(ticks));
+            }
         }
     }
 }

@@ -9,18 +9,18 @@ namespace Nowpose.Session.Cell
     sealed class StationaryArrivals
     {
         /// <summary>
-        /// Time after which a pose that has not been sent again over a new connection is not current. A gateway sends its poses at once. The sources of a
-        /// gateway that has restarted connect to it again within 1.8 s.
+        /// Time after which a pose that has not been sent again since a connection was restored is not current. A gateway sends its poses at once. The
+        /// sources of a gateway that has restarted connect to it again within 1.8 s.
         /// </summary>
         static readonly TimeSpan Patience = ClockTicks.Span(2.5);
 
         readonly ConnectionStart _connection;
-        readonly Dictionary<string, HeadsetTime> _arrivals = new Dictionary<string, HeadsetTime>(StringComparer.Ordinal);
+        readonly Dictionary<string, Arrival> _arrivals = new Dictionary<string, Arrival>(StringComparer.Ordinal);
 
         public StationaryArrivals(ConnectionStart connection) => _connection = connection;
 
         /// <summary>Records the arrival of a pose that was used.</summary>
-        public void Add(string frame, HeadsetTime arrival) => _arrivals[frame] = arrival;
+        public void Add(string frame, HeadsetTime arrival) => _arrivals[frame] = new Arrival(arrival);
 
         /// <summary>Records that a frame was placed by hand, independently of the connection.</summary>
         public void Remove(string frame) => _arrivals.Remove(frame);
@@ -30,14 +30,31 @@ namespace Nowpose.Session.Cell
         /// not.
         /// </summary>
         public bool IsLater(string frame, HeadsetTime arrivalOfTracked) =>
-            _arrivals.TryGetValue(frame, out var arrival) && arrival >= arrivalOfTracked;
+            _arrivals.TryGetValue(frame, out var arrival) && arrival.At >= arrivalOfTracked;
 
-        /// <summary>Marks the frames of a tree whose poses have not been sent again since the newest connection began.</summary>
+        /// <summary>
+        /// Marks the frames of a tree whose poses have not been sent again in time. The time counts from the first connection after the pose, so that a
+        /// connection that is lost again and again does not postpone the mark.
+        /// </summary>
         public void Mark(FrameTree tree, HeadsetTime now)
         {
-            if (!_connection.HasLasted(Patience, now)) return;
             foreach (var known in _arrivals)
-                if (!_connection.Includes(known.Value) && tree.IndexOf(known.Key) is var index && index >= 0) tree[index].IsOutdated = true;
+            {
+                var arrival = known.Value;
+                if (_connection.Includes(arrival.At)) continue;
+                arrival.AwaitedSince ??= _connection.Newest;
+                if (now - arrival.AwaitedSince >= Patience && tree.IndexOf(known.Key) is var index && index >= 0) tree[index].IsOutdated = true;
+            }
+        }
+
+        sealed class Arrival
+        {
+            public Arrival(HeadsetTime at) => At = at;
+
+            public HeadsetTime At { get; }
+
+            /// <summary>Start of the first connection after the pose; null before such a connection.</summary>
+            public HeadsetTime? AwaitedSince { get; set; }
         }
     }
 }

@@ -68,5 +68,27 @@ namespace Nowpose.Tests.Core.Session.Cell
             cell.Run(0.1);
             Assert.That((StateOf(cell, "table"), StateOf(cell, "lid")), Is.EqualTo((PoseState.Current, PoseState.Current)));
         }
+
+        // Each connection is shorter than the time in which a stationary pose must arrive again.
+        [Test]
+        public void StateOf_StationaryFrameWhileTheConnectionIsLostAgainAndAgain_IsHeldAfterTheSameTime()
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("table");
+            cell.Reconnect();
+            cell.Send("world", "table", 20, Place, isStationary: true);
+            cell.Run(5);
+
+            var lost = cell.Now;
+            var held = double.NaN;
+            for (var i = 0; i < 6; i++)
+            {
+                cell.Reconnect();
+                cell.Run(1, at => held = double.IsNaN(held) && StateOf(cell, "table") == PoseState.Held ? at - CellSession.Visu - lost : held);
+            }
+
+            Assert.That(held, Is.EqualTo(2.5).Within(0.05));
+            Assert.That(StateOf(cell, "table"), Is.EqualTo(PoseState.Held));
+        }
     }
 }
