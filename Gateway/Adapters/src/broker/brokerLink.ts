@@ -29,7 +29,10 @@ interface BrokerEvents {
   malformed(topic: string, problem: string): void;
 }
 
-/** The connection of a bridge to the broker. Publishes retained messages again after each reconnection. */
+/**
+ * The connection of a bridge to the broker. Publishes retained messages again after each reconnection. A publishing bridge also publishes its presence
+ * again when another connection withdraws it: the former connection of this bridge, which the broker ends later than the bridge, or another bridge.
+ */
 export class BrokerLink {
   readonly #queue = new SendQueue<{ topic: string; payload: string }>();
   readonly #retained = new Map<string, string>();
@@ -47,7 +50,7 @@ export class BrokerLink {
     this.#link = new MqttLink(
       settings.broker,
       name,
-      subscriptions.map(topic => this.#at(topic)),
+      (this.#isPublishing ? [...subscriptions, ALIVE] : subscriptions).map(topic => this.#at(topic)),
       {
         opened: () => this.#open(),
         leaving: () => {
@@ -55,7 +58,10 @@ export class BrokerLink {
         },
         away: reason => events.away(reason),
         refused: (_, reason) => events.refused(reason),
-        heard: (topic, payload, isRetained) => events.heard(bare(topic), payload, isRetained),
+        heard: (topic, payload, isRetained) => {
+          if (this.#isPublishing && bare(topic) === ALIVE) this.#announceAfter(payload.toString(), isRetained);
+          else events.heard(bare(topic), payload, isRetained);
+        },
         malformed: (topic, problem) => events.malformed(bare(topic), problem),
       },
       // The broker publishes this message when the connection is lost.
@@ -115,6 +121,11 @@ export class BrokerLink {
     if (this.#isPublishing) this.#keep(ALIVE, this.#presence);
     this.events.opened();
     this.#pump();
+  }
+
+  // Ignores a retained message, because this bridge announces itself after its subscriptions.
+  #announceAfter(presence: string, isRetained: boolean): void {
+    if (!isRetained && presence === ('false' satisfies Presence)) this.#keep(ALIVE, this.#presence);
   }
 
   #keep(name: string, payload: string): void {

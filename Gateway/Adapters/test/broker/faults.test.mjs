@@ -25,6 +25,23 @@ describe('faults behind a broker', { skip: missing, concurrency: 3 }, () => {
     assert.deepEqual([far.joint('a').state, far.joint('a').reason], ['fault', brokerMessages.bridgeAway]);
   });
 
+  // The broker ends a connection whose network failed after 4.5 s. The bridge may have reconnected before, and the broker then publishes the old will.
+  it('Publisher_LateWillOfItsFormerConnection_IsAnnouncedAgain', async t => {
+    const { broker, subscriber } = await halls(t), topic = `${TOPIC}/alive`;
+    const reader = await connectAsync(broker.url, { protocolVersion: 5 }), presence = [];
+    t.after(() => reader.endAsync(true));
+    reader.on('message', (_, payload) => presence.push(payload.toString()));
+    await reader.subscribeAsync(topic, { qos: 1 });
+    await until(() => presence.length === 1, 'the retained message');
+    const former = await connectAsync(broker.url, { protocolVersion: 5, reconnectPeriod: 0, will: { topic, payload: 'false', qos: 1, retain: true } });
+
+    former.stream.destroy();
+
+    await subscriber.said(`waiting: ${brokerMessages.bridgeAway}`);
+    await until(() => presence.length === 3, () => presence.join());
+    assert.deepEqual(presence, ['true', 'false', 'true']);
+  });
+
   it('Joint_NoLongerPublished_IsInFaultWhileOthersStayLive', async t => {
     const { near, far, sync } = await halls(t), names = new Set(['a', 'b']);
     const publishing = setInterval(() => names.forEach(name => publish(near, '/joint_states', state(sync.now(), [name], [1]))), 50);

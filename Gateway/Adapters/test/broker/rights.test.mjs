@@ -21,7 +21,7 @@ describe('rights on a broker', () => {
     void publish({ configuration, gateway, status, stopping: ending.signal }, settings);
 
     const notice = brokerMessages.notReadable(TOPIC);
-    await until(() => broker.refusals === 2 && status.level === 1 && status.values().notice === notice, () => JSON.stringify(status.values()));
+    await until(() => broker.refusals === 3 && status.level === 1 && status.values().notice === notice, () => JSON.stringify(status.values()));
     assert.deepEqual([status.state, lines.filter(line => line.includes(notice)).length], ['connected', 1]);
   });
 });
