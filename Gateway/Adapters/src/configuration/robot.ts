@@ -60,8 +60,12 @@ export function requireJoints(file: YamlFile, joints: NamedJoint[], robot: strin
     if (own !== robot || known?.has(name) === true) return;
     const path = ['joints', i, 'joint'];
     const [, namespace, rest] = (robot === '' ? QUALIFIED.exec(name) : null) ?? [];
-    if (namespace === undefined && known !== null) file.report(path, robotMessages.noJoint(joint, nearest(name, known)[0]));
-    else if (namespace !== undefined && namespaces !== null)
+    if (namespace === undefined && known !== null) {
+      // The message has the form of the file. In a file with one namespace, the joints are entered without it.
+      const prefix = namespaces === null ? '' : joint.slice(0, -name.length);
+      const [guess] = nearest(name, known);
+      file.report(path, robotMessages.noJoint(prefix + name, guess && prefix + guess));
+    } else if (namespace !== undefined && namespaces !== null)
       file.report(path, robotMessages.noRobot(joint, namespace, nearest(namespace, namespaces)[0]));
     // The robot of such a plant may send a description that has a joint of this name.
     else if (namespace !== undefined) file.warn(path, robotMessages.noNamespace(joint, namespace, rest));

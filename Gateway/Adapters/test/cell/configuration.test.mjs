@@ -139,6 +139,12 @@ describe('configuration of frames, signals and robots', () => {
   for (const joint of ['1arm/elbow_joint', '/elbow_joint', 'arm1/', 'arm-1/elbow_joint'])
     it(`Joint_${joint}WithoutANamespace_IsValid`, () => assert.equal(read(MQTT.replace('joint: a,', `joint: ${joint},`)).joints[0].name, joint));
 
+  it('Joint_MisspeltInAPlantWithOneNamespace_IsReportedWithTheEntryToWrite', () => {
+    const lines = linesOf(ROS, 'frames:', 'robot: ur5e\njoints:\n  - { joint: shoulder_pan }\nframes:');
+
+    assert.deepEqual(lines, [`line 8: joints[0].joint: ${robotMessages.noJoint('shoulder_pan', 'shoulder_pan_joint')}`]);
+  });
+
   it('Ros_JointOfARobotWithoutNamespace_IsAWarningWithItsLine', () => {
     const joints = 'joints:\n  - { joint: arm1/elbow_joint }\n', { file, warnings } = read(ROS.replace('  namespace: arm1\n', '').replace('frames:', `${joints}frames:`));
 
@@ -180,7 +186,7 @@ describe('configuration of frames, signals and robots', () => {
     ['SignalWithoutNode', OPCUA, 'signal: closed, node: i=6', 'signal: closed', 'line 18: signals[0].node: missing; '],
     ['InvalidNamespace', OPCUA, '  arm1: ur5e', '  1arm: ur5e', 'line 4: robots: value '],
     ['RobotFileMissing', OPCUA, '  arm1: ur5e', '  arm1: none.urdf', `line 5: robots.arm1: ${robotMessages.notReadable('none.urdf', 'ENOENT', [])}`],
-    ['JointUnknownToTheRobot', OPCUA, 'arm2/shoulder_pan_joint', 'arm2/sholder_pan_joint', `line 9: joints[1].joint: ${robotMessages.noJoint('arm2/sholder_pan_joint', 'shoulder_pan_joint')}`],
+    ['JointUnknownToTheRobot', OPCUA, 'arm2/shoulder_pan_joint', 'arm2/sholder_pan_joint', `line 9: joints[1].joint: ${robotMessages.noJoint('arm2/sholder_pan_joint', 'arm2/shoulder_pan_joint')}`],
     ['JointOfAnUnknownRobot', OPCUA, 'arm2/shoulder_pan_joint', 'arm3/shoulder_pan_joint', `line 9: joints[1].joint: ${robotMessages.noRobot('arm3/shoulder_pan_joint', 'arm3', 'arm1')}`],
     ['JointOfARobotWithoutRobots', MQTT, 'joint: a,', 'joint: arm1/elbow_joint,', `line 6: joints[0].joint: ${robotMessages.noRobot('arm1/elbow_joint', 'arm1', undefined)}`],
     ['JointOfAnUnknownRobotBesideADescribedOne', MQTT, 'joints:\n  - { joint: a,', 'robot: ur5e\njoints:\n  - { joint: arm1/elbow_joint,', `line 7: joints[0].joint: ${robotMessages.noRobot('arm1/elbow_joint', 'arm1', undefined)}`],
