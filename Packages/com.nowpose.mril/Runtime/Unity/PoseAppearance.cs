@@ -12,7 +12,7 @@ namespace Nowpose.Unity
     /// <summary>
     /// Shows that the pose of a robot or of an object of the cell is not current, or that the base is uncertain: all parts below this object become
     /// striped and fainter, and a label states the reason. Before the first joint positions arrive, only the label is drawn. The parts of a rig or
-    /// gripper that no longer follows the session are hidden. Parts below another Pose Appearance belong to that one.
+    /// gripper that no longer follows the session are hidden. Parts below another enabled Pose Appearance belong to that one.
     /// </summary>
     /// <remarks>
     /// Sets the shader properties <c>_Fade</c> (0 to 1) and <c>_Hatch</c> (0 or 1), which the shaders of the package have, through a property block.
@@ -40,18 +40,19 @@ namespace Nowpose.Unity
         readonly UnsuitableMaterials _unsuitable = new UnsuitableMaterials();
         readonly List<Renderer> _found = new List<Renderer>();
         readonly Dictionary<Renderer, PosePart> _parts = new Dictionary<Renderer, PosePart>();
-        readonly List<PoseCarrier> _carriers = new List<PoseCarrier>();
+        readonly PartPlaces _places = new PartPlaces();
+        readonly List<PoseAppearance> _below = new List<PoseAppearance>();
+        readonly PoseCarriers _carriers = new PoseCarriers();
         readonly SignalFaults _signals = new SignalFaults();
         MrilSession _source;
         RobotRig _rig;
         PoseCarrier _carrier;
         MaterialPropertyBlock _block;
         PoseLabel _label;
-        PoseState? _pose;
-        OutsideRangeResponse _outsideRange;
+        DisplayFrame _frame;
         BaseAnchor _anchor;
         BaseLook _base;
-        bool _isOn, _isUnplaced;
+        bool _isOn, _isEnded, _isDestroyed;
         float _opacity = 1;
 
         /// <summary>
@@ -71,22 +72,14 @@ namespace Nowpose.Unity
         /// <summary>Material that replaces materials that cannot fade. A new value takes effect at the next <see cref="Refresh"/>.</summary>
         internal Material Substitute { get => _substitute; set => _substitute = value; }
 
+        /// <summary>The look of the first parts that are not current; if all are, that of a current pose.</summary>
         internal PoseLook Look
         {
             get
             {
-                var look = LookOfPose;
-                return _pose.HasValue && look.IsDrawn ? WithSignal(look, _signals.First) : look;
-            }
-        }
-
-        PoseLook LookOfPose
-        {
-            get
-            {
-                if (!(_pose is PoseState pose)) return PoseLook.NoSession;
-                var look = _base.Over(_isUnplaced ? PoseLook.Unplaced : PoseLook.Of(pose, _outsideRange));
-                return look.IsDrawn && Unmoved is PoseCarrier unmoved ? unmoved.Unmoved(look) : look;
+                var look = PoseLook.Of(PoseState.Current);
+                for (var i = 0; i < _places.Count && look.Label.Length == 0; i++) look = LookOf(_places[i]);
+                return !_isEnded && look.IsDrawn ? WithSignal(look, _signals.First) : look;
             }
         }
 
@@ -100,6 +93,9 @@ namespace Nowpose.Unity
                 return false;
             }
         }
+
+        /// <summary>Whether the component draws the parts that belong to it. Otherwise they belong to the next one above.</summary>
+        internal bool IsOwner => enabled && !_isDestroyed;
 
         /// <summary>Number of renderers, not counting that of the label.</summary>
         internal int PartCount => _parts.Count;
@@ -130,15 +126,20 @@ namespace Nowpose.Unity
             _materials.Begin(_substitute);
             _carriers.Clear();
             _signals.Clear();
+            _places.Clear();
+            _places.Add(transform, transform, _frame, _source);
+            GetComponentsInChildren(true, _below);
+            _below.RemoveAll(each => each == this || !each.IsOwner);
             _anchor = GetComponentInParent<BaseAnchor>();
             _base = BaseLook.Of(_anchor);
             _carrier = PoseCarrier.Of(transform, _carrier);
-            Follow(_carrier);
+            _carriers.Add(_carrier);
             foreach (var each in _found)
             {
                 if (!_parts.TryGetValue(each, out var part)) _parts.Add(each, part = new PosePart(each, transform, _block, _materials));
                 part.Take();
-                Follow(part.Carrier);
+                part.Place = _places.Add(each.transform, transform, _frame, _source);
+                _carriers.Add(part.Carrier);
                 _signals.Add(part.Signals);
                 if (part.HasUnsuitableMaterial) _unsuitable.Report(this, part.UnsuitableMaterial, each, _materials.Substitute);
             }
@@ -148,7 +149,7 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _block ??= new MaterialPropertyBlock();
-            _pose = PoseState.Incomplete;
+            _isEnded = false;
             _rig = GetComponentInParent<RobotRig>();
             if (_rig != null) _rig.Followed += FollowRig;
             _source = Searched;
@@ -156,14 +157,14 @@ namespace Nowpose.Unity
             if (_source == null && _rig != null) return;
             _isOn = true;
             if (_source == null) this.RequiredSession(null, "pose appearance");
-            var above = transform.parent != null ? transform.parent.GetComponentInParent<PoseAppearance>(true) : null;
-            if (above != null) above.HandOverTo(this);
+            foreach (var other in GetComponentsInParent<PoseAppearance>(true))
+                if (other != this) other.HandOverTo(this);
             if (_rig != null) _rig.Bound += Refresh;
             if (_source != null)
             {
                 _source.Computed += Show;
                 _source.Hidden += ShowNoSession;
-                if (_source.Frame != null) Take(PlacedState.Of(transform, _source.Frame, _source), _source.Frame);
+                _frame = _source.Frame;
             }
             Refresh();
         }
@@ -181,10 +182,19 @@ namespace Nowpose.Unity
                 _source.Hidden -= ShowNoSession;
             }
             _isOn = false;
-            _pose = PoseState.Current;
+            _isEnded = false;
+            _frame = null;
+            _places.Clear();
             _carriers.Clear();
             foreach (var part in _parts.Values) part.Restore();
             _label.Set(_words, "");
+        }
+
+        // Unity destroys components before it renders the frame, but after all scripts have run.
+        void OnDestroy()
+        {
+            _isDestroyed = true;
+            foreach (var other in GetComponentsInParent<PoseAppearance>(true)) other.Refresh();
         }
 
         void OnTransformParentChanged()
@@ -202,45 +212,53 @@ namespace Nowpose.Unity
             OnEnable();
         }
 
-        void LateUpdate() => _label.Face(_words);
+        void LateUpdate()
+        {
+            _label.Face(_words);
+            // An appearance on an inactive object is disabled or destroyed without a message to its script.
+            foreach (var each in _below)
+            {
+                if (each != null && each.IsOwner) continue;
+                Refresh();
+                return;
+            }
+        }
 
         void Show(DisplayFrame frame)
         {
             // Another listener may have ended the session.
             if (_source.Session == null) return;
-            var placed = PlacedState.Of(transform, frame, _source);
-            var hasChanged = placed.Pose != _pose || placed.IsUnplaced != _isUnplaced;
-            foreach (var carrier in _carriers) hasChanged |= carrier.HasChanged();
+            var hasChanged = _isEnded | _places.Update(frame, _source);
+            (_frame, _isEnded) = (frame, false);
+            hasChanged |= _carriers.Update();
             hasChanged |= _signals.Update();
             var known = BaseLook.Of(_anchor);
             hasChanged |= !known.IsSameAs(_base);
             _base = known;
-            if (!hasChanged) return;
-            Take(placed, frame);
-            Draw();
-        }
-
-        void Take(PlacedState placed, DisplayFrame frame)
-        {
-            (_pose, _isUnplaced) = (placed.Pose, placed.IsUnplaced);
-            _outsideRange = frame.OutsideRange;
+            if (hasChanged) Draw();
         }
 
         void ShowNoSession()
         {
-            _pose = null;
+            (_frame, _isEnded) = (null, true);
             Draw();
         }
 
         void Draw()
         {
-            var look = LookOfPose;
             foreach (var part in _parts.Values)
             {
-                if (!_pose.HasValue) part.ShowNoSession(_opacity);
-                else part.Draw(WithSignal(look, _signals.Of(part)), _opacity);
+                if (_isEnded) part.ShowNoSession(_opacity);
+                else part.Draw(WithSignal(LookOf(part.Place), _signals.Of(part)), _opacity);
             }
             _label.Set(_words, Look.Label);
+        }
+
+        PoseLook LookOf(PartPlace place)
+        {
+            if (_isEnded) return PoseLook.NoSession;
+            var look = _base.Over(place.State.IsUnplaced ? PoseLook.Unplaced : PoseLook.Of(place.State.Pose, place.OutsideRange));
+            return look.IsDrawn && _carriers.Unmoved is PoseCarrier unmoved ? unmoved.Unmoved(look) : look;
         }
 
         // A part whose signal is not current may be at the wrong end of its stroke or in the wrong state, so it is striped like a pose that is not
@@ -248,18 +266,7 @@ namespace Nowpose.Unity
         static PoseLook WithSignal(PoseLook look, (string Label, string Reason) fault) => fault.Reason == null ? look
             : look.Also(fault.Label, fault.Reason, PoseLook.Of(PoseState.Held).Fade);
 
-        /// <summary>The first active carrier (rig before gripper) that does not follow the session; null if all follow.</summary>
-        PoseCarrier Unmoved
-        {
-            get
-            {
-                foreach (var carrier in _carriers)
-                    if (carrier.IsActive && !carrier.IsFollowing) return carrier;
-                return null;
-            }
-        }
-
-        // Restores the parts of an appearance that was added below this one, before that one stores their original look.
+        // Restores the parts of an appearance that was added or enabled below this one, before that one stores their original look.
         void HandOverTo(PoseAppearance below)
         {
             foreach (var part in _parts.Keys)
@@ -268,14 +275,6 @@ namespace Nowpose.Unity
                 Refresh();
                 return;
             }
-        }
-
-        void Follow(PoseCarrier carrier)
-        {
-            if (carrier == null) return;
-            foreach (var known in _carriers)
-                if (known.IsSameAs(carrier)) return;
-            _carriers.Add(carrier);
         }
 
         // Restores the renderers that are no longer below this object, and removes them from the list.

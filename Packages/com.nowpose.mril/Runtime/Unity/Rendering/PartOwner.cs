@@ -6,15 +6,18 @@ namespace Nowpose.Unity.Rendering
     static class PartOwner
     {
         /// <summary>
-        /// Returns whether a part belongs to an appearance: to the nearest one above it, even if that one is disabled, and to the last one of an object.
-        /// The last one is the one that the user has added to an instance of an imported robot. Works outside play mode, too.
+        /// Returns whether a part belongs to an appearance: to the nearest enabled one above it, and to the last enabled one of an object. The last one
+        /// is the one that the user has added to an instance of an imported robot. Works outside play mode, too.
         /// </summary>
         /// <param name="label">Label of the appearance, which is not one of its parts; may be null.</param>
         public static bool Owns(this PoseAppearance appearance, Renderer part, TextMesh label)
         {
             if (label != null && part.gameObject == label.gameObject) return false;
-            var nearest = part.GetComponentInParent<PoseAppearance>(true).GetComponents<PoseAppearance>();
-            return nearest[nearest.Length - 1] == appearance;
+            PoseAppearance owner = null;
+            for (var at = part.transform; at != null && owner == null; at = at.parent)
+                foreach (var each in at.GetComponents<PoseAppearance>())
+                    if (each.IsOwner) owner = each;
+            return owner == appearance;
         }
     }
 }

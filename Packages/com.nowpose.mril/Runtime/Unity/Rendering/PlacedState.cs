@@ -35,6 +35,14 @@ namespace Nowpose.Unity.Rendering
             return new PlacedState(source.StateIn(frame));
         }
 
+        /// <summary>Returns the nearest object, rig or gripper at or above a part and below the root; the root if there is none.</summary>
+        public static Transform MoverOf(Transform part, Transform root)
+        {
+            for (var at = part; at != root; at = at.parent)
+                if (RigAt(at) != null || at.TryGetComponent<ICellObject>(out _)) return at;
+            return root;
+        }
+
         // A gripper moves with its rig, which may be elsewhere in the hierarchy.
         static RobotRig RigAt(Transform at)
         {

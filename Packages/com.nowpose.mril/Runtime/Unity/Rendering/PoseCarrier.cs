@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
 using UnityEngine;
@@ -71,6 +72,42 @@ namespace Nowpose.Unity.Rendering
                 if (at.TryGetComponent<ICellObject>(out _)) return null;
             }
             return null;
+        }
+    }
+
+    /// <summary>The different carriers of the parts of an appearance.</summary>
+    sealed class PoseCarriers
+    {
+        readonly List<PoseCarrier> _all = new List<PoseCarrier>();
+
+        /// <summary>The first active carrier (rig before gripper) that does not follow the session; null if all follow.</summary>
+        public PoseCarrier Unmoved
+        {
+            get
+            {
+                foreach (var carrier in _all)
+                    if (carrier.IsActive && !carrier.IsFollowing) return carrier;
+                return null;
+            }
+        }
+
+        public void Clear() => _all.Clear();
+
+        /// <param name="carrier">The carrier of a part; null if it has none.</param>
+        public void Add(PoseCarrier carrier)
+        {
+            if (carrier == null) return;
+            foreach (var known in _all)
+                if (known.IsSameAs(carrier)) return;
+            _all.Add(carrier);
+        }
+
+        /// <summary>Returns whether a carrier has started or stopped following the session since the last call.</summary>
+        public bool Update()
+        {
+            var hasChanged = false;
+            foreach (var carrier in _all) hasChanged |= carrier.HasChanged();
+            return hasChanged;
         }
     }
 }

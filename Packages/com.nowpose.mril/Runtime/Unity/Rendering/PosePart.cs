@@ -37,6 +37,9 @@ namespace Nowpose.Unity.Rendering
 
         public bool IsDrawn => _isPoseDrawn && !_isHidden;
 
+        /// <summary>The group of parts to which the part belongs, with the state of their pose.</summary>
+        public PartPlace Place { get; set; }
+
         /// <summary>The rig or gripper that moves the part, or the one that moved it and was destroyed; null if there is none.</summary>
         public PoseCarrier Carrier { get; private set; }
 
