@@ -55,6 +55,10 @@ sealed record FrameView(string Name, string Parent, string Source, string State,
     [JsonIgnore]
     public bool IsAtRest { get; init; }
 
+    /// <summary>The frame that makes this frame an orphan: the missing parent, or the orphan above this frame; null for a frame in another state.</summary>
+    [JsonIgnore]
+    public string Cause { get; init; }
+
     public string SinceUtc => Since is { } since ? UtcText.Of(since) : null;
 }
 

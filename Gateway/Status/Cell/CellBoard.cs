@@ -165,7 +165,7 @@ sealed class CellBoard(
 
     FrameView ViewOf(string name, FrameEntry frame, ControlTime now, FrameAncestors ancestors)
     {
-        var (state, reason) = (frame.IsStationary ? CellStates.Stationary : CellStates.Live, (string)null);
+        var (state, reason, cause) = (frame.IsStationary ? CellStates.Stationary : CellStates.Live, (string)null, (string)null);
         var utcNow = time.GetUtcNow();
         var since = utcNow;
         if (IsRefused(frame)) (state, reason, since) = (RefusedState, frame.Refusal.Reason, frame.Refusal.Since);
@@ -174,12 +174,13 @@ sealed class CellBoard(
             (state, reason) = (CellStates.Stale, time.GetElapsedTime(frame.ArrivedAt) > MaxSilence ? CellReasons.PosesStopped : CellReasons.StampsStopped);
             since = utcNow - time.GetElapsedTime(frame.SeenAt);
         }
-        else if (ancestors.FaultOf(name, frame) is { } fault) (state, reason) = fault;
+        else if (ancestors.FaultOf(name, frame) is { } fault) (state, reason, cause) = fault;
         since = frame.Enter(state, since);
         return new FrameView(
             name, frame.Parent, frame.Source.Title, state, frame.IsStationary || !frame.HasAny ? null : Seconds(now - frame.Stamp), reason)
         {
             Since = reason == null ? null : since,
+            Cause = cause,
         };
     }
 

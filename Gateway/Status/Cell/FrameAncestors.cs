@@ -13,12 +13,12 @@ sealed class FrameAncestors(
 {
     /// <summary>
     /// Returns an orphan's state if the parents of a frame reach neither the world nor a robot whose base is not a frame, and otherwise the state of a frame
-    /// with a parent that is not current; null if all parents are current.
+    /// with a parent that is not current; null if all parents are current. The cause of an orphan is the missing parent, or the orphan above the frame.
     /// </summary>
-    public (string State, string Reason)? FaultOf(string name, FrameEntry frame)
+    public (string State, string Reason, string Cause)? FaultOf(string name, FrameEntry frame)
     {
         var (child, parent) = (name, frame.Parent);
-        (string State, string Reason)? stale = null;
+        (string State, string Reason, string Cause)? stale = null;
         // The number of steps is limited, because a frame whose source has ended stays listed, so that the listed parents may form a cycle.
         for (var steps = 0; steps <= frames.Count; steps++)
         {
@@ -35,10 +35,11 @@ sealed class FrameAncestors(
             (child, parent) = (parent, above.Parent);
         }
 
-        return (CellStates.Orphan, child == name ? CellReasons.ParentMissing(parent) : CellReasons.ParentMissingAbove(child, parent));
+        return child == name
+            ? (CellStates.Orphan, CellReasons.ParentMissing(parent), parent) : (CellStates.Orphan, CellReasons.ParentMissingAbove(child, parent), child);
 
-        (string, string) Stale(string below, string above) => (
-            CellStates.ParentStale, below == name ? CellReasons.ParentNotCurrent(above) : CellReasons.ParentNotCurrentAbove(above));
+        (string, string, string) Stale(string below, string above) => (
+            CellStates.ParentStale, below == name ? CellReasons.ParentNotCurrent(above) : CellReasons.ParentNotCurrentAbove(above), null);
     }
 
     FrameEntry Published(string name) => frames.TryGetValue(name, out var frame) && frame.HasAny ? frame : null;

@@ -87,18 +87,31 @@ sealed class Conditions(
         });
 
     // Frames whose adapter reports a fault have a condition of OfCell. A parent that is not current has a condition of its own, or its robot's joints have.
-    IEnumerable<Condition> OfFrames(IReadOnlyList<JointSnapshot> joints) =>
-        from frame in board.Frames(clock.Now, joints)
-        where frame is { State: CellStates.Stale, IsAtRest: false } || IsRefused(frame.State)
-            || frame.State == CellStates.Orphan && options.Time.GetUtcNow() - frame.Since >= OrphanTimeout
-        let isOrphan = frame.State == CellStates.Orphan
-        select new Condition(
+    IEnumerable<Condition> OfFrames(IReadOnlyList<JointSnapshot> joints)
+    {
+        var frames = board.Frames(clock.Now, joints);
+        var reported = frames.Where(HasFault).Select(frame => frame.Name).ToHashSet(StringComparer.Ordinal);
+        return
+            from frame in frames
+            where frame is { State: CellStates.Stale, IsAtRest: false } || IsRefused(frame.State)
+                || frame.State == CellStates.Orphan && options.Time.GetUtcNow() - frame.Since >= OrphanTimeout && !reported.Contains(frame.Cause)
+            select Of(frame);
+    }
+
+    // Whether the frame has a condition, or will have one as soon as its state has lasted long enough.
+    static bool HasFault(FrameView frame) => frame.Since != null && frame.State != CellStates.ParentStale && !frame.IsAtRest;
+
+    static Condition Of(FrameView frame)
+    {
+        var isOrphan = frame.State == CellStates.Orphan;
+        return new(
             "frame", InputException.OneLine($"{frame.Name} ({frame.Source})", 2 * ProtocolLimits.NameLength), isOrphan ? EventTexts.IsOrphan : EventTexts.Is(frame.State), frame.Reason, Level.Warning,
             Since: frame.Since)
         {
             Remedy = isOrphan ? EventRemedies.Parent : IsRefused(frame.State) ? EventRemedies.Values : EventRemedies.Source,
             IsNormalAtStart = isOrphan || IsRefused(frame.State) && IsClockAwaited(frame.Reason),
         };
+    }
 
     static bool IsRefused(string state) => state == JointDataStates.Of(JointDataState.Refused);
 

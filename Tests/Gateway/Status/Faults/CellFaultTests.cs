@@ -74,6 +74,34 @@ public class CellFaultTests
         Assert.That((await FrameAsync("box")).State, Is.EqualTo("orphan"));
     }
 
+    // The event is that of the belt. The boxes and the lid name the belt, or the box above the lid, as the reason for their state.
+    [TestCase("world", true)]
+    [TestCase("nowhere", false)]
+    [TestCase("nowhere", true)]
+    public async Task Frame_ParentHasAnEventOfItsOwn_CausesNoSecondEvent(string parent, bool isEnded)
+    {
+        var feeder = _gateway.Server.Hub.OpenSource();
+        feeder.Name = "feeder";
+        for (var i = 0; i < 8; i++)
+        {
+            var stamp = Gateways.Start + TimeSpan.FromSeconds(0.5 * i);
+            if (i == 2 && isEnded) feeder.Dispose();
+            if (i < 2 || !isEnded) feeder.Publish(new TransformsMessage([Frame("belt", parent, stamp: stamp)]), isStationary: false, []);
+            Publish(Frame("box1", "belt", stamp: stamp), Frame("box2", "belt", stamp: stamp), Frame("lid", "box1", stamp: stamp));
+            await _gateway.StateAsync();
+            _gateway.Time.Advance(TimeSpan.FromSeconds(0.5));
+        }
+
+        Publish(Frame("box1", "belt"), Frame("box2", "belt"), Frame("lid", "box1"));
+        await _gateway.BeginsAsync("frame", "belt (feeder)");
+
+        foreach (var child in new[] { "box1", "box2", "lid" })
+        {
+            Assert.That((await FrameAsync(child)).State, Is.EqualTo("orphan"));
+            Assert.That((await _gateway.EventAsync("frame", child + " (gateway)")).ValueKind, Is.EqualTo(System.Text.Json.JsonValueKind.Undefined), child);
+        }
+    }
+
     [Test]
     public async Task Frame_PosesStop_IsAnEventUntilTheNextPose()
     {
