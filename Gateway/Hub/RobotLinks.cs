@@ -18,6 +18,9 @@ sealed class RobotLinks(Action changed)
     /// <summary>Completes when all descriptions passed so far are parsed.</summary>
     internal Task Read { get; private set; } = Task.CompletedTask;
 
+    /// <summary>Raised with the namespace of a robot that the hub has removed, with its description. Called under the hub's lock.</summary>
+    public event Action<string> Removed;
+
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     public void Describe(string robot, string urdf)
     {
@@ -36,6 +39,8 @@ sealed class RobotLinks(Action changed)
             _described.Remove(robot);
             _robots.Remove(robot);
         }
+
+        Removed?.Invoke(robot);
     }
 
     /// <summary>Gets the root link of the robot to which a link belongs; null for a frame that is not a robot link.</summary>

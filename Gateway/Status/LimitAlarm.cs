@@ -27,6 +27,7 @@ sealed class LimitAlarm : IDisposable
             hub.Subscribe(RosTopics.RobotDescription, Describe), hub.Subscribe(RosTopics.JointStates, Take),
             hub.SubscribeToRobots(RosTopics.RobotDescription, Describe), hub.SubscribeToRobots(RosTopics.JointStates, Take),
         ];
+        hub.Links.Removed += Remove;
     }
 
     /// <summary>The robots with a valid description that has been parsed, and their namespaces.</summary>
@@ -60,23 +61,26 @@ sealed class LimitAlarm : IDisposable
 
     public void Dispose()
     {
+        _hub.Links.Removed -= Remove;
         foreach (var subscription in _subscriptions) subscription.Dispose();
     }
 
     void Describe(HubMessage message)
     {
         var described = new DescribedRobot((string)message.Content);
-        var present = _hub.Robots;
         lock (_lock)
         {
-            // The hub removes robots without a source to make room for others.
-            foreach (var name in _robots.Keys.Where(name => name.Length > 0 && name != message.Robot && !present.Contains(name)).ToArray()) _robots.Remove(name);
             if (!_robots.TryGetValue(message.Robot, out var robot)) _robots.Add(message.Robot, robot = new WatchedRobot());
             // Ignores an equal description, which a source sends after each reconnection, so that no joint is logged twice.
             if (described.Urdf == robot.Described?.Urdf) return;
             robot.Described = described;
             _ = Task.Run(() => Follow(robot, described));
         }
+    }
+
+    void Remove(string robot)
+    {
+        lock (_lock) _robots.Remove(robot);
     }
 
     // Parses the description, which is slow.

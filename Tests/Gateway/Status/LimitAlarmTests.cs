@@ -76,6 +76,28 @@ public class LimitAlarmTests
     }
 
     [Test]
+    public async Task Joints_RobotThatTheGatewayHasRemoved_AreNoLongerBeyondTheirLimits()
+    {
+        var ended = _hub.OpenSource();
+        var names = Enumerable.Range(0, ProtocolLimits.Robots).Select(i => $"arm{i}").ToArray();
+        foreach (var name in names) ended.Describe(RobotFiles.LoadText("ur5"), name);
+        await Soon.BecomesAsync(
+            () =>
+            {
+                ended.Publish(new JointStateMessage(ControlTime.FromSeconds(1), Joints, [0.5, 7]), robot: "arm0");
+                return _alarm.Joints.Count == 1 && _alarm.Robots.Count == names.Length;
+            },
+            "the joint is found");
+
+        ended.Dispose();
+        _source.Publish(new JointStateMessage(ControlTime.FromSeconds(1), Joints, [0.5, 0.5]), robot: "new");
+
+        Assert.That((_hub.Robots.Contains("arm0"), _hub.Robots.Contains("new")), Is.EqualTo((false, true)));
+        Assert.That(_alarm.Joints, Is.Empty);
+        Assert.That(_alarm.Robots.Select(robot => robot.Namespace), Is.EquivalentTo(names.Skip(1)));
+    }
+
+    [Test]
     public async Task Joints_NewDescription_AreCheckedAgainstItsLimits()
     {
         var urdf = RobotFiles.LoadText("ur5");
