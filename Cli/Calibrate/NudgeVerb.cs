@@ -52,10 +52,7 @@ static class NudgeVerb
         return ExitStatus.Done;
     }
 
-    static Option<double[]> Offsets(string name, string direction) => new(name)
-    {
-        Description = $"Offset along the motion at which hologram and robot coincided while moving {direction}, in mm; repeat the option for more measurements [-1000 to 1000 mm]",
-        AllowMultipleArgumentsPerToken = true,
-        DefaultValueFactory = _ => [],
-    };
+    static Option<double[]> Offsets(string name, string direction) => NumberOption.CreateList(
+        name, $"Offset along the motion at which hologram and robot coincided while moving {direction}; repeat the option for more measurements",
+        -1000.0, 1000, "mm");
 }

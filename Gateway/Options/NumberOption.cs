@@ -32,10 +32,25 @@ public static class NumberOption
         };
     }
 
-    static T Parse<T>(ArgumentResult result, string name, T min, T max, string unit)
+    /// <summary>Creates an option that takes several numbers, also if it is repeated. Its value is empty if it is not given.</summary>
+    public static Option<T[]> CreateList<T>(string name, string description, T min, T max, string unit)
         where T : INumber<T>
     {
-        var text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
+        return new Option<T[]>(name)
+        {
+            Description = Invariant($"{description} [{min} to {max}{Suffix(unit)}]"),
+            AllowMultipleArgumentsPerToken = true,
+            DefaultValueFactory = _ => [],
+            CustomParser = result => [.. result.Tokens.Select(token => Parse(result, token.Value, name, min, max, unit))],
+        };
+    }
+
+    static T Parse<T>(ArgumentResult result, string name, T min, T max, string unit)
+        where T : INumber<T> => Parse(result, result.Tokens.Count == 1 ? result.Tokens[0].Value : "", name, min, max, unit);
+
+    static T Parse<T>(ArgumentResult result, string text, string name, T min, T max, string unit)
+        where T : INumber<T>
+    {
         var allowed = Invariant($"allowed: {min} to {max}{Suffix(unit)}.");
         // Parses as a double first, so that a number too large for the type counts as out of range instead of invalid.
         if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number))

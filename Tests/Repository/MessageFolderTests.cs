@@ -15,7 +15,8 @@ public sealed partial class MessageFolderTests
     /// <summary>Calls whose arguments name and describe a verb or an option.</summary>
     static readonly string[] Help =
     [
-        "Command", "Invocation.Root", "BoxOption.Create", "ChoiceOption.Create", "NumberOption.Create", "NumberOption.CreateOptional", "RangeOption.Create",
+        "Command", "Invocation.Root", "BoxOption.Create", "ChoiceOption.Create", "NumberOption.Create", "NumberOption.CreateOptional",
+        "NumberOption.CreateList", "RangeOption.Create", "RuntimeOptions.Profile",
     ];
 
     /// <summary>Files with longer texts and the number of these texts.</summary>

@@ -84,8 +84,9 @@ public class NudgeVerbTests : CalibrationFolder
     [TestCase("--speed-mm-s 250 --forward-mm 2", "backward direction has no mark")]
     [TestCase("--forward-mm 2 --backward-mm -2", "--speed-mm-s is missing")]
     [TestCase("--speed-mm-s 0 --forward-mm 2 --backward-mm -2", "--speed-mm-s: 0 mm/s is out of range")]
-    [TestCase("--speed-mm-s 250 --forward-mm 2000 --backward-mm -2", "nudge: offset: 2000 mm is out of range")]
-    [TestCase("--speed-mm-s 250 --forward-mm two --backward-mm -2", "--forward-mm")]
+    [TestCase("--speed-mm-s 250 --forward-mm 2000 --backward-mm -2", "--forward-mm: 2000 mm is out of range")]
+    [TestCase("--speed-mm-s 250 --forward-mm 2 --backward-mm two", "--backward-mm: 'two' is not a number; allowed: -1000 to 1000 mm")]
+    [TestCase("--speed-mm-s 250 --forward-mm 1.5 1,5 --backward-mm -2", "--forward-mm: '1,5' is not a number")]
     [TestCase("--speed-mm-s 250 --visu-ms 40 --told-ms 40 --forward-mm 2 --backward-mm -2", "--told-ms is the former name of --visu-ms")]
     [TestCase("--speed-mm-s 10 --forward-mm -20 --backward-mm 20", "visualisation latency: -1960 ms is out of range")]
     public async Task Nudge_InvalidMarks_StatesTheReason(string options, string named) =>
