@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Cli;
@@ -34,6 +35,17 @@ static class OutputPath
         {
             throw new InputException(PathMessages.NotWritten($"{option}: {path}", e), e);
         }
+    }
+
+    /// <summary>Checks that no file to write or to remove is also an input of the command.</summary>
+    /// <param name="option">The option that names the outputs.</param>
+    /// <param name="inputs">Paths of the inputs; null for an input that was not given.</param>
+    /// <exception cref="InputException">An output is an input.</exception>
+    public static void RequireNoInput(string option, IEnumerable<string> outputs, params string[] inputs)
+    {
+        string[] read = [.. inputs.Where(path => !string.IsNullOrEmpty(path)).Select(Path.GetFullPath)];
+        if (outputs.FirstOrDefault(path => read.Contains(Path.GetFullPath(path))) is string both)
+            throw new InputException(OptionValueMessages.WouldOverwriteInput(option, both));
     }
 
     static bool IsRefusal(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException;

@@ -28,13 +28,16 @@ sealed class DemoOutput
     /// <summary>
     /// Creates the folder, checks that it is writable and removes the files of an earlier run, which could be mistaken for new ones.
     /// </summary>
-    /// <exception cref="InputException">The folder is not writable.</exception>
-    public static DemoOutput At(string folder) => OutputPath.InFolder("--out", folder, full =>
+    /// <param name="isPaper">Whether the run also writes the files of <c>--paper</c>. Without it, these files are kept.</param>
+    /// <param name="inputs">Paths of the input files, which are never removed; null for an input that was not given.</param>
+    /// <exception cref="InputException">The folder is not writable, or an input is among the files to write.</exception>
+    public static DemoOutput At(string folder, bool isPaper, params string[] inputs) => OutputPath.InFolder("--out", folder, full =>
     {
         var output = new DemoOutput(full);
+        OutputPath.RequireNoInput("--out", [output.ReportPath, output.SessionPath, output.ResultPath], inputs);
         File.Delete(output.ReportPath);
         File.Delete(output.SessionPath);
-        PaperOutput.RemoveEarlier(output.Folder);
+        if (isPaper) PaperOutput.RemoveEarlier(output.Folder);
         File.WriteAllText(output.ResultPath, "");
         File.Delete(output.ResultPath);
         return output;

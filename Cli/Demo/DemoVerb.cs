@@ -80,7 +80,7 @@ static class DemoVerb
     {
         var folder = parsed.GetValue(Output);
         var status = await (parsed.GetValue(Paper)
-            ? PaperSession.RunAsync(PaperSettings(parsed), parsed.GetValue(Repeats), folder, cancel) : RunAsync(Settings(parsed), folder, cancel));
+            ? PaperSession.RunAsync(PaperSettings(parsed), parsed.GetValue(Repeats), folder, cancel) : RunAsync(parsed, folder, cancel));
         if (parsed.GetValue(Open) && status == ExitStatus.Done) Browser.OpenOrExplain(DemoOutput.ReportIn(Path.GetFullPath(folder)));
         return status;
     }
@@ -142,9 +142,10 @@ static class DemoVerb
         };
     }
 
-    static async Task<int> RunAsync(DemoSettings settings, string folder, CancellationToken cancel)
+    static async Task<int> RunAsync(ParseResult parsed, string folder, CancellationToken cancel)
     {
-        var output = DemoOutput.At(folder);
+        var settings = Settings(parsed);
+        var output = DemoOutput.At(folder, isPaper: false, parsed.GetValue(Robot), parsed.GetValue(Recording), parsed.GetValue(Profile));
         var run = await DemoStage.PlayAsync(settings, output.SessionPath, cancel);
         // An interrupted run writes its partial result. A complete run without a valid result has failed.
         if (!cancel.IsCancellationRequested && run.Failure() is string failure) throw new DemoFailedException(failure);

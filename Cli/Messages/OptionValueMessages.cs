@@ -9,5 +9,8 @@ static class OptionValueMessages
     public static string UnknownPredictor(string option, string value, string allowed) =>
         $"{option}: '{value}' is unknown; allowed: {allowed}, or a polynomial with another history, for example linear-h4.";
 
+    public static string WouldOverwriteInput(string option, string path) =>
+        $"{option}: {path} is an input of this command and would be overwritten; use another name";
+
     public static string TwoLatencies(string option) => $"--profile and {option} both set the display latency; use one of them";
 }

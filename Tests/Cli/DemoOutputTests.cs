@@ -1,0 +1,51 @@
+using Nowpose.Cli.Demo;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli;
+
+/// <summary>Tests which files of the output folder the start of a run removes.</summary>
+public sealed class DemoOutputTests
+{
+    static readonly string[] OfDemo = ["report.html", "result.json", "session.jsonl"];
+    static readonly string[] OfPaper = ["frames.csv", "exchanges.csv", "figure-8.csv", "figure-16.csv", "profile.json", "calibration.html"];
+
+    [Test]
+    public void At_WithoutPaper_RemovesOnlyItsOwnFiles()
+    {
+        using var folder = Filled();
+
+        DemoOutput.At(folder.Path, isPaper: false);
+
+        Assert.That(Names(folder), Is.EquivalentTo(OfPaper));
+    }
+
+    [Test]
+    public void At_WithPaper_RemovesTheFilesOfAnEarlierPaperRun()
+    {
+        using var folder = Filled();
+
+        DemoOutput.At(folder.Path, isPaper: true);
+
+        Assert.That(Names(folder), Is.Empty);
+    }
+
+    [TestCase("result.json")]
+    [TestCase("session.jsonl")]
+    public void At_InputIsAFileToRemove_ThrowsAndKeepsAllFiles(string name)
+    {
+        using var folder = Filled();
+        var input = Path.Combine(folder.Path, ".", name);
+
+        Assert.That(() => DemoOutput.At(folder.Path, isPaper: false, null, input), Throws.TypeOf<InputException>());
+        Assert.That(Names(folder), Is.EquivalentTo(OfDemo.Concat(OfPaper)));
+    }
+
+    static TemporaryFolder Filled()
+    {
+        var folder = new TemporaryFolder();
+        foreach (var name in OfDemo.Concat(OfPaper)) File.WriteAllText(Path.Combine(folder.Path, name), "");
+        return folder;
+    }
+
+    static string[] Names(TemporaryFolder folder) => [.. Directory.GetFiles(folder.Path).Select(Path.GetFileName)];
+}
