@@ -3,9 +3,6 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Text of the page of the command <c>sync</c>.</summary>
 static class SyncPageTexts
 {
-    public static string WouldOverwriteLog(string page, string data) =>
-        $"--page: {page}: the page or its data, {data}, would overwrite the log; use another name";
-
     public static string WouldOverwritePage(string page) =>
         $"--page: {page}: the data file of the page would have the same name; use a name that ends in .html";
 

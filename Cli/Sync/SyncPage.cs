@@ -13,12 +13,12 @@ static class SyncPage
 
     /// <param name="path">Path of the page. The data file has the same name with the extension .csv.</param>
     /// <param name="log">Path of the log, which the page names.</param>
+    /// <param name="instants">Path of the instants; null without them. Neither input is overwritten.</param>
     /// <exception cref="InputException">The page cannot be written.</exception>
-    public static void Write(string path, string log, IReadOnlyList<SyncExchange> exchanges, string estimator)
+    public static void Write(string path, string log, string instants, IReadOnlyList<SyncExchange> exchanges, string estimator)
     {
         var data = Path.ChangeExtension(path, ".csv");
-        if (new[] { path, data }.Any(written => Path.GetFullPath(written) == Path.GetFullPath(log)))
-            throw new InputException(SyncPageTexts.WouldOverwriteLog(path, data));
+        OutputPath.RequireNoInput("--page", [path, data], log, instants);
         if (path == data) throw new InputException(SyncPageTexts.WouldOverwritePage(path));
         var steps = SyncSteps.Of(exchanges, estimator);
         var figure = SyncFigure.Of(steps, SyncClaims.Of(steps), SyncPageTexts.Conditions(exchanges.Count, steps.Count))

@@ -46,7 +46,7 @@ static class SyncVerb
         var estimates = at == null ? replay.AfterEach(log) : replay.At(SyncLog.ReadInstants(at), log);
         if (page != null)
         {
-            SyncPage.Write(page, file, [.. log.Select(each => each.Exchange)], estimator);
+            SyncPage.Write(page, file, at, [.. log.Select(each => each.Exchange)], estimator);
             Console.Error.WriteLine(page);
         }
         Print(estimates.TakeWhile(_ => !cancel.IsCancellationRequested), at != null, json);

@@ -202,21 +202,24 @@ public class SyncVerbTests
         return FormattableString.Invariant($"{t4 + 20_000_000},{ControlEpoch},{ControlEpoch},{t4 + 10_000_000}");
     }
 
-    [TestCase("log.html", "would overwrite the log")]
-    [TestCase("log.csv", "would overwrite the log")]
+    [TestCase("log.html", "log.csv is an input")]
+    [TestCase("log.csv", "log.csv is an input")]
+    [TestCase("instants.html", "instants.csv is an input")]
     [TestCase("other.csv", "use a name that ends in .html")]
     public async Task Sync_PageOverwritesAnInputFile_Fails(string page, string reason)
     {
         using var folder = new TemporaryFolder();
-        var log = Path.Combine(folder.Path, "log.csv");
+        var (log, instants) = (Path.Combine(folder.Path, "log.csv"), Path.Combine(folder.Path, "instants.csv"));
         File.WriteAllText(log, Log(200));
+        File.WriteAllText(instants, "t_ns\n1000000000\n");
 
-        var run = await CliRun.OfAsync("sync", log, "--page", Path.Combine(folder.Path, page));
+        var run = await CliRun.OfAsync("sync", log, "--at", instants, "--page", Path.Combine(folder.Path, page));
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
         Assert.That(run.Errors, Does.Contain(reason));
         Assert.That(File.ReadAllText(log), Is.EqualTo(Log(200)), "the log is unchanged");
-        Assert.That(Directory.GetFiles(folder.Path), Has.Length.EqualTo(1));
+        Assert.That(File.ReadAllText(instants), Does.StartWith("t_ns"), "the instants are unchanged");
+        Assert.That(Directory.GetFiles(folder.Path), Has.Length.EqualTo(2));
     }
 
     [Test]
