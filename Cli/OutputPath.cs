@@ -6,6 +6,8 @@ namespace Nowpose.Cli;
 /// <summary>Writes the files and folders that options specify. An error message is one line with the option, the path and the reason.</summary>
 static class OutputPath
 {
+    const int BufferBytes = 64 * 1024;
+
     /// <summary>Creates a folder and calls a function that prepares it.</summary>
     /// <param name="option">The option that names the folder, for example <c>--out</c>.</param>
     /// <param name="prepare">The function; its argument is the full path of the folder.</param>
@@ -35,6 +37,21 @@ static class OutputPath
         {
             throw new InputException(PathMessages.NotWritten($"{option}: {path}", e), e);
         }
+    }
+
+    /// <summary>Opens a file for writing and creates its folder. Keeps the present contents of the file.</summary>
+    /// <param name="option">The option that names the file, for example <c>--record</c>.</param>
+    /// <exception cref="InputException">The file cannot be written.</exception>
+    public static FileStream Open(string option, string path)
+    {
+        FileStream file = null;
+        File(option, path, () =>
+        {
+            Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(path)));
+            // Other programs may read the file while it grows.
+            file = new FileStream(path, FileMode.OpenOrCreate, FileAccess.Write, FileShare.Read, BufferBytes);
+        });
+        return file;
     }
 
     /// <summary>Checks that no file to write or to remove is also an input of the command.</summary>

@@ -21,25 +21,32 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
     bool _wasTimeTrusted, _wasCurrent;
     int _frames;
 
-    /// <exception cref="InputException">The robot is not known.</exception>
+    /// <exception cref="InputException">The robot is not known, or the recording cannot be written.</exception>
     public HeadsetResult Play(Action<double, Func<string>> report, CancellationToken cancel)
     {
+        // Opens the recording first, so that a wrong path is reported before the run.
+        using var file = settings.RecordingPath == null ? null : OutputPath.Open("--record", settings.RecordingPath);
         var robot = settings.Robot == null ? DescribedRobot(cancel) : RobotFiles.Load(settings.Robot);
         using var session = Open(robot);
-        var recorder = settings.RecordingPath == null
-            ? null : new SessionRecorder(session, new RecordingSettings(settings.RecordingPath, startedUtc: DateTime.UtcNow));
+        var recorder = file == null
+            ? null : new SessionRecorder(session, new RecordingSettings(settings.RecordingPath, () => Emptied(file), startedUtc: DateTime.UtcNow));
         session.Robots[0].Hindcast.ToolJudged += _stretches.AddError;
         session.Connect();
         var start = _clock.Now;
         Frames(session, start, report, cancel);
         recorder?.Dispose();
         recorder?.Ended.Wait(CancellationToken.None);
-        if (recorder?.Problem is string problem) Console.Error.WriteLine(ConsoleMessages.Line(problem));
+        RecordingFault = recorder?.Problem;
         return Result(session, robot, _clock.Now - start, cancel);
     }
 
-    /// <summary>Reason why the run failed, in one line; null if it did not fail. Set by <see cref="Play"/>.</summary>
+    /// <summary>Reason why the gateway and its plant are not suitable, in one line; null if they are. Set by <see cref="Play"/>.</summary>
     public string WhyFailed { get; private set; }
+
+    /// <summary>Reason why the recording is incomplete, in one line; null if it is complete or not requested. Set by <see cref="Play"/>.</summary>
+    public string RecordingFault { get; private set; }
+
+    public bool HasFailed => WhyFailed != null || RecordingFault != null;
 
     void Frames(CompensationSession session, HeadsetTime start, Action<double, Func<string>> report, CancellationToken cancel)
     {
@@ -102,6 +109,14 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
     {
         var served = ServedNamespaces.ReadAsync(settings.Connection, _clock, cancel).GetAwaiter().GetResult();
         return served.Count == 0 || served.Contains(settings.RobotNamespace) ? null : HeadsetMessages.OtherNamespaces(settings.RobotNamespace, served);
+    }
+
+    // An earlier recording is kept until the new one begins.
+    static FileStream Emptied(FileStream file)
+    {
+        // A device such as /dev/null has no length and cannot be shortened.
+        if (file.CanSeek && file.Length > 0) file.SetLength(0);
+        return file;
     }
 
     CompensationSession Open(RobotModel robot) => new(settings.Session, robot, _clock);

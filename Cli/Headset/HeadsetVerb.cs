@@ -43,7 +43,7 @@ static class HeadsetVerb
     static readonly Option<double> Visualisation = NumberOption.Create("--visu-ms", "Display latency that the runtime uses", 40.0, 0, 500, "ms");
     static readonly Option<double> FramesPerSecond = NumberOption.Create("--fps", "Frames per second", 60.0, 1, 240, "Hz");
     static readonly Option<double> Seconds = NumberOption.Create("--seconds", "Duration of the run", 20.0, 1, 86_400, "s");
-    static readonly Option<string> Record = new("--record") { Description = "File for a recording of the session, .jsonl", HelpName = "FILE" };
+    static readonly Option<string> Record = new("--record") { Description = "File for a recording of the session, .jsonl; the exit status is 1 if it is incomplete", HelpName = "FILE" };
     static readonly Option<bool> Json = new("--json") { Description = "Print the result as JSON" };
 
     public static Command Create()
@@ -67,10 +67,10 @@ static class HeadsetVerb
         ConsoleProgress.Run(settings.Seconds, report => result = run.Play(report, cancel));
         if (isJson) Console.Out.WriteLine(result.Json());
         else HeadsetTable.Print(result, ResultConsole.Create());
+        if (run.RecordingFault != null) Console.Error.WriteLine(ConsoleMessages.Line(run.RecordingFault));
         if (cancel.IsCancellationRequested) return ExitStatus.Interrupted;
-        if (run.WhyFailed == null) return ExitStatus.Done;
-        Console.Error.WriteLine(ConsoleMessages.Line(run.WhyFailed));
-        return ExitStatus.Failed;
+        if (run.WhyFailed != null) Console.Error.WriteLine(ConsoleMessages.Line(run.WhyFailed));
+        return run.HasFailed ? ExitStatus.Failed : ExitStatus.Done;
     }
 
     static HeadsetSettings Settings(ParseResult parsed)

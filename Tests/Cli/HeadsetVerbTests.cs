@@ -29,8 +29,10 @@ public class HeadsetVerbTests
         using var cell = Simulate(gateway);
         using var recording = new TemporaryFile("", ".jsonl");
 
-        using var document = JsonDocument.Parse(await ResultOfCurrentFramesAsync(240, gateway, recording.Path));
+        var (run, played) = await PlayAsync(240, gateway, recording.Path);
 
+        Assert.That(run.HasFailed, Is.False, run.RecordingFault);
+        using var document = JsonDocument.Parse(played.Json());
         var result = document.RootElement;
         Assert.That(result.GetProperty("robot").GetString(), Is.EqualTo(RobotFiles.Load("youbot").Name));
         Assert.That(result.GetProperty("samples").GetInt64(), Is.GreaterThan(36));
@@ -53,8 +55,44 @@ public class HeadsetVerbTests
         Assert.That(frames, Has.Count.GreaterThan(180));
     }
 
+    [Test]
+    public async Task Headset_RecordingCannotBeOpened_FailsBeforeTheRun()
+    {
+        var run = await CliRun.OfAsync("headset", "--sync-port", "1", "--ws-port", "1", "--record", "/dev/null/x.jsonl");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.StartWith("nowpose: --record: /dev/null/x.jsonl: cannot be written"));
+        Assert.That(run.Output, Is.Empty);
+    }
+
+    [Test]
+    public async Task Play_DeviceOfTheRecordingIsFull_HasFailed()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var cell = Simulate(gateway);
+
+        var (run, _) = await PlayAsync(1, gateway, "/dev/full");
+
+        Assert.That(run.WhyFailed, Is.Null);
+        Assert.That(run.RecordingFault, Does.Contain("/dev/full"));
+        Assert.That(run.HasFailed, Is.True);
+    }
+
+    [Test]
+    public async Task Play_RecordingReplacesALongerFile_LeavesNothingOfIt()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var cell = Simulate(gateway);
+        using var recording = new TemporaryFile(new string('x', 1_000_000), ".jsonl");
+
+        var (run, _) = await PlayAsync(1, gateway, recording.Path);
+
+        Assert.That(run.HasFailed, Is.False);
+        Assert.That(File.ReadAllText(recording.Path), Does.Not.Contain("xx"));
+    }
+
     // Ends the run when the pose has been current in `count` frames instead of after a fixed time, because a busy machine synchronises later.
-    static async Task<string> ResultOfCurrentFramesAsync(int count, GatewayServer gateway, string recordingPath)
+    static async Task<(HeadsetRun, HeadsetResult)> PlayAsync(int count, GatewayServer gateway, string recordingPath)
     {
         var settings = new HeadsetSettings
         {
@@ -77,10 +115,9 @@ public class HeadsetVerbTests
             () => run.Play(Look, enough.Token), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         Assert.That(run.WhyFailed, Is.Null);
         Assert.That(enough.IsCancellationRequested, Is.True, result.Json());
-        return result.Json();
+        return (run, result);
     }
 
-    // Returns whether the error of a frame's display time is at most the estimated error, plus 1 µs for the rounding in the recording.
     [Test]
     public async Task Headset_GatewayWithTokenAndTls_Connects()
     {
