@@ -5,6 +5,7 @@ using Nowpose.Session;
 namespace Nowpose.Cli.Headset;
 
 /// <summary>The result of a headset run, written as JSON in snake case. A value is null if it was never known.</summary>
+/// <param name="Robot">Name of the robot; null if the gateway did not describe it.</param>
 /// <param name="VersionMismatch">Message that the gateway's version is not compatible; null if it is compatible or unknown.</param>
 sealed record HeadsetResult(
     double Seconds, int Frames, string Robot, long Samples, long Dropped,

@@ -13,6 +13,8 @@ namespace Nowpose.Cli.Headset;
 /// <param name="say">Receives a line of text when the pose stops being current and when it becomes current again.</param>
 sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
 {
+    static readonly RobotModel Placeholder = UrdfReader.Read("<robot name='none'><link name='base'/></robot>", "no robot");
+
     readonly StopwatchHeadsetClock _clock = new();
     readonly PoseCount _poses = new();
     readonly PoseStretches _stretches = new();
@@ -21,12 +23,14 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
     bool _wasTimeTrusted, _wasCurrent;
     int _frames;
 
-    /// <exception cref="InputException">The robot is not known, or the recording cannot be written.</exception>
+    /// <exception cref="InputException">The file of the robot cannot be read, or the recording cannot be written.</exception>
     public HeadsetResult Play(Action<double, Func<string>> report, CancellationToken cancel)
     {
         // Opens the recording first, so that a wrong path is reported before the run.
         using var file = settings.RecordingPath == null ? null : OutputPath.Open("--record", settings.RecordingPath);
-        var robot = settings.Robot == null ? DescribedRobot(cancel) : RobotFiles.Load(settings.Robot);
+        HeadsetResult undescribed = null;
+        var robot = settings.Robot == null ? DescribedRobot(cancel, out undescribed) : RobotFiles.Load(settings.Robot);
+        if (robot == null) return undescribed;
         using var session = Open(robot);
         var recorder = file == null
             ? null : new SessionRecorder(session, new RecordingSettings(settings.RecordingPath, () => Emptied(file), startedUtc: DateTime.UtcNow));
@@ -37,7 +41,12 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         recorder?.Dispose();
         recorder?.Ended.Wait(CancellationToken.None);
         RecordingFault = recorder?.Problem;
-        return Result(session, robot, _clock.Now - start, cancel);
+        var result = Result(session, robot, _clock.Now - start);
+        var statistics = session.Statistics(_clock.Now);
+        WhyFailed = HeadsetVerdict.FailureOf(result.Pose, statistics, _wasTimeTrusted, result.Outages);
+        if (WhyFailed != null && statistics.Samples == 0 && statistics.SampleLink.State == LinkState.Connected)
+            WhyFailed = OtherNamespaces(cancel) ?? WhyFailed;
+        return result;
     }
 
     /// <summary>Reason why the gateway and its plant are not suitable, in one line; null if they are. Set by <see cref="Play"/>.</summary>
@@ -86,23 +95,25 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             HeadsetVerdict.ReasonOf(statistics, missing));
     }
 
-    // Gets the robot from the gateway. A session cannot be created without a robot, so this one uses the youBot and only waits for the description.
-    RobotModel DescribedRobot(CancellationToken cancel)
+    // Gets the robot from the gateway. If the gateway does not describe it in time, returns null, and the result of the connections alone.
+    RobotModel DescribedRobot(CancellationToken cancel, out HeadsetResult undescribed)
     {
-        using var session = Open(RobotFiles.Load("youbot"));
+        // A session cannot be created without a robot. This one only waits for the description.
+        using var session = Open(Placeholder);
         session.Connect();
-        var since = _clock.Now;
-        while (session.DescribedRobot == null)
-        {
-            cancel.ThrowIfCancellationRequested();
-            if (_clock.Now - since > settings.DescriptionTimeout)
-                throw new InputException(OtherNamespaces(cancel) ?? HeadsetMessages.NoRobot(
-                    settings.DescriptionTimeout.TotalSeconds, session.RobotDescriptionFault ?? session.SampleLink.Detail, settings.RobotNamespace));
+        var start = _clock.Now;
+        while (session.DescribedRobot == null && !cancel.IsCancellationRequested && _clock.Now - start <= settings.DescriptionTimeout)
             Thread.Sleep(5);
-        }
-
-        return session.DescribedRobot;
+        undescribed = null;
+        if (session.DescribedRobot is { } robot) return robot;
+        undescribed = Result(session, null, _clock.Now - start);
+        WhyFailed = OtherNamespaces(cancel) ?? HeadsetMessages.NoRobot(
+            settings.DescriptionTimeout.TotalSeconds, DescriptionFaultOf(session), settings.RobotNamespace);
+        return null;
     }
+
+    static string DescriptionFaultOf(CompensationSession session) =>
+        session.RobotDescriptionFault ?? (session.SampleLink.State == LinkState.Connected ? null : session.SampleLink.Detail);
 
     // Gets a message if the gateway serves robots only in namespaces other than that of the settings; null otherwise.
     string OtherNamespaces(CancellationToken cancel)
@@ -121,15 +132,15 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
 
     CompensationSession Open(RobotModel robot) => new(settings.Session, robot, _clock);
 
-    HeadsetResult Result(CompensationSession session, RobotModel robot, TimeSpan length, CancellationToken cancel)
+    // The robot is null if it is not known.
+    HeadsetResult Result(CompensationSession session, RobotModel robot, TimeSpan length)
     {
         var now = _clock.Now;
         var statistics = session.Statistics(now);
         var clock = statistics.Clock;
         var pose = _poses.Result(PoseStateName.Of(statistics));
-        var outages = _outages.Result();
-        var result = new HeadsetResult(
-            length.TotalSeconds, _frames, robot.Name, statistics.Samples, statistics.Dropped,
+        return new HeadsetResult(
+            length.TotalSeconds, _frames, robot?.Name, statistics.Samples, statistics.Dropped,
             new HeadsetResult.ClockResult(
                 clock.State.Word(), clock.IsKnown ? clock.ErrorBound.TotalMicroseconds : null, clock.IsKnown ? clock.Skew * 1e6 : null,
                 statistics.RoundTripTime?.TotalMilliseconds, statistics.ClockSteps, _coarseAfter?.TotalSeconds, _synchronisedAfter?.TotalSeconds,
@@ -140,11 +151,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
                 statistics.VisualisationLatency.TotalMilliseconds, statistics.EndToEndLatency?.TotalMilliseconds),
             pose, _stretches.Total,
             [.. statistics.JointStatuses.Where(joint => joint.IsMissing).Select(joint => joint.Joint)],
-            [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result(), outages,
+            [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result(), _outages.Result(),
             statistics.VersionMismatch);
-        WhyFailed = HeadsetVerdict.FailureOf(pose, statistics, _wasTimeTrusted, outages);
-        if (WhyFailed != null && statistics.Samples == 0 && statistics.SampleLink.State == LinkState.Connected)
-            WhyFailed = OtherNamespaces(cancel) ?? WhyFailed;
-        return result;
     }
 }

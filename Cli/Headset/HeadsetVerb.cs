@@ -60,7 +60,7 @@ static class HeadsetVerb
         return verb;
     }
 
-    static int Run(HeadsetSettings settings, bool isJson, CancellationToken cancel)
+    internal static int Run(HeadsetSettings settings, bool isJson, CancellationToken cancel)
     {
         var run = new HeadsetRun(settings, line => Console.Error.WriteLine(line));
         var result = default(HeadsetResult);

@@ -3,10 +3,12 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Messages about failures and states of the command <c>headset</c>, with remedies.</summary>
 static class HeadsetMessages
 {
+    /// <param name="fault">Fault of the connection or of the description; null if there is none.</param>
     /// <param name="robotNamespace">Namespace of the robot; empty for the robot without a namespace.</param>
-    public static string NoRobot(double seconds, string reason, string robotNamespace) =>
-        $"--robot: missing, and the gateway did not describe a robot{(robotNamespace.Length == 0 ? "" : $" in the namespace {robotNamespace}")} "
-        + $"within {seconds} s ({reason}); use youbot, ur5 or a .urdf file";
+    public static string NoRobot(double seconds, string fault, string robotNamespace) =>
+        (fault == null ? "" : fault + "; ") + "the gateway did not describe a robot"
+        + (robotNamespace.Length == 0 ? "" : $" in the namespace {robotNamespace}")
+        + FormattableString.Invariant($" within {seconds} s; check the gateway and its source, or use --robot with youbot, ur5 or a .urdf file");
 
     /// <param name="robotNamespace">Namespace that the gateway does not serve; empty for the robot without a namespace.</param>
     /// <param name="served">Namespaces that the gateway serves.</param>

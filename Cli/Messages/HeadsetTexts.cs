@@ -24,7 +24,10 @@ static class HeadsetTexts
     public static string Stretch(int number) => $"stretch {number}: ";
     public static string Uncompensated(string prefix) => $"{prefix}tool, uncompensated";
     public static string Compensated(string prefix) => $"{prefix}tool, compensated";
-    public static string Title(string robot) => $"{robot}: results of a headset at this gateway";
+
+    /// <param name="robot">Name of the robot; null if it is not known.</param>
+    public static string Title(string robot) => $"{robot ?? "unknown robot"}: results of a headset at this gateway";
+
     public static string Pose(string state, string after, string share) => $"{state}; current after {after}, then for {share} of the frames";
 
     public const string OutageDuration = "longest time not current";

@@ -43,9 +43,11 @@ public class HeadsetNamespaceTests
         using var cell = SimulateTwo(gateway);
         var settings = Settings(gateway) with { RobotNamespace = robotNamespace, DescriptionTimeout = TimeSpan.FromSeconds(0.5) };
 
-        var error = Assert.ThrowsAsync<InputException>(() => PlayAsync(new HeadsetRun(settings, _ => { })));
+        var run = new HeadsetRun(settings, _ => { });
 
-        Assert.That(error.Message, Does.StartWith("--namespace: ").And.Contain(given).And.Contain("arm1, arm2"));
+        await PlayAsync(run);
+
+        Assert.That(run.WhyFailed, Does.StartWith("--namespace: ").And.Contain(given).And.Contain("arm1, arm2"));
     }
 
     [Test]
@@ -66,9 +68,11 @@ public class HeadsetNamespaceTests
         await using var gateway = await Gateways.StartAsync();
         var settings = Settings(gateway) with { RobotNamespace = "arm1", DescriptionTimeout = TimeSpan.FromSeconds(0.5) };
 
-        var error = Assert.ThrowsAsync<InputException>(() => PlayAsync(new HeadsetRun(settings, _ => { })));
+        var run = new HeadsetRun(settings, _ => { });
 
-        Assert.That(error.Message, Does.StartWith("--robot: ").And.Contain("arm1"));
+        await PlayAsync(run);
+
+        Assert.That(run.WhyFailed, Does.Contain("arm1").And.Contain("--robot"));
     }
 
     [TestCase("1arm")]
