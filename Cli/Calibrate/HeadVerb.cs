@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Head;
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
@@ -51,7 +52,7 @@ static class HeadVerb
         VlcVerb.ReportRejected(read);
         if (read.Read.Count == 0)
             return cancel.IsCancellationRequested ? ExitStatus.Interrupted : throw new InputException(read.NothingRead());
-        var result = ResultOf(read, arguments[0]);
+        if (ResultOf(read, arguments[0], cancel) is not { } result) return ExitStatus.Interrupted;
         var profile = earlier.With(new HeadMotionLatency(result.LatencyMs, result.UncertaintyMs));
         var page = earlier.WithWarnings(HeadPage.Of(result, profile, earlier.Conditions));
         var written = output.Write(profile, page);
@@ -59,7 +60,8 @@ static class HeadVerb
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 
-    static HeadResult ResultOf(VlcResult read, string name)
+    /// <returns>The result; null if the run was cancelled before enough pictures were read.</returns>
+    internal static HeadResult ResultOf(VlcResult read, string name, CancellationToken cancel)
     {
         try
         {
@@ -67,7 +69,10 @@ static class HeadVerb
         }
         catch (InputException bad)
         {
-            throw new InputException($"{name}: {bad.Message}");
+            var fault = $"{name}: {bad.Message}";
+            if (!cancel.IsCancellationRequested) throw new InputException(fault);
+            Console.Error.WriteLine(ConsoleMessages.Line(fault));
+            return null;
         }
     }
 }

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Head;
 using Nowpose.Cli.Calibrate.Vlc;
 using NUnit.Framework;
@@ -77,5 +78,16 @@ public sealed class HeadResultTests
     public void HeadResult_TooLittleMotion_Throws(object pictures, string message)
     {
         Assert.That(() => ResultOf((SwungPictures)pictures), Throws.TypeOf<InputException>().With.Message.Contains(message));
+    }
+
+    [Test]
+    public void ResultOf_TooFewPictures_ThrowsUnlessTheRunWasCancelled()
+    {
+        var few = new VlcResult(new SwungPictures { Count = 40 }.Take());
+
+        Assert.That(HeadVerb.ResultOf(few, "pictures", new CancellationToken(canceled: true)), Is.Null);
+        Assert.That(
+            () => HeadVerb.ResultOf(few, "pictures", CancellationToken.None),
+            Throws.TypeOf<InputException>().With.Message.StartsWith("pictures: "));
     }
 }
