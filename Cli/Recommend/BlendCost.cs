@@ -9,9 +9,14 @@ sealed class BlendCost
     /// <summary>Maximum accepted increase, relative to the RMS error.</summary>
     public const double MaxShare = 0.05;
 
-    public BlendCost(Recommendation recommendation, CancellationToken cancellation)
+    /// <summary>Number of runs for one recommendation: without and with the blend, on both halves.</summary>
+    public const int Runs = 4;
+
+    /// <param name="report">Called after each finished run.</param>
+    public BlendCost(Recommendation recommendation, Action report, CancellationToken cancellation)
     {
-        var (plain, blended) = (Try(recommendation, 0, cancellation), Try(recommendation, PredictionSettings.DefaultBlendMs, cancellation));
+        var plain = Try(recommendation, 0, report, cancellation);
+        var blended = Try(recommendation, PredictionSettings.DefaultBlendMs, report, cancellation);
         if (plain == null || blended == null) return;
         Share = -blended.GainOver(plain);
         ShareOfHalves = [-blended.GainOver(plain, Half.First), -blended.GainOver(plain, Half.Second)];
@@ -29,11 +34,22 @@ sealed class BlendCost
     /// <summary>Recommended time constant of the blend, ms.</summary>
     public double RecommendedMs => Share > MaxShare ? 0 : PredictionSettings.DefaultBlendMs;
 
-    static Trial Try(Recommendation recommendation, double blendMs, CancellationToken cancellation)
+    static Trial Try(Recommendation recommendation, double blendMs, Action report, CancellationToken cancellation)
     {
         if (cancellation.IsCancellationRequested) return null;
-        var predictor = recommendation.Recommended.Predictor;
-        var first = recommendation.Subject.Try(predictor, Half.First, blendMs, CancellationToken.None);
-        return new Trial(predictor, first, recommendation.Subject.Try(predictor, Half.Second, blendMs, CancellationToken.None));
+        var (subject, predictor) = (recommendation.Subject, recommendation.Recommended.Predictor);
+        try
+        {
+            var first = subject.Try(predictor, Half.First, blendMs, cancellation);
+            report();
+            var second = subject.Try(predictor, Half.Second, blendMs, cancellation);
+            report();
+            // A cancelled run is incomplete.
+            return cancellation.IsCancellationRequested ? null : new Trial(predictor, first, second);
+        }
+        catch (OperationCanceledException)
+        {
+            return null;
+        }
     }
 }

@@ -45,7 +45,11 @@ static class RecommendVerb
         var recording = SessionFileReader.IsSession(path) ? OfSession(path) : OfMotion(path, conditions);
         var evaluation = new CandidateEvaluation(recording.Subjects);
         ConsoleProgress.Run("trying predictors", "runs", evaluation.Runs, report => evaluation.Run(report, cancel));
-        (Recommendation, BlendCost)[] results = [.. evaluation.Recommendations().Select(recommendation => (recommendation, new BlendCost(recommendation, cancel)))];
+        var recommendations = evaluation.Recommendations();
+        var results = new List<(Recommendation, BlendCost)>();
+        var runs = 0;
+        ConsoleProgress.Run("trying the blend", "runs", BlendCost.Runs * recommendations.Count, report => results.AddRange(
+            recommendations.Select(recommendation => (recommendation, new BlendCost(recommendation, () => report(++runs), cancel)))));
         if (json) Console.Out.WriteLine(RecommendJson.Of(path, recording.Traits, results));
         else RecommendTable.Write(ResultConsole.Create(), path, recording.Traits, results);
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;

@@ -1,0 +1,58 @@
+using Nowpose.Cli.Recommend;
+using Nowpose.Cli.Replay;
+using Nowpose.Prediction;
+using NUnit.Framework;
+using Half = Nowpose.Cli.Recommend.Half;
+
+namespace Nowpose.Headless.Tests.Cli.Recommend;
+
+public class BlendCostTests
+{
+    [Test]
+    public void BlendCost_BlendDoublesTheError_RecommendsNoBlend()
+    {
+        var runs = 0;
+
+        var cost = new BlendCost(Of(new Subject(blendMs => blendMs > 0 ? 0.4 : 0.2)), () => runs++, CancellationToken.None);
+
+        Assert.That((cost.Share, cost.RecommendedMs), Is.EqualTo((1.0, 0.0)));
+        Assert.That(runs, Is.EqualTo(BlendCost.Runs));
+    }
+
+    [TestCase(1)]
+    [TestCase(2)]
+    [TestCase(4)]
+    public void BlendCost_CancelledDuringARun_HasNoShare(int run)
+    {
+        using var end = new CancellationTokenSource();
+        var subject = new Subject(_ =>
+        {
+            if (--run == 0) end.Cancel();
+            return 0.2;
+        });
+
+        var cost = new BlendCost(Of(subject), () => { }, end.Token);
+
+        Assert.That(cost.Share, Is.Null);
+        Assert.That(run, Is.Zero, "no run after the cancellation");
+    }
+
+    static Recommendation Of(ISubject subject) => new(
+        subject, [new Trial(Predictors.Default, Result(0.2), Result(0.2)), new Trial("hold", Result(1), Result(1))]);
+
+    static ReplayResult Result(double rms) => new("f", "any", 100, [new ReplayResult.Axis("a", 1, rms, rms, rms)]);
+
+    /// <param name="rmsOf">Gets the error for the time constant of the blend, ms.</param>
+    sealed class Subject(Func<double?, double> rmsOf) : ISubject
+    {
+        public double? SamplingMs => 50;
+        public double? LatencyMs => 100;
+
+        public ReplayResult Try(string predictor, Half half, double? blendMs, CancellationToken cancellation)
+        {
+            var rms = rmsOf(blendMs);
+            cancellation.ThrowIfCancellationRequested();
+            return Result(rms);
+        }
+    }
+}
