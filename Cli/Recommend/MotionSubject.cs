@@ -35,7 +35,7 @@ sealed class MotionSubject : ISubject
             SamplingInterval = SamplingMs.Value / MsPerSecond, Latency = LatencyMs.Value / MsPerSecond, Predictor = predictor,
             Blend = blendMs / MsPerSecond,
         };
-        return new ReplayRun(_path, _halves[(int)half], settings).Run(cancellation);
+        return new ReplayRun(_path, _halves[(int)half], settings).Run(cancellation: cancellation);
     }
 
     static double[] WaysOf(MotionRecording motion)

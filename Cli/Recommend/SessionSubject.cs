@@ -27,7 +27,8 @@ sealed class SessionSubject : ISubject
         // Ignores the plan: with it, all candidates would display the same positions.
         var settings = new ReplaySettings { Predictor = predictor, Blend = blendMs / 1000, FollowPlan = false };
         var replay = new SessionReplay(_path, _session, _truth, settings);
-        return half == Half.First ? replay.Run(0, _middle, cancellation) : replay.Run(_middle, _session.Events.Count, cancellation);
+        var (first, end) = half == Half.First ? (0, _middle) : (_middle, _session.Events.Count);
+        return replay.Run(first, end, cancellation: cancellation);
     }
 
     static int MiddleOf(RecordedSession session)

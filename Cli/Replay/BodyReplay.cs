@@ -42,12 +42,16 @@ public sealed class BodyReplay
         _loop = new ReplayLoop(path, recording.Duration, Errors, settings);
     }
 
+    /// <inheritdoc cref="ReplayRun.Frames"/>
+    public int Frames => _loop.Frames;
+
     /// <summary>Runs once to the end of the recording. After a cancellation, returns the results so far.</summary>
+    /// <param name="report">Receives the number of finished frames from time to time; null if nobody needs it.</param>
     /// <exception cref="InputException">No frame could be scored, or the errors overflow.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
-    public BodyReplayResult Run(CancellationToken cancellation = default)
+    public BodyReplayResult Run(Action<int> report = null, CancellationToken cancellation = default)
     {
-        var frames = _loop.Run(PoseAt, Take, Score, cancellation);
+        var frames = _loop.Run(PoseAt, Take, Score, report, cancellation);
         var result = new BodyReplayResult(
             _path, _settings.Predictor, frames, _position.Summary(MmPerMetre), _rotation.Summary(DegreesPerRadian));
         if (!double.IsFinite(result.Position.Rms + result.Position.RmsHold))

@@ -12,6 +12,9 @@ sealed class ReplayLoop
     /// <summary>Maximum number of samples. Each sample takes computing time, even if few frames use it.</summary>
     const double MaxSamples = 5e7;
 
+    /// <summary>Interval of the reports, frames. A frame takes some microseconds.</summary>
+    const int FramesPerReport = 1000;
+
     readonly string _path;
     readonly double _duration;
     readonly int _axes;
@@ -30,19 +33,25 @@ sealed class ReplayLoop
         RequireMaxLength();
     }
 
+    /// <summary>Number of frames of the whole recording.</summary>
+    public int Frames => (int)(_duration * _settings.FrameRateHz) + 1;
+
     /// <summary>Runs once to the end of the recording, or until it is cancelled.</summary>
     /// <param name="positionsAt">Returns the sample values at the given time in s, as a new array.</param>
     /// <param name="take">Called for each sample when it has arrived.</param>
     /// <param name="score">Called for each scored frame with its time.</param>
+    /// <param name="report">Receives the number of finished frames from time to time; null if nobody needs it.</param>
     /// <returns>Number of scored frames; at least 1.</returns>
     /// <exception cref="InputException">No frame could be scored.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
-    public int Run(Func<double, double[]> positionsAt, Action<SampleFlow.Sample> take, Action<double> score, CancellationToken cancellation)
+    public int Run(
+        Func<double, double[]> positionsAt, Action<SampleFlow.Sample> take, Action<double> score, Action<int> report, CancellationToken cancellation)
     {
         var flow = new SampleFlow(_duration, positionsAt, _settings);
         var (end, frames, anyArrived) = (Ticks.Of(_duration), 0, false);
         for (long i = 0; Ticks.Of(i / _settings.FrameRateHz) <= end && !cancellation.IsCancellationRequested; i++)
         {
+            if (i % FramesPerReport == 0) report?.Invoke((int)i);
             var time = i / _settings.FrameRateHz;
             while (flow.TryTake(time, out var sample))
             {

@@ -32,12 +32,16 @@ public sealed class ReplayRun
         _loop = new ReplayLoop(path, recording.Duration, recording.Names.Count, settings);
     }
 
+    /// <summary>Number of frames of the whole recording.</summary>
+    public int Frames => _loop.Frames;
+
     /// <summary>Runs once to the end of the recording. After a cancellation, returns the results so far.</summary>
+    /// <param name="report">Receives the number of finished frames from time to time; null if nobody needs it.</param>
     /// <exception cref="InputException">No frame could be scored, or the errors overflow.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
-    public ReplayResult Run(CancellationToken cancellation = default)
+    public ReplayResult Run(Action<int> report = null, CancellationToken cancellation = default)
     {
-        var frames = _loop.Run(PositionsAt, Take, Score, cancellation);
+        var frames = _loop.Run(PositionsAt, Take, Score, report, cancellation);
         var axes = _errors.Zip(_recording.Names, (error, name) => error.Summary(name));
         var result = new ReplayResult(_path, _settings.Predictor, frames, [.. axes]);
         if (!double.IsFinite(result.Rms + result.RmsHold))

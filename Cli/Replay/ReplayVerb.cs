@@ -61,12 +61,25 @@ static class ReplayVerb
 
     static int Run(string path, ReplaySettings settings, bool json, CancellationToken cancellation)
     {
-        if (SessionFileReader.IsSession(path)) Print(RunSession(path, settings, cancellation), json);
+        if (SessionFileReader.IsSession(path))
+        {
+            var session = RecordedSession.Read(path);
+            if (session.Lost > 0) Console.Error.WriteLine(ConsoleMessages.LostLines(path, session.Lost));
+            Print(WithProgress("events", 2 * session.Events.Count, report => RunSession(path, session, settings, report, cancellation)), json);
+        }
         else
         {
             var recording = MotionRecording.Read(path);
-            if (recording.IsBody) Print(new BodyReplay(path, recording, settings).Run(cancellation), json);
-            else Print(new ReplayRun(path, recording, settings).Run(cancellation), json);
+            if (recording.IsBody)
+            {
+                var replay = new BodyReplay(path, recording, settings);
+                Print(WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation)), json);
+            }
+            else
+            {
+                var replay = new ReplayRun(path, recording, settings);
+                Print(WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation)), json);
+            }
         }
         return cancellation.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }
@@ -83,14 +96,22 @@ static class ReplayVerb
         else ReplayTable.Write(ResultConsole.Create(), result);
     }
 
-    static ReplayResult RunSession(string path, ReplaySettings settings, CancellationToken cancellation)
+    static T WithProgress<T>(string units, int total, Func<Action<int>, T> replay)
     {
-        var session = RecordedSession.Read(path);
-        if (session.Lost > 0) Console.Error.WriteLine(ConsoleMessages.LostLines(path, session.Lost));
-        var bodies = new SessionBodies(session, settings).Run(cancellation);
+        var result = default(T);
+        ConsoleProgress.Run("replaying", units, total, report => result = replay(report));
+        return result;
+    }
+
+    /// <param name="report">Receives the number of finished events. Each event is replayed twice: for the objects, then for the joints.</param>
+    internal static ReplayResult RunSession(
+        string path, RecordedSession session, ReplaySettings settings, Action<int> report, CancellationToken cancellation)
+    {
+        var bodies = new SessionBodies(session, settings).Run(report, cancellation);
         // A cell may have objects and no robot.
         var joints = bodies.Count > 0 && session.Events.All(one => one.Kind != RecordedSession.EventKind.Sample)
-            ? new ReplayResult(path, settings.Predictor, 0, []) : new SessionReplay(path, session, new SessionTruth(session), settings).Run(cancellation);
+            ? new ReplayResult(path, settings.Predictor, 0, []) : new SessionReplay(path, session, new SessionTruth(session), settings)
+                .Run(done => report(session.Events.Count + done), cancellation);
         return new ReplayResult(joints.File, joints.Predictor, joints.Frames, joints.Axes) { Bodies = bodies, Signals = session.Signals };
     }
 }

@@ -37,11 +37,13 @@ sealed class SessionBodies
     }
 
     /// <summary>Gets the result of each object that moves. After a cancellation, returns the results so far.</summary>
-    public IReadOnlyList<BodyReplayResult> Run(CancellationToken cancellation = default)
+    /// <param name="report">Receives the number of finished events; null if nobody needs it.</param>
+    public IReadOnlyList<BodyReplayResult> Run(Action<int> report = null, CancellationToken cancellation = default)
     {
-        foreach (var next in _session.Events)
+        for (var i = 0; i < _session.Events.Count && !cancellation.IsCancellationRequested; i++)
         {
-            if (cancellation.IsCancellationRequested) break;
+            report?.Invoke(i);
+            var next = _session.Events[i];
             if (next.Kind == RecordedSession.EventKind.Pose) _bodies[_session.PoseOf(next).Frame].Take(_settings.StampError * (2 * _stampErrors.Next() - 1));
             else if (next.Kind == RecordedSession.EventKind.Frame && next.IsTimed)
                 foreach (var body in _bodies.Values) body.Show(next.TimeLine, next.At, _settings.LatencyError);

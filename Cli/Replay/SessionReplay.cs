@@ -58,16 +58,22 @@ sealed class SessionReplay
     /// <summary>Called for each frame with the frame, one predicted position per joint, and the kinds of these predictions.</summary>
     public Action<RecordedSession.Event, double[], PredictionKind[]> Predicted { get; init; }
 
+    /// <param name="report">Receives the number of finished events; null if nobody needs it.</param>
     /// <exception cref="InputException">No frame could be scored.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
-    public ReplayResult Run(CancellationToken cancellation = default) => Run(0, _session.Events.Count, cancellation);
+    public ReplayResult Run(Action<int> report = null, CancellationToken cancellation = default) =>
+        Run(0, _session.Events.Count, report, cancellation);
 
     /// <param name="first">Index of the first event. Earlier events are ignored.</param>
     /// <param name="end">End of the events, exclusive.</param>
-    /// <inheritdoc cref="Run(CancellationToken)"/>
-    public ReplayResult Run(int first, int end, CancellationToken cancellation = default)
+    /// <inheritdoc cref="Run(Action{int}, CancellationToken)"/>
+    public ReplayResult Run(int first, int end, Action<int> report = null, CancellationToken cancellation = default)
     {
-        for (var i = first; i < end && !cancellation.IsCancellationRequested; i++) Play(_session.Events[i]);
+        for (var i = first; i < end && !cancellation.IsCancellationRequested; i++)
+        {
+            report?.Invoke(i);
+            Play(_session.Events[i]);
+        }
         if (_frames == 0)
         {
             cancellation.ThrowIfCancellationRequested();

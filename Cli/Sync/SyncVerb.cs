@@ -43,13 +43,14 @@ static class SyncVerb
     {
         var log = SyncLog.Read(file);
         var replay = new SyncReplay(ClockEstimators.Create(estimator));
-        var estimates = at == null ? replay.AfterEach(log) : replay.At(SyncLog.ReadInstants(at), log);
+        var instants = at == null ? null : SyncLog.ReadInstants(at);
+        var estimates = at == null ? replay.AfterEach(log) : replay.At(instants, log);
         if (page != null)
         {
             SyncPage.Write(page, file, at, [.. log.Select(each => each.Exchange)], estimator);
             Console.Error.WriteLine(page);
         }
-        Print(estimates.TakeWhile(_ => !cancel.IsCancellationRequested), at != null, json);
+        Print(estimates.TakeWhile(_ => !cancel.IsCancellationRequested), instants?.Count ?? log.Count, at != null, json);
         foreach (var (fault, count) in replay.Dropped)
             Console.Error.WriteLine(ConsoleMessages.DroppedExchanges(file, count, log.Count, fault));
         if (replay.Steps > 0)
@@ -58,11 +59,20 @@ static class SyncVerb
     }
 
     // Collects the text first: the console flushes after every line, which would take longer than the estimator.
-    static void Print(IEnumerable<SyncEstimate> estimates, bool atInstants, bool json)
+    static void Print(IEnumerable<SyncEstimate> estimates, int count, bool atInstants, bool json)
     {
         var text = new StringWriter { NewLine = "\n" };
-        if (json) SyncOutput.WriteJson(estimates, atInstants, text);
-        else SyncOutput.WriteCsv(estimates, atInstants, text);
+        ConsoleProgress.Run("estimating", "estimates", count, report =>
+        {
+            var done = 0;
+            var counted = estimates.Select(estimate =>
+            {
+                report(++done);
+                return estimate;
+            });
+            if (json) SyncOutput.WriteJson(counted, atInstants, text);
+            else SyncOutput.WriteCsv(counted, atInstants, text);
+        });
         Console.Out.Write(text);
     }
 }

@@ -15,5 +15,6 @@ sealed record CliRun(int ExitStatus, string Output, string Errors)
     public string[] Lines => CapturedConsole.Lines(Output);
 
     /// <summary>Gets the lines on stderr, except progress lines, which appear only on a slow machine.</summary>
-    public string[] Complaints => [.. CapturedConsole.Lines(Errors).Where(line => !Regex.IsMatch(line, @"^\d+ (of \d+ )?pictures$"))];
+    public string[] Complaints =>
+        [.. CapturedConsole.Lines(Errors).Where(line => !Regex.IsMatch(line, @"^\d+ (of \d+ )?(pictures|frames|events|estimates|runs)$"))];
 }

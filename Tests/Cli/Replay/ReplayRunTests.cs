@@ -229,4 +229,17 @@ public class ReplayRunTests
 
         Assert.That(() => Replay(motion, new ReplaySettings()), Throws.InstanceOf<InputException>().With.Message.Contains("too large"));
     }
+
+    [Test]
+    public void Run_LongRecording_ReportsTheFinishedFrames()
+    {
+        var path = Ramp(40).WriteTo(_folder);
+        var run = new ReplayRun(path, MotionRecording.Read(path), new ReplaySettings());
+        var reported = new List<int>();
+
+        run.Run(report: reported.Add);
+
+        Assert.That(run.Frames, Is.EqualTo(2401));
+        Assert.That(reported, Is.EqualTo(new[] { 0, 1000, 2000 }));
+    }
 }
