@@ -108,10 +108,18 @@ static class ReplayVerb
         string path, RecordedSession session, ReplaySettings settings, Action<int> report, CancellationToken cancellation)
     {
         var bodies = new SessionBodies(session, settings).Run(report, cancellation);
-        // A cell may have objects and no robot.
-        var joints = bodies.Count > 0 && session.Events.All(one => one.Kind != RecordedSession.EventKind.Sample)
-            ? new ReplayResult(path, settings.Predictor, 0, []) : new SessionReplay(path, session, new SessionTruth(session), settings)
-                .Run(done => report(session.Events.Count + done), cancellation);
+        var joints = new ReplayResult(path, settings.Predictor, 0, []);
+        try
+        {
+            // A cell may have objects and no robot.
+            if (bodies.Count == 0 || session.Events.Any(one => one.Kind == RecordedSession.EventKind.Sample))
+                joints = new SessionReplay(path, session, new SessionTruth(session), settings)
+                    .Run(done => report(session.Events.Count + done), cancellation);
+        }
+        catch (OperationCanceledException) when (bodies.Count > 0)
+        {
+            // Keeps the results of the objects, which are replayed first.
+        }
         return new ReplayResult(joints.File, joints.Predictor, joints.Frames, joints.Axes) { Bodies = bodies, Signals = session.Signals };
     }
 }

@@ -85,6 +85,25 @@ public class ReplayedCellTests : SessionReplayFixture
         Assert.That(table.Output, Does.Contain("workpiece_1").And.Not.Contain("axis"));
     }
 
+    [TestCase(0.5)]
+    [TestCase(1)]
+    public void RunSession_CancelledBeforeAJointIsScored_KeepsTheObjects(double share)
+    {
+        VirtualRecording.To(_path, hasWork: true);
+        var session = RecordedSession.Read(_path);
+        using var end = new CancellationTokenSource();
+
+        var result = ReplayVerb.RunSession(_path, session, new ReplaySettings(), Stop, end.Token);
+
+        Assert.That(result.Bodies, Is.Not.Empty);
+        Assert.That(result.Axes, Is.Empty);
+
+        void Stop(int done)
+        {
+            if (done >= share * session.Events.Count) end.Cancel();
+        }
+    }
+
     [Test]
     public async Task Replay_SessionWithoutObjects_ResultContainsNoObjects()
     {
