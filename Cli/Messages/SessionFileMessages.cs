@@ -3,14 +3,14 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Error messages about recorded sessions. The reader adds the file and the line.</summary>
 static class SessionFileMessages
 {
-    public const string NotAString = "must be a string";
+    public const string NotAString = "must be a string of valid Unicode";
     public const string NotASwitch = "must be true or false";
 
     public static string NotWhole(string value) => $"is {value}; it must be a whole number (64 bits)";
     public static string NotFinite(string value) => $"is {value}; it must be a finite number";
     public static string Count(int count, int? expected) => $"has {count} numbers; it must have {expected}";
     public static string ElementNotFinite(int element, string value) => $"has {value} as element {element}; it must be a finite number";
-    public static string ElementNotAString(int element, string value) => $"has {value} as element {element}; it must be a string";
+    public static string ElementNotAString(int element, string value) => $"has {value} as element {element}; it must be a string of valid Unicode";
 
     public const string NotAnObject = "must be an object";
 

@@ -15,8 +15,7 @@ readonly struct LineFields(string place, JsonElement fields)
 
     public bool Has(string name) => _fields.TryGetProperty(name, out var value) && value.ValueKind != JsonValueKind.Null;
 
-    public string Text(string name) => Required(name) is { ValueKind: JsonValueKind.String } value
-        ? value.GetString() : throw Wrong(name, SessionFileMessages.NotAString);
+    public string Text(string name) => StringOf(Required(name)) ?? throw Wrong(name, SessionFileMessages.NotAString);
 
     public string TextOr(string name, string otherwise) => Has(name) ? Text(name) : otherwise;
 
@@ -77,8 +76,8 @@ readonly struct LineFields(string place, JsonElement fields)
         var i = 0;
         foreach (var value in array.EnumerateArray())
         {
-            if (value.ValueKind != JsonValueKind.String) throw Wrong(name, SessionFileMessages.ElementNotAString(i + 1, Shown(value)));
-            texts[i++] = value.GetString();
+            texts[i] = StringOf(value) ?? throw Wrong(name, SessionFileMessages.ElementNotAString(i + 1, Shown(value)));
+            i++;
         }
         return texts;
     }
@@ -98,6 +97,19 @@ readonly struct LineFields(string place, JsonElement fields)
     JsonElement Array(string name) => Required(name) is { ValueKind: JsonValueKind.Array } value ? value : throw Wrong(name, SessionFileMessages.NotAnArray);
 
     JsonElement Required(string name) => _fields.TryGetProperty(name, out var value) ? value : throw Wrong(name, SessionFileMessages.Missing);
+
+    // Returns null if the value is not a string, or contains half of a surrogate pair such as \ud800.
+    static string StringOf(JsonElement value)
+    {
+        try
+        {
+            return value.ValueKind == JsonValueKind.String ? value.GetString() : null;
+        }
+        catch (InvalidOperationException)
+        {
+            return null;
+        }
+    }
 
     static string Shown(JsonElement value)
     {

@@ -90,6 +90,8 @@ public class SessionFileReaderTests
     [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":99999999999999999999,\"t3_ns\":1,\"t4_ns\":1}", "field 't2_ns' is 99999999999999999999; it must be a whole number (64 bits)")]
     [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":1,\"t3_ns\":1,\"t4_ns\":1,\"server_bound_ns\":-1}", "field 'server_bound_ns' is -1 ns; it must be from 0 to 4294967295000 ns")]
     [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":1,\"t3_ns\":1,\"t4_ns\":1,\"resolution_ns\":5000000000}", "field 'resolution_ns' is 5000000000 ns; it must be from 0 to 4294967295 ns")]
+    [TestCase("{\"kind\":\"\\ud800\"}", "field 'kind' must be a string of valid Unicode")]
+    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\",\"\\ud800\"],\"position\":[1,2]}", "field 'names' has \"\\ud800\" as element 2")]
     public void Line_Invalid_NamesTheField(string line, string expected)
     {
         var fault = Assert.Throws<InputException>(() => Read(Header + "\n" + Sample + "\n" + line + "\n" + Sample + "\n"));
