@@ -8,6 +8,8 @@ static class PlantMessages
     public static string AcquisitionTime(TimeSpan max) =>
         FormattableString.Invariant($"must be from 0 ms to the maximum, {max.TotalMilliseconds} ms");
 
+    public const string RigidBody = "the recording is of a rigid body; a recording with one column for each joint of the robot is needed";
+
     public static string ColumnCount(int columns, string names, string robot, int joints) =>
         $"the recording has {columns} columns ({names}), but robot {robot} has {joints} joints that move independently; remove "
         + "columns, or choose a robot with at least one such joint for each column";

@@ -23,10 +23,11 @@ public sealed class RecordedMotion : IMotion
     /// that it mimics.
     /// </remarks>
     /// <exception cref="InputException">
-    /// The recording has more columns than the robot has joints, or the robot has too many joints.
+    /// The recording is of a rigid body or has more columns than the robot has joints, or the robot has too many joints.
     /// </exception>
     public RecordedMotion(MotionRecording recording, RobotModel robot)
     {
+        if (recording.IsBody) throw new InputException(PlantMessages.RigidBody);
         _recording = recording;
         _robot = robot;
         JointNames = PlantJoints.NamesOf(robot);

@@ -38,6 +38,20 @@ public class RecordedPlantTests
         Assert.That(At(motion, 0.5), Is.EqualTo(new[] { 0.2, 0.4, 0, 0, 0, 0 }).Within(1e-12));
     }
 
+    // A robot may have as many joints as a rigid body has columns.
+    [Test]
+    public void RecordedMotion_RigidBody_Throws()
+    {
+        using var file = new TemporaryFile("t_s,x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,0,0,1,0,0,0,1\n");
+        var robot = Nowpose.Kinematics.UrdfReader.Read(
+            "<robot name='seven'><link name='l0'/>" + string.Concat(Enumerable.Range(1, 7).Select(i =>
+                $"<link name='l{i}'/><joint name='j{i}' type='continuous'><parent link='l{i - 1}'/><child link='l{i}'/><axis xyz='0 0 1'/></joint>"))
+            + "</robot>", "seven");
+        var recording = MotionRecording.Read(file.Path);
+
+        Assert.That(() => new RecordedMotion(recording, robot), Throws.TypeOf<InputException>());
+    }
+
     [TestCase(0, 0.1)]
     [TestCase(-1, 0.1)]
     [TestCase(3, 0.5)]
