@@ -23,36 +23,43 @@ sealed class CalibrationOutput
     /// <summary>Path of the table that <c>calibrate range</c> reads.</summary>
     public string PairsPath => Path.Combine(_folder, "pairs.csv");
 
-    /// <summary>Creates the folder and checks that it is writable, so that a long measurement does not fail at its end.</summary>
-    /// <exception cref="InputException">The folder is not writable.</exception>
+    /// <summary>Creates the folder and checks that its files can be written, so that a long measurement does not fail at its end.</summary>
+    /// <exception cref="InputException">The folder or an existing file in it is not writable.</exception>
     public static CalibrationOutput At(string folder) => OutputPath.InFolder("--out", folder, full =>
     {
         var trial = Path.Combine(full, Path.GetRandomFileName());
         File.WriteAllText(trial, "");
         File.Delete(trial);
-        return new CalibrationOutput(full);
+        var output = new CalibrationOutput(full);
+        // Opens the files of an earlier calibration without changing them.
+        foreach (var path in new[] { output.ProfilePath, output.UnlimitedProfilePath, output.PagePath, output.PairsPath }.Where(Path.Exists))
+            File.Open(path, FileMode.Open, FileAccess.Write).Dispose();
+        return output;
     });
 
-    /// <summary>Writes the profile and the page. An existing profile that has a limit is not replaced by one without a limit.</summary>
+    /// <summary>
+    /// Writes the profile and then the page. An existing profile that has a limit is not replaced by one without a limit.
+    /// </summary>
     /// <param name="profile">The profile; null if there is none.</param>
     /// <returns>Path of the written profile; null if none was written.</returns>
+    /// <exception cref="InputException">A file cannot be written.</exception>
     public string Write(LatencyProfile profile, CalibrationPageData page)
     {
-        File.WriteAllText(PagePath, CalibrationPage.Render(CalibrationJson.Of(page)));
-        if (profile == null) return null;
-        var path = profile.Range == null && EarlierLimit() is TimeSpan limit ? PathBeside(limit) : ProfilePath;
-        LatencyProfileFile.Save(path, profile);
+        var path = profile == null ? null : profile.Range == null && EarlierLimit() is TimeSpan limit ? PathBeside(limit) : ProfilePath;
+        if (profile != null) OutputPath.File("--out", path, () => LatencyProfileFile.Save(path, profile));
+        OutputPath.File("--out", PagePath, () => File.WriteAllText(PagePath, CalibrationPage.Render(CalibrationJson.Of(page))));
         return path;
     }
 
-    public void WritePairs(IEnumerable<MeasuredPicture> pictures)
+    /// <exception cref="InputException">The file cannot be written.</exception>
+    public void WritePairs(IEnumerable<MeasuredPicture> pictures) => OutputPath.File("--out", PairsPath, () =>
     {
         using var file = File.CreateText(PairsPath);
         file.Write("file,vertices,render_ms,visu_ms\n");
         foreach (var picture in pictures.Where(each => each.RenderMs.HasValue))
             file.Write(string.Create(
                 CultureInfo.InvariantCulture, $"{Quoted(picture.File)},{picture.Vertices},{picture.RenderMs:0.####},{picture.VisuMs:0.####}\n"));
-    }
+    });
 
     // Gets the path for a profile without a limit, and prints a message that the existing profile is kept.
     string PathBeside(TimeSpan limit)

@@ -1,0 +1,45 @@
+using Nowpose.Cli.Calibrate;
+using Nowpose.Latency;
+using Nowpose.Latency.Profile;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+public sealed class CalibrationOutputTests : CalibrationFolder
+{
+    static readonly LatencyProfile Profile = new(40, 1, "HoloLens 2", 60, DateTime.UnixEpoch, CalibrationMethod.Nudge, 4);
+    static readonly CalibrationPageData Page = new("title", "result", []);
+
+    // A folder in the place of a file cannot be written, also not by the administrator.
+    [TestCase("calibration.html")]
+    [TestCase("profile.json")]
+    [TestCase("pairs.csv")]
+    public void At_FileOfAnEarlierRunIsNotWritable_Throws(string name)
+    {
+        Directory.CreateDirectory(Path.Combine(Out, name));
+
+        Assert.That(() => CalibrationOutput.At(Out), Throws.TypeOf<InputException>().With.Message.StartsWith("--out: "));
+    }
+
+    [Test]
+    public void At_FilesOfAnEarlierRun_KeepsThem()
+    {
+        CalibrationOutput.At(Out).Write(Profile, Page);
+        var before = File.ReadAllText(ProfilePath);
+
+        CalibrationOutput.At(Out);
+
+        Assert.That(File.ReadAllText(ProfilePath), Is.EqualTo(before));
+        Assert.That(Directory.GetFiles(Out), Has.Length.EqualTo(2));
+    }
+
+    [Test]
+    public void Write_PageIsNotWritable_ThrowsAndKeepsTheProfile()
+    {
+        var output = CalibrationOutput.At(Out);
+        Directory.CreateDirectory(output.PagePath);
+
+        Assert.That(() => output.Write(Profile, Page), Throws.TypeOf<InputException>().With.Message.StartsWith("--out: " + output.PagePath));
+        Assert.That(LatencyProfileFile.Load(ProfilePath).Visualisation.Length.TotalMilliseconds, Is.EqualTo(40));
+    }
+}
