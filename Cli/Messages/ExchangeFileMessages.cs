@@ -15,5 +15,6 @@ static class ExchangeFileMessages
     public static string TimeOrder(string path, int row, long ns, long previousNs) =>
         $"{path}:{row}: t_ns: {ns} ns is not after {previousNs} ns; times must increase";
 
-    public static string Header(string path, string header, string expected) => $"{path}:1: the header is '{header}'; it must be {expected}";
+    public static string Header(string path, int row, string header, string expected) =>
+        $"{path}:{row}: the header is '{header}'; it must be {expected}";
 }

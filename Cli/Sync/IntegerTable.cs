@@ -1,6 +1,4 @@
 using System.Globalization;
-using CsvHelper;
-using CsvHelper.Configuration;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 
@@ -13,11 +11,14 @@ static class IntegerTable
     const int MaxShown = 120;
 
     /// <exception cref="InputException">The file cannot be read or has another format.</exception>
-    public static List<long[]> Read(string path, params string[] header)
+    public static List<long[]> Read(string path, params string[] header) => [.. ReadWithLines(path, header).Select(row => row.Values)];
+
+    /// <summary>Reads the rows and the line of each row.</summary>
+    /// <exception cref="InputException">The file cannot be read or has another format.</exception>
+    public static List<(int Line, long[] Values)> ReadWithLines(string path, params string[] header)
     {
         using var text = RecordingText.Open(path);
-        using var csv = new CsvParser(
-            text, new CsvConfiguration(CultureInfo.InvariantCulture) { TrimOptions = TrimOptions.Trim, BadDataFound = null });
+        using var csv = new CsvRows(text);
         try
         {
             return Rows(csv, path, header);
@@ -28,14 +29,13 @@ static class IntegerTable
         }
     }
 
-    static List<long[]> Rows(CsvParser csv, string path, string[] header)
+    static List<(int, long[])> Rows(CsvRows csv, string path, string[] header)
     {
-        if (!csv.Read() || !csv.Record.SequenceEqual(header))
-            throw new InputException(
-                ExchangeFileMessages.Header(path, Beginning(csv.Record == null ? "" : string.Join(',', csv.Record)), string.Join(',', header)));
-        var rows = new List<long[]>();
-        while (csv.Read())
-            rows.Add(Row(csv, path, header));
+        var first = csv.Next() ? csv.Fields() : [];
+        if (!first.SequenceEqual(header))
+            throw new InputException(ExchangeFileMessages.Header(path, csv.Line, Beginning(string.Join(',', first)), string.Join(',', header)));
+        var rows = new List<(int, long[])>();
+        while (csv.Next()) rows.Add((csv.Line, Row(csv, path, header)));
         if (rows.Count == 0) throw new InputException(ExchangeFileMessages.NoRows(path));
         return rows;
     }
@@ -43,14 +43,14 @@ static class IntegerTable
     // Limits the length, because a file of another format can have a very long first line.
     static string Beginning(string header) => header.Length <= MaxShown ? header : header[..MaxShown] + "…";
 
-    static long[] Row(CsvParser csv, string path, string[] header)
+    static long[] Row(CsvRows csv, string path, string[] header)
     {
         if (csv.Count != header.Length)
-            throw new InputException(ExchangeFileMessages.FieldCount(path, csv.RawRow, csv.Count, header.Length));
+            throw new InputException(ExchangeFileMessages.FieldCount(path, csv.Line, csv.Count, header.Length));
         var row = new long[header.Length];
         for (var i = 0; i < row.Length; i++)
             if (!long.TryParse(csv[i], NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out row[i]))
-                throw new InputException(ExchangeFileMessages.NotNanoseconds(path, csv.RawRow, header[i], csv[i]));
+                throw new InputException(ExchangeFileMessages.NotNanoseconds(path, csv.Line, header[i], csv[i]));
         return row;
     }
 }

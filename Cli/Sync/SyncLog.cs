@@ -29,10 +29,13 @@ static class SyncLog
 
     public static IReadOnlyList<long> ReadInstants(string path)
     {
-        var instants = IntegerTable.Read(path, "t_ns").ConvertAll(row => row[0]);
-        for (var i = 1; i < instants.Count; i++)
-            if (instants[i] <= instants[i - 1])
-                throw new InputException(ExchangeFileMessages.TimeOrder(path, i + 2, instants[i], instants[i - 1]));
+        var instants = new List<long>();
+        foreach (var (line, values) in IntegerTable.ReadWithLines(path, "t_ns"))
+        {
+            if (instants.Count > 0 && values[0] <= instants[^1])
+                throw new InputException(ExchangeFileMessages.TimeOrder(path, line, values[0], instants[^1]));
+            instants.Add(values[0]);
+        }
         return instants;
     }
 }

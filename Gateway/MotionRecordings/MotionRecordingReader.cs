@@ -1,6 +1,4 @@
 using System.Globalization;
-using CsvHelper;
-using CsvHelper.Configuration;
 using Nowpose.Gateway.Messages;
 using Nowpose.Kinematics;
 
@@ -15,25 +13,18 @@ sealed class MotionRecordingReader : IDisposable
     const double MaxMagnitude = 8e307;
 
     readonly string _path;
-    readonly CsvParser _csv;
+    readonly CsvRows _csv;
     readonly List<double> _times = [];
     readonly List<double> _positions = [];
     string[] _header;
     double _start;
     decimal? _exactStart;
-    int _row;
     bool _isBody;
 
     public MotionRecordingReader(string path, TextReader text)
     {
         _path = path;
-        var configuration = new CsvConfiguration(CultureInfo.InvariantCulture)
-        {
-            TrimOptions = TrimOptions.Trim,
-            IgnoreBlankLines = true,
-            BadDataFound = bad => throw new InputException(MotionFileMessages.Quotation(path, _row))
-        };
-        _csv = new CsvParser(text, configuration);
+        _csv = new CsvRows(text, line => throw new InputException(MotionFileMessages.Quotation(path, line)));
     }
 
     public MotionRecording Read()
@@ -41,7 +32,7 @@ sealed class MotionRecordingReader : IDisposable
         try
         {
             ReadHeader();
-            while (NextRow()) ReadRow();
+            while (_csv.Next()) ReadRow();
         }
         catch (Exception e) when (e is IOException or InvalidDataException)
         {
@@ -55,8 +46,8 @@ sealed class MotionRecordingReader : IDisposable
 
     void ReadHeader()
     {
-        if (!NextRow()) throw new InputException(MotionFileMessages.Empty(_path));
-        _header = (string[])_csv.Record.Clone();
+        if (!_csv.Next()) throw new InputException(MotionFileMessages.Empty(_path));
+        _header = _csv.Fields();
         _isBody = BodyColumns.Are(_header);
         if (!_isBody && BodyColumns.Resemble(_header))
             throw Wrong(MotionFileMessages.BodyHeader(Shown(string.Join(',', _header)), BodyColumns.Header));
@@ -72,18 +63,6 @@ sealed class MotionRecordingReader : IDisposable
         if (name.Length == 0) throw Wrong(MotionFileMessages.NoName(column + 1));
         if (Array.IndexOf(_header, name) < column)
             throw Wrong(MotionFileMessages.NameTwice(column + 1, Shown(name)));
-    }
-
-    bool NextRow()
-    {
-        do
-        {
-            // Stores the first line of the row for messages, because an unclosed quotation mark extends the row to the end of the file.
-            _row = _csv.RawRow + 1;
-            if (!_csv.Read()) return false;
-        }
-        while (_csv.Count == 1 && string.IsNullOrWhiteSpace(_csv[0]));
-        return true;
     }
 
     void ReadRow()
@@ -129,7 +108,7 @@ sealed class MotionRecordingReader : IDisposable
         return value;
     }
 
-    InputException Wrong(string what) => new($"{_path}:{_csv.RawRow}: {what}");
+    InputException Wrong(string what) => new($"{_path}:{_csv.Line}: {what}");
 
     /// <summary>Formats a value for a one-line message: short and without line breaks.</summary>
     static string Shown(string value)

@@ -135,6 +135,7 @@ public class SyncVerbTests
     [TestCase(Header + "1,2,3\n", ":2: the row has 3 fields; it must have 4")]
     [TestCase(Header + "1,2,,4\n", ":2: t3_ns: '' is not a whole number")]
     [TestCase(Header + "1,2,3,4\n1,2.5,3,4\n", ":3: t2_ns: '2.5' is not a whole number")]
+    [TestCase(Header + "1,2,3,4\n\n\"5,6,7,8\n9,10,11,12\n13,14,15,16\n", ":4: the row has 1 fields")]
     [TestCase(Header + "1,2,3,99999999999999999999\n", ":2: t4_ns: '99999999999999999999' is not a whole number")]
     public async Task Sync_InvalidFile_PrintsOneLineAndExitsWith2(string content, string named)
     {
@@ -147,16 +148,17 @@ public class SyncVerbTests
         Assert.That(run.Errors, Does.Contain(file.Path).And.Contain(named));
     }
 
-    [Test]
-    public async Task Sync_InstantsNotIncreasing_NamesTheLine()
+    [TestCase("t_ns\n5\n5\n", ":3:")]
+    [TestCase("t_ns\n\n5\n\n5\n", ":5:")]
+    public async Task Sync_InstantsNotIncreasing_NamesTheLine(string content, string line)
     {
         using var file = new TemporaryFile(Log(5));
-        using var instants = new TemporaryFile("t_ns\n5\n5\n");
+        using var instants = new TemporaryFile(content);
 
         var run = await CliRun.OfAsync("sync", file.Path, "--at", instants.Path);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.Contain(":3: t_ns: 5 ns is not after 5 ns"));
+        Assert.That(run.Errors, Does.Contain(line + " t_ns: 5 ns is not after 5 ns"));
     }
 
     [TestCase("ransac", "RANSAC, as in the paper")]

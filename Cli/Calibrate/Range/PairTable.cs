@@ -1,6 +1,4 @@
 using System.Globalization;
-using CsvHelper;
-using CsvHelper.Configuration;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 
@@ -19,7 +17,7 @@ static class PairTable
     public static IReadOnlyList<MeasuredPicture> Read(string path)
     {
         using var text = RecordingText.Open(path);
-        using var csv = new CsvParser(text, new CsvConfiguration(CultureInfo.InvariantCulture) { TrimOptions = TrimOptions.Trim, BadDataFound = null });
+        using var csv = new CsvRows(text);
         try
         {
             return Rows(csv, path);
@@ -30,17 +28,16 @@ static class PairTable
         }
     }
 
-    static List<MeasuredPicture> Rows(CsvParser csv, string path)
+    static List<MeasuredPicture> Rows(CsvRows csv, string path)
     {
-        var header = csv.Read() ? csv.Record.ToArray() : [];
+        var header = csv.Next() ? csv.Fields() : [];
         int render = Column(header, Render, path), visu = Column(header, Visu, path);
         int vertices = Array.IndexOf(header, Vertices), file = Array.IndexOf(header, File);
         var pairs = new List<MeasuredPicture>();
-        while (csv.Read())
+        while (csv.Next())
         {
-            if (csv.Count == 1 && string.IsNullOrWhiteSpace(csv[0])) continue;
-            if (csv.Count != header.Length) throw new InputException(PairFileMessages.FieldCount(path, csv.RawRow, csv.Count, header.Length));
-            if (pairs.Count == MaxRows) throw new InputException(PairFileMessages.TooManyRows(path, csv.RawRow, MaxRows));
+            if (csv.Count != header.Length) throw new InputException(PairFileMessages.FieldCount(path, csv.Line, csv.Count, header.Length));
+            if (pairs.Count == MaxRows) throw new InputException(PairFileMessages.TooManyRows(path, csv.Line, MaxRows));
             pairs.Add(Picture(csv, path, render, visu, vertices, file));
         }
         return pairs.Count > 0 ? pairs : throw new InputException(PairFileMessages.NoRows(path, RangeFit.MinPairs));
@@ -53,7 +50,7 @@ static class PairTable
         return Array.LastIndexOf(header, name) == index ? index : throw new InputException(PairFileMessages.ColumnTwice(path, name));
     }
 
-    static MeasuredPicture Picture(CsvParser csv, string path, int render, int visu, int vertices, int file)
+    static MeasuredPicture Picture(CsvRows csv, string path, int render, int visu, int vertices, int file)
     {
         double renderMs = Number(csv, path, render, Render), visuMs = Number(csv, path, visu, Visu);
         try
@@ -62,19 +59,19 @@ static class PairTable
         }
         catch (InputException bad)
         {
-            throw new InputException($"{path}:{csv.RawRow}: {bad.Message}");
+            throw new InputException($"{path}:{csv.Line}: {bad.Message}");
         }
         int? load = vertices < 0 || csv[vertices].Length == 0 ? null : Count(csv, path, vertices);
         return new MeasuredPicture(file < 0 ? null : csv[file], load, renderMs, visuMs);
     }
 
-    static double Number(CsvParser csv, string path, int column, string name) =>
+    static double Number(CsvRows csv, string path, int column, string name) =>
         double.TryParse(csv[column], NumberStyles.Float, CultureInfo.InvariantCulture, out var value)
             ? value
-            : throw new InputException(PairFileMessages.NotMilliseconds(path, csv.RawRow, name, csv[column]));
+            : throw new InputException(PairFileMessages.NotMilliseconds(path, csv.Line, name, csv[column]));
 
-    static int Count(CsvParser csv, string path, int column) =>
+    static int Count(CsvRows csv, string path, int column) =>
         int.TryParse(csv[column], NumberStyles.None, CultureInfo.InvariantCulture, out var value) && value <= MaxVertices
             ? value
-            : throw new InputException(PairFileMessages.NotVertices(path, csv.RawRow, Vertices, csv[column], MaxVertices));
+            : throw new InputException(PairFileMessages.NotVertices(path, csv.Line, Vertices, csv[column], MaxVertices));
 }

@@ -1,7 +1,6 @@
 using System.Globalization;
-using CsvHelper;
-using CsvHelper.Configuration;
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Sweep;
@@ -27,10 +26,10 @@ static class SweepLogReader
         conditions = ConditionsOf(values, name);
         if (header == null || header.Trim() != SweepLog.Header)
             throw new InputException(SweepFileMessages.Header(name, above, header, SweepLog.Header));
-        using var csv = new CsvParser(text, new CsvConfiguration(CultureInfo.InvariantCulture) { TrimOptions = TrimOptions.Trim, BadDataFound = null });
+        using var csv = new CsvRows(text);
         var rows = new List<SweepRow>();
         var device = "";
-        while (csv.Read()) rows.Add(RowOf(csv.Record, $"{name}:{above + csv.RawRow}", ref device));
+        while (csv.Next()) rows.Add(RowOf(csv, $"{name}:{above + csv.Line}", ref device));
         if (rows.Count == 0) throw new InputException(SweepFileMessages.NoRows(name));
         return rows;
     }
@@ -59,9 +58,9 @@ static class SweepLogReader
     }
 
     /// <param name="device">Device of the previous row. An equal device reuses this string to save memory.</param>
-    static SweepRow RowOf(string[] fields, string place, ref string device)
+    static SweepRow RowOf(CsvRows fields, string place, ref string device)
     {
-        if (fields.Length != Columns) throw new InputException(SweepFileMessages.FieldCount(place, fields.Length, Columns));
+        if (fields.Count != Columns) throw new InputException(SweepFileMessages.FieldCount(place, fields.Count, Columns));
         if (fields[4] != device) device = fields[4];
         try
         {

@@ -87,6 +87,7 @@ public class RangeVerbTests : CalibrationFolder
     [TestCase("render_ms,visu_ms\nNaN,40", ":2: render_ms: NaN ms is out of range")]
     [TestCase("render_ms,visu_ms\n5,4o", ":2: visu_ms: '4o' is not a number")]
     [TestCase("render_ms,visu_ms\n5", ":2: 1 fields; the header has 2")]
+    [TestCase("render_ms,visu_ms\n5,40\n\n\"6,40\n7,40\n8,40", ":4: 1 fields; the header has 2")]
     [TestCase("render,visu_ms\n5,40", ":1: no column render_ms")]
     [TestCase("render_ms,visu_ms,render_ms\n5,40,5", ":1: column render_ms occurs twice")]
     [TestCase("vertices,render_ms,visu_ms\n-5,5,40", ":2: vertices: '-5' is not a whole number")]

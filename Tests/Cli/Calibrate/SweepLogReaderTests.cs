@@ -86,6 +86,7 @@ public sealed class SweepLogReaderTests
     [TestCase("time,load\n1,2\n", "sweep.csv:1: the header is 'time,load'")]
     [TestCase(Header, "sweep.csv: ")]
     [TestCase(Header + "5,0,4,display_gpu_time,x\n", "sweep.csv:2: the row has 5 fields")]
+    [TestCase(Header + "5,0,,,x,60\n\n\"6,0,,,x,60\n7,0,,,x,60\n8,0,,,x,60\n", "sweep.csv:4: the row has 1 fields")]
     [TestCase(Header + "5.5,0,4,display_gpu_time,x,60\n", "sweep.csv:2: control_ns: '5.5'")]
     [TestCase(Header + "5,0,,,x,60\n5,2000001,4,display_gpu_time,x,60\n", "sweep.csv:3: vertices: 2000001")]
     [TestCase("# future: 5\n" + Header + "5,0,,,x,60\n5,0,0,display_gpu_time,x,60\n", "sweep.csv:4: render_ms: 0 ms")]
