@@ -5,8 +5,8 @@ static class ReplayMessages
 {
     public static string BodyTooLarge(string path) => $"{path}: the errors are too large to compute; the positions must be in m";
     public static string TooLong(string path, int max) => $"{path}: contains more than {max} numbers, which is the maximum; record shorter sessions";
-    public static string JointCount(string path, int joints, int header) =>
-        $"{path}: a frame has {joints} joints, but the header has {header}; record the session again";
+    public static string JointCount(string path, int line, int joints, int header) =>
+        $"{path}:{line}: field 'joints' has {joints} numbers, but the robot of the header has {header} joints; record the session again";
     public static string InSession(string path) => $"{path} is a recorded session, which contains this value; remove the option";
 
     public static string TooManyFrames(string path, double seconds, double hertz, double samplingMs) =>

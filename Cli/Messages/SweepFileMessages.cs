@@ -17,10 +17,10 @@ static class SweepFileMessages
     public static string NotANumber(string field, string text, string unit) =>
         $"{field}: '{text}' is not a number of {unit}; use a point as the decimal separator";
 
-    public static string TwoHeadsets(string path, string device, string other) =>
-        $"{path}: frames of '{device}' and of '{other}'; a sweep must be from one headset: keep the rows of one";
+    public static string TwoHeadsets(string place, string device, string other) =>
+        $"{place}: frames of '{device}' and of '{other}'; a sweep must be from one headset: keep the rows of one";
 
-    public static string TwoRates(string path, double hertz, double otherHertz) =>
-        FormattableString.Invariant($"{path}: frames at {hertz} Hz and at {otherHertz} Hz; L_visu depends on the rate: keep the rows of ")
+    public static string TwoRates(string place, double hertz, double otherHertz) =>
+        FormattableString.Invariant($"{place}: frames at {hertz} Hz and at {otherHertz} Hz; L_visu depends on the rate: keep the rows of ")
         + "one rate";
 }

@@ -29,7 +29,7 @@ sealed class RecordedSession
     readonly List<PlannedMotion> _plans = [];
     readonly List<PoseLine> _poses = [];
     readonly Dictionary<string, (double Value, int Changes)> _signals = [];
-    int _timeLine;
+    int _line, _timeLine;
     long _planned;
     ControlTime? _nextFrame;
 
@@ -58,7 +58,11 @@ sealed class RecordedSession
     {
         using var file = new SessionFileReader(path);
         var session = new RecordedSession(path, file.Header);
-        foreach (var line in file.Lines()) session.Add(line);
+        foreach (var line in file.Lines())
+        {
+            session._line = file.Line;
+            session.Add(line);
+        }
         session.Header = file.Header with { Joints = session._joints };
         return session;
     }
@@ -168,7 +172,7 @@ sealed class RecordedSession
     void Add(FrameLine frame)
     {
         if (frame.Joints.Length != Header.RobotJoints)
-            throw new InputException(ReplayMessages.JointCount(_path, frame.Joints.Length, Header.RobotJoints));
+            throw new InputException(ReplayMessages.JointCount(_path, _line, frame.Joints.Length, Header.RobotJoints));
         Frames++;
         _events.Add(new Event(EventKind.Frame, frame.Light ?? default, frame.Light.HasValue, _timeLine, _displayed.Count, frame.Joints.Length));
         _displayed.AddRange(frame.Joints);

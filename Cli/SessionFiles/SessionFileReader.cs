@@ -10,7 +10,6 @@ sealed class SessionFileReader : IDisposable
 {
     readonly string _path;
     readonly TextReader _text;
-    int _line;
 
     /// <exception cref="InputException">The file cannot be read, is not a session file, or has a newer version than this program.</exception>
     public SessionFileReader(string path)
@@ -29,6 +28,9 @@ sealed class SessionFileReader : IDisposable
     }
 
     public SessionHeader Header { get; }
+
+    /// <summary>Number of the last line that was read.</summary>
+    public int Line { get; private set; }
 
     /// <summary>Gets whether a path has the extension of a session file.</summary>
     public static bool IsSession(string path) => path != null
@@ -85,14 +87,14 @@ sealed class SessionFileReader : IDisposable
         }
     }
 
-    string Place => $"{_path}:{_line}";
+    string Place => $"{_path}:{Line}";
 
     LineFields Fields(JsonDocument json) => json.RootElement.ValueKind == JsonValueKind.Object
         ? new LineFields(Place, json.RootElement) : throw new InputException(SessionFileMessages.LineNotAnObject(Place));
 
     string ReadLine() => Guarded(() =>
     {
-        _line++;
+        Line++;
         return _text.ReadLine();
     });
 

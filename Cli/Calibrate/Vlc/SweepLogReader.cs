@@ -7,7 +7,10 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Reads the text that <see cref="SweepLog"/> writes. An error message is one line with file, line and field.</summary>
+/// <summary>
+/// Reads the text that <see cref="SweepLog"/> writes. All rows must come from one headset with one display rate. An error message is one line
+/// with file, line and field.
+/// </summary>
 static class SweepLogReader
 {
     const string Nanoseconds = "control_ns", Vertices = "vertices", RenderMs = "render_ms", Source = "source", DisplayHz = "display_hz";
@@ -16,45 +19,59 @@ static class SweepLogReader
 
     /// <param name="name">Name of the input in messages.</param>
     /// <param name="conditions">Conditions from the lines above the header. Device and display rate are in the rows instead.</param>
-    /// <exception cref="InputException">The text is not in the expected format, or contains no rows.</exception>
+    /// <exception cref="InputException">The text is not in the expected format, contains no rows, or contains several headsets.</exception>
     public static IReadOnlyList<SweepRow> Read(TextReader text, string name, out DisplayConditions conditions)
     {
         var above = 1;
         var header = text.ReadLine();
         var values = new string[DisplayConditionNames.Count];
-        for (; IsComment(header); header = text.ReadLine(), above++) TakeCondition(header, values);
-        conditions = ConditionsOf(values, name);
+        for (; IsComment(header); header = text.ReadLine(), above++) TakeCondition(header, values, $"{name}:{above}");
+        conditions = DisplayConditions.Parse(condition => values[(int)condition]);
         if (header == null || header.Trim() != SweepLog.Header)
             throw new InputException(SweepFileMessages.Header(name, above, header, SweepLog.Header));
         using var csv = new CsvRows(text);
         var rows = new List<SweepRow>();
-        var device = "";
-        while (csv.Next()) rows.Add(RowOf(csv, $"{name}:{above + csv.Line}", ref device));
+        var (device, headset, rate) = ("", "", double.NaN);
+        while (csv.Next())
+        {
+            var place = $"{name}:{above + csv.Line}";
+            rows.Add(RowOf(csv, place, ref device));
+            RequireOneHeadset(rows[^1], place, ref headset, ref rate);
+        }
         if (rows.Count == 0) throw new InputException(SweepFileMessages.NoRows(name));
         return rows;
+    }
+
+    /// <param name="device">Device of the earlier rows; empty if unknown.</param>
+    /// <param name="rate">Display rate of the earlier rows; NaN if unknown.</param>
+    static void RequireOneHeadset(in SweepRow row, string place, ref string device, ref double rate)
+    {
+        if (device.Length == 0) device = row.Device;
+        else if (row.Device.Length > 0 && row.Device != device)
+            throw new InputException(SweepFileMessages.TwoHeadsets(place, device, row.Device));
+        if (double.IsNaN(rate)) rate = row.DisplayHz;
+        else if (!double.IsNaN(row.DisplayHz) && row.DisplayHz != rate)
+            throw new InputException(SweepFileMessages.TwoRates(place, rate, row.DisplayHz));
     }
 
     static bool IsComment(string line) => line != null && line.StartsWith(SweepLog.ConditionPrefix, StringComparison.Ordinal);
 
     // Reads one condition. Ignores unknown fields, which a newer version may have added.
-    static void TakeCondition(string line, string[] values)
+    static void TakeCondition(string line, string[] values, string place)
     {
         var end = line.IndexOf(SweepLog.ConditionSeparator, StringComparison.Ordinal);
         if (end < 0) return;
-        if (DisplayConditionNames.TryParse(line[SweepLog.ConditionPrefix.Length..end], out var condition))
-            values[(int)condition] = line[(end + SweepLog.ConditionSeparator.Length)..].Trim();
-    }
-
-    static DisplayConditions ConditionsOf(string[] values, string name)
-    {
+        if (!DisplayConditionNames.TryParse(line[SweepLog.ConditionPrefix.Length..end], out var condition)) return;
+        var value = line[(end + SweepLog.ConditionSeparator.Length)..].Trim();
         try
         {
-            return DisplayConditions.Parse(condition => values[(int)condition]);
+            DisplayConditions.Parse(each => each == condition ? value : null);
         }
         catch (InputException fault)
         {
-            throw new InputException($"{name}: {fault.Message}", fault);
+            throw new InputException($"{place}: {fault.Message}", fault);
         }
+        values[(int)condition] = value;
     }
 
     /// <param name="device">Device of the previous row. An equal device reuses this string to save memory.</param>

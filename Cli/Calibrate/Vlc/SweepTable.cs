@@ -5,7 +5,7 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Reads the log of a load sweep, plain or compressed. All rows must come from one headset with one display rate.</summary>
+/// <summary>Reads the log of a load sweep, plain or compressed.</summary>
 static class SweepTable
 {
     /// <param name="conditions">Conditions of the whole sweep.</param>
@@ -15,7 +15,7 @@ static class SweepTable
         using var text = RecordingText.Open(path);
         try
         {
-            var rows = OfOneHeadset(SweepLogReader.Read(text, path, out var others), path);
+            var rows = SweepLogReader.Read(text, path, out var others);
             conditions = new DisplayConditions(Device(rows), DisplayHz(rows)).Or(others);
             return rows;
         }
@@ -30,17 +30,4 @@ static class SweepTable
 
     /// <summary>Gets the display rate; 0 if no row contains it. A display reports its rate only some frames after the scene has started.</summary>
     public static double DisplayHz(IReadOnlyList<SweepRow> rows) => rows.Select(row => row.DisplayHz).FirstOrDefault(rate => !double.IsNaN(rate));
-
-    static IReadOnlyList<SweepRow> OfOneHeadset(IReadOnlyList<SweepRow> rows, string path)
-    {
-        var (device, rate) = (Device(rows), DisplayHz(rows));
-        for (var i = 0; i < rows.Count; i++)
-        {
-            if (rows[i].Device.Length > 0 && rows[i].Device != device)
-                throw new InputException(SweepFileMessages.TwoHeadsets(path, device, rows[i].Device));
-            if (!double.IsNaN(rows[i].DisplayHz) && rows[i].DisplayHz != rate)
-                throw new InputException(SweepFileMessages.TwoRates(path, rate, rows[i].DisplayHz));
-        }
-        return rows;
-    }
 }

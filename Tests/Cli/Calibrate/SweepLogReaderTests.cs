@@ -67,7 +67,7 @@ public sealed class SweepLogReaderTests
         Assert.That(read, Has.Length.EqualTo(1));
     }
 
-    [TestCase("# reprojection: sideways\n", "sweep.csv: reprojection: 'sideways'")]
+    [TestCase("# graphics_api: Vulkan\n# reprojection: sideways\n", "sweep.csv:2: reprojection: 'sideways'")]
     [TestCase("# graphics_api: Vulkan\nother\n", "sweep.csv:2: the header is 'other'")]
     public void Read_InvalidConditions_Throws(string text, string message)
     {

@@ -45,6 +45,6 @@ public sealed class SweepTableTests : CalibrationFolder
     {
         var path = Write("sweep.csv", [Log(first, second)]);
 
-        Assert.That(() => SweepTable.Read(path, out _), Throws.TypeOf<InputException>().With.Message.Contains($"{path}: {named}"));
+        Assert.That(() => SweepTable.Read(path, out _), Throws.TypeOf<InputException>().With.Message.Contains($"{path}:3: {named}"));
     }
 }

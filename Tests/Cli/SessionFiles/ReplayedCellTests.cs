@@ -133,4 +133,18 @@ public class ReplayedCellTests : SessionReplayFixture
         Assert.That(run.ExitStatus, Is.EqualTo(2));
         Assert.That(run.Errors, Does.Contain($"{_path}:6: {expected}"));
     }
+
+    [Test]
+    public async Task Replay_FrameWithAnotherNumberOfJoints_NamesItsLineAndField()
+    {
+        VirtualRecording.To(_path, seconds: 6);
+        var lines = File.ReadAllLines(_path).ToList();
+        lines.Insert(5, "{\"kind\":\"frame\",\"start_ns\":1,\"joints\":[0]}");
+        File.WriteAllLines(_path, lines);
+
+        var run = await Run("replay", _path);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.Contain($"{_path}:6: field 'joints' has 1 numbers"));
+    }
 }
