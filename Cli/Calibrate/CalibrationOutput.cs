@@ -25,7 +25,7 @@ sealed class CalibrationOutput
 
     /// <summary>Creates the folder and checks that its files can be written, so that a long measurement does not fail at its end.</summary>
     /// <exception cref="InputException">The folder or an existing file in it is not writable.</exception>
-    public static CalibrationOutput At(string folder) => OutputPath.InFolder("--out", folder, full =>
+    public static CalibrationOutput At(string folder) => OptionPath.InFolder("--out", folder, full =>
     {
         var trial = Path.Combine(full, Path.GetRandomFileName());
         File.WriteAllText(trial, "");
@@ -46,13 +46,13 @@ sealed class CalibrationOutput
     public string Write(LatencyProfile profile, CalibrationPageData page)
     {
         var path = profile == null ? null : profile.Range == null && EarlierLimit() is TimeSpan limit ? PathBeside(limit) : ProfilePath;
-        if (profile != null) OutputPath.File("--out", path, () => LatencyProfileFile.Save(path, profile));
-        OutputPath.File("--out", PagePath, () => File.WriteAllText(PagePath, CalibrationPage.Render(CalibrationJson.Of(page))));
+        if (profile != null) OptionPath.Write("--out", path, () => LatencyProfileFile.Save(path, profile));
+        OptionPath.Write("--out", PagePath, () => File.WriteAllText(PagePath, CalibrationPage.Render(CalibrationJson.Of(page))));
         return path;
     }
 
     /// <exception cref="InputException">The file cannot be written.</exception>
-    public void WritePairs(IEnumerable<MeasuredPicture> pictures) => OutputPath.File("--out", PairsPath, () =>
+    public void WritePairs(IEnumerable<MeasuredPicture> pictures) => OptionPath.Write("--out", PairsPath, () =>
     {
         using var file = File.CreateText(PairsPath);
         file.Write("file,vertices,render_ms,visu_ms\n");

@@ -31,10 +31,10 @@ sealed class DemoOutput
     /// <param name="isPaper">Whether the run also writes the files of <c>--paper</c>. Without it, these files are kept.</param>
     /// <param name="inputs">Paths of the input files, which are never removed; null for an input that was not given.</param>
     /// <exception cref="InputException">The folder is not writable, or an input is among the files to write.</exception>
-    public static DemoOutput At(string folder, bool isPaper, params string[] inputs) => OutputPath.InFolder("--out", folder, full =>
+    public static DemoOutput At(string folder, bool isPaper, params string[] inputs) => OptionPath.InFolder("--out", folder, full =>
     {
         var output = new DemoOutput(full);
-        OutputPath.RequireNoInput("--out", [output.ReportPath, output.SessionPath, output.ResultPath], inputs);
+        OptionPath.RequireNoInput("--out", [output.ReportPath, output.SessionPath, output.ResultPath], inputs);
         File.Delete(output.ReportPath);
         File.Delete(output.SessionPath);
         if (isPaper) PaperOutput.RemoveEarlier(output.Folder);

@@ -45,7 +45,7 @@ sealed class FiguresOutput
         if (_pictures != null) PicturePaths = DocumentPictures.Write(_pictures, figures);
     }
 
-    static string Writable(string option, string folder, string trial) => OutputPath.InFolder(option, folder, full =>
+    static string Writable(string option, string folder, string trial) => OptionPath.InFolder(option, folder, full =>
     {
         var path = Path.Combine(full, trial);
         File.WriteAllText(path, "");

@@ -27,7 +27,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
     public HeadsetResult Play(Action<double, Func<string>> report, CancellationToken cancel)
     {
         // Opens the recording first, so that a wrong path is reported before the run.
-        using var file = settings.RecordingPath == null ? null : OutputPath.Open("--record", settings.RecordingPath);
+        using var file = settings.RecordingPath == null ? null : OptionPath.Open("--record", settings.RecordingPath);
         HeadsetResult undescribed = null;
         var robot = settings.Robot == null ? DescribedRobot(cancel, out undescribed) : RobotFiles.Load(settings.Robot);
         if (robot == null) return undescribed;

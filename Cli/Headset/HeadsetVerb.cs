@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.Net;
 using Nowpose.Cli.Messages;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
@@ -96,16 +95,5 @@ static class HeadsetVerb
     static string NamespaceOf(string given) => given == null || RobotTopic.IsNamespace(given)
         ? given ?? "" : throw new InputException(HeadsetMessages.NamespaceInvalid(given, ProtocolLimits.NamespaceLength));
 
-    static string Token(string path)
-    {
-        if (path == null) return null;
-        try
-        {
-            return File.ReadAllText(path).Trim();
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            throw new InputException(PathMessages.NotRead($"--token-file {path}", e), e);
-        }
-    }
+    static string Token(string path) => path == null ? null : OptionPath.Read(TokenFile.Name, path, () => File.ReadAllText(path).Trim());
 }

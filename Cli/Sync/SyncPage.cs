@@ -18,7 +18,7 @@ static class SyncPage
     public static void Write(string path, string log, string instants, IReadOnlyList<SyncExchange> exchanges, string estimator)
     {
         var data = Path.ChangeExtension(path, ".csv");
-        OutputPath.RequireNoInput("--page", [path, data], log, instants);
+        OptionPath.RequireNoInput("--page", [path, data], log, instants);
         if (path == data) throw new InputException(SyncPageTexts.WouldOverwritePage(path));
         var steps = SyncSteps.Of(exchanges, estimator);
         var figure = SyncFigure.Of(steps, SyncClaims.Of(steps), SyncPageTexts.Conditions(exchanges.Count, steps.Count))
@@ -30,7 +30,7 @@ static class SyncPage
             ["Exchanges", FormattableString.Invariant($"{steps.Count} in {(steps.Count == 0 ? 0 : steps[^1].Seconds):0.0} s")],
             ["Estimator", estimator == ClockEstimators.Ransac ? SyncPageTexts.Ransac : estimator],
         ];
-        OutputPath.File("--page", path, () =>
+        OptionPath.Write("--page", path, () =>
         {
             File.WriteAllText(path, FiguresPage.Render(FiguresJson.Of(
                 SyncPageTexts.Title, SyncPageTexts.Subtitle, conditions, missing: [], [figure])));

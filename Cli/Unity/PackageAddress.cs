@@ -22,7 +22,9 @@ static class PackageAddress
         if (GitSchemes.Any(scheme => given.StartsWith(scheme, StringComparison.Ordinal))) return Git(given, version);
         var isAddress = given.StartsWith(File, StringComparison.Ordinal);
         // Paths with file: are relative to the folder of the manifest. Other paths are relative to the working folder.
-        var path = isAddress ? Path.Combine(project.Root, "Packages", given[File.Length..]) : Path.GetFullPath(given);
+        var path = isAddress
+            ? Path.Combine(project.Root, "Packages", given[File.Length..])
+            : OptionPath.Read("--package", given, () => Path.GetFullPath(given));
         if (path.EndsWith(".tgz", StringComparison.Ordinal) && System.IO.File.Exists(path))
             return isAddress ? given : File + path.Replace('\\', '/');
         var folder = PackageFolder.Open(path)

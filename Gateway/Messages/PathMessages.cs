@@ -11,5 +11,5 @@ static class PathMessages
     public static string NotWritten(string path, Exception cause) =>
         $"{path}: cannot be written ({OneLine(cause)}); check the path, its permissions and the free space";
 
-    static string OneLine(Exception cause) => cause.Message.ReplaceLineEndings(" ");
+    static string OneLine(Exception cause) => cause is ArgumentException ? "the path is empty or invalid" : cause.Message.ReplaceLineEndings(" ");
 }

@@ -221,13 +221,14 @@ public class HeadsetVerbTests
         return file;
     }
 
-    [Test]
-    public async Task Headset_TokenFileMissing_Fails()
+    [TestCase("/nowhere/token")]
+    [TestCase("")]
+    public async Task Headset_TokenFileMissing_Fails(string path)
     {
-        var run = await CliRun.OfAsync("headset", "--token-file", "/nowhere/token");
+        var run = await CliRun.OfAsync("headset", "--token-file", path);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.StartWith("nowpose: --token-file /nowhere/token: cannot be read"));
+        Assert.That(run.Errors, Does.StartWith($"nowpose: --token-file: {path}: cannot be read"));
     }
 
     static Task<CliRun> RunAsync(GatewayServer gateway, params string[] more) => CliRun.OfAsync(

@@ -224,14 +224,15 @@ public class SyncVerbTests
         Assert.That(Directory.GetFiles(folder.Path), Has.Length.EqualTo(2));
     }
 
-    [Test]
-    public async Task Sync_PageInAMissingFolder_Fails()
+    [TestCase("/dev/null/x/clock.html")]
+    [TestCase("")]
+    public async Task Sync_PageWithAnInvalidPath_Fails(string page)
     {
         using var file = new TemporaryFile(Log(20), ".csv");
 
-        var run = await CliRun.OfAsync("sync", file.Path, "--page", "/dev/null/x/clock.html");
+        var run = await CliRun.OfAsync("sync", file.Path, "--page", page);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.Contain("--page: /dev/null/x/clock.html: cannot be written"));
+        Assert.That(run.Errors, Does.Contain($"--page: {page}: cannot be written"));
     }
 }

@@ -59,5 +59,5 @@ static class SimulationOutput
         foreach (var picture in earlier) File.Delete(picture);
     }
 
-    static string Made(string folder) => OutputPath.InFolder("--out", folder, full => full);
+    static string Made(string folder) => OptionPath.InFolder("--out", folder, full => full);
 }

@@ -38,6 +38,7 @@ public class UnityPackageTests
     }
 
     [TestCase("https://github.com/OWNER/nowpose.git", "replace OWNER")]
+    [TestCase("", "the path is empty")]
     [TestCase("no-such-folder", "is neither a Git URL nor a folder or tarball with the package com.nowpose.mril")]
     [TestCase("file:../nowhere", "is neither a Git URL nor a folder or tarball with the package com.nowpose.mril")]
     public async Task Unity_PackageMissing_Fails(string given, string reason)

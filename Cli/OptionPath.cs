@@ -3,8 +3,10 @@ using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Cli;
 
-/// <summary>Writes the files and folders that options specify. An error message is one line with the option, the path and the reason.</summary>
-static class OutputPath
+/// <summary>
+/// Reads and writes the files and folders that options specify. An error message is one line with the option, the path and the reason.
+/// </summary>
+static class OptionPath
 {
     const int BufferBytes = 64 * 1024;
 
@@ -24,10 +26,25 @@ static class OutputPath
         }
     }
 
+    /// <summary>Reads a file.</summary>
+    /// <param name="option">The option that names the file, for example <c>--token-file</c>.</param>
+    /// <exception cref="InputException">The file cannot be read.</exception>
+    public static T Read<T>(string option, string path, Func<T> read)
+    {
+        try
+        {
+            return read();
+        }
+        catch (Exception e) when (IsRefusal(e))
+        {
+            throw new InputException(PathMessages.NotRead($"{option}: {path}", e), e);
+        }
+    }
+
     /// <summary>Writes a file.</summary>
     /// <param name="option">The option that names the file, for example <c>--page</c>.</param>
     /// <exception cref="InputException">The file cannot be written.</exception>
-    public static void File(string option, string path, Action write)
+    public static void Write(string option, string path, Action write)
     {
         try
         {
@@ -45,7 +62,7 @@ static class OutputPath
     public static FileStream Open(string option, string path)
     {
         FileStream file = null;
-        File(option, path, () =>
+        Write(option, path, () =>
         {
             Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(path)));
             // Other programs may read the file while it grows.
@@ -57,12 +74,15 @@ static class OutputPath
     /// <summary>Checks that no file to write or to remove is also an input of the command.</summary>
     /// <param name="option">The option that names the outputs.</param>
     /// <param name="inputs">Paths of the inputs; null for an input that was not given.</param>
-    /// <exception cref="InputException">An output is an input.</exception>
+    /// <exception cref="InputException">An output is an input, or its path is invalid.</exception>
     public static void RequireNoInput(string option, IEnumerable<string> outputs, params string[] inputs)
     {
         string[] read = [.. inputs.Where(path => !string.IsNullOrEmpty(path)).Select(Path.GetFullPath)];
-        if (outputs.FirstOrDefault(path => read.Contains(Path.GetFullPath(path))) is string both)
-            throw new InputException(OptionValueMessages.WouldOverwriteInput(option, both));
+        foreach (var path in outputs)
+            Write(option, path, () =>
+            {
+                if (read.Contains(Path.GetFullPath(path))) throw new InputException(OptionValueMessages.WouldOverwriteInput(option, path));
+            });
     }
 
     static bool IsRefusal(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException;
