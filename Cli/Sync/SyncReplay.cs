@@ -23,14 +23,16 @@ sealed class SyncReplay(IClockEstimator estimator)
         }
     }
 
-    /// <summary>Gets the estimate at each instant, from the exchanges whose t4 is not later than the instant.</summary>
+    /// <summary>Gets the estimate at each instant, from the exchanges whose t4 is not later than the instant, in the order of t4.</summary>
     public IEnumerable<SyncEstimate> At(IReadOnlyList<long> instants, IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> log)
     {
+        // A log of several connections may have an exchange after a later one.
+        (long T4Nanoseconds, SyncExchange Exchange)[] ordered = [.. log.OrderBy(each => each.T4Nanoseconds)];
         var next = 0;
         foreach (var instant in instants)
         {
-            for (; next < log.Count && log[next].T4Nanoseconds <= instant; next++)
-                Add(log[next].Exchange);
+            for (; next < ordered.Length && ordered[next].T4Nanoseconds <= instant; next++)
+                Add(ordered[next].Exchange);
             var now = HeadsetTime.FromNanoseconds(instant);
             yield return new SyncEstimate(instant, now, _clock.ModelAt(now));
         }

@@ -148,6 +148,21 @@ public class SyncVerbTests
         Assert.That(run.Errors, Does.Contain(file.Path).And.Contain(named));
     }
 
+    [Test]
+    public async Task Sync_InstantsWithALogInAnotherOrder_UsesAllExchangesUntilEachInstant()
+    {
+        var lines = Log(40).TrimEnd('\n').Split('\n');
+        using var file = new TemporaryFile(Log(40));
+        using var moved = new TemporaryFile(string.Join('\n', [lines[0], lines[^1], .. lines[1..^1]]) + "\n");
+        using var instants = new TemporaryFile("t_ns\n3000000000\n9000000000\n");
+
+        var expected = await CliRun.OfAsync("sync", file.Path, "--at", instants.Path);
+        var run = await CliRun.OfAsync("sync", moved.Path, "--at", instants.Path);
+
+        Assert.That(run.Lines[1], Does.Not.Contain("unsynchronised"));
+        Assert.That(run.Output, Is.EqualTo(expected.Output));
+    }
+
     [TestCase("t_ns\n5\n5\n", ":3:")]
     [TestCase("t_ns\n\n5\n\n5\n", ":5:")]
     public async Task Sync_InstantsNotIncreasing_NamesTheLine(string content, string line)
