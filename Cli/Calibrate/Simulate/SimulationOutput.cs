@@ -26,20 +26,22 @@ static class SimulationOutput
         }
         var defects = new string[settings.Pictures];
         string NameOf(int picture) => FormattableString.Invariant($"picture-{picture + 1:00000}.jpg");
-        var done = 0;
+        var made = new SortedSet<int>();
         using var pool = new VisionPool();
         ConsoleProgress.Run("taking pictures", "pictures", settings.Pictures, report => pool.Look(
             Enumerable.Range(0, settings.Pictures).Select(i => PictureRequest.Made(camera.Take(i, out defects[i]), Path.Combine(pictures, NameOf(i)))),
-            (_, made) =>
+            (place, picture) =>
             {
-                if (made.Fault != null) throw new InputException($"--out: {folder}: {made.Fault}");
-                report(++done);
+                if (picture.Fault != null) throw new InputException($"--out: {folder}: {picture.Fault}");
+                made.Add(place);
+                report(made.Count);
             },
             cancellation));
         using var truth = File.CreateText(Path.Combine(folder, TruthFile));
         truth.Write(TruthHeader + "\n");
-        for (var i = 0; i < settings.Pictures; i++) truth.Write(TruthOf(sweep, i, NameOf(i), defects[i]) + "\n");
-        return done;
+        // After a cancellation, only the finished pictures are listed.
+        foreach (var i in made) truth.Write(TruthOf(sweep, i, NameOf(i), defects[i]) + "\n");
+        return made.Count;
     }
 
     static string TruthOf(SimulatedSweep sweep, int picture, string name, string defect)

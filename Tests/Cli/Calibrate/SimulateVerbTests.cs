@@ -33,6 +33,19 @@ public sealed class SimulateVerbTests
     }
 
     [Test]
+    public void Write_Cancelled_ListsOnlyTheFinishedPictures()
+    {
+        using var folder = new TemporaryFolder();
+
+        var made = SimulationOutput.Write(new SimulationSettings { Pictures = 5 }, folder.Path, new CancellationToken(canceled: true));
+
+        var truth = File.ReadLines(Path.Combine(folder.Path, "truth.csv")).Skip(1).Select(line => line.Split(',')[0]).ToList();
+        Assert.That(made, Is.LessThan(5));
+        Assert.That(truth, Has.Count.EqualTo(made));
+        Assert.That(truth.Where(name => !File.Exists(Path.Combine(folder.Path, "pictures", name))), Is.Empty);
+    }
+
+    [Test]
     public async Task Simulate_FolderWithOtherPictures_KeepsThem()
     {
         var folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
