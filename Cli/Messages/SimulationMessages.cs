@@ -13,6 +13,9 @@ static class SimulationMessages
     public static string OtherPictures(string folder, int pictures, string truthFile) =>
         $"--out: {folder}: has {pictures} pictures that were not simulated ({truthFile} is missing); choose another folder";
 
+    public static string OtherLog(string folder, string logFile, string truthFile) =>
+        $"--out: {folder}: has a {logFile} that was not simulated ({truthFile} is missing); choose another folder";
+
     public static string Written(int pictures, string folder, string sweep, string truth) =>
         $"{pictures} pictures in {folder}, with {sweep} and {truth}";
 }

@@ -8,7 +8,7 @@ namespace Nowpose.Cli.Calibrate.Simulate;
 /// <summary>Writes a folder with pictures, the sweep's log and the true values, to test the complete evaluation without hardware.</summary>
 static class SimulationOutput
 {
-    const string TruthFile = "truth.csv";
+    const string TruthFile = "truth.csv", LogFile = "sweep.csv";
     const string TruthHeader = "file,led_ms,headset_ms,visu_ms,spoiled";
 
     /// <returns>Number of pictures written.</returns>
@@ -19,7 +19,7 @@ static class SimulationOutput
         var pictures = Path.Combine(Made(folder), "pictures");
         Made(pictures);
         RemoveEarlier(folder, pictures);
-        using (var log = File.CreateText(Path.Combine(folder, "sweep.csv")))
+        using (var log = File.CreateText(Path.Combine(folder, LogFile)))
         {
             SweepLog.WriteHeader(log);
             foreach (var row in sweep.Rows) SweepLog.Write(log, row);
@@ -52,12 +52,15 @@ static class SimulationOutput
         return FormattableString.Invariant($"{name},{led:0.000},{TimestampCode.ValueOf(start)},{sweep.VisuMsOf(moment):0.000},{defect}");
     }
 
-    // Removes the pictures of an earlier run. Without a truth file, the pictures can come from a real camera, so the folder is rejected.
+    // Removes the pictures of an earlier run. Without a truth file, pictures and log can come from a real measurement, so the folder is rejected.
     static void RemoveEarlier(string folder, string pictures)
     {
         var earlier = Directory.GetFiles(pictures, "picture-*.jpg");
-        if (earlier.Length > 0 && !File.Exists(Path.Combine(folder, TruthFile)))
-            throw new InputException(SimulationMessages.OtherPictures(folder, earlier.Length, TruthFile));
+        if (!File.Exists(Path.Combine(folder, TruthFile)))
+        {
+            if (earlier.Length > 0) throw new InputException(SimulationMessages.OtherPictures(folder, earlier.Length, TruthFile));
+            if (File.Exists(Path.Combine(folder, LogFile))) throw new InputException(SimulationMessages.OtherLog(folder, LogFile, TruthFile));
+        }
         foreach (var picture in earlier) File.Delete(picture);
     }
 

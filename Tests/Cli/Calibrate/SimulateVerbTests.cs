@@ -65,4 +65,17 @@ public sealed class SimulateVerbTests
             Directory.Delete(folder, true);
         }
     }
+
+    [Test]
+    public async Task Simulate_FolderWithTheLogOfARealSweep_KeepsIt()
+    {
+        using var folder = new TemporaryFolder();
+        var log = Path.Combine(folder.Path, "sweep.csv");
+        File.WriteAllText(log, "by a headset");
+
+        var run = await CliRun.OfAsync("calibrate", "simulate", "--pictures", "1", "--out", folder.Path);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(File.ReadAllText(log), Is.EqualTo("by a headset"));
+    }
 }
