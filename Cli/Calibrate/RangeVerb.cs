@@ -2,38 +2,44 @@ using System.CommandLine;
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
-using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate;
 
 /// <summary><c>calibrate range FILE.csv</c>: finds the constant-latency range from pairs of render time and L_visu.</summary>
 static class RangeVerb
 {
+    static readonly Argument<string> Pairs = new("FILE")
+    {
+        Description = "Pairs: columns render_ms and visu_ms, optionally vertices; .csv or .csv.gz.",
+    };
+    static readonly Option<string> Source = DeviceOptions.Source();
+    static readonly Option<string> Output = OutOption.Create();
+    static readonly Option<bool> Json = OutOption.Json();
+    static readonly DeviceOptions Device = new();
+
     public static Command Create()
     {
-        var file = new Argument<string>("FILE") { Description = "Pairs: columns render_ms and visu_ms, optionally vertices; .csv or .csv.gz." };
-        var device = new DeviceOptions();
-        var source = DeviceOptions.Source();
-        var output = OutOption.Create();
-        var json = OutOption.Json();
-        var verb = new Command("range", "Estimate L_visu and the render time up to which it is constant.") { file, source, output, json };
-        device.AddTo(verb);
-        verb.SetAction(parsed => Run(
-            parsed.GetValue(file), parsed.GetValue(source), device.Conditions(parsed), parsed.GetValue(output), parsed.GetValue(json)));
+        var verb = new Command("range", "Estimate L_visu and the render time up to which it is constant.") { Pairs, Source, Output, Json };
+        Device.AddTo(verb);
+        // Runs on a separate thread, so that Ctrl-C can cancel it.
+        verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
     }
 
-    static int Run(string file, string source, DisplayConditions conditions, string folder, bool asJson)
+    internal static int Run(ParseResult parsed, CancellationToken cancel)
     {
+        var (file, source, conditions) = (parsed.GetValue(Pairs), parsed.GetValue(Source), Device.Conditions(parsed));
         var pictures = PairTable.Read(file);
         var kind = DeviceOptions.KindOf(source);
         RequireRise(pictures, file, source);
         var fit = FitOf(pictures, file);
-        var output = CalibrationOutput.At(folder);
+        // The files of millions of pairs take seconds.
+        cancel.ThrowIfCancellationRequested();
+        var output = CalibrationOutput.At(parsed.GetValue(Output));
         var profile = RangeProfile.Of(fit, conditions, kind);
         var page = RangeProfile.Page("Constant-latency range", profile, fit, pictures, [["Pairs of", file]]);
         var written = output.Write(profile, page);
-        CalibrationTable.Print(page, written, output.PagePath, asJson ? RangeJson.Of(fit) : null);
+        CalibrationTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? RangeJson.Of(fit) : null);
         return ExitStatus.Done;
     }
 

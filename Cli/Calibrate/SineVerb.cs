@@ -50,7 +50,7 @@ static class SineVerb
         return verb;
     }
 
-    static int Run(ParseResult parsed, CancellationToken cancel)
+    internal static int Run(ParseResult parsed, CancellationToken cancel)
     {
         var path = parsed.GetValue(Recording);
         var way = SineWay.Of(parsed.GetValue(Application), parsed.GetValue(Sampling), parsed.GetValue(Configured) ?? parsed.GetValue(Former));
@@ -58,6 +58,8 @@ static class SineVerb
         var tracks = Tracks(parsed, path, cancel);
         if (parsed.GetValue(Inverted)) tracks = tracks with { Shown = [.. tracks.Shown.Select(each => -each)] };
         var lag = EstimateOf(tracks, path);
+        // Long tables take seconds.
+        cancel.ThrowIfCancellationRequested();
         var result = new SineResult(tracks, lag, way);
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var profile = result.VisuMs is double visuMs ? earlier.With(visuMs, result.DeviationMs, CalibrationMethod.Sine, measurements: 1) : null;

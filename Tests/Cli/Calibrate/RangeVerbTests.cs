@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using System.Text.RegularExpressions;
+using Nowpose.Cli.Calibrate;
 using Nowpose.Latency;
 using Nowpose.Simulation;
 using NUnit.Framework;
@@ -23,6 +24,15 @@ public class RangeVerbTests : CalibrationFolder
                 yield return string.Create(CultureInfo.InvariantCulture,
                     $"{i}.png,{vertices},{frame.RenderTime.TotalMilliseconds:0.###},{frame.Visualisation.TotalMilliseconds + random.NextDouble() - 0.5:0.##}");
             }
+    }
+
+    [Test]
+    public void Run_Cancelled_WritesNothing()
+    {
+        var parsed = RangeVerb.Create().Parse([Write("pairs.csv", Sweep(7, 2)), "--out", Out]);
+
+        Assert.That(() => RangeVerb.Run(parsed, new CancellationToken(canceled: true)), Throws.InstanceOf<OperationCanceledException>());
+        Assert.That(Directory.Exists(Out), Is.False);
     }
 
     [Test]

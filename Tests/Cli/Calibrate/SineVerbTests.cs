@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
+using Nowpose.Cli.Calibrate;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 using Nowpose.Simulation;
@@ -44,6 +45,15 @@ public class SineVerbTests : CalibrationFolder
         var run = await CliRun.OfAsync(["calibrate", "sine", Write("jog.csv", jog.Lines()), "--json", "--out", Out, .. options]);
         Assert.That(run.ExitStatus, Is.Zero, run.Errors);
         return JsonDocument.Parse(run.Output).RootElement;
+    }
+
+    [Test]
+    public void Run_Cancelled_WritesNothing()
+    {
+        var parsed = SineVerb.Create().Parse([Write("jog.csv", new Jog(100).Lines()), "--out", Out]);
+
+        Assert.That(() => SineVerb.Run(parsed, new CancellationToken(canceled: true)), Throws.InstanceOf<OperationCanceledException>());
+        Assert.That(Directory.Exists(Out), Is.False);
     }
 
     [Test]
