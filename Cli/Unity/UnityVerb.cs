@@ -73,7 +73,7 @@ static class UnityVerb
             var folder = PackageFolder.Find();
             return folder == null ? unknown : string.Join(", ", folder.Samples.Select(sample => sample.Name));
         }
-        catch (InputException)
+        catch (Exception e) when (e is InputException or IOException or UnauthorizedAccessException)
         {
             return unknown;
         }
