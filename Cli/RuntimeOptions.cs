@@ -12,9 +12,10 @@ static class RuntimeOptions
     public static Option<string> Estimator() => ChoiceOption.Create(
         "--estimator", "Clock estimator; ransac is the paper's", ClockEstimators.Default, [.. ClockEstimators.Names]);
 
-    public static Option<string> Profile() => new("--profile")
+    /// <param name="effect">Values of the profile that the command uses.</param>
+    public static Option<string> Profile(string effect) => new("--profile")
     {
-        Description = "Latency profile created by calibrate; sets the display latency and the render time limit", HelpName = "FILE.json",
+        Description = "Latency profile created by calibrate; sets " + effect, HelpName = "FILE.json",
     };
 
     /// <summary>Reads the latency profile.</summary>

@@ -31,7 +31,7 @@ static class DemoVerb
     };
     static readonly Option<string> Predictor = PredictorOption.Create();
     static readonly Option<string> Estimator = RuntimeOptions.Estimator();
-    static readonly Option<string> Profile = RuntimeOptions.Profile();
+    static readonly Option<string> Profile = RuntimeOptions.Profile("the display latency and, with --load, the render time limit");
     static readonly Option<double> Sampling = NumberOption.Create(
         "--sampling-ms", "Sampling interval T_s of the control system", 50.0, 1, 1000, "ms");
     static readonly Option<MillisecondRange> Acquisition = RangeOption.Create(

@@ -38,11 +38,15 @@ static class HeadsetVerb
     };
     static readonly Option<string> Predictor = PredictorOption.Create();
     static readonly Option<string> Estimator = RuntimeOptions.Estimator();
-    static readonly Option<string> Profile = RuntimeOptions.Profile();
+    static readonly Option<string> Profile = RuntimeOptions.Profile(
+        "the display latency; nothing is rendered, so its render time limit has no effect");
     static readonly Option<double> Visualisation = NumberOption.Create("--visu-ms", "Display latency that the runtime uses", 40.0, 0, 500, "ms");
     static readonly Option<double> FramesPerSecond = NumberOption.Create("--fps", "Frames per second", 60.0, 1, 240, "Hz");
     static readonly Option<double> Seconds = NumberOption.Create("--seconds", "Duration of the run", 20.0, 1, 86_400, "s");
-    static readonly Option<string> Record = new("--record") { Description = "File for a recording of the session, .jsonl; the exit status is 1 if it is incomplete", HelpName = "FILE" };
+    static readonly Option<string> Record = new("--record")
+    {
+        Description = "File for a recording of the session, .jsonl; the exit status is 1 if it is incomplete", HelpName = "FILE",
+    };
     static readonly Option<bool> Json = new("--json") { Description = "Print the result as JSON" };
 
     public static Command Create()
