@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.CommandLine.Parsing;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency.Profile;
@@ -10,7 +11,7 @@ namespace Nowpose.Cli.Calibrate;
 /// </summary>
 static class NudgeVerb
 {
-    static readonly Option<double> Speed = NumberOption.Create("--speed-mm-s", "Constant speed of the tool", 0.0, 1, 10_000, "mm/s");
+    static readonly Option<double?> Speed = NumberOption.CreateOptional("--speed-mm-s", "Constant speed of the tool", 1.0, 10_000, "mm/s");
     static readonly Option<double> Configured = NumberOption.Create("--visu-ms", "L_visu that the headset used", 40.0, 0, 500, "ms");
     static readonly Option<double?> Former = FormerVisuOption.Create(Configured);
     static readonly Option<double[]> Forward = Offsets("--forward-mm", "forwards");
@@ -33,14 +34,14 @@ static class NudgeVerb
 
     static int Run(ParseResult parsed)
     {
-        if (parsed.GetResult(Speed)?.Implicit != false && parsed.GetValue(Forward).Length + parsed.GetValue(Backward).Length == 0)
+        if (parsed.CommandResult.Children.OfType<OptionResult>().All(option => option.Implicit))
         {
             Console.Out.Write(NudgeGuide.Text);
             return ExitStatus.Done;
         }
-        if (parsed.GetResult(Speed)?.Implicit != false) throw new InputException(CalibrationMessages.NoSpeed);
+        var speed = parsed.GetValue(Speed) ?? throw new InputException(CalibrationMessages.NoSpeed);
         var configuredMs = parsed.GetValue(Former) ?? parsed.GetValue(Configured);
-        var marks = new NudgeMarks(parsed.GetValue(Speed), configuredMs, parsed.GetValue(Forward), parsed.GetValue(Backward));
+        var marks = new NudgeMarks(speed, configuredMs, parsed.GetValue(Forward), parsed.GetValue(Backward));
         var result = marks.Result();
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed));

@@ -83,6 +83,7 @@ public class NudgeVerbTests : CalibrationFolder
 
     [TestCase("--speed-mm-s 250 --forward-mm 2", "backward direction has no mark")]
     [TestCase("--forward-mm 2 --backward-mm -2", "--speed-mm-s is missing")]
+    [TestCase("--json", "--speed-mm-s is missing")]
     [TestCase("--speed-mm-s 0 --forward-mm 2 --backward-mm -2", "--speed-mm-s: 0 mm/s is out of range")]
     [TestCase("--speed-mm-s 250 --forward-mm 2000 --backward-mm -2", "--forward-mm: 2000 mm is out of range")]
     [TestCase("--speed-mm-s 250 --forward-mm 2 --backward-mm two", "--backward-mm: 'two' is not a number; allowed: -1000 to 1000 mm")]
