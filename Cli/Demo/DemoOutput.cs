@@ -22,6 +22,10 @@ sealed class DemoOutput
     /// <summary>Path of the headset's recording, which <c>replay</c>, <c>sync</c> and <c>recommend</c> read.</summary>
     public string SessionPath { get; }
 
+    /// <summary>The files of the run that exist. A run that was interrupted before the robot was described has no session.</summary>
+    public IEnumerable<(string Label, string Path)> Written =>
+        new[] { ("result", ResultPath), ("report", ReportPath), ("session", SessionPath) }.Where(file => File.Exists(file.Item2));
+
     /// <summary>Gets the path of the report in a folder.</summary>
     public static string ReportIn(string folder) => Path.Combine(folder, "report.html");
 

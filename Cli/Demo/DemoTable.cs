@@ -14,9 +14,7 @@ static class DemoTable
         console.WriteLine(DemoTexts.Title(settings.Robot.Name, settings.Predictor, result.Network));
         console.Write(Errors(score, result));
         console.Write(Facts(result, new DemoRangeRows(settings, result, score.Range), new DemoDelayRows(run.Frames)));
-        console.WriteLine("result  " + output.ResultPath);
-        console.WriteLine("report  " + output.ReportPath);
-        console.WriteLine("session " + output.SessionPath);
+        foreach (var (label, path) in output.Written) console.WriteLine(label.PadRight(8) + path);
     }
 
     static Table Errors(DemoScore score, DemoResult result)

@@ -40,6 +40,16 @@ public sealed class DemoOutputTests
         Assert.That(Names(folder), Is.EquivalentTo(OfDemo.Concat(OfPaper)));
     }
 
+    [Test]
+    public void Written_RunWithoutASession_ListsTheOtherFiles()
+    {
+        using var folder = new TemporaryFolder();
+        var output = DemoOutput.At(folder.Path, isPaper: false);
+        foreach (var path in new[] { output.ResultPath, output.ReportPath }) File.WriteAllText(path, "");
+
+        Assert.That(output.Written.Select(file => file.Path), Is.EqualTo(new[] { output.ResultPath, output.ReportPath }));
+    }
+
     static TemporaryFolder Filled()
     {
         var folder = new TemporaryFolder();
