@@ -25,18 +25,16 @@ static class HeadVerb
     {
         Description = "Profile measured with a still headset; the latency for head motion is added to it",
     };
-    static readonly Option<string> Output = OutOption.Create();
-    static readonly Option<bool> Json = OutOption.Json();
-    static readonly DeviceOptions Device = new();
+    static readonly CalibrationOptions Shared = new();
 
     public static Command Create()
     {
         var verb = new Command(
             "head", "Measure the latency that remains for head motion after late-stage reprojection, from pictures of both codes in motion.")
         {
-            Pictures, Readout, ControlDelay, Earlier, Output, Json,
+            Pictures, Readout, ControlDelay, Earlier,
         };
-        Device.AddTo(verb);
+        Shared.AddTo(verb);
         // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
@@ -46,8 +44,8 @@ static class HeadVerb
     {
         var arguments = parsed.GetValue(Pictures);
         var files = PictureFiles.Of(arguments);
-        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed));
-        var output = CalibrationOutput.At(parsed.GetValue(Output));
+        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed));
+        var output = Shared.Output(parsed);
         var read = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay))).Run(files, cancel);
         VlcVerb.ReportRejected(read);
         if (read.Read.Count == 0)
@@ -55,8 +53,7 @@ static class HeadVerb
         if (ResultOf(read, arguments[0], cancel) is not { } result) return ExitStatus.Interrupted;
         var profile = earlier.With(new HeadMotionLatency(result.LatencyMs, result.UncertaintyMs));
         var page = earlier.WithWarnings(HeadPage.Of(result, profile, earlier.Conditions));
-        var written = output.Write(profile, page);
-        CalibrationTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? HeadJson.Of(result) : null);
+        Shared.Finish(parsed, output, profile, page, () => HeadJson.Of(result));
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 

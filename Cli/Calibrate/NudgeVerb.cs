@@ -17,17 +17,15 @@ static class NudgeVerb
     static readonly Option<double[]> Forward = Offsets("--forward-mm", "forwards");
     static readonly Option<double[]> Backward = Offsets("--backward-mm", "backwards");
     static readonly Option<string> Earlier = EarlierProfile.Option();
-    static readonly Option<string> Output = OutOption.Create();
-    static readonly Option<bool> Json = OutOption.Json();
-    static readonly DeviceOptions Device = new();
+    static readonly CalibrationOptions Shared = new();
 
     public static Command Create()
     {
         var verb = new Command("nudge", "Determine L_visu by eye, from the offsets at which hologram and robot coincide in both directions of motion. Without options: print the instructions.")
         {
-            Speed, Configured, Former, Forward, Backward, Earlier, Output, Json,
+            Speed, Configured, Former, Forward, Backward, Earlier,
         };
-        Device.AddTo(verb);
+        Shared.AddTo(verb);
         verb.SetAction(Run);
         return verb;
     }
@@ -43,13 +41,12 @@ static class NudgeVerb
         var configuredMs = parsed.GetValue(Former) ?? parsed.GetValue(Configured);
         var marks = new NudgeMarks(speed, configuredMs, parsed.GetValue(Forward), parsed.GetValue(Backward));
         var result = marks.Result();
-        var output = CalibrationOutput.At(parsed.GetValue(Output));
-        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed));
+        var output = Shared.Output(parsed);
+        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed));
         var profile = earlier.With(
             result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, CalibrationMethod.Nudge, result.Count);
         var page = earlier.WithWarnings(NudgePage.Of(marks, result, profile));
-        var written = output.Write(profile, page);
-        CalibrationTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? NudgePage.Json(result) : null);
+        Shared.Finish(parsed, output, profile, page, () => NudgePage.Json(result));
         return ExitStatus.Done;
     }
 

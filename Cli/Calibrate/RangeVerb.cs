@@ -13,14 +13,12 @@ static class RangeVerb
         Description = "Pairs: columns render_ms and visu_ms, optionally vertices; .csv or .csv.gz.",
     };
     static readonly Option<string> Source = DeviceOptions.Source();
-    static readonly Option<string> Output = OutOption.Create();
-    static readonly Option<bool> Json = OutOption.Json();
-    static readonly DeviceOptions Device = new();
+    static readonly CalibrationOptions Shared = new();
 
     public static Command Create()
     {
-        var verb = new Command("range", "Estimate L_visu and the render time up to which it is constant.") { Pairs, Source, Output, Json };
-        Device.AddTo(verb);
+        var verb = new Command("range", "Estimate L_visu and the render time up to which it is constant.") { Pairs, Source };
+        Shared.AddTo(verb);
         // Runs on a separate thread, so that Ctrl-C can cancel it.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
@@ -28,18 +26,17 @@ static class RangeVerb
 
     internal static int Run(ParseResult parsed, CancellationToken cancel)
     {
-        var (file, source, conditions) = (parsed.GetValue(Pairs), parsed.GetValue(Source), Device.Conditions(parsed));
+        var (file, source, conditions) = (parsed.GetValue(Pairs), parsed.GetValue(Source), Shared.Conditions(parsed));
         var pictures = PairTable.Read(file);
         var kind = DeviceOptions.KindOf(source);
         RequireRise(pictures, file, source);
         var fit = FitOf(pictures, file);
         // The files of millions of pairs take seconds.
         cancel.ThrowIfCancellationRequested();
-        var output = CalibrationOutput.At(parsed.GetValue(Output));
+        var output = Shared.Output(parsed);
         var profile = RangeProfile.Of(fit, conditions, kind);
         var page = RangeProfile.Page("Constant-latency range", profile, fit, pictures, [["Pairs of", file]]);
-        var written = output.Write(profile, page);
-        CalibrationTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? RangeJson.Of(fit) : null);
+        Shared.Finish(parsed, output, profile, page, () => RangeJson.Of(fit));
         return ExitStatus.Done;
     }
 

@@ -34,17 +34,15 @@ static class SineVerb
             + "value", 0.0, 500, "ms");
     static readonly Option<double?> Former = FormerVisuOption.Create(Configured);
     static readonly Option<string> Earlier = EarlierProfile.Option();
-    static readonly Option<string> Output = OutOption.Create();
-    static readonly Option<bool> Json = OutOption.Json();
-    static readonly DeviceOptions Device = new();
+    static readonly CalibrationOptions Shared = new();
 
     public static Command Create()
     {
         var verb = new Command("sine", "Estimate the end-to-end latency from a filmed jog back and forth. A phone's camera is sufficient.")
         {
-            Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Former, Earlier, Output, Json,
+            Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Former, Earlier,
         };
-        Device.AddTo(verb);
+        Shared.AddTo(verb);
         // Runs on a separate thread, so that Ctrl-C can cancel it.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
@@ -54,18 +52,17 @@ static class SineVerb
     {
         var path = parsed.GetValue(Recording);
         var way = SineWay.Of(parsed.GetValue(Application), parsed.GetValue(Sampling), parsed.GetValue(Configured) ?? parsed.GetValue(Former));
-        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed));
+        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed));
         var tracks = Tracks(parsed, path, cancel);
         if (parsed.GetValue(Inverted)) tracks = tracks with { Shown = [.. tracks.Shown.Select(each => -each)] };
         var lag = EstimateOf(tracks, path);
         // Long tables take seconds.
         cancel.ThrowIfCancellationRequested();
         var result = new SineResult(tracks, lag, way);
-        var output = CalibrationOutput.At(parsed.GetValue(Output));
+        var output = Shared.Output(parsed);
         var profile = result.VisuMs is double visuMs ? earlier.With(visuMs, result.DeviationMs, CalibrationMethod.Sine, measurements: 1) : null;
         var page = earlier.WithWarnings(SinePage.Of(result, profile, path));
-        var written = output.Write(profile, page);
-        CalibrationTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? SineJson.Of(result) : null);
+        Shared.Finish(parsed, output, profile, page, () => SineJson.Of(result));
         return ExitStatus.Done;
     }
 

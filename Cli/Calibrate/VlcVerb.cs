@@ -21,18 +21,16 @@ static class VlcVerb
     static readonly Option<double> Readout = ReadoutOption();
     static readonly Option<double> ControlDelay = ControlDelayOption();
     static readonly Option<string> Earlier = EarlierProfile.Option();
-    static readonly Option<string> Output = OutOption.Create();
-    static readonly Option<bool> Json = OutOption.Json();
-    static readonly DeviceOptions Device = new();
+    static readonly CalibrationOptions Shared = new();
 
     public static Command Create()
     {
         var verb = new Command(
             "vlc", "Determine L_visu from pictures of the control code and the headset's code and, with a sweep's log, the constant-latency range.")
         {
-            Pictures, Sweep, Readout, ControlDelay, Earlier, Output, Json,
+            Pictures, Sweep, Readout, ControlDelay, Earlier,
         };
-        Device.AddTo(verb);
+        Shared.AddTo(verb);
         // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
@@ -43,17 +41,16 @@ static class VlcVerb
         var files = PictureFiles.Of(parsed.GetValue(Pictures));
         DisplayConditions conditions = null;
         var sweep = parsed.GetValue(Sweep) is string path ? SweepTable.Read(path, out conditions) : null;
-        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed), conditions);
-        var output = CalibrationOutput.At(parsed.GetValue(Output));
+        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed), conditions);
+        var output = Shared.Output(parsed);
         var run = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay)));
         var result = run.Run(files, cancel);
         ReportRejected(result);
         var status = cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
         if (result.Pictures.Count == 0) return status;
         var evaluation = new VlcEvaluation(result, sweep, earlier);
-        var written = output.Write(evaluation.Profile, evaluation.Page);
+        Shared.Finish(parsed, output, evaluation.Profile, evaluation.Page, () => VlcJson.Of(result, evaluation.Profile));
         if (sweep != null && result.Read.Count > 0) output.WritePairs(evaluation.Pictures);
-        CalibrationTable.Print(evaluation.Page, written, output.PagePath, parsed.GetValue(Json) ? VlcJson.Of(result, evaluation.Profile) : null);
         return status != ExitStatus.Done || evaluation.Profile != null ? status : result.Read.Count > 0 ? ExitStatus.Failed : ExitStatus.BadInput;
     }
 

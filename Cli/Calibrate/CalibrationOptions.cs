@@ -1,0 +1,37 @@
+using System.CommandLine;
+using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+
+namespace Nowpose.Cli.Calibrate;
+
+/// <summary>The options that all calibration methods share: output, format, and the conditions of the measurement.</summary>
+sealed class CalibrationOptions
+{
+    readonly Option<string> _folder = new("--out")
+    {
+        Description = "Folder for profile.json, calibration.html and, for pictures, pairs.csv",
+        DefaultValueFactory = _ => "nowpose-calibration",
+    };
+
+    readonly Option<bool> _json = new("--json") { Description = "Print JSON instead of a table" };
+    readonly DeviceOptions _device = new();
+
+    public void AddTo(Command verb)
+    {
+        verb.Options.Add(_folder);
+        verb.Options.Add(_json);
+        _device.AddTo(verb);
+    }
+
+    /// <inheritdoc cref="DeviceOptions.Conditions"/>
+    public DisplayConditions Conditions(ParseResult parsed) => _device.Conditions(parsed);
+
+    /// <inheritdoc cref="CalibrationOutput.At"/>
+    public CalibrationOutput Output(ParseResult parsed) => CalibrationOutput.At(parsed.GetValue(_folder));
+
+    /// <summary>Writes the profile and the page, and prints the result.</summary>
+    /// <param name="profile">The profile; null if there is none.</param>
+    /// <param name="json">Creates the JSON that is printed instead of the table on request.</param>
+    public void Finish(ParseResult parsed, CalibrationOutput output, LatencyProfile profile, CalibrationPageData page, Func<string> json) =>
+        CalibrationTable.Print(page, output.Write(profile, page), output.PagePath, parsed.GetValue(_json) ? json() : null);
+}
