@@ -76,11 +76,11 @@ sealed class SignalStatusTopic : IDisposable
 
     void Publish(ControlTime now, DateTimeOffset utcNow)
     {
-        // If the list is too long, the signals that ended last have priority.
+        // If the list is too long, the reported signals have priority, and then the signals that ended last.
         var bytes = 0;
         var reported = _reported.Select(one => new Row(
             one.Name, one.Report.State, now - (utcNow - one.Report.Since), InputException.OneLine(one.Report.Reason, MaxReasonLength)));
-        var rows = _ended.AsEnumerable().Reverse().Concat(reported).DistinctBy(one => one.Signal)
+        var rows = reported.Concat(_ended.AsEnumerable().Reverse()).DistinctBy(one => one.Signal).Take(ProtocolLimits.Signals)
             .TakeWhile(one => (bytes += MessageParts.BytesOf(one.Signal) + MessageParts.BytesOf(one.Reason)) <= MaxBytes);
         var values = rows.Select(one => KeyValuePair.Create(one.Signal, string.Create(
             CultureInfo.InvariantCulture, $"{JointDataStates.Of(one.State)} {one.Since.SinceEpoch.TotalSeconds:0.000} {one.Reason}"))).ToList();
