@@ -114,6 +114,9 @@ public sealed class HubMessage
         return this;
     }
 
+    /// <summary>Whether the message is longer in one of the time formats than clients accept.</summary>
+    internal bool IsTooLong => Math.Max(_sec.Value.Length, _secs.Value.Length) > ProtocolLimits.MessageBytes;
+
     /// <summary>Gets the message as UTF-8. All callers receive the same array and must not change it.</summary>
     internal ReadOnlyMemory<byte> Utf8(RosTimeForm form) => form == RosTimeForm.Secs ? _secs.Value : _sec.Value;
 }

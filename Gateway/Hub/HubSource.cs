@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -17,7 +18,7 @@ public sealed class HubSource : IDisposable
 
     readonly MessageHub _hub;
     // Joint names of the last claim, by robot: caches the claim, because a source sends the same names in each message.
-    readonly Dictionary<string, (string[] Names, string[] InCell)> _claimed = [];
+    readonly Dictionary<string, (string[] Names, string[] InCell, bool AreLong)> _claimed = [];
 
     internal HubSource(MessageHub hub) => _hub = hub;
 
@@ -42,10 +43,12 @@ public sealed class HubSource : IDisposable
         if (!_claimed.TryGetValue(robot, out var claimed) || !message.Names.AsSpan().SequenceEqual(claimed.Names))
         {
             if (_hub.Claim(this, robot, RosTopics.JointStates, message.Names) is { } refusal) return refusal;
-            _claimed[robot] = claimed = (message.Names, InCell(robot, message.Names));
+            _claimed[robot] = claimed = (message.Names, InCell(robot, message.Names), AreLong(message.Names));
         }
 
-        _hub.Publish(HubMessage.Of(robot, message, claimed.InCell, receivedAt ?? Stopwatch.GetTimestamp(), this));
+        var published = HubMessage.Of(robot, message, claimed.InCell, receivedAt ?? Stopwatch.GetTimestamp(), this);
+        if (claimed.AreLong && published.IsTooLong) return new Refusal(DropReason.TooLarge, DropMessages.AsWritten);
+        _hub.Publish(published);
         return null;
     }
 
@@ -55,9 +58,11 @@ public sealed class HubSource : IDisposable
     /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
     internal Refusal? Publish(JointTrajectoryMessage message, long? receivedAt = null, string robot = "")
     {
+        var published = HubMessage.Of(message, receivedAt ?? Stopwatch.GetTimestamp(), robot);
+        // The message may be longer than the received one, because numbers get more digits.
+        if (published.IsTooLong) return new Refusal(DropReason.TooLarge, DropMessages.AsWritten);
         var refusal = _hub.Claim(this, robot, RosTopics.JointTrajectory, message.Names);
-        if (refusal == null)
-            _hub.PublishNewest(this, HubMessage.Of(message, receivedAt ?? Stopwatch.GetTimestamp(), robot));
+        if (refusal == null) _hub.PublishNewest(this, published);
         return refusal;
     }
 
@@ -148,6 +153,9 @@ public sealed class HubSource : IDisposable
         IsEnded = true;
         Release(null);
     }
+
+    // Whether the names need so much of the maximum length that they may not fit in one message with the numbers of each joint.
+    static bool AreLong(string[] names) => names.Sum(MessageParts.BytesOf) > ProtocolLimits.MessageBytes / 2;
 
     /// <summary>Gets the cell-wide names of a robot's joints. Returns the same array for a robot without a namespace.</summary>
     internal static string[] InCell(string robot, string[] names) =>

@@ -11,6 +11,9 @@ static class DropMessages
         ", ", RosTopics.JointStates, RosTopics.JointTrajectory, RosTopics.RobotDescription, RosTopics.Tf, RosTopics.TfStatic, RosTopics.Signals,
         RosTopics.Diagnostics, RosTopics.Displayed);
 
+    /// <summary>Precedes the text of <see cref="DropReason.TooLarge"/> if the limit applies to the message that the gateway would send.</summary>
+    public const string AsWritten = "as the gateway writes it,";
+
     /// <param name="maxPerSecond">Maximum number of messages that the client's role may send per second.</param>
     public static string TooManyMessages(int maxPerSecond) =>
         $"the client exceeds the message rate of its role; the maximum is {maxPerSecond} messages/s; reduce the rate";

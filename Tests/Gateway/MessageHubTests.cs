@@ -141,6 +141,34 @@ public class MessageHubTests
     }
 
     [Test]
+    public void Publish_SetPointsLongerThanAMessageWhenWritten_AreRefusedAndReserveNoJoint()
+    {
+        using var arm = _hub.OpenSource();
+        using var other = _hub.OpenSource();
+        JointTrajectoryMessage Path(int points) =>
+            new(Gateways.Start, ["a"], [.. Enumerable.Range(0, points).Select(i => new JointTrajectoryPoint(TimeSpan.FromTicks(i), [0]))]);
+
+        Assert.That(arm.Publish(Path(2000))?.Reason, Is.EqualTo(DropReason.TooLarge));
+        Assert.That(PlansOfLateSubscriber(), Is.Empty);
+        Assert.That(other.Publish(Path(500)), Is.Null);
+        Assert.That(Encoding.UTF8.GetByteCount(PlansOfLateSubscriber().Single()), Is.LessThan(ProtocolLimits.MessageBytes));
+    }
+
+    [TestCase('a', 1)]
+    [TestCase('ä', 0)]
+    public void Publish_JointsWithLongNames_PublishesOnlyWhatFitsInOneMessage(char letter, int published)
+    {
+        using var source = _hub.OpenSource();
+        var names = Enumerable.Range(0, 256).Select(i => FormattableString.Invariant($"{i:000}").PadRight(ProtocolLimits.NameLength, letter)).ToArray();
+
+        var refusal = source.Publish(new JointStateMessage(Gateways.Start, names, new double[256]));
+
+        Assert.That(refusal?.Reason, published == 1 ? Is.Null : Is.EqualTo(DropReason.TooLarge));
+        Assert.That(_received.Count(message => message.Utf8(RosTimeForm.Sec).Length <= ProtocolLimits.MessageBytes), Is.EqualTo(published));
+        Assert.That(_received, Has.Count.EqualTo(published));
+    }
+
+    [Test]
     public void Subscribe_AfterSetPoints_ReceivesTheNewestSetPointsOfEachSource()
     {
         using var arm = _hub.OpenSource();

@@ -67,7 +67,7 @@ public sealed partial class MessageCatalogueTests
             "StoreFailed",
         ],
         // The name of the reason if nothing was dropped. A separate test checks all reasons.
-        ["DropMessages"] = ["Of"],
+        ["DropMessages"] = ["AsWritten", "Of"],
         ["DryRunMessages"] = ["MissingJoints", "MissingJointsLog", "PortInUse", "WarningLog"],
         ["FigureErrors"] = ["NotAValue", "NotFinite"],
         ["FrameMessages"] = ["FileLine", "FiniteNumber", "List", "Object", "OfFrame", "OfTransform", "Text"],

@@ -88,9 +88,9 @@ namespace Nowpose.Protocol
         {
             json.WriteStartObject();
             Positions(json, "positions", point.Positions);
-            OptionalNumbers(json, "velocities", point.Velocities);
-            OptionalNumbers(json, "accelerations", point.Accelerations);
-            Positions(json, "effort", Array.Empty<double>());
+            // Omits empty arrays: a long path with them could exceed the maximum length, although the received message did not.
+            if (point.Velocities != null) OptionalNumbers(json, "velocities", point.Velocities);
+            if (point.Accelerations != null) OptionalNumbers(json, "accelerations", point.Accelerations);
             json.WritePropertyName("time_from_start");
             Write(json, new ControlTime(point.TimeFromStart).Nanoseconds, form);
             json.WriteEndObject();

@@ -83,6 +83,17 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
+        public void JointTrajectory_PositionsOnly_HasNoEmptyArrays()
+        {
+            var points = new[] { new JointTrajectoryPoint(TimeSpan.Zero, new[] { 1.0 }) };
+
+            var text = RosbridgeWriter.PublishJointTrajectory(
+                "/joint_trajectory", new JointTrajectoryMessage(ControlTime.FromSeconds(9), new[] { "a" }, points), RosTimeForm.Sec);
+
+            Assert.That(text, Does.Not.Contain("[]"));
+        }
+
+        [Test]
         public void Subscribe_ReadBack_RoundTrips()
         {
             var message = Read(RosbridgeWriter.Subscribe("/joint_states", "sensor_msgs/JointState"));
