@@ -142,11 +142,11 @@ static class SessionLines
             ControlArrivalIn(line));
     }
 
-    // Returns the name of a frame or signal.
+    // Returns the name of a frame, which may be a link of a robot, or of a signal.
     static string Name(LineFields line, string field)
     {
         var name = line.Text(field);
-        return name.Length is > 0 and <= ProtocolLimits.NameLength ? name : throw line.Wrong(field, SessionFileMessages.Name(name, ProtocolLimits.NameLength));
+        return name.Length > 0 && RobotTopic.HasNameLength(name) ? name : throw line.Wrong(field, SessionFileMessages.Name(name, ProtocolLimits.NameLength));
     }
 
     static ControlTime? ControlArrivalIn(LineFields line) =>

@@ -79,7 +79,7 @@ static class MessageRules
         foreach (var one in all)
         {
             if (!isStatic || one.Stamp != default) Stamp(one.Stamp);
-            Names([one.Parent]);
+            Names([one.Parent], mayHaveNamespaces: true);
             if (one.Parent == one.Child) throw new FuzzException("a frame is its own parent");
             foreach (var number in new[] { one.X, one.Y, one.Z, one.Qx, one.Qy, one.Qz, one.Qw }) Finite(number);
             var norm = (one.Qx * one.Qx) + (one.Qy * one.Qy) + (one.Qz * one.Qz) + (one.Qw * one.Qw);
@@ -121,7 +121,7 @@ static class MessageRules
 
     static void Check(JointStatusMessage status)
     {
-        Names([.. status.Joints.Select(joint => joint.Joint)]);
+        Names([.. status.Joints.Select(joint => joint.Joint)], mayHaveNamespaces: true);
         foreach (var joint in status.Joints)
         {
             if (!Enum.IsDefined(joint.State)) throw new FuzzException("state " + joint.State);
@@ -147,10 +147,10 @@ static class MessageRules
             if (double.IsInfinity(rate)) throw new FuzzException(rate + " passed");
     }
 
-    static void Names(string[] names)
+    static void Names(string[] names, bool mayHaveNamespaces = false)
     {
         if (names.Length > ProtocolLimits.Joints || names.Distinct().Count() != names.Length
-            || names.Any(name => name.Length is 0 or > ProtocolLimits.NameLength))
+            || names.Any(name => name.Length == 0 || (mayHaveNamespaces ? !RobotTopic.HasNameLength(name) : name.Length > ProtocolLimits.NameLength)))
             throw new FuzzException("names that are too many, too long, empty or twice there");
     }
 

@@ -11,10 +11,12 @@ public class CellReaderAllocationTests
 {
     const int Rounds = 200;
 
+    static readonly string LongParent = new string('r', 32) + "/" + new string('ü', 128);
+
     static readonly ControlTime Stamp = ControlTime.FromSeconds(5000);
 
     static string Frames(string topic) => RosbridgeWriter.PublishTransforms(
-        topic, new TransformsMessage([.. Enumerable.Range(0, 100).Select(i => new FrameTransform(Stamp, "belt", "box" + i, i, 0.1, -2e-3, 0, 0, 0.6, 0.8))]),
+        topic, new TransformsMessage([.. Enumerable.Range(0, 100).Select(i => new FrameTransform(Stamp, i == 0 ? LongParent : "belt", "box" + i, i, 0.1, -2e-3, 0, 0, 0.6, 0.8))]),
         RosTimeForm.Sec);
 
     static string Signals(int first) => RosbridgeWriter.PublishSignals(

@@ -71,6 +71,19 @@ public class JointStatusTopicTests
     }
 
     [Test]
+    public void Publish_LongNamesInNamespaces_KeepsTheNewestFaultsThatFitIntoOneMessage()
+    {
+        var robot = new string('r', ProtocolLimits.NamespaceLength) + "/";
+        var message = default(HubMessage);
+        _hub.Subscribe(RosTopics.JointStatus, one => message = one);
+
+        _topic.Publish([.. Enumerable.Range(100, 256).Select(i => Joint($"{robot}{i}".PadRight(161, 'ä'), JointDataState.Fault, secondsAgo: i))]);
+
+        Assert.That(new RosbridgeReader().TryRead(message.Utf8(RosTimeForm.Sec).Span, out var read, out var reason), Is.True, reason.ToString());
+        Assert.That(read.JointStatus.Joints.Select(joint => joint.Joint[33..36]), Does.Contain("100").And.Not.Contain("355").And.Ordered);
+    }
+
+    [Test]
     public void Publish_CalledRepeatedly_SendsEachChangeAndOncePerSecondWhileAJointIsNotLive()
     {
         JointSnapshot[] fault = [Joint("a", JointDataState.Fault)];

@@ -13,7 +13,7 @@ namespace Nowpose.Protocol
         /// <returns>Null if the message is rejected.</returns>
         public static JointStatusMessage Read(ref JsonUtf8Reader json)
         {
-            if (!DiagnosticsReader.TryRead(ref json, out var message)) return null;
+            if (!DiagnosticsReader.TryRead(ref json, areKeysNames: true, out var message)) return null;
             var joints = new List<JointReport>(message.Values.Count);
             var names = new HashSet<string>(StringComparer.Ordinal);
             foreach (var pair in message.Values)

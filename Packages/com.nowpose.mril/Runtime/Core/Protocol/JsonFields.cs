@@ -9,7 +9,12 @@ namespace Nowpose.Protocol
     static class JsonFields
     {
         /// <summary>Reads a name: a non-empty string that is not longer than the protocol allows.</summary>
-        public static bool Name(ref this JsonUtf8Reader json, out string name) => json.Text(out name) && json.IsName(name);
+        public static bool Name(ref this JsonUtf8Reader json, out string name) =>
+            json.Text(out name) && json.IsName(name, name.Length <= ProtocolLimits.NameLength);
+
+        /// <summary>Reads a key of diagnostics.</summary>
+        public static bool Key(ref this JsonUtf8Reader json, out string key) =>
+            json.Text(out key) && json.IsName(key, key.Length <= ProtocolLimits.KeyLength);
 
         /// <summary>Reads a name. Creates no string object if the cache contains the name.</summary>
         /// <inheritdoc cref="Name(ref JsonUtf8Reader, out string)"/>
@@ -18,7 +23,20 @@ namespace Nowpose.Protocol
             name = null;
             if (!json.ReadText(out var read)) return false;
             name = cache[read];
-            return json.IsName(name);
+            return json.IsName(name, name.Length <= ProtocolLimits.NameLength);
+        }
+
+        /// <summary>Reads a name that may have the namespace of a robot before it.</summary>
+        public static bool QualifiedName(ref this JsonUtf8Reader json, out string name) =>
+            json.Text(out name) && json.IsName(name, RobotTopic.HasNameLength(name));
+
+        /// <summary>Reads a name that may have the namespace of a robot before it. Creates no string object if the cache contains the name.</summary>
+        public static bool QualifiedName(ref this JsonUtf8Reader json, JsonNameCache cache, out string name)
+        {
+            name = null;
+            if (!json.ReadText(out var read)) return false;
+            name = cache[read];
+            return json.IsName(name, RobotTopic.HasNameLength(name));
         }
 
         /// <summary>Reads a string; the result is null for JSON null, which some languages write for a missing field.</summary>
@@ -71,10 +89,10 @@ namespace Nowpose.Protocol
             return json.Fault == DropReason.None;
         }
 
-        static bool IsName(ref this JsonUtf8Reader json, string text)
+        static bool IsName(ref this JsonUtf8Reader json, string text, bool isShort)
         {
             if (text.Length == 0) return json.Fail(DropReason.MissingField);
-            return text.Length <= ProtocolLimits.NameLength || json.Fail(DropReason.NameTooLong);
+            return isShort || json.Fail(DropReason.NameTooLong);
         }
     }
 }

@@ -7,8 +7,10 @@ namespace Nowpose.Protocol
     /// </summary>
     sealed class JsonNameCache
     {
-        /// <summary>Maximum length of a cached name in bytes: a valid name has at most 3 bytes of UTF-8 per UTF-16 code unit.</summary>
-        const int MaxBytes = 3 * ProtocolLimits.NameLength;
+        /// <summary>
+        /// Maximum length of a cached name in bytes: a namespace, a slash, and a name with at most 3 bytes of UTF-8 per UTF-16 code unit.
+        /// </summary>
+        const int MaxBytes = ProtocolLimits.NamespaceLength + 1 + 3 * ProtocolLimits.NameLength;
 
         readonly int _capacity;
         // Created when the first name is read, because most readers receive messages of only a few topics.

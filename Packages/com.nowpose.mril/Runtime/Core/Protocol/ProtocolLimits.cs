@@ -19,8 +19,11 @@ namespace Nowpose.Protocol
 
         public const int Joints = 256;
 
-        /// <summary>Maximum length of a joint name, in UTF-16 code units.</summary>
+        /// <summary>Maximum length of a joint name without the namespace of its robot, in UTF-16 code units.</summary>
         public const int NameLength = 128;
+
+        /// <summary>Maximum length of a key of diagnostics, in UTF-16 code units. A key is a name with its namespace, after a prefix.</summary>
+        public const int KeyLength = 256;
 
         /// <summary>Maximum number of robots in namespaces per gateway; the robot without a namespace is not counted.</summary>
         public const int Robots = 16;

@@ -49,10 +49,18 @@ namespace Nowpose.Protocol
         /// <param name="robot">The robot's namespace; empty for the robot without a namespace.</param>
         public static string Qualified(string robot, string name) => robot.Length == 0 ? name : robot + "/" + name;
 
+        /// <summary>Returns whether a name is not longer than the protocol allows. The namespace of a robot before it is not counted.</summary>
+        public static bool HasNameLength(string name)
+        {
+            if (name.Length <= ProtocolLimits.NameLength) return true;
+            var slash = name.IndexOf('/');
+            return slash > 0 && name.Length - slash - 1 <= ProtocolLimits.NameLength && IsNamespace(name.AsSpan(0, slash));
+        }
+
         /// <summary>
         /// Returns whether a string is a valid namespace of a robot: a letter, then letters, digits and underscores, at most 32 characters in total.
         /// </summary>
-        public static bool IsNamespace(string text)
+        public static bool IsNamespace(ReadOnlySpan<char> text)
         {
             if (text.Length == 0 || text.Length > ProtocolLimits.NamespaceLength || !IsLetter(text[0])) return false;
             foreach (var c in text)

@@ -44,7 +44,7 @@ namespace Nowpose.Protocol
             return json.EndObject(seen, 0b11);
         }
 
-        /// <summary>Reads the stamp of a header and its frame_id, which names a frame.</summary>
+        /// <summary>Reads the stamp of a header and its frame_id, which names a frame or a link of a robot.</summary>
         /// <param name="isZeroAllowed">Whether the stamp may be zero.</param>
         public static bool ReadFrameHeader(
             ref JsonUtf8Reader json, JsonNameCache names, bool isZeroAllowed, out ControlTime stamp, out string frame)
@@ -54,7 +54,7 @@ namespace Nowpose.Protocol
             var seen = 0;
             if (!json.BeginObject()) return false;
             while (json.NextField(NamedHeader, ref seen, out var field))
-                if (field == 1) json.Name(names, out frame);
+                if (field == 1) json.QualifiedName(names, out frame);
                 else if (isZeroAllowed) ReadPoint(ref json, out stamp);
                 else ReadStamp(ref json, out stamp);
             return json.EndObject(seen, 0b11);

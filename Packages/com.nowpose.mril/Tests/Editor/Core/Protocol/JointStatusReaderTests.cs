@@ -74,6 +74,11 @@ namespace Nowpose.Tests.Core.Protocol
         public void TryRead_JointNameTooLong_IsDropped() =>
             Assert.That(ReasonOf(Message((new string('a', ProtocolLimits.NameLength + 1), "fault 1"))), Is.EqualTo(DropReason.NameTooLong));
 
+        [TestCase(32, 128, DropReason.None)]
+        [TestCase(32, 129, DropReason.NameTooLong)]
+        public void TryRead_JointInANamespace_HasTheNameLengthWithoutTheNamespace(int robot, int joint, DropReason expected) =>
+            Assert.That(ReasonOf(Message((new string('r', robot) + "/" + new string('a', joint), "fault 1"))), Is.EqualTo(expected));
+
         [Test]
         public void TryRead_LongReason_IsShortenedToOneLine()
         {

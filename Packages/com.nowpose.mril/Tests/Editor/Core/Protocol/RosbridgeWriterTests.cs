@@ -131,6 +131,18 @@ namespace Nowpose.Tests.Core.Protocol
             Assert.That(read.Message, Is.EqualTo("a fault: gone"));
         }
 
+        [TestCase(256, true)]
+        [TestCase(257, false)]
+        public void Diagnostics_KeyWithPrefixAndNamespace_MayBeLongerThanAName(int length, bool expected)
+        {
+            var key = "reduction_uncertainty/".PadRight(length, 'n');
+            var text = RosbridgeWriter.PublishDiagnostics(
+                "/nowpose/diagnostics", new DiagnosticsMessage(default, "headset 1", new[] { Pair(key, "0.1") }), RosTimeForm.Sec);
+
+            Assert.That(RosbridgeReader.TryRead(text, out _, out var reason), Is.EqualTo(expected));
+            Assert.That(reason, Is.EqualTo(expected ? DropReason.None : DropReason.NameTooLong));
+        }
+
         [TestCase("", 0)]
         [TestCase("\"level\":1,", 1)]
         [TestCase("\"level\":255,", 3)]

@@ -116,6 +116,16 @@ namespace Nowpose.Tests.Core.Protocol.Cell
             if (!expected) Refuse(Publish(Transform("box", name)), DropReason.NameTooLong);
         }
 
+        [TestCase(32, 128, true)]
+        [TestCase(32, 129, false)]
+        [TestCase(33, 128, false)]
+        public void TryRead_ParentInANamespace_HasTheNameLengthWithoutTheNamespace(int robot, int link, bool expected)
+        {
+            var text = Publish(Transform("box", new string('r', robot) + "/" + new string('n', link)));
+            if (expected) Assert.That(Read(text).Count, Is.EqualTo(1));
+            else Refuse(text, DropReason.NameTooLong);
+        }
+
         [Test]
         public void TryRead_DuplicateChild_IsRefused() =>
             Refuse(Publish(Transform("a") + "," + Transform("b") + "," + Transform("a", "b")), DropReason.DuplicateName);
