@@ -77,7 +77,9 @@ public sealed record GatewayOptions
     /// <summary>Maximum number of connections to the WebSocket port before authentication, from all addresses together.</summary>
     internal int MaxPendingInAll => Math.Max(MaxConnections, MaxPendingConnections);
 
-    /// <summary>Minimum interval between the responses to an address that has sent too many wrong tokens.</summary>
+    /// <summary>
+    /// Delay of each response to an address that has sent too many wrong tokens. Shorter than the time for which a headset waits for a response.
+    /// </summary>
     public TimeSpan WrongTokenDelay { get; init; } = TimeSpan.FromSeconds(1);
 
     /// <summary>Maximum number of messages that a source may send per second. Further messages are dropped before they are read.</summary>

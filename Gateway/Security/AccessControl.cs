@@ -78,10 +78,10 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     }
 
     /// <summary>Refuses a request that the client may repeat after a wait.</summary>
-    public static Task RefuseForNowAsync(HttpContext context, TimeSpan wait, string text)
+    public static Task RefuseForNowAsync(HttpContext context, TimeSpan wait, string text, int status = StatusCodes.Status429TooManyRequests)
     {
         context.Response.Headers.RetryAfter = Math.Ceiling(wait.TotalSeconds).ToString(CultureInfo.InvariantCulture);
-        return AnswerAsync(context, StatusCodes.Status429TooManyRequests, text);
+        return AnswerAsync(context, status, text);
     }
 
     /// <summary>Rejects a request from an address that has sent too many wrong tokens or codes.</summary>
@@ -97,21 +97,21 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     // Called only for invalid tokens: a valid token is accepted even from a blocked address.
     async Task RefuseTokenAsync(HttpContext context)
     {
-        const string Text = AccessMessages.Token;
         var address = context.Connection.RemoteIpAddress;
-        var blocked = wrong.BlockedFor(address);
-        var wait = AccessRule.HasBearer(context) ? wrong.Count(address, options.WrongTokenDelay) : TimeSpan.Zero;
-        if (blocked == TimeSpan.Zero || !AccessRule.HasBearer(context))
+        if (!AccessRule.HasBearer(context) || !wrong.Count(address))
         {
-            await RefuseAsync(context, StatusCodes.Status401Unauthorized, Closure.Token, Text);
+            await RefuseAsync(context, StatusCodes.Status401Unauthorized, Closure.Token, AccessMessages.Token);
             return;
         }
 
+        var blocked = wrong.BlockedFor(address);
         counters.Count(Closure.Token);
         log(AccessMessages.TooManyWrongLog);
         // Waits even if the client disconnects, so that its connection counts as pending in the meantime.
-        await Task.Delay(wait, options.Time);
-        await RefuseForNowAsync(context, blocked, AccessMessages.TooManyWrong(Text));
+        await Task.Delay(options.WrongTokenDelay, options.Time);
+        // Responds with 401 instead of 429, so that a client can always report that its token is wrong.
+        context.Response.Headers.WWWAuthenticate = "Bearer";
+        await RefuseForNowAsync(context, blocked, AccessMessages.TooManyWrong(AccessMessages.Token), StatusCodes.Status401Unauthorized);
     }
 
     Task RefuseAsync(HttpContext context, int status, Closure why, string text)

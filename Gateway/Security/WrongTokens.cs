@@ -11,16 +11,13 @@ namespace Nowpose.Gateway.Security;
 /// <remarks>
 /// Login and pairing refuse a blocked address, which limits the rate of guesses. Bearer and sync tokens are compared even from a blocked
 /// address, because clients with valid tokens may have the same address; only the responses to wrong tokens are delayed. The delay reduces log
-/// output and load. It does not limit the guesses of a client that opens new connections without waiting for the responses, but a token of
-/// 128 bits cannot be guessed at any rate.
+/// output and load. It does not limit the guesses of a client that opens many connections, but a token of 128 bits cannot be guessed at any
+/// rate.
 /// </remarks>
 sealed class WrongTokens(TimeProvider time)
 {
     /// <summary>Maximum number of addresses. At the limit, a new address replaces the one whose last attempt is the oldest.</summary>
     internal const int MaxAddresses = 1000;
-
-    /// <summary>Maximum delay of a response, as a multiple of the delay between two responses.</summary>
-    internal const int MaxTurns = 10;
 
     static readonly TimeSpan Span = TimeSpan.FromMinutes(1);
 
@@ -35,16 +32,8 @@ sealed class WrongTokens(TimeProvider time)
         lock (_lock) return Find(address) is { } known ? BlockedFor(known) : TimeSpan.Zero;
     }
 
-    public void Count(IPAddress address) => Count(address, TimeSpan.Zero);
-
-    /// <summary>
-    /// Counts a wrong token. Returns the time to wait before the response: the responses to a blocked address are sent one by one, one per delay,
-    /// regardless of the number of connections.
-    /// </summary>
-    /// <remarks>Responses beyond the first <see cref="MaxTurns"/> are sent together with the last of these.</remarks>
-    /// <param name="address">Address of the client.</param>
-    /// <param name="delay">Time between two responses to a blocked address.</param>
-    public TimeSpan Count(IPAddress address, TimeSpan delay)
+    /// <summary>Counts a wrong token. Returns whether its address was already blocked.</summary>
+    public bool Count(IPAddress address)
     {
         lock (_lock)
         {
@@ -52,12 +41,7 @@ sealed class WrongTokens(TimeProvider time)
             var isBlocked = BlockedFor(one) > TimeSpan.Zero;
             if (one.Count == 0 || time.GetElapsedTime(one.Since) >= Span) (one.Since, one.Count) = (time.GetTimestamp(), 0);
             one.Count++;
-            if (!isBlocked) return TimeSpan.Zero;
-            var left = one.Waiting - time.GetElapsedTime(one.WaitingAt);
-            var wait = delay + (left > TimeSpan.Zero ? left : TimeSpan.Zero);
-            if (wait > MaxTurns * delay) wait = MaxTurns * delay;
-            (one.Waiting, one.WaitingAt) = (wait, time.GetTimestamp());
-            return wait;
+            return isBlocked;
         }
     }
 
@@ -103,9 +87,5 @@ sealed class WrongTokens(TimeProvider time)
         // Count: number of wrong tokens. Since: time of the first of them.
         public int Count;
         public long Since;
-
-        // Waiting: delay of the last delayed response. WaitingAt: time at which this delay began.
-        public TimeSpan Waiting;
-        public long WaitingAt;
     }
 }

@@ -204,9 +204,9 @@ sealed class ServedSyncConnection
     // Delays the response to a wrong token. The response to a valid token is not delayed, even if its address has sent many wrong tokens.
     void SlowDown()
     {
-        var wait = _wrong.Count(_address, _options.WrongTokenDelay);
+        if (!_wrong.Count(_address)) return;
         lock (_delay)
-            if (wait > TimeSpan.Zero && Volatile.Read(ref _stopped) == NotStopped && !_isOverdue) Monitor.Wait(_delay, wait);
+            if (Volatile.Read(ref _stopped) == NotStopped && !_isOverdue) Monitor.Wait(_delay, _options.WrongTokenDelay);
     }
 
     void Overdue()
