@@ -57,7 +57,7 @@ public class SyncClientTests
         {
             SyncExchangeFault.WrongSequence => Reply(request, sequence: request.Sequence + 1),
             SyncExchangeFault.WrongEcho => Reply(request, t1Ns: request.T1Ns + 100),
-            SyncExchangeFault.ControlTimeReversed => Reply(request, t2Ns: 5000, t3Ns: 4000),
+            SyncExchangeFault.ControlTimeReversed => Reply(request, t2Ns: 5000, t3Ns: 4999),
             _ => Reply(request, t2Ns: 0, t3Ns: 3_600_000_000_000),
         }));
         var (client, clock) = Connect(server.Port);

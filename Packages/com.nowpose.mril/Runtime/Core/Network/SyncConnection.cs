@@ -46,12 +46,10 @@ namespace Nowpose.Network
             var reply = Receive(SyncFrameKind.Reply);
             var t4 = _clock.Now;
 
-            exchange = new SyncExchange(
-                t1, ControlTime.FromNanoseconds(reply.T2Ns), ControlTime.FromNanoseconds(reply.T3Ns), t4,
-                new TimeSpan(reply.ResolutionNs / ClockTicks.NanosecondsPerTick), new TimeSpan(reply.ErrorBoundUs * 10L), reply.IsServerSynchronised);
+            exchange = SyncExchange.Of(t1, reply, t4);
             if (reply.Sequence != sequence) return SyncExchangeFault.WrongSequence;
             if (reply.T1Ns != t1.Nanoseconds) return SyncExchangeFault.WrongEcho;
-            return SyncExchangeRules.Check(exchange);
+            return SyncExchangeRules.CheckReply(exchange, reply);
         }
 
         GatewayRefusalException NotAFrame(string message)

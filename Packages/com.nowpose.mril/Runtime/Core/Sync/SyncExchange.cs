@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Protocol;
 
 namespace Nowpose.Sync
 {
@@ -28,6 +29,17 @@ namespace Nowpose.Sync
             Resolution = resolution;
             ServerErrorBound = serverErrorBound;
             ServerSynchronised = serverSynchronised;
+        }
+
+        /// <param name="t1">Headset time at which the request was sent.</param>
+        /// <param name="t4">Headset time at which the reply arrived.</param>
+        public static SyncExchange Of(HeadsetTime t1, in SyncFrame reply, HeadsetTime t4)
+        {
+            // Rounds the resolution up, so that rounding to ticks never invalidates an exchange that is valid in nanoseconds.
+            var resolution = (reply.ResolutionNs + ClockTicks.NanosecondsPerTick - 1L) / ClockTicks.NanosecondsPerTick;
+            return new SyncExchange(
+                t1, ControlTime.FromNanoseconds(reply.T2Ns), ControlTime.FromNanoseconds(reply.T3Ns), t4,
+                new TimeSpan(resolution), new TimeSpan(reply.ErrorBoundUs * 10L), reply.IsServerSynchronised);
         }
 
         /// <summary>Headset time at which the request was sent.</summary>

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Protocol;
 
 namespace Nowpose.Sync
 {
@@ -16,6 +17,16 @@ namespace Nowpose.Sync
             if (exchange.T4 < exchange.T1) return SyncExchangeFault.HeadsetTimeReversed;
             if (exchange.RoundTripTime < -exchange.Resolution) return SyncExchangeFault.NegativeRoundTrip;
             return SyncExchangeFault.None;
+        }
+
+        /// <param name="reply">The reply of the exchange, whose nanoseconds are finer than the ticks of the exchange.</param>
+        public static SyncExchangeFault CheckReply(in SyncExchange exchange, in SyncFrame reply)
+        {
+            var fault = Check(exchange);
+            if (fault != SyncExchangeFault.None) return fault;
+            if (reply.T3Ns < reply.T2Ns) return SyncExchangeFault.ControlTimeReversed;
+            var elapsedNs = (exchange.T4 - exchange.T1).Ticks * ClockTicks.NanosecondsPerTick;
+            return reply.T3Ns - reply.T2Ns > elapsedNs + reply.ResolutionNs ? SyncExchangeFault.NegativeRoundTrip : SyncExchangeFault.None;
         }
 
         static bool IsFar(TimeSpan sinceEpoch) => sinceEpoch > MaxSinceEpoch || sinceEpoch < -MaxSinceEpoch;

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Protocol;
 using Nowpose.Sync;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Lengths;
@@ -73,6 +74,20 @@ namespace Nowpose.Tests.Core.Sync
                 new HeadsetTime(Ms(t1Ms)), new ControlTime(Ms(t2Ms)), new ControlTime(Ms(t3Ms)), new HeadsetTime(Ms(t4Ms)));
 
             Assert.That(SyncExchangeRules.Check(exchange), Is.EqualTo((SyncExchangeFault)expected));
+        }
+
+        [TestCase(1000, 999, 0u, SyncExchangeFault.ControlTimeReversed)]
+        [TestCase(1000, 1001, 0u, SyncExchangeFault.NegativeRoundTrip)]
+        [TestCase(1000, 1000, 0u, SyncExchangeFault.None)]
+        [TestCase(1040, 1161, 120u, SyncExchangeFault.NegativeRoundTrip)]
+        [TestCase(1040, 1160, 120u, SyncExchangeFault.None)]
+        [TestCase(1000, 1149, 149u, SyncExchangeFault.None)]
+        public void CheckReply_TimesWithinTheSameTick_AppliesTheRulesToNanoseconds(long t2Ns, long t3Ns, uint resolutionNs, object expected)
+        {
+            var reply = new SyncFrame(SyncFrameKind.Reply, 0, 1, 0, 0, t2Ns, t3Ns, resolutionNs);
+            var exchange = SyncExchange.Of(default, reply, default);
+
+            Assert.That(SyncExchangeRules.CheckReply(exchange, reply), Is.EqualTo((SyncExchangeFault)expected));
         }
 
         [Test]
