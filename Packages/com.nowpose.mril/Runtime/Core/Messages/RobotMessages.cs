@@ -34,7 +34,7 @@ namespace Nowpose.Messages
             $"robot namespace '{name}': robot {robot} already has it; give each robot its own namespace";
 
         public static string TooManyRobots(string name, int max) =>
-            $"robot namespace '{name}': the cell already has {max} robots, which is the maximum; remove one of them";
+            $"robot namespace '{name}': the cell already has {max} robots in namespaces, which is the maximum; remove one of them";
 
         public static string NamespaceInvalid(string name, int max) =>
             $"robot namespace: is '{name}'; allowed: a letter, then letters, digits and underscores, up to {max} characters";

@@ -47,14 +47,15 @@ namespace Nowpose.Session
         /// <summary>Adds a robot to the cell. From then on, the session receives and shows it.</summary>
         /// <param name="name">Namespace of the robot; empty for the robot without a namespace.</param>
         /// <returns>The new robot, or the existing robot if it has the same namespace and the same description.</returns>
-        /// <exception cref="InputException">The namespace is invalid, another robot has it, or the cell has the maximum number of robots.</exception>
+        /// <exception cref="InputException">The namespace is invalid, another robot has it, or the cell has the maximum number of robots in namespaces.</exception>
         public SessionRobot Add(string name, RobotModel robot)
         {
             if (name.Length > 0) RobotTopic.RequireNamespace(name);
             var known = Of(name);
             if (known?.Robot.SourceHash == robot.SourceHash) return known;
             if (known != null) throw new InputException(RobotMessages.NamespaceTaken(name, known.Robot.Name));
-            if (_all.Length >= ProtocolLimits.Robots)
+            // Of("") is the robot without a namespace, which the limit does not count.
+            if (name.Length > 0 && _all.Length - (Of("") == null ? 0 : 1) >= ProtocolLimits.Robots)
                 throw new InputException(RobotMessages.TooManyRobots(name, ProtocolLimits.Robots));
             var added = new SessionRobot(name, robot, _settings, _latency, _drops);
             lock (_gate)

@@ -168,12 +168,14 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Add_MoreThanAllowed_Throws()
+        public void Add_MoreNamespacesThanAllowed_Throws([Values("", "arm0")] string main)
         {
-            var session = new CellSession().Session;
-            for (var i = 1; i < ProtocolLimits.Robots; i++) session.Robots.Add("arm" + i, TestRobot.Model);
+            var robots = new CellSession(robotNamespace: main).Session.Robots;
+            for (var i = 1; i < ProtocolLimits.Robots + (main == "" ? 1 : 0); i++) robots.Add("arm" + i, TestRobot.Model);
 
-            Assert.Throws<InputException>(() => session.Robots.Add("one_more", TestRobot.Model));
+            Assert.Throws<InputException>(() => robots.Add("one_more", TestRobot.Model));
+            Assert.That(robots.Add("", TestRobot.Model).Namespace, Is.Empty);
+            Assert.That(robots.Count, Is.EqualTo(ProtocolLimits.Robots + 1));
         }
 
         [TestCase("1st")]
