@@ -184,19 +184,18 @@ sealed class ServedSyncConnection
         if (!TryFill(stream, text) || !SyncToken.TryReadText(text, out var token))
             return false;
         var hash = TokenList.HashOf(token);
-        if (_options.RoleOf(hash) is { } role)
+        var role = _options.RoleOf(hash);
+        var isValid = role != null || !_options.AsksForTokens;
+        if (role != null)
         {
             _isAccepted = true;
             _watched?.Dispose();
-            _watched = _access.Watch(hash, role, () => Stop(Closure.Token));
+            _watched = _access.Watch(hash, role.Value, () => Stop(Closure.Token));
         }
 
-        else if (!_isAccepted)
-        {
-            SlowDown();
-        }
-
-        SyncFrame.TokenReply(_isAccepted).Write(_frame);
+        if (!isValid) SlowDown();
+        // Replies about this token; after a valid token, a wrong token does not end the access.
+        SyncFrame.TokenReply(isValid).Write(_frame);
         stream.Write(_frame);
         return true;
     }

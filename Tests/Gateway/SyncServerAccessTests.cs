@@ -34,6 +34,20 @@ public class SyncServerAccessTests
     }
 
     [Test]
+    public async Task Token_WrongAfterAValidOne_IsRefusedAndTheConnectionIsStillServed()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
+        using var client = await RawSyncClient.ConnectAsync(gateway);
+        await client.SendAsync(SyncToken.Write(Gateways.ObserverToken));
+        await client.ReceiveAsync();
+
+        await client.SendAsync(SyncToken.Write("guess"));
+
+        Assert.That((await client.ReceiveAsync()).Value.IsAccepted, Is.False);
+        Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
+    }
+
+    [Test]
     public async Task Request_TokenMissing_ClosesTheConnection()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
