@@ -122,14 +122,15 @@ sealed class ServedSyncConnection
             AwaitNext(deadline);
         while (true)
         {
-            if (!TryReadFrame(stream, deadline))
+            var read = ReadFrame(stream, deadline);
+            if (read == 0)
                 return Closure.ByPeer;
             // Reads the time first, because any work before it would count as network latency.
             var t2 = _clock.Now;
             var bound = _clock.ErrorBound;
             if (!_rate.TryTake())
                 return Closure.TooManyRequests;
-            if (!SyncFrame.TryRead(_frame, out var frame, out _) || !Answer(stream, frame, t2, bound))
+            if (!SyncFrame.TryRead(_frame.AsSpan(0, read), out var frame, out _) || !Answer(stream, frame, t2, bound))
                 return Closure.MalformedFrame;
             if (!_isAccepted)
                 continue;
@@ -144,16 +145,14 @@ sealed class ServedSyncConnection
         deadline.Change(_options.SyncSilence, Timeout.InfiniteTimeSpan);
     }
 
-    // Reads a frame. Once a frame has begun, it must be complete before a deadline. Otherwise a client could keep the connection open by sending
-    // single bytes.
-    bool TryReadFrame(Stream stream, Timer deadline)
+    // Reads a frame, and returns the number of bytes; less than a frame if the client ends the connection. Once a frame has begun, it must be complete
+    // before a deadline. Otherwise a client could keep the connection open by sending single bytes.
+    int ReadFrame(Stream stream, Timer deadline)
     {
         var begun = stream.Read(_frame);
-        if (begun == 0)
-            return false;
-        if (begun < _frame.Length && _isAccepted)
+        if (begun > 0 && begun < _frame.Length && _isAccepted)
             deadline.Change(_options.TokenTimeout, Timeout.InfiniteTimeSpan);
-        return TryFill(stream, _frame.AsSpan(begun));
+        return begun == 0 ? 0 : begun + stream.ReadAtLeast(_frame.AsSpan(begun), _frame.Length - begun, false);
     }
 
     bool Answer(Stream stream, in SyncFrame frame, ControlTime t2, TimeSpan boundAtT2)

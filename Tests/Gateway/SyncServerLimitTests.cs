@@ -27,6 +27,24 @@ public class SyncServerLimitTests
         Assert.That(gateway.SyncConnections[Closure.MalformedFrame], Is.EqualTo(1));
     }
 
+    [TestCase(0, 0)]
+    [TestCase(1, 1)]
+    [TestCase(SyncFrame.Size - 1, 1)]
+    public async Task Connection_EndedWithinAFrame_IsCountedAsMalformed(int bytes, int expected)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawSyncClient.ConnectAsync(gateway);
+        var frame = new byte[SyncFrame.Size];
+        SyncFrame.Request(1, 2).Write(frame);
+        Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
+
+        await client.SendAsync(frame[..bytes]);
+        client.Dispose();
+
+        await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 0, "closed");
+        Assert.That(gateway.SyncConnections[Closure.MalformedFrame], Is.EqualTo(expected));
+    }
+
     [TestCase(SyncFrameKind.Reply)]
     [TestCase(SyncFrameKind.TokenReply)]
     public async Task Frame_OfAKindThatOnlyServersSend_ClosesTheConnection(object kind)

@@ -91,6 +91,23 @@ public class SyncClientTests
     }
 
     [Test]
+    public async Task Exchange_ServerEndsWithinAFrame_CountsTheFrame()
+    {
+        using var server = new FakeTcpServer(stream =>
+        {
+            stream.ReadExactly(new byte[SyncFrame.Size]);
+            stream.Write(new byte[SyncFrame.Size - 1]);
+        });
+        var (client, _) = Connect(server.Port);
+        using (client)
+        {
+            await Soon.BecomesAsync(() => server.Connections >= 2, "a second connection");
+
+            Assert.That(_faults[SyncExchangeFault.NotAFrame], Is.GreaterThanOrEqualTo(1));
+        }
+    }
+
+    [Test]
     public async Task Exchange_OneInvalidReply_DoesNotReconnect()
     {
         var headset = new StopwatchHeadsetClock();

@@ -68,6 +68,7 @@ namespace Nowpose.Network
                 if (left <= 0) throw new IOException(ConnectionMessages.NoResponse(ProtocolLimits.SyncReplyTimeout.TotalSeconds));
                 _stream.ReadTimeout = (int)Math.Ceiling(left);
                 var read = _stream.Read(_reply, got, _reply.Length - got);
+                if (read == 0 && got > 0) throw NotAFrame(ConnectionMessages.NotASyncFrame(SyncFrameFault.WrongSize));
                 if (read == 0) throw new EndOfStreamException(ConnectionMessages.Closed);
                 got += read;
             }
