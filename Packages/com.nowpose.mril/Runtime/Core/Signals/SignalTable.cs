@@ -11,6 +11,12 @@ namespace Nowpose.Signals
     {
         readonly List<SignalTrack> _signals = new List<SignalTrack>();
         readonly Dictionary<string, int> _indices = new Dictionary<string, int>(StringComparer.Ordinal);
+        readonly Predicate<string> _isEnded;
+
+        /// <param name="isEnded">
+        /// Returns whether the source of a signal has ended. When the table is full, a new signal replaces such a signal. Null: no source ends.
+        /// </param>
+        public SignalTable(Predicate<string> isEnded = null) => _isEnded = isEnded ?? (_ => false);
 
         /// <summary>
         /// Raised within <see cref="Evaluate"/> when a change becomes visible. The signal already has the new value. If several changes of one
@@ -27,7 +33,7 @@ namespace Nowpose.Signals
 
         public SignalTrack this[int index] => _signals[index];
 
-        /// <summary>Returns the index of a signal, valid for as long as the table exists; −1 if no value of it has been received.</summary>
+        /// <summary>Returns the index of a signal, valid until the next value is added; −1 if the table does not have the signal.</summary>
         public int IndexOf(string name) => _indices.TryGetValue(name, out var index) ? index : -1;
 
         /// <summary>Adds a received value.</summary>
@@ -39,14 +45,29 @@ namespace Nowpose.Signals
             var index = IndexOf(value.Name);
             if (index < 0)
             {
-                if (_signals.Count >= ProtocolLimits.Signals) return DropReason.TooManySignals;
-                index = _signals.Count;
+                index = FreeIndex();
+                if (index < 0) return DropReason.TooManySignals;
                 _indices.Add(value.Name, index);
-                var added = new SignalTrack(value.Name);
-                added.Restarted += signal => Restarted?.Invoke(signal);
-                _signals.Add(added);
+                _signals[index] = new SignalTrack(value.Name);
+                _signals[index].Restarted += signal => Restarted?.Invoke(signal);
             }
             return _signals[index].Add(stamp, value.Value, arrival);
+        }
+
+        int FreeIndex()
+        {
+            if (_signals.Count < ProtocolLimits.Signals)
+            {
+                _signals.Add(null);
+                return _signals.Count - 1;
+            }
+            for (var i = 0; i < _signals.Count; i++)
+                if (_isEnded(_signals[i].Name))
+                {
+                    _indices.Remove(_signals[i].Name);
+                    return i;
+                }
+            return -1;
         }
 
         /// <summary>Makes all changes visible whose stamps are at or before the display time.</summary>

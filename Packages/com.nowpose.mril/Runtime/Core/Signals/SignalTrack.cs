@@ -43,6 +43,9 @@ namespace Nowpose.Signals
         /// <summary>Stamp of the newest message, with or without a change; null before the first.</summary>
         public ControlTime? Newest { get; private set; }
 
+        /// <summary>Headset time at which the last used value arrived; null if unknown.</summary>
+        public HeadsetTime? Received { get; set; }
+
         /// <summary>Adds a received value, which may repeat the previous value.</summary>
         /// <remarks>
         /// If late stamps show that the source's clock went back, the signal restarts with the late values. An announced change, whose stamp is later

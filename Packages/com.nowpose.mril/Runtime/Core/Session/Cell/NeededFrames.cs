@@ -12,6 +12,9 @@ namespace Nowpose.Session.Cell
     /// <remarks>A ROS system publishes the links of its robots on /tf too, and each predicted frame needs memory and time.</remarks>
     sealed class NeededFrames
     {
+        /// <summary>When there are too many frames, a new frame replaces a kept tracked frame that has been silent for longer than this.</summary>
+        static readonly TimeSpan MaxSilence = TimeSpan.FromTicks(10 * TimeSpan.TicksPerSecond);
+
         readonly FrameTree _tree;
         readonly HashSet<string> _needed = new HashSet<string>(StringComparer.Ordinal);
         readonly Dictionary<string, (FrameTransform Pose, bool IsStationary)> _others =
@@ -51,9 +54,18 @@ namespace Nowpose.Session.Cell
             {
                 if (!isStationary && !kept.IsStationary && pose.Stamp <= kept.Pose.Stamp) return DropReason.LateSample;
             }
-            else if (_others.Count + _tree.Count >= ProtocolLimits.Frames) return DropReason.TooManyFrames;
+            else if (_others.Count + _tree.Count >= ProtocolLimits.Frames && !TryRemoveSilent(pose.Stamp)) return DropReason.TooManyFrames;
             _others[pose.Child] = (pose, isStationary);
             return DropReason.None;
+        }
+
+        // Removes the kept tracked frame with the oldest pose if its source has probably ended, because each new source may use new names.
+        bool TryRemoveSilent(ControlTime now)
+        {
+            var oldest = default(FrameTransform);
+            foreach (var other in _others)
+                if (!other.Value.IsStationary && (oldest.Child == null || other.Value.Pose.Stamp < oldest.Stamp)) oldest = other.Value.Pose;
+            return oldest.Child != null && now - oldest.Stamp > MaxSilence && _others.Remove(oldest.Child);
         }
     }
 }

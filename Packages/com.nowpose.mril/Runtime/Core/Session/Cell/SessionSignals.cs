@@ -23,7 +23,6 @@ namespace Nowpose.Session.Cell
         readonly Subscriptions _subscriptions;
         readonly DropCounters _drops;
         readonly ConnectionStart _connection;
-        readonly Dictionary<string, HeadsetTime> _received = new Dictionary<string, HeadsetTime>(StringComparer.Ordinal);
         // The receiving thread replaces the whole dictionary, so readers need no lock.
         volatile Dictionary<string, JointReport> _ended = new Dictionary<string, JointReport>(StringComparer.Ordinal);
 
@@ -34,9 +33,10 @@ namespace Nowpose.Session.Cell
             _connection = connection;
             _subscriptions = subscriptions;
             _drops = drops;
+            Table = new SignalTable(signal => _ended.TryGetValue(signal, out var report) && report.State == JointDataState.Stale);
         }
 
-        public SignalTable Table { get; } = new SignalTable();
+        public SignalTable Table { get; }
 
         /// <summary>
         /// Raised within <see cref="CompensationSession.Tick"/> for each value that leaves the queue, whether it is used or dropped. Not raised
@@ -86,7 +86,7 @@ namespace Nowpose.Session.Cell
                 if (!_isWaitingForClock) return SignalMessages.NoValue;
             }
             // The gateway sends each value again at once, unless it has restarted and has no value from the signal's source.
-            else if (!_received.TryGetValue(signal, out var arrival) || !_connection.Includes(arrival)) return SignalMessages.OlderThanConnection;
+            else if (!(Table[index].Received is HeadsetTime arrival) || !_connection.Includes(arrival)) return SignalMessages.OlderThanConnection;
             return _isTimeKnown ? null : SignalMessages.ClockUnsynchronised;
         }
 
@@ -115,7 +115,7 @@ namespace Nowpose.Session.Cell
             var arrival = clock.ToControl(signal.Arrival);
             var isInFuture = StampRule.IsInFuture(signal.Stamp, arrival, clock.ErrorBound);
             var reason = isInFuture ? DropReason.StampInFuture : Table.Add(signal.Stamp, signal.Value, arrival);
-            if (reason == DropReason.None || reason == DropReason.DuplicateSample) _received[signal.Value.Name] = signal.Arrival;
+            if (reason == DropReason.None || reason == DropReason.DuplicateSample) Table[Table.IndexOf(signal.Value.Name)].Received = signal.Arrival;
             _drops.Count(reason);
             Judged?.Invoke(signal.Value, signal.Stamp, signal.Arrival, reason);
         }

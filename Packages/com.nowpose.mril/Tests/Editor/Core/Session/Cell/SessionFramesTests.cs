@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
@@ -263,6 +264,30 @@ namespace Nowpose.Tests.Core.Session.Cell
             cell.Run(0.1);
 
             Assert.That(cell.Session.Drops[DropReason.TooManyFrames] + cell.Session.Drops[DropReason.SlowReader], Is.EqualTo(3));
+        }
+
+        [Test]
+        public void Frames_MoreThanAllowed_ReplaceOnlyFramesThatAreSilentAndNotShown()
+        {
+            var cell = new CellSession();
+            void Receive(params string[] frames)
+            {
+                var stamp = ControlTime.FromSeconds(cell.Now - 0.1);
+                cell.Session.Listener.FramesReceived(
+                    new TransformsMessage(frames.Select(frame => Along(1).ToTransform(stamp, "world", frame)).ToArray()), false, HeadsetTime.FromSeconds(cell.Now));
+            }
+
+            Receive(Enumerable.Range(0, ProtocolLimits.Frames).Select(i => "old" + i).ToArray());
+            cell.Run(9);
+            Receive("early");
+            cell.Run(2);
+            Receive("late");
+            cell.Run(0.1);
+
+            Assert.That(cell.Session.Drops[DropReason.TooManyFrames], Is.EqualTo(1));
+            foreach (var frame in new[] { "early", "late" }) cell.Session.Frames.Need(frame);
+            Assert.That(cell.Session.Frames.Find("early"), Is.Null);
+            Assert.That(cell.Session.Frames.Find("late"), Is.Not.Null);
         }
     }
 }
