@@ -1,3 +1,5 @@
+using Nowpose.Protocol;
+
 namespace Nowpose.Gateway.Messages;
 
 /// <summary>Responses to requests from rosbridge clients, and log lines about them.</summary>
@@ -23,6 +25,11 @@ static class RequestMessages
     public static string NotSubscribed(string id) => id == null
         ? "has no effect, because this client has no subscription to this topic; use the topic of the subscription"
         : $"has no effect, because this client has no subscription to this topic with the id {id}; use the id of the subscription, or no id";
+
+    /// <param name="form">The format that the subscription gets.</param>
+    public static string OtherTimeForm(RosTimeForm form) =>
+        $"gets times as {(form == RosTimeForm.Secs ? "secs and nsecs" : "sec and nanosec")}, like the client's first subscription to this topic; use "
+            + "types of the same ROS version for all subscriptions to a topic";
 
     public const string NotAdvertised = "has no effect, because this client has not advertised this topic; use the topic of the advertisement";
 

@@ -134,7 +134,9 @@ sealed class RosbridgeSession : IDisposable
         if (!Publications.IsKnown(message.RobotTopic))
             _replies.Warn(message, RequestMessages.NotPublished(Topics));
         Remember(message.Type);
-        _subscriptions.Add(message.Topic, message.Id, SubscriptionTerms.Of(message));
+        var terms = SubscriptionTerms.Of(message);
+        var form = _subscriptions.Add(message.Topic, message.Id, terms);
+        if (form != terms.Form) _replies.Warn(message, RequestMessages.OtherTimeForm(form));
     }
 
     void Unsubscribe(RosbridgeMessage message)

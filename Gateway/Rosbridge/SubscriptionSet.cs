@@ -10,12 +10,15 @@ sealed class SubscriptionSet(MessageHub hub, int queueLength, DropCounters drops
 
     public IEnumerable<string> Topics => _topics.Keys;
 
-    public void Add(string topic, string id, SubscriptionTerms terms)
+    /// <summary>Adds a subscription, or replaces the one with the same id.</summary>
+    /// <returns>Format of times of all subscriptions to the topic, which is that of the first.</returns>
+    public RosTimeForm Add(string topic, string id, SubscriptionTerms terms)
     {
         var wishes = _topics.TryGetValue(topic, out var present) ? present.Wishes : [];
         wishes.RemoveAll(wish => wish.Id == id);
         wishes.Add((id, terms));
         Renew(topic, wishes, present.Live);
+        return wishes[0].Terms.Form;
     }
 
     /// <summary>Removes one or all subscriptions to a topic.</summary>

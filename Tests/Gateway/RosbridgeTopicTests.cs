@@ -152,6 +152,29 @@ public class RosbridgeTopicTests
         while (message.Id != "after");
     }
 
+    [TestCase("sensor_msgs/msg/JointState", "sensor_msgs/JointState", "sec and nanosec")]
+    [TestCase("sensor_msgs/JointState", null, "secs and nsecs")]
+    [TestCase(null, "sensor_msgs/msg/JointState", null)]
+    public async Task Subscribe_AgainWithAnotherTimeFormat_ReceivesAWarning(string first, string second, string format)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        string Subscribe(string id, string type) => System.Text.Json.JsonSerializer.Serialize(new { op = "subscribe", id, topic = RosTopics.JointStates, type });
+        await client.SendAsync(Subscribe("a", first));
+        await client.RoundTripAsync();
+
+        await client.SendAsync(Subscribe("b", second));
+
+        if (format != null)
+        {
+            var warning = await client.ReceiveAsync();
+            Assert.That((warning.Op, warning.Level, warning.Id), Is.EqualTo((RosbridgeOp.Status, "warning", "b")));
+            Assert.That(warning.Text, Does.Contain(format));
+        }
+
+        await client.RoundTripAsync();
+    }
+
     static async Task SubscribeToUnknownAsync(RawRosbridgeClient client, string topic)
     {
         await client.SendAsync(RosbridgeWriter.Subscribe(topic));
