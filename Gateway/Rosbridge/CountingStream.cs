@@ -2,7 +2,7 @@ namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>The stream under a WebSocket. Passes received bytes to a <see cref="FragmentCounter"/>, and sends pings between frames.</summary>
 /// <remarks>The WebSocket writes each frame with one call, so a ping cannot interrupt a frame.</remarks>
-sealed class CountingStream(Stream inner, FragmentCounter counter, Action received) : Stream
+sealed class CountingStream(Stream inner, FragmentCounter counter) : Stream
 {
     const byte FinalPing = 0x89;
 
@@ -25,7 +25,6 @@ sealed class CountingStream(Stream inner, FragmentCounter counter, Action receiv
     public override async ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellationToken = default)
     {
         var read = await inner.ReadAsync(buffer, cancellationToken);
-        if (read > 0) received();
         counter.Feed(buffer.Span[..read]);
         return read;
     }

@@ -10,15 +10,12 @@ sealed class CountingUpgrade(IHttpUpgradeFeature inner) : IHttpUpgradeFeature
 
     public FragmentCounter Fragments { get; } = new();
 
-    /// <summary>Called after each read that received bytes.</summary>
-    public Action Received { get; set; }
-
     public bool IsUpgradableRequest => inner.IsUpgradableRequest;
 
     public async Task<Stream> UpgradeAsync()
     {
         _stream = await inner.UpgradeAsync();
-        var counting = new CountingStream(_stream, Fragments, () => Received?.Invoke());
+        var counting = new CountingStream(_stream, Fragments);
         _ping = counting.PingAsync;
         return counting;
     }

@@ -42,7 +42,6 @@ sealed class ReaderProgress : IDisposable
     // Completed when the window may have opened; null while no message waits.
     TaskCompletionSource _changed;
     TimeSpan _lastPing;
-    TimeSpan _lastReceived;
 
     /// <param name="sendPing">Sends a ping with a payload, after all data sent before.</param>
     /// <param name="unanswered">
@@ -101,12 +100,6 @@ sealed class ReaderProgress : IDisposable
         }
     }
 
-    /// <summary>Records that the client has sent data.</summary>
-    public void OnReceived()
-    {
-        lock (_lock) _lastReceived = Now;
-    }
-
     /// <summary>Processes the payload of a pong. Ignores a pong that does not answer a ping of this object.</summary>
     public void OnPong(ReadOnlySpan<byte> payload)
     {
@@ -147,10 +140,8 @@ sealed class ReaderProgress : IDisposable
         lock (_lock)
         {
             if (_window.PingAt is not { } pingAt) return false;
-            // Until the client has answered its first ping, received data count as an answer. Later, a missing answer means that it does not read.
-            var last = _window.HasAnswered || _lastReceived < pingAt ? pingAt : _lastReceived;
             // Considers only bytes sent before the ping, because later bytes do not delay its pong.
-            return Now - last >= TimeoutFor(_window.BytesBeforePing);
+            return Now - pingAt >= TimeoutFor(_window.BytesBeforePing);
         }
     }
 

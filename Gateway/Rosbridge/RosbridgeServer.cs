@@ -84,7 +84,6 @@ sealed class RosbridgeServer(
             upgrade.PingAsync, options.PingInterval, options.PongTimeout, TimeProvider.System,
             () => log(RequestMessages.NoPong(AddressOf(context.Connection), SendWindow.AssumedBytesPerSecond / 1000)));
         upgrade.Fragments.Pong = payload => reader.OnPong(payload.Span);
-        upgrade.Received = reader.OnReceived;
         SendBuffer.Limit(context);
         using var connection = new RosbridgeConnection(socket, receiver, reader, Drops, _stop.Token);
         using var session = new RosbridgeSession(

@@ -120,9 +120,6 @@ sealed class SendWindow
     /// <summary>Number of unread bytes that precede the newest ping.</summary>
     public long BytesBeforePing => Math.Max(0, _pingPosition - _read);
 
-    /// <summary>Whether the client has answered at least one ping.</summary>
-    public bool HasAnswered => _hasAnswered;
-
     /// <summary>
     /// Whether the client answered the newest ping within <see cref="Near"/> and has a window of at least <see cref="QuickBytes"/>.
     /// </summary>

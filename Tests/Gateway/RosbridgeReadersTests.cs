@@ -106,6 +106,23 @@ public class RosbridgeReadersTests
     }
 
     [Test]
+    public async Task Source_SendsButDoesNotAnswerPings_IsClosed()
+    {
+        var options = Gateways.Options() with { PingInterval = TimeSpan.FromMilliseconds(100), PongTimeout = TimeSpan.FromMilliseconds(200) };
+        await using var gateway = await Gateways.StartAsync(options);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway); // this client answers pings only while it receives
+
+        // Sends during many times the timeout.
+        for (var i = 0; i < 200 && gateway.WebSocketConnections[Closure.Silence] == 0; i++)
+        {
+            await client.SendAsync(Gateways.StateText(i + 1)).ContinueWith(_ => { }, TaskScheduler.Default);
+            await Task.Delay(20);
+        }
+
+        Assert.That(gateway.WebSocketConnections[Closure.Silence], Is.EqualTo(1));
+    }
+
+    [Test]
     public async Task Reader_AnswersPings_StaysConnected()
     {
         var options = Gateways.Options() with
