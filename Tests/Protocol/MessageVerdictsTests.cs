@@ -6,7 +6,8 @@ namespace Nowpose.Headless.Tests.Protocol;
 
 /// <summary>
 /// Compares the reader with an earlier reader, which parsed each message with Newtonsoft.Json. Each line of <c>message-verdicts.tsv</c>
-/// contains the earlier reader's verdict (the reason for a rejection, or None) and the message. Most messages are malformed.
+/// contains the earlier reader's verdict (the reason for a rejection, or None) and the message. Most messages are malformed. Other than the earlier
+/// reader, the reader accepts a joint state with an invalid acceleration, because this field is not part of the message type.
 /// </summary>
 public class MessageVerdictsTests
 {

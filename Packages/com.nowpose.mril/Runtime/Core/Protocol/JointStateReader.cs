@@ -35,7 +35,7 @@ namespace Nowpose.Protocol
                     case 1: _names.Read(ref json, out names); break;
                     case 2: json.Numbers(_positions, areOptional: false); break;
                     case 3: ReadRates(ref json, _velocities); break;
-                    default: ReadRates(ref json, _accelerations); break;
+                    default: ReadAccelerations(ref json); break;
                 }
             }
 
@@ -52,8 +52,22 @@ namespace Nowpose.Protocol
         public static bool HaveLength(int joints, List<double> velocities, List<double> accelerations) =>
             (velocities.Count == 0 || velocities.Count == joints) && (accelerations.Count == 0 || accelerations.Count == joints);
 
+        // The field is not part of sensor_msgs, so an invalid value is treated as absent instead of making the message invalid.
+        void ReadAccelerations(ref JsonUtf8Reader json)
+        {
+            var ahead = json;
+            if (ReadRates(ref ahead, _accelerations))
+            {
+                json = ahead;
+                return;
+            }
+            _accelerations.Clear();
+            json.Skip();
+        }
+
         bool IsWhole(ref JsonUtf8Reader json, int joints)
         {
+            if (_accelerations.Count != joints) _accelerations.Clear();
             if (_positions.Count != joints || !HaveLength(joints, _velocities, _accelerations)) return json.Fail(DropReason.LengthMismatch);
             return joints > 0 || json.Fail(DropReason.MissingField);
         }

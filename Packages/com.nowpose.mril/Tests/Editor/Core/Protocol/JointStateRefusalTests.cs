@@ -50,6 +50,24 @@ namespace Nowpose.Tests.Core.Protocol
         public void TryRead_VelocityInfinite_IsRefused() =>
             Refuse(State("[\"a\"]", "[1]", ",\"velocity\":[Infinity]"), DropReason.NotFinite);
 
+        // The field is not part of sensor_msgs/JointState.
+        [TestCase("0")]
+        [TestCase("[\"x\"]")]
+        [TestCase("[[1]]")]
+        [TestCase("{\"a\":[1]}")]
+        [TestCase("[1,2]")]
+        [TestCase("[Infinity]")]
+        public void TryRead_InvalidAcceleration_IsReadAsAbsent(string acceleration)
+        {
+            var state = Read(State("[\"a\"]", "[1]", ",\"acceleration\":" + acceleration + ",\"velocity\":[2]")).JointState;
+
+            Assert.That((state.Positions[0], state.Velocities[0], state.Accelerations), Is.EqualTo((1.0, 2.0, default(double[]))));
+        }
+
+        [Test]
+        public void TryRead_AccelerationIsNotJson_IsRefused() =>
+            Refuse(State("[\"a\"]", "[1]", ",\"acceleration\":[1 2]"), DropReason.NotJson);
+
         [TestCase(256, true)]
         [TestCase(257, false)]
         public void TryRead_JointCount_IsLimitedTo256(int count, bool expected)
