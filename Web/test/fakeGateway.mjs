@@ -20,7 +20,7 @@ const stamp = t => ({ sec: Math.floor(t), nanosec: Math.floor((t % 1) * 1e9) });
 const jointState = (topic, t, positions, frame = '', names = JOINTS) => JSON.stringify(
   { op: 'publish', topic, msg: { header: { stamp: stamp(t), frame_id: frame }, name: names, position: positions, velocity: [], effort: [] } });
 
-const transform = (t, parent, child, [x, y, z]) => JSON.stringify({ op: 'publish', topic: '/tf', msg: { transforms: [{
+const transform = (t, parent, child, [x, y, z], topic = '/tf') => JSON.stringify({ op: 'publish', topic, msg: { transforms: [{
   header: { stamp: stamp(t), frame_id: parent }, child_frame_id: child,
   transform: { translation: { x, y, z }, rotation: { x: 0, y: 0, z: 0, w: 1 } },
 }] } });
@@ -80,6 +80,8 @@ export class FakeGateway {
 
   /** Namespaces of further robots. */
   robots = [];
+  /** Names of stationary objects. Each subscriber receives their poses once. */
+  stationary = [];
   /** Promise that delays the response with the pairing code. */
   codeIsLate = null;
   began = Date.now();
@@ -143,7 +145,7 @@ export class FakeGateway {
   tick() {
     if (this.isSilent) return;
     const t = this.now - 0.07, names = this.sets[this.ticks++ % this.sets.length], truth = swing(this.pace * t, this.rest);
-    this.send('/joint_states', jointState('/joint_states', t, names.map(name => truth[JOINTS.indexOf(name)]), '', names));
+    if (names) this.send('/joint_states', jointState('/joint_states', t, names.map(name => truth[JOINTS.indexOf(name)]), '', names));
     if (this.base) this.send('/tf', transform(t, 'world', 'arm_link_0', this.base));
     for (const robot of this.robots) this.send(`/${robot}/joint_states`, jointState(`/${robot}/joint_states`, t, truth, '', JOINTS));
     for (const [name, turned] of [['left door', this.turned], ['right door', 1]]) {
@@ -205,5 +207,7 @@ export class FakeGateway {
     this.sockets.get(socket).add(topic);
     this.queues.set(topic, queue_length);
     if (topic.endsWith('/robot_description')) socket.write(frame(JSON.stringify({ op: 'publish', topic, msg: { data: this.urdf } })));
+    if (topic !== '/tf_static') return;
+    for (const name of this.stationary) socket.write(frame(transform(0, 'world', name, [0.3, 0, 0], topic)));
   }
 }

@@ -37,6 +37,7 @@ export const robotMessages = {
 /** Reasons why the position of a joint is not known. */
 export const jointReasons = {
   notReceived: (joint: string) => `${joint} has not been received`,
+  notPublished: (joint: string) => `${joint} is no longer published`,
   inState: (joint: string, state: string) => `${joint} is ${state}`,
 };
 

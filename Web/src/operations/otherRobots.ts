@@ -59,6 +59,11 @@ export class OtherRobots implements Beside {
     }
   }
 
+  /** Removes all joint positions, so that no robot is drawn. */
+  clear(): void {
+    for (const { tracks } of this.robots.values()) tracks.clear();
+  }
+
   addTo(box: Box3): void {
     for (const { bodies } of this.robots.values()) bodies?.addTo(box);
   }

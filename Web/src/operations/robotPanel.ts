@@ -37,7 +37,9 @@ export class RobotPanel {
   private readonly clock = new LiveClock();
   private readonly others: OtherRobots;
   private headset: Headset | null = null;
-  /** Joints whose newest position is not current, each with the reason. */
+  /** Joints of the gateway's newest list whose position is current. */
+  private current = new Set<string>();
+  /** State of each other joint of this list. */
   private faults = new Map<string, string>();
   private shownAt = 0;
   private drawn = 0;
@@ -55,6 +57,7 @@ export class RobotPanel {
     this.view.add(this.others);
     // Has room for a message of each headset, because all headsets publish on this topic.
     link.subscribe('/nowpose/displayed', JOINT_STATE, text => this.shown(text), 0, 256);
+    link.onOpen(() => this.clear());
     if (isCalm) setInterval(() => this.draw(), 1000);
     else this.animate();
   }
@@ -66,14 +69,19 @@ export class RobotPanel {
   }
 
   /**
-   * Sets the states of the joints. Links below a joint that is neither live nor at rest are drawn neither at the true pose nor at the pose without
-   * compensation.
+   * Sets the states of all joints of the gateway. Links below a joint that is neither live nor at rest are drawn neither at the true pose nor at the
+   * pose without compensation. The same applies to a joint that is not in the list: no source publishes it, so its last position is not current.
    */
   setJoints(joints: Joint[]): void {
     const isGood = (joint: Joint) => joint.state === 'live' || joint.state === 'rest';
-    const good = new Set(joints.filter(isGood).map(joint => joint.name));
+    this.current = new Set(joints.filter(isGood).map(joint => joint.name));
+    this.faults = new Map(joints.filter(joint => !this.current.has(joint.name)).map(joint => [joint.name, joint.state]));
     this.others.setJoints(joints.map(joint => joint.name));
-    this.faults = new Map(joints.filter(joint => !isGood(joint) && !good.has(joint.name)).map(joint => [joint.name, joint.state]));
+  }
+
+  // Removes everything received on an earlier connection. The gateway may have restarted without some robots and objects; it sends the others again.
+  private clear(): void {
+    for (const part of [this.truth, this.displayed, this.frames, this.others]) part.clear();
   }
 
   private describe(text: string): void {
@@ -108,7 +116,7 @@ export class RobotPanel {
     const time = now - BEHIND_S;
     const { bodies } = this.view;
     const linkOf = (name: string) => bodies?.linkOf('truth', name) ?? this.others.linkOf(name);
-    this.others.pose(time, this.frames, joint => !this.faults.has(joint));
+    this.others.pose(time, this.frames, joint => this.current.has(joint));
     if (bodies) this.pose(bodies, time, linkOf);
     else if (this.others.isAnyShown) setText(this.words, robotMessages.onlyOtherRobots);
     this.frames.pose(time, linkOf);
@@ -121,7 +129,7 @@ export class RobotPanel {
     bodies.place(base);
     for (const part of ['truth', 'displayed', 'hold'] as const) {
       const received = new Set(poses[part]?.names);
-      bodies.showKnown(part, joint => received.has(joint) && (part === 'displayed' || !this.faults.has(joint)));
+      bodies.showKnown(part, joint => received.has(joint) && (part === 'displayed' || this.current.has(joint)));
       bodies.pose(part, poses[part]?.names ?? [], poses[part]?.positions ?? null);
     }
     if (performance.now() - this.shownAt < NUMBERS_MS) return;
@@ -136,8 +144,12 @@ export class RobotPanel {
   // Names the joints without a current position. A joint that is drawn at 0 or at its last position could be mistaken for the truth.
   private showUnknown(all: string[], received: Set<string>): void {
     const reasons = all
-      .filter(joint => !received.has(joint) || this.faults.has(joint))
-      .map(joint => (received.has(joint) ? jointReasons.inState(joint, this.faults.get(joint)!) : jointReasons.notReceived(joint)));
+      .filter(joint => !received.has(joint) || !this.current.has(joint))
+      .map(joint => {
+        if (!received.has(joint)) return jointReasons.notReceived(joint);
+        const state = this.faults.get(joint);
+        return state === undefined ? jointReasons.notPublished(joint) : jointReasons.inState(joint, state);
+      });
     this.unknown.hidden = reasons.length === 0;
     setText(this.unknown, reasons.length === 0 ? '' : robotMessages.linksNotDrawn(reasons));
   }

@@ -25,6 +25,7 @@ export class Rosbridge {
   private wait = FIRST_WAIT_MS;
   private timer = 0;
   private isWanted = false;
+  private opened = () => {};
 
   /**
    * @param take Receives each message as text, so that unneeded messages are not parsed.
@@ -33,6 +34,11 @@ export class Rosbridge {
   subscribe(topic: string, type: string, take: (text: string) => void, throttleMs = 0, queue = 0): void {
     this.topics.set(topic, { type, take, throttleMs, queue });
     if (this.socket?.readyState === WebSocket.OPEN) this.ask(this.socket, topic);
+  }
+
+  /** @param opened Called when a connection opens, before its first message. */
+  onOpen(opened: () => void): void {
+    this.opened = opened;
   }
 
   /** Opens the connection unless it is already open or being opened. */
@@ -55,6 +61,7 @@ export class Rosbridge {
     const socket = (this.socket = new WebSocket(location.origin.replace(/^http/, 'ws') + '/'));
     socket.addEventListener('open', () => {
       this.wait = FIRST_WAIT_MS;
+      this.opened();
       for (const topic of this.topics.keys()) this.ask(socket, topic);
     });
     socket.addEventListener('message', ({ data }) => {

@@ -58,6 +58,11 @@ export class Frames {
     }
   }
 
+  /** Removes all frames. */
+  clear(): void {
+    for (const name of [...this.frames.keys()]) this.remove(name);
+  }
+
   /**
    * Moves the axes to their poses at a given time. Hides frames without a known parent or without a recent pose.
    * @param linkOf Returns the pose of a robot's link in the world; null for an unknown link.
@@ -113,7 +118,10 @@ export class Frames {
     const moving = names.filter(name => lastOf(name) !== -Infinity).sort((a, b) => lastOf(a) - lastOf(b));
     const newest = Math.max(time, ...moving.slice(-1).map(lastOf));
     const isSilent = moving.length > 0 && newest - lastOf(moving[0]) > SILENT_S;
-    const name = isSilent || stationary === undefined ? moving[0] : stationary;
+    this.remove(isSilent || stationary === undefined ? moving[0] : stationary);
+  }
+
+  private remove(name: string): void {
     const { axes } = this.frames.get(name)!;
     this.frames.delete(name);
     this.group.remove(axes);

@@ -29,6 +29,10 @@ export class JointTracks {
     });
   }
 
+  clear(): void {
+    this.tracks.clear();
+  }
+
   /** Interpolates between samples. After its last sample, a joint keeps its position. Null before the first sample. */
   at(time: number): Pose | null {
     return this.pose(time, ({ from, to, share }) => from + share * (to - from));
