@@ -57,6 +57,7 @@ export class FakeGateway {
     return self;
   }
 
+  /** The robot description; null for a cell without a robot. */
   urdf = urdf;
   sockets = new Map();
   posts = [];
@@ -206,7 +207,7 @@ export class FakeGateway {
     if (op !== 'subscribe') throw new Error(`the page ${op}s`);
     this.sockets.get(socket).add(topic);
     this.queues.set(topic, queue_length);
-    if (topic.endsWith('/robot_description')) socket.write(frame(JSON.stringify({ op: 'publish', topic, msg: { data: this.urdf } })));
+    if (this.urdf && topic.endsWith('/robot_description')) socket.write(frame(JSON.stringify({ op: 'publish', topic, msg: { data: this.urdf } })));
     if (topic !== '/tf_static') return;
     for (const name of this.stationary) socket.write(frame(transform(0, 'world', name, [0.3, 0, 0], topic)));
   }

@@ -92,6 +92,18 @@ describe('frames', () => {
     assert.deepEqual(drawn(frames), [4], 'the newest stationary pose applies to all times');
   });
 
+  it('that are stationary are drawn before any time is known', () => {
+    const stamps = [], frames = new Frames(stamp => stamps.push(stamp));
+    frames.take(message('table', 'world', 0, 1), true);
+    frames.take(message('rail', 'world', 0, 3), true);
+    frames.take(message('box', 'table', 10.5, 2), false);
+    frames.take(message('rail', 'world', 10, 4), false);
+
+    frames.pose(-Infinity, none);
+
+    assert.deepEqual([drawn(frames), stamps], [[1, 3, null], [10.5, 10]]);
+  });
+
   it('are hidden before their first sample', () => {
     const frames = new Frames();
     frames.take(message('box', 'world', 10, 1), false);

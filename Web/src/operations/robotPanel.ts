@@ -33,8 +33,9 @@ export class RobotPanel {
   private readonly unknown = el('p', { class: 'level warning', hidden: true });
   private readonly truth = new JointTracks(KEEP_S);
   private displayed = new JointTracks(KEEP_S);
-  private readonly frames = new Frames();
   private readonly clock = new LiveClock();
+  private readonly sampled = (stamp: number) => this.clock.add(stamp, seconds());
+  private readonly frames = new Frames(this.sampled);
   private readonly others: OtherRobots;
   private headset: Headset | null = null;
   /** Joints of the gateway's newest list whose position is current. */
@@ -53,7 +54,7 @@ export class RobotPanel {
     link.subscribe('/tf', TRANSFORMS, text => this.frames.take(text, false));
     link.subscribe('/tf_static', TRANSFORMS, text => this.frames.take(text, true));
     this.view.add(this.frames);
-    this.others = new OtherRobots(link, KEEP_S, stamp => this.clock.add(stamp, seconds()));
+    this.others = new OtherRobots(link, KEEP_S, this.sampled);
     this.view.add(this.others);
     // Has room for a message of each headset, because all headsets publish on this topic.
     link.subscribe('/nowpose/displayed', JOINT_STATE, text => this.shown(text), 0, 256);
@@ -92,7 +93,7 @@ export class RobotPanel {
   private sample(text: string): void {
     const state = readJointState(text);
     if (!state) return;
-    this.clock.add(state.stamp, seconds());
+    this.sampled(state.stamp);
     this.truth.add(state.stamp, state.names, state.positions);
   }
 
@@ -111,9 +112,8 @@ export class RobotPanel {
 
   private draw(): void {
     this.drawn = performance.now();
-    const now = this.clock.at(seconds());
-    if (now === null) return;
-    const time = now - BEHIND_S;
+    // Before the first time stamp, draws the stationary objects, whose poses apply to all times.
+    const time = (this.clock.at(seconds()) ?? -Infinity) - BEHIND_S;
     const { bodies } = this.view;
     const linkOf = (name: string) => bodies?.linkOf('truth', name) ?? this.others.linkOf(name);
     this.others.pose(time, this.frames, joint => this.current.has(joint));
@@ -137,7 +137,7 @@ export class RobotPanel {
     this.showUnknown(bodies.joints, new Set(poses.truth?.names));
     if (!base) setText(this.words, robotMessages.baseUnknown);
     // After the last sample, the true position is not known.
-    else if ((this.truth.last ?? 0) < time) setText(this.words, robotMessages.late);
+    else if ((this.truth.last ?? Infinity) < time) setText(this.words, robotMessages.late);
     else this.showDistances(bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth'));
   }
 

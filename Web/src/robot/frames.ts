@@ -47,6 +47,9 @@ export class Frames {
   /** The stationary frames among them are in the order of their arrival. */
   private readonly frames = new Map<string, Frame>();
 
+  /** @param sampled Called with the time stamp of each pose of a moving frame. */
+  constructor(private readonly sampled: (stamp: number) => void = () => {}) {}
+
   /** @param text A message on /tf or /tf_static. An invalid message is ignored. */
   take(text: string, isStationary: boolean): void {
     let transforms: Transform[];
@@ -65,6 +68,7 @@ export class Frames {
 
   /**
    * Moves the axes to their poses at a given time. Hides frames without a known parent or without a recent pose.
+   * @param time Control time in seconds; -Infinity shows only the stationary frames.
    * @param linkOf Returns the pose of a robot's link in the world; null for an unknown link.
    */
   pose(time: number, linkOf: (name: string) => Matrix4 | null): void {
@@ -95,7 +99,7 @@ export class Frames {
       frame.samples.clear();
       this.frames.delete(child_frame_id);
       this.frames.set(child_frame_id, frame);
-    }
+    } else this.sampled(time);
     frame.samples.add(time, { parent: header.frame_id, position, rotation, isStationary });
   }
 

@@ -62,6 +62,7 @@ export class RobotView {
       this.ask();
     }).observe(stage);
     onColoursChanged(() => this.recolour());
+    this.recolour();
   }
 
   /** The robot; null before a valid description was received. */
@@ -84,7 +85,7 @@ export class RobotView {
     const { meshes } = this.bodiesShown.robots.truth;
     if (this.renderer) this.say(meshes > 0 ? robotMessages.meshesReplaced(meshes) : '');
     this.seen.makeEmpty();
-    this.recolour();
+    this.ask();
   }
 
   /** Adds objects that are drawn together with the robot. */

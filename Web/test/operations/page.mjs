@@ -70,3 +70,31 @@ export const showsToolError = (page, min = 0, max = Infinity) => {
     return mm !== undefined && Number(mm) >= min && Number(mm) <= max;
   }, [before, after, min, max]);
 };
+
+/** Number of bodies drawn in one picture of the 3D view: the draw calls between two clears. */
+export const bodiesDrawn = async page => {
+  await page.locator('.stage').scrollIntoViewIfNeeded();
+  return page.evaluate(() => new Promise(done => {
+    const gl = WebGL2RenderingContext.prototype, { clear, drawElements, drawArrays } = gl;
+    let count = null;
+    const counted = draw => function (...all) { if (count !== null) count++; return draw.apply(this, all); };
+    gl.drawElements = counted(drawElements);
+    gl.drawArrays = counted(drawArrays);
+    gl.clear = function (...all) {
+      if (count > 0) {
+        Object.assign(gl, { clear, drawElements, drawArrays });
+        done(count);
+      } else count = 0;
+      return clear.apply(this, all);
+    };
+  }));
+};
+
+/** Opens a page that draws the robot only at its true pose, and counts the bodies. */
+export async function openWithOneBody() {
+  gateway.turned = null;
+  delete gateway.state.headsets[0].l_app_ms;
+  const page = await open({ reducedMotion: 'reduce' });
+  await becomes(page, '.apart', messages.robotMessages.toolError('left door', null, null));
+  return { page, alone: await bodiesDrawn(page) };
+}

@@ -5,37 +5,9 @@ import { drawn } from '../drawn.mjs';
 import { JOINTS, UPRIGHT } from '../fakeGateway.mjs';
 import { messages } from '../messages.mjs';
 import { picture } from '../pixels.mjs';
-import { becomes, gateway, open, showsToolError, withGraphics } from './page.mjs';
+import { becomes, bodiesDrawn, gateway, open, openWithOneBody, showsToolError, withGraphics } from './page.mjs';
 
 const { jointReasons, robotMessages, robotReasons } = messages;
-
-/** Number of bodies drawn in one picture of the 3D view: the draw calls between two clears. */
-const bodiesDrawn = async page => {
-  await page.locator('.stage').scrollIntoViewIfNeeded();
-  return page.evaluate(() => new Promise(done => {
-    const gl = WebGL2RenderingContext.prototype, { clear, drawElements, drawArrays } = gl;
-    let count = null;
-    const counted = draw => function (...all) { if (count !== null) count++; return draw.apply(this, all); };
-    gl.drawElements = counted(drawElements);
-    gl.drawArrays = counted(drawArrays);
-    gl.clear = function (...all) {
-      if (count > 0) {
-        Object.assign(gl, { clear, drawElements, drawArrays });
-        done(count);
-      } else count = 0;
-      return clear.apply(this, all);
-    };
-  }));
-};
-
-/** Opens a page that draws the robot only at its true pose, and counts the bodies. */
-async function openWithOneBody() {
-  gateway.turned = null;
-  delete gateway.state.headsets[0].l_app_ms;
-  const page = await open({ reducedMotion: 'reduce' });
-  await becomes(page, '.apart', robotMessages.toolError('left door', null, null));
-  return { page, alone: await bodiesDrawn(page) };
-}
 
 describe('the robot', () => {
   withGraphics();
@@ -70,39 +42,6 @@ describe('the robot', () => {
     const part = await drawn(() => bodiesDrawn(page), bodies => bodies > alone && bodies < both);
     assert.ok(part > alone && part < both, `${part} bodies, between ${alone} and ${both}`);
     assert.deepEqual(page.complaints, []);
-  });
-
-  it('is not drawn at its last pose when no source publishes its joints any more', async () => {
-    const { page, alone } = await openWithOneBody();
-    gateway.robots = ['arm2'];
-    const own = [...gateway.state.joints];
-    for (const joint of JOINTS) gateway.state.joints.push({ ...own[0], name: `arm2/${joint}` });
-    const both = await drawn(() => bodiesDrawn(page), bodies => bodies > alone);
-
-    gateway.robots = [];
-    gateway.state.joints = own;
-    const after = await drawn(() => bodiesDrawn(page), bodies => bodies < both);
-    assert.ok(after >= alone && after < both, `${after} bodies, from ${alone} to ${both}: at most the base of the second robot remains`);
-
-    gateway.sets = [];
-    gateway.state.joints = own.slice(1);
-    await becomes(page, '#robot .level', jointReasons.notPublished('arm_joint_1'));
-  });
-
-  it('and the objects are not drawn when the gateway that published them has restarted without them', async () => {
-    const { page, alone } = await openWithOneBody();
-    gateway.stationary = ['fixture'];
-    gateway.hangUp();
-    const withFixture = await drawn(() => bodiesDrawn(page), bodies => bodies === alone + 1);
-    assert.equal(withFixture, alone + 1);
-
-    gateway.stationary = [];
-    gateway.sets = [];
-    gateway.hangUp();
-
-    const floor = await drawn(() => bodiesDrawn(page), bodies => bodies === 1);
-    assert.equal(floor, 1, 'only the floor');
-    await becomes(page, '#robot .level', jointReasons.notReceived('arm_joint_1'));
   });
 
   it('is not drawn below a joint whose data is not live, while other joints are', async () => {
