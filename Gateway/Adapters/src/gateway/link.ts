@@ -3,6 +3,7 @@ import WebSocket, { type RawData } from 'ws';
 import { reconnecting } from '../backoff';
 import type { GatewayAddress } from '../configuration/configuration';
 import type { Log } from '../log';
+import { KeptMessages, REFUSED_EVERY_MS } from './keptMessages';
 import { advertisement, parsed, publication, subscription, typeOf } from './messages';
 import { PinnedAgent } from './pin';
 import { inWords } from './reasons';
@@ -45,7 +46,7 @@ export type Publisher = Pick<GatewayLink, 'publish' | 'publishNewest' | 'publish
  */
 export class GatewayLink {
   readonly #queue = new SendQueue();
-  readonly #kept = new Map<string, string>();
+  readonly #kept = new KeptMessages();
   readonly #topics = new Set<string>();
   readonly #services = new Map<string, { type: string; answer: Service; heard: number }>();
   readonly #subscriptions = new Map<string, { type: string; listeners: ((message: Record<string, unknown>) => void)[] }>();
@@ -96,16 +97,17 @@ export class GatewayLink {
   }
 
   /**
-   * Publishes a message now and after each reconnection.
+   * Publishes a message now and after each reconnection; a stationary frame also repeatedly while the gateway refuses stationary frames.
    * @param key Identifies the message. A later message with the same key replaces it.
    */
   publishKept(topic: string, msg: object, key = topic): void {
     this.#advertise(topic);
-    this.#kept.set(key, publication(topic, msg));
-    this.#send(this.#kept.get(key)!);
+    const text = publication(topic, msg);
+    this.#kept.set(key, topic, text);
+    this.#send(text);
   }
 
-  /** Stops the publication of a kept message after reconnections. */
+  /** Stops the repetition of a kept message. */
   forgetKept(key: string): void {
     this.#kept.delete(key);
   }
@@ -182,6 +184,7 @@ export class GatewayLink {
           this.#offerAgain();
         }
       }, PING_MS);
+      const repetition = setInterval(() => this.#kept.takeRefused().forEach(message => this.#send(message)), REFUSED_EVERY_MS);
       const hear = (): void => {
         heard = performance.now();
       };
@@ -202,6 +205,7 @@ export class GatewayLink {
       });
       socket.on('close', code => {
         clearInterval(beat);
+        clearInterval(repetition);
         stop.removeEventListener('abort', leave);
         this.#socket = null;
         resolve(code > 1000 && code !== 1006 ? `${reason} (${code})` : reason);
@@ -216,7 +220,7 @@ export class GatewayLink {
     for (const topic of this.#topics) this.#send(advertisement(topic));
     for (const service of this.#services.keys()) this.#offer(service);
     for (const [topic, { type }] of this.#subscriptions) this.#send(subscription(topic, type));
-    for (const message of this.#kept.values()) this.#send(message);
+    for (const message of this.#kept.all) this.#send(message);
     this.#pump();
     for (const { opened } of this.#watchers) opened?.();
   }
@@ -249,6 +253,7 @@ export class GatewayLink {
   }
 
   #refuse(status: string): void {
+    this.#kept.refused(status);
     for (const { refused } of this.#watchers) refused?.(status, this.#statuses.isMeasuring(status));
     this.#statuses.write(status);
   }

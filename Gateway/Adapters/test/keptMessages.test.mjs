@@ -1,0 +1,36 @@
+// Tests the repetition of messages that a gateway has refused. The mocked interval applies to all tests of a file that run at the same time.
+import { describe, it } from 'node:test';
+import assert from 'node:assert/strict';
+import { parts } from './parts.mjs';
+import { until } from './program.mjs';
+import { RosbridgeDouble } from './rosbridge.mjs';
+
+const { GatewayLink, Log } = await parts('gateway/link', 'log');
+
+describe('kept messages', () => {
+  it('StationaryFrame_RefusedByTheGateway_IsSentAgainUntilItIsAccepted', async t => {
+    t.mock.timers.enable({ apis: ['setInterval'] });
+    const bridge = await RosbridgeDouble.start(t), ending = new AbortController(), refusals = [];
+    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}), 'gateway', { refused: status => refusals.push(status) });
+    for (const key of ['fixture', 'rail']) link.publishKept('/tf_static', { key }, key);
+    link.publishKept('/robot_description', { data: '<robot/>' });
+    link.forgetKept('rail');
+    const running = link.run(ending.signal);
+    const sent = () => bridge.published('/tf_static').length;
+    await until(() => sent() === 1 && bridge.published('/robot_description').length === 1, 'the first messages');
+
+    for (let i = 1; i <= 2; i++) {
+      bridge.send({ op: 'status', level: 'error', msg: 'publish /tf_static dropped: frame fixture belongs to another source (FrameTaken)' });
+      await until(() => refusals.length === i, 'the refusal');
+      t.mock.timers.tick(10_000);
+      await until(() => sent() === i + 1, 'the next attempt');
+    }
+    t.mock.timers.tick(60_000);
+    link.publish('/last', {});
+    await until(() => bridge.published('/last').length === 1, 'a later message');
+
+    assert.deepEqual([sent(), bridge.published('/robot_description').length], [3, 1]);
+    ending.abort();
+    await running;
+  });
+});
