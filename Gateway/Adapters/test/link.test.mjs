@@ -86,15 +86,16 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.equal(bridge.headers.length, 0);
   });
 
-  it('Token_RefusedByTheGateway_IsLoggedOnce', async t => {
-    const bridge = await RosbridgeDouble.start(t, { token: 'another' });
-    const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN } });
-    await run.said(gatewayMessages.noToken);
+  for (const refusal of [401, 429])
+    it(`Token_RefusedByTheGatewayWith${refusal}_IsLoggedOnce`, async t => {
+      const bridge = await RosbridgeDouble.start(t, { token: 'another', refusal });
+      const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN } });
+      await run.said(gatewayMessages.noToken(refusal));
 
-    await until(() => bridge.headers.length > 2, 'more attempts');
+      await until(() => bridge.headers.length > 2, 'more attempts');
 
-    assert.equal(run.err.match(/status 401: the token/g).length, 1);
-  });
+      assert.equal(run.err.split(gatewayMessages.noToken(refusal)).length, 2);
+    });
 
   it('Robot_Configured_IsPublishedAfterEachConnection', async t => {
     const port = await freePort(), first = await RosbridgeDouble.start(t, { port });

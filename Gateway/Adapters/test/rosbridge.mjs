@@ -13,14 +13,14 @@ export class RosbridgeDouble {
 
   /**
    * @param tls Key and certificate for wss; null for ws.
-   * @param token Token that a client must send; otherwise it receives the status 401.
+   * @param token Token that a client must send; otherwise it receives the status `refusal`.
    * @param now Returns the time of the gateway's control clock in ns; null simulates a gateway that does not respond to requests for the time.
    */
-  static async start(test, { port = 0, tls = null, token = null, now = null } = {}) {
+  static async start(test, { port = 0, tls = null, token = null, refusal = 401, now = null } = {}) {
     const double = new RosbridgeDouble();
     const verifyClient = ({ req }, done) => {
       double.headers.push(req.headers);
-      done(token === null || req.headers.authorization === `Bearer ${token}`, 401, 'Unauthorized');
+      done(token === null || req.headers.authorization === `Bearer ${token}`, refusal, 'Refused');
     };
     double.#http = tls && createSecureServer(tls);
     double.#server = new WebSocketServer(tls ? { server: double.#http, verifyClient } : { host: '127.0.0.1', port, verifyClient });

@@ -6,7 +6,7 @@ import type { Log } from '../log';
 import { KeptMessages, REFUSED_EVERY_MS } from './keptMessages';
 import { advertisement, parsed, publication, subscription, typeOf } from './messages';
 import { PinnedAgent } from './pin';
-import { inWords } from './reasons';
+import { inWords, refusalInWords } from './reasons';
 import { SendQueue } from './sendQueue';
 import { StatusMessages } from './statusMessages';
 import { gatewayMessages } from '../messages/gateway';
@@ -196,7 +196,7 @@ export class GatewayLink {
         this.#hear(data);
       });
       socket.on('unexpected-response', (request, response) => {
-        reason = response.statusCode === 401 ? gatewayMessages.noToken : `HTTP status ${response.statusCode}`;
+        reason = refusalInWords(response.statusCode!);
         request.destroy();
         socket.terminate();
       });

@@ -3,7 +3,8 @@ export const gatewayMessages = {
   notConnected: (name: string) => `${name} is not connected`,
   notAnswered: (service: string, seconds: number) => `${service} did not respond within ${seconds} s`,
   silent: (seconds: number) => `nothing was received for ${seconds} s`,
-  noToken: 'HTTP status 401: the token is missing or unknown to the gateway; set gateway.token_file to a token with the role source',
+  noToken: (status: number) =>
+    `HTTP status ${status}: the token is missing or unknown to the gateway; set gateway.token_file to a token with the role source`,
   measuring: (name: string) => `${name} is measuring this clock; it forwards positions after the measurement`,
   noService: (service: string) => `this adapter has no service ${service}`,
   refuses: 'the connection was refused; check the port, and check that the program is running there',
