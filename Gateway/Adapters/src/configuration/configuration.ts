@@ -1,6 +1,7 @@
 import { requireAddress } from './address';
 import { type Frame, type FrameEntry, type FrameSettings, framesOf } from './frames';
 import { nearest } from './nearest';
+import { checkParents } from './parents';
 import { linesOf } from './problem';
 import { type NamedJoint, namedIn, requireJoints, robotOf } from './robot';
 import { checkAgainstSchema, hasEntry, KINDS, knownEntries } from './schemaCheck';
@@ -122,6 +123,7 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
   const namespaces = hasEntry(kind, 'robots') ? Object.keys(sections.robots ?? {}) : null;
   for (const [robot, urdf] of Object.entries({ ...configuration.robots, '': configuration.robot }))
     requireJoints(file, joints, robot, urdf, namespaces);
+  checkParents(file, sections.frames ?? [], { ...configuration.robots, ...(configuration.robot === null ? {} : { '': configuration.robot }) });
   ownChecks[kind]?.(file, configuration, environment);
   file.throwIfWrong();
   configuration.warnings = linesOf(path, file.warnings);

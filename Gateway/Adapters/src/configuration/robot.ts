@@ -72,8 +72,13 @@ export function requireJoints(file: YamlFile, joints: NamedJoint[], robot: strin
   });
 }
 
-function jointsIn(urdf: string): Set<string> {
-  const bare = urdf.replace(/<!--[^]*?-->/g, '');
-  const names = bare.matchAll(/<joint\s(?:[^>]*?\s)?name\s*=\s*(?:"([^"]*)"|'([^']*)')/g);
-  return new Set([...names].map(([, double, single]) => double ?? single));
-}
+const JOINT = /<joint\s(?:[^>]*?\s)?name\s*=\s*(?:"([^"]*)"|'([^']*)')/g;
+const LINK = /<link\s(?:[^>]*?\s)?name\s*=\s*(?:"([^"]*)"|'([^']*)')/g;
+
+const jointsIn = (urdf: string): Set<string> => new Set(namesIn(urdf, JOINT));
+
+/** Gets the names of the links in a robot description. */
+export const linksIn = (urdf: string): string[] => namesIn(urdf, LINK);
+
+const namesIn = (urdf: string, element: RegExp): string[] =>
+  [...urdf.replace(/<!--[^]*?-->/g, '').matchAll(element)].map(([, double, single]) => double ?? single);

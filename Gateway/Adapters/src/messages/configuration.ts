@@ -46,6 +46,16 @@ export const frameMessages = {
     `the ${entry} of the parent is not the ${entry} of the pose, so their changes arrive separately, and a new parent is shown later; `
     + (entry === 'node' ? 'write the parent and the pose to one array' : 'send the parent and the pose in one message'),
   tooFar: (value: number, metres: number) => wrongValue(value, `this is ${metres} m; allowed: -1000000 to 1000000 m`),
+  noLink: (value: unknown, namespace: string, guess: string | undefined) =>
+    wrongValue(
+      value,
+      `the description of robot ${namespace} has no such link; ${guess === undefined ? 'enter a link of the description' : `did you mean ${guess}?`}`,
+    ),
+  otherParent: (value: unknown, guess: string | undefined) =>
+    wrongValue(
+      value,
+      `this file has no frame or link with this name; ${question(guess)}the object is shown only if another source publishes the frame`,
+    ),
   tooDeep: (value: unknown, depth: number, most: number) =>
     wrongValue(value, `the frame is ${depth} transforms below its root; allowed: at most ${most}; use a parent that is nearer to the root`),
   /** @param chain Names of the frames in the cycle: the frame, its parent, and so on, with the frame again at the end. */

@@ -121,6 +121,31 @@ describe('configuration of frames, signals and robots', () => {
       assert.match(warnings[0], like(`${file}, line ${line}: frames[${ANY}].parent: ${frameMessages.separateSelector(key)}`));
     });
 
+  for (const [name, text, parent, guess] of [
+    ['SimilarToALink', MQTT.replace('joints:\n  - { joint: a,', 'robot: ur5e\njoints:\n  - { joint: elbow_joint,'), 'tol0', 'tool0'],
+    ['SimilarToAFrame', OPCUA, 'tabel', 'table'],
+    ['WithoutItsNamespace', OPCUA, 'wrist_3_lnk', 'arm1/wrist_3_link'],
+  ])
+    it(`Parent_${name}_IsAWarningWithTheLikelyName`, () => {
+      const [from, to] = text.includes('tool0]') ? ['tool0]', `${parent}]`] : ['parent: table', `parent: ${parent}`];
+      const path = text.includes('tool0]') ? '.of[1]' : '';
+
+      const { file, lineOf, warnings } = read(text.replace(from, to));
+
+      const index = text === OPCUA ? 1 : 0, line = lineOf(['frames', index, 'parent', ...(path === '' ? [] : ['of', 1])]);
+      assert.deepEqual(warnings.filter(each => !each.includes(frameMessages.separateSelector('topic'))),
+        [`${file}, line ${line}: frames[${index}].parent${path}: ${frameMessages.otherParent(parent, guess)}`]);
+    });
+
+  for (const [name, text, parent] of [
+    ['LinkOfAnotherNamespace', OPCUA, 'arm3/tol0'], ['LinkOfARobot', OPCUA, 'arm2/tool0'], ['FrameOfAFileWithoutRobots', ADS, 'tabel'],
+  ])
+    it(`Parent_${name}_IsNoWarning`, () => {
+      const changed = text.replace(/\n    parent: table/, '').replace('frame: part', `frame: part\n    parent: ${parent}`);
+
+      assert.deepEqual(read(changed).warnings, []);
+    });
+
   for (const [name, text] of [
     ['ElementOfTheArray', OPCUA.replace('parent: table', 'parent: { of: [table, arm1/tool0], node: i=3, index: 6 }').replace(/i=[45]/g, 'i=3')],
     ['FieldOfTheMessage', MQTT.replace('topic: part/angle', 'topic: part, field: angle')],
@@ -158,6 +183,8 @@ describe('configuration of frames, signals and robots', () => {
     ['FrameTwice', OPCUA, 'frame: part', 'frame: table', `line 13: frames[1].frame: ${configurationMessages.nameTwice('table', 11, 'frame')}`],
     ['FrameNamedWorld', OPCUA, 'frame: table', 'frame: world', `line 11: frames[0].frame: ${frameMessages.world('world')}`],
     ['OwnParentToSelect', OPCUA, 'parent: table', 'parent: { of: [table, part], node: i=9 }', `line 14: frames[1].parent.of[1]: ${frameMessages.cycle('part', ['part', 'part'], 'world')}`],
+    ['ParentUnknownToTheRobot', OPCUA, 'parent: table', 'parent: { of: [table, arm2/tol0], node: i=9 }', `line 14: frames[1].parent.of[1]: ${frameMessages.noLink('arm2/tol0', 'arm2', 'arm2/tool0')}`],
+    ['ParentUnlikeAnyLink', OPCUA, 'parent: table', 'parent: arm2/q', `line 14: frames[1].parent: ${frameMessages.noLink('arm2/q', 'arm2', undefined)}`],
     ['TooFarAway', OPCUA, 'x: 1000,', 'x: 2e9,', `line 12: frames[0].position.x: ${frameMessages.tooFar(2e9, 2e6)}`],
     ['TooManyRobots', OPCUA, '  arm2: ur5e\n', Array.from({ length: 17 }, (_, i) => `  r${i}: ur5e\n`).join(''), `line 4: robots: ${configurationMessages.tooMany(18, 16)}`],
     ['OwnParent', OPCUA, 'parent: table', 'parent: part', `line 14: frames[1].parent: ${frameMessages.cycle('part', ['part', 'part'], 'world')}`],
