@@ -8,6 +8,9 @@ sealed class LatchedMessages(Func<HubMessage, Predicate<string>, HubMessage> onl
 
     public void Set(string name, HubMessage message) => _newest[name] = message;
 
+    /// <summary>Gets the message for a name; null if there is none.</summary>
+    public HubMessage Of(string name) => _newest.GetValueOrDefault(name);
+
     public void Remove(string name) => _newest.Remove(name);
 
     /// <summary>Gets the current values that were published since a sequence number, in the order of publication.</summary>

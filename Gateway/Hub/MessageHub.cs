@@ -162,7 +162,7 @@ public sealed class MessageHub
             foreach (var part in MessageParts.Of(accepted))
             {
                 var published = HubMessage.Of(part, receivedAt, source).With(++_sequence);
-                for (var i = 0; i < part.Count; i++) _signals.Newest.Set(part[i].Name, published);
+                _signals.Latch(published);
                 Publish(published);
             }
 

@@ -59,10 +59,16 @@ sealed class CellBoard(
             for (var i = 0; i < message.Count; i++)
             {
                 if (!TryGet(_signals, message[i].Name, ProtocolLimits.Signals, signal => signal.IsEnded, out var signal)) continue;
-                if (signal.Value != message[i].Value) (signal.Value, signal.Since) = (message[i].Value, message.Stamp);
+                if (signal.IsEnded || !CellSignals.IsLate(message.Stamp, signal.Newest)) Update(signal, message[i].Value, message.Stamp);
                 (signal.Source, signal.IsEnded, signal.HasLeft, signal.HasAny) = (source, false, false, true);
                 signal.Refusal = null;
             }
+    }
+
+    static void Update(SignalEntry signal, double value, ControlTime stamp)
+    {
+        if (signal.Value != value) (signal.Value, signal.Since) = (value, stamp);
+        signal.Newest = stamp;
     }
 
     /// <summary>

@@ -63,6 +63,9 @@ sealed class SignalEntry : CellEntry
     /// <summary>Null before the first valid message.</summary>
     public double? Value { get; set; }
 
+    /// <summary>Stamp of the newest value.</summary>
+    public ControlTime Newest { get; set; }
+
     /// <summary>Stamp of the message with which the value changed.</summary>
     public ControlTime Since { get; set; }
 }
