@@ -47,6 +47,20 @@ describe('reported joints', () => {
     assert.deepEqual([repeated, stateOf('a')], ['rest', 'rest']);
   });
 
+  for (const [name, joint, isRead] of [
+    ['128Characters', 'a'.repeat(128), true], ['128CharactersInANamespace', `${'r'.repeat(32)}/${'a'.repeat(128)}`, true],
+    ['129Characters', 'a'.repeat(129), false], ['129CharactersInANamespace', `arm2/${'a'.repeat(129)}`, false],
+    ['128CharactersInALongNamespace', `${'r'.repeat(33)}/${'a'.repeat(128)}`, false], ['NoCharacter', '', false],
+  ])
+    it(`Name_${name}_Is${isRead ? '' : 'Not'}Read`, () => {
+      const { hear, sample, stateOf } = bridge();
+      sample('a');
+
+      hear({ [joint]: 'fault 0.000 no value arrives', a: 'fault 0.000 no value arrives' });
+
+      assert.equal(stateOf('a'), isRead ? 'fault' : 'live');
+    });
+
   it('Fault_NoLongerReported_EndsWithTheNextSample', () => {
     const { hear, sample, pass, stateOf } = bridge();
     sample('a');

@@ -6,7 +6,12 @@ import { type Nanoseconds, ofRosTime, toMilliseconds } from '../times';
 import { brokerMessages, malformedMessages } from '../messages/broker';
 
 const MAX_JOINTS = 256;
-const MAX_NAME = 128;
+
+/** Matches the name of a joint or signal of up to 128 characters. The namespace of a robot before the name is not part of this length. */
+const NAME = /^(?:[A-Za-z][A-Za-z0-9_]{0,31}\/)?[^]{1,128}$/;
+
+/** Maximum length of the text of an invalid entry in the log. */
+const MAX_ENTRY = 128;
 const MAX_REASON = 300;
 
 /** Matches the value STATE SINCE REASON that a gateway writes. SINCE is a control time in seconds. */
@@ -87,7 +92,7 @@ export function reportsOf(message: Record<string, unknown>, now: number): Report
   const reports: Report[] = [];
   for (const value of values as ({ key?: unknown; value?: unknown } | null)[]) {
     const report = reportOf(value, written, now);
-    if (report === null) return malformedMessages.entry(String(JSON.stringify(value)?.slice(0, MAX_NAME)));
+    if (report === null) return malformedMessages.entry(String(JSON.stringify(value)?.slice(0, MAX_ENTRY)));
     if (report.state !== 'live') reports.push(report);
   }
   return reports;
@@ -95,7 +100,7 @@ export function reportsOf(message: Record<string, unknown>, now: number): Report
 
 function reportOf(entry: { key?: unknown; value?: unknown } | null, written: Nanoseconds, now: number): Report | null {
   const { key: joint, value } = entry ?? {};
-  if (typeof joint !== 'string' || joint === '' || joint.length > MAX_NAME || typeof value !== 'string') return null;
+  if (typeof joint !== 'string' || !NAME.test(joint) || typeof value !== 'string') return null;
   const [, word, seconds, text = ''] = VALUE.exec(value) ?? [];
   if (word === undefined) return null;
   // Ignores the transmission time, so that only differences between times of the same clock are used.
