@@ -47,8 +47,8 @@ export const malformedMessages = {
   tooManyJoints: (count: number, most: number) => `it has ${count} joints; the maximum is ${most}`,
   entry: (text: string) => `its entry ${text} must have the name of a joint as key and STATE SINCE REASON as value`,
   noRobot: 'it has no <robot> element',
-  trajectory: 'it has no joints, or one of its values is not a number',
-  forwardedTrajectory: 'it has no joint that is forwarded, or one of its values is not a number',
+  trajectory: 'it has no joints, or one of its positions is not a number',
+  forwardedTrajectory: 'it has no joint that is forwarded, or one of its positions is not a number',
   jointStates: 'its names and positions are not two lists of the same length',
   transform: (source: string) => `its transform from ${source} has no parent, no finite position or no unit quaternion`,
 };

@@ -15,7 +15,10 @@ interface Trajectory {
 
 const isPoint = (value: unknown): value is Point => typeof value === 'object' && value !== null;
 
-/** Gets the set-points of the forwarded joints; null if none of the joints is forwarded, the message is malformed, or a value is not a number. */
+/**
+ * Gets the set-points of the forwarded joints; null if none of the joints is forwarded, the message is malformed, or a position is not a number. A
+ * velocity or acceleration that is not a number becomes null, which means that it is unknown.
+ */
 export function passedTrajectory(message: Trajectory | null, names: JointNames): object | null {
   const { header, joint_names: sources, points } = message ?? {};
   if (!Array.isArray(sources) || !Array.isArray(points) || !points.every(isPoint)) return null;
@@ -24,19 +27,19 @@ export function passedTrajectory(message: Trajectory | null, names: JointNames):
     const out = names.find(source);
     return out === undefined ? [] : [{ ...out, i }];
   });
-  const column = (values: unknown[] | undefined, isPosition: boolean): number[] =>
+  const column = (values: unknown[] | undefined, isPosition: boolean): (number | null)[] =>
     !Array.isArray(values) || values.length !== sources.length
       ? []
-      : taken.map(({ i, scale, offset }) => (typeof values[i] === 'number' ? (values[i] as number) : NaN) * scale + (isPosition ? offset : 0));
+      : taken.map(({ i, scale, offset }) => {
+          const value = (typeof values[i] === 'number' ? (values[i] as number) : NaN) * scale + (isPosition ? offset : 0);
+          return Number.isFinite(value) ? value : null;
+        });
   const passed = points.map(point => ({
     positions: column(point.positions, true),
     velocities: column(point.velocities, false),
     accelerations: column(point.accelerations, false),
     time_from_start: point.time_from_start,
   }));
-  const isWhole = passed.every(
-    ({ positions, velocities, accelerations }) =>
-      positions.length === taken.length && [...positions, ...velocities, ...accelerations].every(Number.isFinite),
-  );
+  const isWhole = passed.every(({ positions }) => positions.length === taken.length && !positions.includes(null));
   return taken.length > 0 && isWhole ? { header, joint_names: taken.map(t => t.name), points: passed } : null;
 }
