@@ -13,6 +13,9 @@ export const stationaryKey = (frame: string): string => `${TF_STATIC} ${frame}`;
 /** Maximum number of transforms in a message. With names of 128 characters of 3 bytes, such a message is shorter than 64 KiB. */
 export const MAX_TRANSFORMS = 48;
 
+/** Maximum number of signals in a message. With names of 128 characters of 6 bytes, such a message is shorter than 64 KiB. */
+export const MAX_SIGNALS = 80;
+
 /** Maximum magnitude of a coordinate in m. The gateway leaves out a frame with a larger one. */
 const MAX_COORDINATE = 1e6;
 

@@ -280,6 +280,7 @@ export class PoseOutput {
   #publishStationary(frames: Frame[]): void {
     // Uses a zero stamp, which needs no clock, because a stationary frame has the same pose at all times.
     const transforms = frames.map(frame => transform(0n, poseOf(frame, () => null) as Pose));
-    if (transforms.length > 0) this.gateway.publishKept(TF_STATIC, { transforms });
+    for (let i = 0; i < transforms.length; i += MAX_TRANSFORMS)
+      this.gateway.publishKept(TF_STATIC, { transforms: transforms.slice(i, i + MAX_TRANSFORMS) }, `${TF_STATIC}[${i}]`);
   }
 }

@@ -1,7 +1,7 @@
 import type { OfferedClock } from '../clock/offeredClock';
 import type { LinkEvents, Publisher } from '../gateway/link';
 import type { Nanoseconds } from '../times';
-import { SIGNALS, signals } from './messages';
+import { MAX_SIGNALS, SIGNALS, signals } from './messages';
 
 /**
  * After each connection, a gateway drops signals until it has measured the clock of their stamps, which takes up to 20 s. Therefore all signals
@@ -87,12 +87,12 @@ export class SignalSender implements LinkEvents {
     if (this.#pending.size > 0 && this.clock.isSettled) this.gateway.publishNewest(SIGNALS, () => this.#next());
   }
 
-  /** Creates the next message, which has the pending changes with the same stamp; null if there is none. */
+  /** Creates the next message, which has pending changes with the same stamp; null if there is none. */
   #next(): object | null {
     const [first] = this.#pending;
     if (first === undefined) return null;
     const { stamp } = this.#newest.get(first)!;
-    const together = [...this.#pending].filter(name => this.#newest.get(name)!.stamp === stamp);
+    const together = [...this.#pending].filter(name => this.#newest.get(name)!.stamp === stamp).slice(0, MAX_SIGNALS);
     for (const name of together) this.#pending.delete(name);
     this.sent();
     return signals(

@@ -247,6 +247,16 @@ describe('poses', () => {
     assert.ok(status.values()['frame/part'].endsWith(refusalMessages.parent(2, 1)), status.values()['frame/part']);
   });
 
+  it('Frames_256StationaryWithLongNames_AreSentInMessagesOfUpTo64KiB', () => {
+    const frames = Array.from({ length: 256 }, (_, i) => ({ ...table, frame: `${i}`.padEnd(128, 'a') }));
+
+    const { kept, keys } = cell({ frames, values: [] });
+
+    const lengths = kept.map(([topic, msg]) => Buffer.byteLength(JSON.stringify({ op: 'publish', topic, msg })));
+    assert.ok(lengths.every(bytes => bytes <= 65536), `${lengths}`);
+    assert.deepEqual([kept.flatMap(([, { transforms }]) => transforms).length, keys.size], [256, kept.length]);
+  });
+
   it('Frame_Constant_IsPublishedOnceAsStationary', () => {
     const { kept, stateOf } = cell({ frames: [table, part], values: VALUES });
 

@@ -17,6 +17,21 @@ describe('signals', () => {
     assert.deepEqual(['closed', 'speed'].map(name => stateOf(`signal/${name}`)), ['live', 'live']);
   });
 
+  it('Signals_256WithLongNamesAndOneTimeStamp_AreSentInMessagesOfUpTo64KiB', () => {
+    const names = Array.from({ length: 256 }, (_, i) => `${i}`.padEnd(128, '\u001f')), indices = Object.keys(names);
+    const { take, changes, sent, clock, output } = cell({ signals: names.map(signal => ({ signal })), values: names });
+    clock.isSettled = false;
+    take(Object.fromEntries(indices.map(i => [i, -1e-300 / 3])));
+
+    clock.isSettled = true;
+    output.check();
+
+    // The gateway measures the complete message, which also has op and topic.
+    const lengths = sent.map(([topic, msg]) => Buffer.byteLength(JSON.stringify({ op: 'publish', topic, msg })));
+    assert.ok(lengths.every(bytes => bytes <= 65536), `${lengths}`);
+    assert.deepEqual([changes().length, new Set(changes().map(([name]) => name)).size], [256, 256]);
+  });
+
   it('Changes_InOneNotification_AreAllPublished', () => {
     const { output, changes, time } = two();
     time.ms = 30;
