@@ -78,7 +78,8 @@ export async function subscribe(
   }
 
   const checks = setInterval(() => objects.check(), CHECK_MS);
-  await Promise.all([broker.run(stopping), settings.clock === null ? undefined : runUpstreamClock(settings.clock, clock, log, stopping)]);
+  const invalid = (reason: string): void => status.count(reason);
+  await Promise.all([broker.run(stopping), settings.clock === null ? undefined : runUpstreamClock(settings.clock, clock, log, stopping, invalid)]);
   clearInterval(checks);
 }
 

@@ -2,12 +2,18 @@ import { connect, type Socket } from 'node:net';
 import { connect as connectSecurely } from 'node:tls';
 import type { ClockReading } from '../clock/offeredClock';
 import { pinProblem } from '../gateway/pin';
-import { monotonicTime } from '../times';
+import { monotonicTime, type Nanoseconds } from '../times';
 import type { Upstream } from './settings';
-import { FRAME, isAccepted, parseReply, request, tokenRequest } from './syncFrame';
+import { FRAME, isAccepted, parseReply, type Reply, request, tokenRequest } from './syncFrame';
 import { syncMessages } from '../messages/broker';
 
 const ANSWER_MS = 2000;
+
+/** Number of consecutive invalid exchanges after which the connection is closed. */
+const MAX_INVALID = 10;
+
+/** Called with one word of a fixed set for each invalid exchange. */
+export type Invalid = (reason: 'sync-malformed' | 'sync-other-request' | 'sync-time-reversed' | 'sync-too-long') => void;
 
 /** A connection to the sync port of another gateway. Makes one exchange at a time. */
 export class SyncClient {
@@ -19,6 +25,7 @@ export class SyncClient {
   private constructor(
     readonly socket: Socket,
     readonly closed: Promise<string>,
+    readonly invalid: Invalid,
   ) {
     socket.on('data', bytes => this.#hear(bytes));
     void closed.then(reason => this.#fail?.(new Error(reason)));
@@ -28,14 +35,14 @@ export class SyncClient {
    * Connects, and sends the token if there is one.
    * @throws Error The server is not reachable, has another key, or refuses the token. The message names the reason.
    */
-  static async open(upstream: Upstream): Promise<SyncClient> {
+  static async open(upstream: Upstream, invalid: Invalid): Promise<SyncClient> {
     const socket = await connected(upstream);
     socket.setNoDelay(true);
     let reason = syncMessages.closed(`${upstream.host}:${upstream.port}`);
     socket.on('error', error => {
       reason = error.message;
     });
-    const client = new SyncClient(socket, new Promise(resolve => socket.once('close', () => resolve(reason))));
+    const client = new SyncClient(socket, new Promise(resolve => socket.once('close', () => resolve(reason))), invalid);
     if (upstream.token === null) return client;
     if (isAccepted(await client.#ask(tokenRequest(upstream.token))) === true) return client;
     client.close();
@@ -47,17 +54,19 @@ export class SyncClient {
   }
 
   /**
-   * Makes one exchange.
-   * @throws Error No valid reply arrived within 2 s, after which the connection is closed; or another exchange is running.
+   * Makes exchanges until one is valid.
+   * @throws Error No reply arrived within 2 s, a reply is malformed, or 10 exchanges are invalid, after which the connection is closed; or another
+   * exchange is running.
    */
   async read(): Promise<ClockReading> {
-    const sequence = (this.#sequence = (this.#sequence + 1) >>> 0);
-    const t1 = monotonicTime();
-    const reply = parseReply(await this.#ask(request(sequence, t1)));
-    const took = monotonicTime() - t1;
-    if (reply?.sequence === sequence && reply.t1 === t1) {
-      const { received, sent, resolution } = reply.reading;
-      if (sent >= received && sent - received <= took + (resolution ?? 0n)) return reply.reading;
+    for (let i = 0; i < MAX_INVALID; i++) {
+      const sequence = (this.#sequence = (this.#sequence + 1) >>> 0);
+      const t1 = monotonicTime();
+      const reply = parseReply(await this.#ask(request(sequence, t1)));
+      const reason = reply === undefined ? 'sync-malformed' : faultOf(reply, sequence, t1, monotonicTime() - t1);
+      if (reason === null) return reply!.reading;
+      this.invalid(reason);
+      if (reply === undefined) break;
     }
     this.close();
     throw new Error(syncMessages.invalidReply);
@@ -96,6 +105,13 @@ export class SyncClient {
     this.#received = Buffer.alloc(0);
     this.#waiting(frame);
   }
+}
+
+function faultOf(reply: Reply, sequence: number, t1: Nanoseconds, took: Nanoseconds): Parameters<Invalid>[0] | null {
+  const { received, sent, resolution = 0n } = reply.reading;
+  if (reply.sequence !== sequence || reply.t1 !== t1) return 'sync-other-request';
+  if (sent < received) return 'sync-time-reversed';
+  return sent - received > took + resolution ? 'sync-too-long' : null;
 }
 
 function connected({ host, port, isTls, pin }: Upstream): Promise<Socket> {

@@ -12,7 +12,7 @@ const TOKEN = 0x10;
 const TOKEN_REPLY = 0x11;
 const MAX_BOUND = 0xffff_ffff;
 
-interface Reply {
+export interface Reply {
   sequence: number;
   t1: Nanoseconds;
   reading: ClockReading & { received: Nanoseconds; sent: Nanoseconds };

@@ -2,18 +2,19 @@ import { Backoff, pause } from '../backoff';
 import type { OfferedClock } from '../clock/offeredClock';
 import type { Log } from '../log';
 import type { Upstream } from './settings';
-import { SyncClient } from './syncClient';
+import { type Invalid, SyncClient } from './syncClient';
 import { syncMessages } from '../messages/broker';
 
 /**
  * Offers the clock of the plant's gateway to the gateway of this adapter, until the signal is aborted. Each reading is a sync exchange with
  * the plant's gateway, which also returns the error bound and the state of the clock. The network delay of this exchange is part of the
  * round-trip time that the requesting gateway measures.
+ * @param invalid Called for each invalid exchange.
  */
-export async function runUpstreamClock(upstream: Upstream, clock: OfferedClock, log: Log, stop: AbortSignal): Promise<void> {
+export async function runUpstreamClock(upstream: Upstream, clock: OfferedClock, log: Log, stop: AbortSignal, invalid: Invalid): Promise<void> {
   const backoff = new Backoff();
   while (!stop.aborted) {
-    const reason = await follow(upstream, clock, log, stop, () => backoff.reset());
+    const reason = await follow(upstream, clock, log, stop, invalid, () => backoff.reset());
     clock.detach();
     if (stop.aborted) return;
     log.change('clock', syncMessages.timeUnknown(`${upstream.host}:${upstream.port}`, reason));
@@ -22,10 +23,10 @@ export async function runUpstreamClock(upstream: Upstream, clock: OfferedClock, 
 }
 
 /** Uses one connection until it ends. Returns the reason why it ended. */
-async function follow(upstream: Upstream, clock: OfferedClock, log: Log, stop: AbortSignal, opened: () => void): Promise<string> {
+async function follow(upstream: Upstream, clock: OfferedClock, log: Log, stop: AbortSignal, invalid: Invalid, opened: () => void): Promise<string> {
   let client: SyncClient;
   try {
-    client = await SyncClient.open(upstream);
+    client = await SyncClient.open(upstream, invalid);
   } catch (error) {
     return (error as Error).message;
   }

@@ -12,6 +12,8 @@ export class SyncServer {
   isSynchronised = true;
   isSilent = false;
   exchanges = 0;
+  /** Changes the replies to time requests before they are sent. */
+  distort = () => {};
   #sockets = new Set();
 
   static async start(test, { token } = {}) {
@@ -74,6 +76,7 @@ export class SyncServer {
       reply.writeBigInt64LE(received, 24);
       reply.writeBigInt64LE(this.now(), 32);
     }
+    if (kind === 2) this.distort(reply);
     socket.write(reply);
   }
 }
