@@ -56,6 +56,29 @@ public class NestedAppearanceTests : PlayedParts
     }
 
     [Test]
+    public void Show_ObjectBelowDestroyed_LabelIsThatOfTheRemainingParts()
+    {
+        var (pallet, _) = NewObject("pallet", _session.transform);
+        var (workpiece, _) = NewObject("workpiece", pallet.transform);
+        var appearance = pallet.GetComponent<PoseAppearance>();
+        workpiece.GetComponent<PoseAppearance>().enabled = false;
+        _cell.IsPlantUp = false;
+        void Send(double t)
+        {
+            SendPose("world", "pallet", t, Along(t));
+            SendPose("world", "workpiece", t, Along(t));
+        }
+        Run(1, Send);
+        Assert.That((pallet.State, workpiece.State, appearance.Look.Label), Is.EqualTo((PoseState.Current, PoseState.Current, "")));
+
+        UnityEngine.Object.Destroy(workpiece.gameObject);
+        Run(0.1, Send);
+
+        Assert.That((pallet.State, _session.Frame.State), Is.EqualTo((PoseState.Current, PoseState.Incomplete)));
+        Assert.That((appearance.Look.Label, appearance.PartCount), Is.EqualTo(("", 1)));
+    }
+
+    [Test]
     public void Show_RobotBecomesCurrentAgain_StoppedObjectStaysStriped()
     {
         var (rig, arm) = NewRobot(_session.transform);

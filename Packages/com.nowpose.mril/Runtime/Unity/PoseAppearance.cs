@@ -228,6 +228,7 @@ namespace Nowpose.Unity
         {
             // Another listener may have ended the session.
             if (_source.Session == null) return;
+            if (_places.HasLostMover) Refresh();
             var hasChanged = _isEnded | _places.Update(frame, _source);
             (_frame, _isEnded) = (frame, false);
             hasChanged |= _carriers.Update();

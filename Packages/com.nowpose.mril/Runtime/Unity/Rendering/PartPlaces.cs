@@ -36,6 +36,17 @@ namespace Nowpose.Unity.Rendering
 
         public int Count => _places.Count;
 
+        /// <summary>Whether an object, rig or gripper that moves parts was destroyed, so that its group no longer has a state. Allocates nothing.</summary>
+        public bool HasLostMover
+        {
+            get
+            {
+                foreach (var place in _places)
+                    if (place.Mover == null) return true;
+                return false;
+            }
+        }
+
         public PartPlace this[int index] => _places[index];
 
         public void Clear() => _places.Clear();
