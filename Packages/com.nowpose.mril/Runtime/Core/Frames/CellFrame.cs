@@ -51,7 +51,10 @@ namespace Nowpose.Frames
         /// </summary>
         public bool IsOutdated { get; set; }
 
-        /// <summary>Whether the displayed pose is the same at any display time, because this frame and all frames above it are stationary.</summary>
+        /// <summary>
+        /// Whether the displayed pose is the same at any display time, because this frame and all frames above it are stationary, and no joint moves a
+        /// link above it.
+        /// </summary>
         public bool IsFixed { get; private set; }
 
         /// <summary>
@@ -146,7 +149,7 @@ namespace Nowpose.Frames
         /// <summary>Computes the displayed pose.</summary>
         /// <param name="time">Display time since the epoch, s; NaN while it is unknown.</param>
         /// <param name="parent">Displayed pose of the parent in the world.</param>
-        /// <param name="isParentFixed">Whether the parent is the world or a frame that <see cref="IsFixed"/>.</param>
+        /// <param name="isParentFixed">Whether the parent has the same pose at any display time.</param>
         public void Evaluate(double time, in RigidTransform parent, bool isParentCurrent, bool isParentFixed)
         {
             IsFixed = IsStationary && isParentFixed;
@@ -180,7 +183,11 @@ namespace Nowpose.Frames
         }
 
         /// <summary>Keeps the displayed pose, because the parent or a frame above it is unknown.</summary>
-        public void Orphan() => State = FrameState.Orphan;
+        public void Orphan()
+        {
+            State = FrameState.Orphan;
+            IsFixed = false;
+        }
 
         /// <summary>Discards the poses of a tracked frame, because their times are no longer valid. The displayed pose is kept.</summary>
         public void Reset()

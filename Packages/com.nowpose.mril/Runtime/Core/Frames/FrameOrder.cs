@@ -59,7 +59,7 @@ namespace Nowpose.Frames
         /// <returns>False if the parent, or a frame above it, is unknown or has never had a pose.</returns>
         public bool TryFindParent(in Place place, out RigidTransform pose, out bool isCurrent, out bool isFixed)
         {
-            (pose, isCurrent, isFixed) = (RigidTransform.Identity, true, place.IsInWorld);
+            (pose, isCurrent, isFixed) = (RigidTransform.Identity, true, place.Robot < 0 || !IsMovedByJoints(place.Robot, place.Parent));
             // Without a frame of its root link, a robot is at the world's origin.
             var above = place.Robot < 0 ? place.Parent : RootIndexOf(place.Robot);
             if (above >= 0)
@@ -67,7 +67,7 @@ namespace Nowpose.Frames
                 var frame = _frames[above];
                 if (!frame.IsPlaced) return false;
                 (pose, isCurrent) = (frame.World, frame.State == FrameState.Current);
-                isFixed = isCurrent && place.Robot < 0 && frame.IsFixed;
+                isFixed &= isCurrent && frame.IsFixed;
             }
             if (place.Robot < 0) return above >= 0 || place.IsInWorld;
             pose *= _robots[place.Robot].Poses[place.Parent];
@@ -163,7 +163,12 @@ namespace Nowpose.Frames
         public bool IsMovedByJoints(string name)
         {
             if (name == FrameParents.World || !IsLink(name)) return false;
-            var (robot, index) = _links[name];
+            var (robot, link) = _links[name];
+            return IsMovedByJoints(robot, link);
+        }
+
+        bool IsMovedByJoints(int robot, int index)
+        {
             var links = _robots[robot].Robot.Links;
             for (var link = links[index]; link.ParentIndex >= 0; link = links[link.ParentIndex])
                 if (link.ParentJoint.MovingIndex >= 0) return true;

@@ -172,6 +172,45 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(FrameOf(tree, "screw").World.X, Is.EqualTo(11.11).Within(1e-12));
         }
 
+        [TestCase("arm/base", true)]
+        [TestCase("arm/upper", false)]
+        [TestCase("arm/finger", false)]
+        public void IsFixed_OnALink_IsTrueIfNoJointMovesTheLinkAndTheRobotIsFixed(string link, bool isFixed)
+        {
+            var tree = NewTree();
+            tree.Add(new MovingLinks("arm", TestRobot.Model));
+            tree.Add(Pose(0, link, "plate"), isStationary: true);
+            tree.Add(Pose(0, "plate", "screw"), isStationary: true);
+            (bool, bool) AreFixed() => (FrameOf(tree, "plate").IsFixed, FrameOf(tree, "screw").IsFixed);
+            tree.Evaluate(At(0));
+            Assert.That(AreFixed(), Is.EqualTo((isFixed, isFixed)), "the robot is at the world's origin");
+
+            tree.Add(Pose(0, "world", "arm/base", 1), isStationary: true);
+            tree.Evaluate(At(0.1));
+            Assert.That(AreFixed(), Is.EqualTo((isFixed, isFixed)), "the robot stands on a stationary frame");
+
+            for (var k = 0; k <= 5; k++) tree.Add(Pose(k * Sampling, "world", "arm/base", k), isStationary: false);
+            tree.Evaluate(At(5 * Sampling));
+            tree.Evaluate(At(5 * Sampling));
+            Assert.That(AreFixed(), Is.EqualTo((false, false)), "the robot moves");
+        }
+
+        [Test]
+        public void IsFixed_ParentBecomesUnknown_IsFalse()
+        {
+            var tree = NewTree();
+            tree.Add(Pose(0, "world", "table", 1), isStationary: true);
+            tree.Add(Pose(0, "table", "plate", 1), isStationary: true);
+            tree.Evaluate(At(0));
+            Assert.That((FrameOf(tree, "table").IsFixed, FrameOf(tree, "plate").IsFixed), Is.EqualTo((true, true)));
+
+            tree.Add(Pose(1, "hall", "table", 1), isStationary: true);
+            tree.Evaluate(At(1));
+
+            Assert.That((FrameOf(tree, "table").State, FrameOf(tree, "plate").State), Is.EqualTo((FrameState.Orphan, FrameState.Orphan)));
+            Assert.That((FrameOf(tree, "table").IsFixed, FrameOf(tree, "plate").IsFixed), Is.EqualTo((false, false)));
+        }
+
         /// <summary>
         /// A digital twin reports the object in the gripper as the parent of the robot. The reported parents have no cycle, but the
         /// displayed parents do.
