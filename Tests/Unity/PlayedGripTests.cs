@@ -1,4 +1,5 @@
 using Nowpose.Frames;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
@@ -67,6 +68,16 @@ public class PlayedGripTests : PlayedParts
         Assert.That((box.State, Hatched.IsHatched(part)), Is.EqualTo((PoseState.Held, true)));
         Assert.That(box.Fault, Is.EqualTo(ObjectMessages.MayBeGripped("its source ended")));
         Assert.That(FaultsNow(), Does.Contain("object box: " + box.Fault).And.Contain("gripper grip: its source ended"));
+    }
+
+    [Test]
+    public void GripByReach_SignalNotPublished_AllocatesNothingInAFrame()
+    {
+        var (_, grip, box) = NewGrip();
+        Run(2, t => SendPose("world", "box", t, Along(0.01)));
+
+        Assert.That(_cell.AllocatedIn(() => _cell.Run(1, _session)), Is.Zero);
+        Assert.That((grip.Fault, box.State), Is.EqualTo((SignalMessages.NoConnection, PoseState.Held)));
     }
 
     (RobotRig Rig, GripByReach Grip, TrackedObject Box) NewGrip(string link = "")

@@ -109,9 +109,10 @@ namespace Nowpose.Frames
             _signalFault = signalFault;
             FaultSince = _unknown == null ? since : null;
             if (Fault == null) return;
-            foreach (var name in _objects)
+            // A foreach loop over an IReadOnlyList allocates its enumerator.
+            for (var i = 0; i < _objects.Count; i++)
             {
-                var index = _tree.IndexOf(name);
+                var index = _tree.IndexOf(_objects[i]);
                 if (index < 0) continue;
                 var frame = _tree[index];
                 if (CanMove(index)) frame.UnknownGrip = this;
@@ -141,8 +142,9 @@ namespace Nowpose.Frames
             var nearest = -1;
             var inHand = RigidTransform.Identity;
             var isMeasured = handOrigin == PoseOrigin.Measured;
-            foreach (var name in _objects)
+            for (var i = 0; i < _objects.Count; i++)
             {
+                var name = _objects[i];
                 var index = _tree.IndexOf(name);
                 if (handOrigin == PoseOrigin.None || index < 0 || !CanGrip(index)) continue;
                 if (IsTakenLater(_tree[index].Reach)) continue;
