@@ -49,9 +49,7 @@ namespace Nowpose.Session
                 var joint = _robot.IndexOfMovingJoint(report.Joint.Substring(_prefix.Length));
                 if (joint < 0) continue;
                 reports.OfJoint[joint] = report;
-                // A gripper may send samples only while it moves. If they stop for an unknown reason, the gripper is listed, but the arm's pose stays
-                // current.
-                reports.IsAnyMissing |= !report.State.IsGood() && (_isToolJoint[joint] || report.State != JointDataState.Stale);
+                reports.IsAnyMissing |= HoldsPose(joint, report.State);
             }
             _newest = reports;
         }
@@ -78,16 +76,27 @@ namespace Nowpose.Session
             }
         }
 
-        /// <summary>Returns the time since which a joint has had no data; null if it is unknown or all joints have data.</summary>
+        /// <summary>
+        /// Returns the time since which a joint that is required for a current pose has had no data, or another joint if all these have data. Returns null
+        /// if the time is unknown or all joints have data.
+        /// </summary>
         /// <inheritdoc cref="Fill"/>
         public ControlTime? MissingSince(HeadsetTime now, in ClockModel clock, ControlTime? shownFor)
         {
             Fill(_listed, now, clock, shownFor);
+            var isHeld = false;
+            foreach (var joint in _listed) isHeld |= HoldsPose(joint);
             ControlTime? since = null;
             foreach (var joint in _listed)
-                if (joint.IsMissing && !(joint.Since >= since)) since = joint.Since ?? since;
+                if ((isHeld ? HoldsPose(joint) : joint.IsMissing) && !(joint.Since >= since)) since = joint.Since ?? since;
             return since;
         }
+
+        bool HoldsPose(in JointStatus joint) => HoldsPose(_robot.IndexOfMovingJoint(joint.Joint), joint.State);
+
+        // A gripper may send samples only while it moves. If they stop for an unknown reason, the gripper is listed, but the arm's pose stays
+        // current.
+        bool HoldsPose(int joint, JointDataState state) => !state.IsGood() && (_isToolJoint[joint] || state != JointDataState.Stale);
 
         bool IsOld(int joint, ControlTime? shownFor) => _isToolJoint[joint] && shownFor - _tracks.NewestOf(joint) > _horizonCap;
 

@@ -1,6 +1,7 @@
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
+using Nowpose.Protocol;
 using Nowpose.Session;
 using NUnit.Framework;
 
@@ -102,6 +103,30 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That((screw.State, frames.HeldSince(screw)), Is.EqualTo((FrameState.ParentNotCurrent, (ControlTime?)ControlTime.FromSeconds(newest))));
             Assert.That(frames.Tree.ReasonAbove(screw, out _, out var robot), Is.EqualTo("tool_centre_point"));
             Assert.That(robot, Is.SameAs(cell.Session.Robots[0]));
+        }
+
+        [Test]
+        public void HeldSince_RobotStoppedAfterItsFinger_IsTheStampOfTheNewestSampleOfTheArm()
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("in_hand");
+            var newest = 0.0;
+            cell.Sampling = t =>
+            {
+                if (t < 20.5) cell.SendJoints(newest = t, 0, 0);
+                cell.Send("tool_centre_point", "in_hand", t, Along(0.1));
+            };
+            cell.Run(0.5);
+
+            var finger = new JointReport("grip", JointDataState.Stale, ControlTime.FromSeconds(5), "");
+            cell.Session.Listener.StatusReceived(new JointStatusMessage(new[] { finger }), HeadsetTime.FromSeconds(cell.Now));
+            cell.Run(0.1);
+            Assert.That(StateOf(cell, "in_hand"), Is.EqualTo(PoseState.Current), "the finger alone does not hold the arm");
+            cell.Run(1.5);
+
+            var held = cell.Session.Frames.Find("in_hand");
+            Assert.That(held.State, Is.EqualTo(FrameState.ParentNotCurrent));
+            Assert.That(cell.Session.Frames.HeldSince(held), Is.EqualTo(ControlTime.FromSeconds(newest)));
         }
 
         [Test]
