@@ -114,6 +114,29 @@ public class PlayedGripperTests
         Assert.That(parts.Count, Is.Zero);
     }
 
+    // The fingers of the robot are fixed to the flange, beside the link that is entered.
+    [TestCase("tool0")]
+    [TestCase("flange")]
+    public void Gripper_FingersBesideTheFlangeLink_UnknownFingerIsAFault(string flangeLink)
+    {
+        var description = RobotDescriptionAsset.Create("arm", @"<robot name='arm'>
+            <link name='base'/><link name='wrist_3'/><link name='flange'/><link name='tool0'/><link name='finger'/>
+            <joint name='wrist' type='continuous'><parent link='base'/><child link='wrist_3'/><axis xyz='0 0 1'/></joint>
+            <joint name='end' type='fixed'><parent link='wrist_3'/><child link='flange'/></joint>
+            <joint name='tool' type='fixed'><parent link='flange'/><child link='tool0'/></joint>
+            <joint name='grip' type='prismatic'><parent link='flange'/><child link='finger'/><axis xyz='0 1 0'/>
+                <limit lower='0' upper='0.05' velocity='1' effort='1'/></joint></robot>");
+        _played.Rig.With("_session", _played.Session).With("_robotNamespace", "arm2").With("_description", description);
+        var gripper = Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform).With("_flangeLink", flangeLink);
+        gripper.With("_fingers", new List<GripperFinger> { new("gripp", Below<FrameProbe>("Finger", gripper.transform).transform) });
+
+        _played.Play(0.5);
+
+        var said = _played.Cell.Player.Logs.Single(log => ReferenceEquals(log.Context, gripper));
+        var fault = ComponentMessages.FingerJointUnknown("arm", "'gripp'");
+        Assert.That((said.Type, said.Message.EndsWith(ComponentMessages.Of("gripper", gripper.name, fault))), Is.EqualTo((LogType.Error, true)));
+    }
+
     [Test]
     public void Gripper_FlangeUnknown_IsLoggedOnce()
     {

@@ -108,13 +108,22 @@ namespace Nowpose.Unity
         void Report(string unknown)
         {
             var model = _source.Model;
-            var carrier = model.IndexOfLink(_flangeLink);
-            if (model.HasMovingJointBelow(carrier < 0 ? model.FlangeLink : model.Links[carrier]))
+            if (model.HasMovingJointBelow(Carrier(model)))
             {
                 _fault = ComponentMessages.FingerJointUnknown(model.Name, unknown);
                 ConsoleLog.Fail(this, ComponentMessages.Of("gripper", name, _fault));
             }
             else ConsoleLog.Info(this, ComponentMessages.GripperWithoutJoint(name, model.Name, unknown));
+        }
+
+        // Returns the uppermost link to which the flange is rigidly connected. The fingers of the robot may be beside the flange, as on 'flange' beside
+        // 'tool0'.
+        RobotLink Carrier(RobotModel model)
+        {
+            var entered = model.IndexOfLink(_flangeLink);
+            var carrier = entered < 0 ? model.FlangeLink : model.Links[entered];
+            while (carrier.ParentJoint?.Kind == JointKind.Fixed) carrier = model.Links[carrier.ParentIndex];
+            return carrier;
         }
 
         // Only a gripper with a fault is listed, because the robot is listed already.
