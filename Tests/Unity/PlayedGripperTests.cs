@@ -138,6 +138,24 @@ public class PlayedGripperTests
     }
 
     [Test]
+    public void Gripper_OfAGhostWithAFault_IsListedOnlyForTheDisplayedGripper()
+    {
+        NewFaultyGripper(_played.Rig.transform);
+        NewFaultyGripper(_played.NewGhost().transform);
+
+        _played.Play(0.5);
+
+        _played.Session.Parts.Update();
+        Assert.That(_played.Session.Parts.FaultCount, Is.EqualTo(1));
+    }
+
+    static void NewFaultyGripper(Transform rig)
+    {
+        var gripper = Below<VirtualGripper>("Virtual Gripper", rig);
+        gripper.With("_fingers", new List<GripperFinger> { new("gripp", Below<FrameProbe>("Finger", gripper.transform).transform) });
+    }
+
+    [Test]
     public void Gripper_FlangeUnknown_IsLoggedOnce()
     {
         Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform).With("_flangeLink", "hand");

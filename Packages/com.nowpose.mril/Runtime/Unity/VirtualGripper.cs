@@ -126,10 +126,10 @@ namespace Nowpose.Unity
             return carrier;
         }
 
-        // Only a gripper with a fault is listed, because the robot is listed already.
+        // Only a gripper with a fault is listed, because the robot is listed already. The gripper of a ghost would be a second, identical row.
         void List()
         {
-            var session = _fault == null || _source == null ? null : _source.Session;
+            var session = _fault == null || _source == null || _source.Shows != RigPose.Displayed ? null : _source.Session;
             if (ReferenceEquals(session, _listedBy)) return;
             if (_listedBy is object) _listedBy.Parts.Remove(this);
             _listedBy = session;
