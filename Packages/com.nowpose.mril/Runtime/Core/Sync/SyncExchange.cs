@@ -36,7 +36,7 @@ namespace Nowpose.Sync
         public static SyncExchange Of(HeadsetTime t1, in SyncFrame reply, HeadsetTime t4)
         {
             // Rounds the resolution up, so that rounding to ticks never invalidates an exchange that is valid in nanoseconds.
-            var resolution = (reply.ResolutionNs + ClockTicks.NanosecondsPerTick - 1L) / ClockTicks.NanosecondsPerTick;
+            var resolution = ((long)reply.ResolutionNs + ClockTicks.NanosecondsPerTick - 1) / ClockTicks.NanosecondsPerTick;
             return new SyncExchange(
                 t1, ControlTime.FromNanoseconds(reply.T2Ns), ControlTime.FromNanoseconds(reply.T3Ns), t4,
                 new TimeSpan(resolution), new TimeSpan(reply.ErrorBoundUs * 10L), reply.IsServerSynchronised);

@@ -90,6 +90,18 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(SyncExchangeRules.CheckReply(exchange, reply), Is.EqualTo((SyncExchangeFault)expected));
         }
 
+        [TestCase(0u, 0)]
+        [TestCase(1u, 1)]
+        [TestCase(100u, 1)]
+        [TestCase(101u, 2)]
+        [TestCase(uint.MaxValue, 42_949_673)]
+        public void Of_AnyResolution_IsRoundedUpToTicks(uint resolutionNs, long ticks)
+        {
+            var exchange = SyncExchange.Of(default, new SyncFrame(SyncFrameKind.Reply, 0, 1, 0, 0, 0, 0, resolutionNs), default);
+
+            Assert.That(exchange.Resolution.Ticks, Is.EqualTo(ticks));
+        }
+
         [Test]
         public void Check_CoarseServerClock_AllowsANegativeRoundTripOfOneCycle()
         {
