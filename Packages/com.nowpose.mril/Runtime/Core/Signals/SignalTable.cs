@@ -11,12 +11,12 @@ namespace Nowpose.Signals
     {
         readonly List<SignalTrack> _signals = new List<SignalTrack>();
         readonly Dictionary<string, int> _indices = new Dictionary<string, int>(StringComparer.Ordinal);
-        readonly Predicate<string> _isEnded;
+        readonly Predicate<SignalTrack> _isEnded;
 
         /// <param name="isEnded">
-        /// Returns whether the source of a signal has ended. When the table is full, a new signal replaces such a signal. Null: no source ends.
+        /// Returns whether a signal may have no source any more. When the table is full, a new signal replaces such a signal. Null: no source ends.
         /// </param>
-        public SignalTable(Predicate<string> isEnded = null) => _isEnded = isEnded ?? (_ => false);
+        public SignalTable(Predicate<SignalTrack> isEnded = null) => _isEnded = isEnded ?? (_ => false);
 
         /// <summary>
         /// Raised within <see cref="Evaluate"/> when a change becomes visible. The signal already has the new value. If several changes of one
@@ -62,7 +62,7 @@ namespace Nowpose.Signals
                 return _signals.Count - 1;
             }
             for (var i = 0; i < _signals.Count; i++)
-                if (_isEnded(_signals[i].Name))
+                if (_isEnded(_signals[i]))
                 {
                     _indices.Remove(_signals[i].Name);
                     return i;

@@ -33,7 +33,7 @@ namespace Nowpose.Session.Cell
             _connection = connection;
             _subscriptions = subscriptions;
             _drops = drops;
-            Table = new SignalTable(signal => _ended.TryGetValue(signal, out var report) && report.State == JointDataState.Stale);
+            Table = new SignalTable(IsEnded);
         }
 
         public SignalTable Table { get; }
@@ -109,6 +109,12 @@ namespace Nowpose.Session.Cell
             }
             Table.Evaluate(displayTime);
         }
+
+        // A gateway that has restarted does not report the sources that ended before. It sends the signals that it still has again, and there are not
+        // more of them than the table can hold, so all of them find a place after a reconnection.
+        bool IsEnded(SignalTrack signal) =>
+            (_ended.TryGetValue(signal.Name, out var report) && report.State == JointDataState.Stale)
+            || (signal.Received is HeadsetTime arrival && !_connection.Includes(arrival));
 
         void Take(in ArrivedSignal signal, in ClockModel clock)
         {

@@ -115,6 +115,27 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(cell.Session.Drops[DropReason.TooManySignals], Is.EqualTo(1));
         }
 
+        // A restarted gateway has no list of the sources that ended before its start.
+        [Test]
+        public void Signal_FullTableAfterAReconnection_HoldsAllSignalsOfTheNewConnection()
+        {
+            var cell = new CellSession();
+            for (var k = 0; k < ProtocolLimits.Signals; k++) cell.Send("s" + k, 19.5, k);
+            cell.Run(0.1);
+            cell.Session.Connection.Set(HeadsetTime.FromSeconds(cell.Now));
+
+            cell.Send("new", cell.Now, 0.5);
+            for (var k = 0; k < ProtocolLimits.Signals - 1; k++) cell.Send("s" + k, cell.Now, k);
+            cell.Run(0.1);
+
+            Assert.That(cell.Session.Drops[DropReason.TooManySignals], Is.Zero);
+            Assert.That(ValueOf(cell, "new"), Is.EqualTo(0.5));
+            for (var k = 0; k < ProtocolLimits.Signals - 1; k++) Assert.That(ValueOf(cell, "s" + k), Is.EqualTo(k));
+            cell.Send("s" + (ProtocolLimits.Signals - 1), cell.Now, 1);
+            cell.Run(0.1);
+            Assert.That(cell.Session.Drops[DropReason.TooManySignals], Is.EqualTo(1));
+        }
+
         [Test]
         public void Signal_StampInTheFuture_IsDroppedAndCounted()
         {
