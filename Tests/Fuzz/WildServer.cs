@@ -24,20 +24,17 @@ sealed class WildServer
         var reply = FrameMutator.Reply(random, (uint)seed, t1.Nanoseconds);
         var verdict = SyncVerdict.Dropped;
         // Adds correct exchanges, so that the clock model is not empty when it receives the false ones.
-        if (random.Next(3) == 0) verdict = Take(random, t1, new SyncExchange(t1, Control(t1, 0.5), Control(t1, 0.6), _now));
-        else if (reply.Sequence == (uint)seed && reply.T1Ns == t1.Nanoseconds)
-            verdict = Take(random, t1, new SyncExchange(
-                t1, ControlTime.FromNanoseconds(reply.T2Ns), ControlTime.FromNanoseconds(reply.T3Ns), _now,
-                new TimeSpan(reply.ResolutionNs / 100), new TimeSpan(reply.ErrorBoundUs * 10L), reply.IsServerSynchronised));
+        if (random.Next(3) == 0)
+            reply = new SyncFrame(SyncFrameKind.Reply, 0, (uint)seed, 0, t1.Nanoseconds, t1.Nanoseconds + 500_000, t1.Nanoseconds + 600_000, 0);
+        if (reply.Sequence == (uint)seed && reply.T1Ns == t1.Nanoseconds) verdict = Take(random, t1, reply);
         _now += new TimeSpan(random.NextInt64(1, 3_000_000));
         return verdict == SyncVerdict.Consistent;
     }
 
-    static ControlTime Control(HeadsetTime at, double ms) => ControlTime.FromNanoseconds(at.Nanoseconds + (long)(ms * 1e6));
-
-    SyncVerdict Take(Random random, HeadsetTime sent, in SyncExchange exchange)
+    SyncVerdict Take(Random random, HeadsetTime sent, in SyncFrame reply)
     {
-        if (SyncExchangeRules.Check(exchange) != SyncExchangeFault.None) return SyncVerdict.Dropped;
+        var exchange = SyncExchange.Of(sent, reply, _now);
+        if (SyncExchangeRules.CheckReply(exchange, reply) != SyncExchangeFault.None) return SyncVerdict.Dropped;
         var verdict = _clock.Add(exchange, out _);
         var at = _now + new TimeSpan(random.NextInt64(0, 100_000_000));
         var model = _clock.ModelAt(at);
