@@ -18,7 +18,13 @@ static class SimulationOutput
         var camera = new SimulatedCamera(settings, sweep);
         var pictures = Path.Combine(Made(folder), "pictures");
         Made(pictures);
+        // Without Node.js, this throws before the folder is changed.
+        using var pool = new VisionPool();
         RemoveEarlier(folder, pictures);
+        // Written before the log, because the log of a simulation that failed must not look like the log of a measurement.
+        using var truth = File.CreateText(Path.Combine(folder, TruthFile));
+        truth.Write(TruthHeader + "\n");
+        truth.Flush();
         using (var log = File.CreateText(Path.Combine(folder, LogFile)))
         {
             SweepLog.WriteHeader(log);
@@ -27,7 +33,6 @@ static class SimulationOutput
         var defects = new string[settings.Pictures];
         string NameOf(int picture) => FormattableString.Invariant($"picture-{picture + 1:00000}.jpg");
         var made = new SortedSet<int>();
-        using var pool = new VisionPool();
         ConsoleProgress.Run("taking pictures", "pictures", settings.Pictures, report => pool.Look(
             Enumerable.Range(0, settings.Pictures).Select(i => PictureRequest.Made(camera.Take(i, out defects[i]), Path.Combine(pictures, NameOf(i)))),
             (place, picture) =>
@@ -37,8 +42,6 @@ static class SimulationOutput
                 report(made.Count);
             },
             cancellation));
-        using var truth = File.CreateText(Path.Combine(folder, TruthFile));
-        truth.Write(TruthHeader + "\n");
         // After a cancellation, only the finished pictures are listed.
         foreach (var i in made) truth.Write(TruthOf(sweep, i, NameOf(i), defects[i]) + "\n");
         return made.Count;

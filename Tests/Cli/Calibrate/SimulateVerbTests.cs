@@ -46,6 +46,19 @@ public sealed class SimulateVerbTests
     }
 
     [Test]
+    public void Write_AfterARunThatFailed_ReplacesItsFiles()
+    {
+        using var folder = new TemporaryFolder();
+        var settings = new SimulationSettings { Pictures = 1 };
+        // A folder in the place of the picture cannot be written.
+        var obstacle = Directory.CreateDirectory(Path.Combine(folder.Path, "pictures", "picture-00001.jpg"));
+        Assert.That(() => SimulationOutput.Write(settings, folder.Path, CancellationToken.None), Throws.TypeOf<InputException>());
+        obstacle.Delete();
+
+        Assert.That(SimulationOutput.Write(settings, folder.Path, CancellationToken.None), Is.EqualTo(1));
+    }
+
+    [Test]
     public async Task Simulate_FolderWithOtherPictures_KeepsThem()
     {
         var folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
