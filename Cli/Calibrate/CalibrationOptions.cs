@@ -27,7 +27,7 @@ sealed class CalibrationOptions
     public DisplayConditions Conditions(ParseResult parsed) => _device.Conditions(parsed);
 
     /// <inheritdoc cref="CalibrationOutput.At"/>
-    public CalibrationOutput Output(ParseResult parsed) => CalibrationOutput.At(parsed.GetValue(_folder));
+    public CalibrationOutput Output(ParseResult parsed, bool hasPairs = false) => CalibrationOutput.At(parsed.GetValue(_folder), hasPairs);
 
     /// <summary>Writes the profile and the page, and prints the result.</summary>
     /// <param name="profile">The profile; null if there is none.</param>

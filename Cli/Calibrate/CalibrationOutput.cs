@@ -24,15 +24,17 @@ sealed class CalibrationOutput
     public string PairsPath => Path.Combine(_folder, "pairs.csv");
 
     /// <summary>Creates the folder and checks that its files can be written, so that a long measurement does not fail at its end.</summary>
+    /// <param name="hasPairs">Whether <see cref="WritePairs"/> will be called. Without it, the table may be an input of the command.</param>
     /// <exception cref="InputException">The folder or an existing file in it is not writable.</exception>
-    public static CalibrationOutput At(string folder) => OptionPath.InFolder("--out", folder, full =>
+    public static CalibrationOutput At(string folder, bool hasPairs = false) => OptionPath.InFolder("--out", folder, full =>
     {
         var trial = Path.Combine(full, Path.GetRandomFileName());
         File.WriteAllText(trial, "");
         File.Delete(trial);
         var output = new CalibrationOutput(full);
         // Opens the files of an earlier calibration without changing them.
-        foreach (var path in new[] { output.ProfilePath, output.UnlimitedProfilePath, output.PagePath, output.PairsPath }.Where(Path.Exists))
+        string[] written = [output.ProfilePath, output.UnlimitedProfilePath, output.PagePath];
+        foreach (var path in written.Concat(hasPairs ? [output.PairsPath] : []).Where(Path.Exists))
             File.Open(path, FileMode.Open, FileAccess.Write).Dispose();
         return output;
     });

@@ -42,7 +42,7 @@ static class VlcVerb
         DisplayConditions conditions = null;
         var sweep = parsed.GetValue(Sweep) is string path ? SweepTable.Read(path, out conditions) : null;
         var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed), conditions);
-        var output = Shared.Output(parsed);
+        var output = Shared.Output(parsed, hasPairs: true);
         var run = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay)));
         var result = run.Run(files, cancel);
         ReportRejected(result);

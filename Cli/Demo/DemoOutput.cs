@@ -1,3 +1,4 @@
+using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Web;
@@ -34,11 +35,12 @@ sealed class DemoOutput
     /// </summary>
     /// <param name="isPaper">Whether the run also writes the files of <c>--paper</c>. Without it, these files are kept.</param>
     /// <param name="inputs">Paths of the input files, which are never removed; null for an input that was not given.</param>
-    /// <exception cref="InputException">The folder is not writable, or an input is among the files to write.</exception>
+    /// <exception cref="InputException">The folder or the calibration in it is not writable, or an input is among the files to write.</exception>
     public static DemoOutput At(string folder, bool isPaper, params string[] inputs) => OptionPath.InFolder("--out", folder, full =>
     {
         var output = new DemoOutput(full);
         OptionPath.RequireNoInput("--out", [output.ReportPath, output.SessionPath, output.ResultPath], inputs);
+        if (isPaper) CalibrationOutput.At(output.Folder);
         File.Delete(output.ReportPath);
         File.Delete(output.SessionPath);
         if (isPaper) PaperOutput.RemoveEarlier(output.Folder);

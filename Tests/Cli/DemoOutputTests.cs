@@ -29,6 +29,18 @@ public sealed class DemoOutputTests
         Assert.That(Names(folder), Is.Empty);
     }
 
+    [TestCase("profile.json")]
+    [TestCase("calibration.html")]
+    public void At_WithPaperAndACalibrationThatIsNotWritable_ThrowsAndKeepsAllFiles(string name)
+    {
+        using var folder = Filled();
+        File.Delete(Path.Combine(folder.Path, name));
+        Directory.CreateDirectory(Path.Combine(folder.Path, name));
+
+        Assert.That(() => DemoOutput.At(folder.Path, isPaper: true), Throws.TypeOf<InputException>());
+        Assert.That(Names(folder), Is.EquivalentTo(OfDemo.Concat(OfPaper).Where(each => each != name)));
+    }
+
     [TestCase("result.json")]
     [TestCase("session.jsonl")]
     public void At_InputIsAFileToRemove_ThrowsAndKeepsAllFiles(string name)

@@ -42,8 +42,9 @@ static class PaperSession
         var figures = PaperFigures.Of(runs, claims);
         var score = new DemoScore(runs[0].Run);
         var result = score.Result() with { Claims = claims };
-        PaperOutput.Write(output.Folder, runs, calibration, figures);
+        // The result and the report are written first, because they exist even if another file cannot be written.
         output.Write(score, runs[0].Run, result, figures);
+        PaperOutput.Write(output.Folder, runs, calibration, figures);
         DemoTable.Print(runs[0].Run, score, result, output);
         PaperTable.Print(claims);
     }

@@ -18,7 +18,15 @@ public sealed class CalibrationOutputTests : CalibrationFolder
     {
         Directory.CreateDirectory(Path.Combine(Out, name));
 
-        Assert.That(() => CalibrationOutput.At(Out), Throws.TypeOf<InputException>().With.Message.StartsWith("--out: "));
+        Assert.That(() => CalibrationOutput.At(Out, hasPairs: true), Throws.TypeOf<InputException>().With.Message.StartsWith("--out: "));
+    }
+
+    [Test]
+    public void At_TableIsNotAnOutput_IsNotChecked()
+    {
+        Directory.CreateDirectory(Path.Combine(Out, "pairs.csv"));
+
+        Assert.That(() => CalibrationOutput.At(Out), Throws.Nothing);
     }
 
     [Test]
