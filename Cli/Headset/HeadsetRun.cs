@@ -26,11 +26,18 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
     /// <exception cref="InputException">The file of the robot cannot be read, or the recording cannot be written.</exception>
     public HeadsetResult Play(Action<double, Func<string>> report, CancellationToken cancel)
     {
-        // Opens the recording first, so that a wrong path is reported before the run.
+        var given = settings.Robot == null ? null : RobotFiles.Load(settings.Robot);
+        var isNewFile = settings.RecordingPath != null && !Path.Exists(settings.RecordingPath);
+        // Opens the recording before the run, so that a wrong path is reported at once.
         using var file = settings.RecordingPath == null ? null : OptionPath.Open("--record", settings.RecordingPath);
         HeadsetResult undescribed = null;
-        var robot = settings.Robot == null ? DescribedRobot(cancel, out undescribed) : RobotFiles.Load(settings.Robot);
-        if (robot == null) return undescribed;
+        var robot = given ?? DescribedRobot(cancel, out undescribed);
+        if (robot == null)
+        {
+            // Nothing was recorded. An earlier recording is kept.
+            if (isNewFile) File.Delete(settings.RecordingPath);
+            return undescribed;
+        }
         using var session = Open(robot);
         var recorder = file == null
             ? null : new SessionRecorder(session, new RecordingSettings(settings.RecordingPath, () => Emptied(file), startedUtc: DateTime.UtcNow));

@@ -52,6 +52,34 @@ public class HeadsetDescriptionTests
         Assert.That(JsonDocument.Parse(output).RootElement.GetProperty("frames").GetInt32(), Is.Zero);
     }
 
+    [TestCase(false)]
+    [TestCase(true)]
+    public async Task Run_RecordingWithoutARobot_LeavesNoNewFileAndKeepsAnEarlierOne(bool isEarlier)
+    {
+        using var port = new ReservedPort();
+        using var folder = new TemporaryFolder();
+        var path = Path.Combine(folder.Path, "session.jsonl");
+        if (isEarlier) File.WriteAllText(path, "earlier");
+
+        await RunAsync(Settings(port.Port, port.Port) with { RecordingPath = path }, new CancellationToken(canceled: true));
+
+        Assert.That(Directory.GetFiles(folder.Path).Select(File.ReadAllText), Is.EqualTo(isEarlier ? new[] { "earlier" } : []));
+    }
+
+    [Test]
+    public void Play_RobotIsNotReadable_LeavesNoRecording()
+    {
+        using var folder = new TemporaryFolder();
+        var settings = Settings(1, 1) with
+        {
+            RecordingPath = Path.Combine(folder.Path, "session.jsonl"),
+            Robot = Path.Combine(folder.Path, "missing.urdf"),
+        };
+
+        Assert.That(() => new HeadsetRun(settings, _ => { }).Play((_, _) => { }, CancellationToken.None), Throws.TypeOf<InputException>());
+        Assert.That(Directory.GetFiles(folder.Path), Is.Empty);
+    }
+
     static Task<(int Status, string Output, string Errors)> RunAsync(HeadsetSettings settings, CancellationToken cancel = default) =>
         CapturedConsole.OfAsync(() => Task.Factory.StartNew(
             () => HeadsetVerb.Run(settings, isJson: true, cancel), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default));
