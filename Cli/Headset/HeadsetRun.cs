@@ -47,7 +47,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         Frames(session, start, report, cancel);
         recorder?.Dispose();
         recorder?.Ended.Wait(CancellationToken.None);
-        RecordingFault = recorder?.Problem;
+        RecordingFault = recorder == null ? null : HeadsetVerdict.RecordingFaultOf(recorder.Problem, recorder.LostLines);
         var result = Result(session, robot, _clock.Now - start);
         var statistics = session.Statistics(_clock.Now);
         WhyFailed = HeadsetVerdict.FailureOf(result.Pose, statistics, _wasTimeTrusted, result.Outages);

@@ -10,6 +10,11 @@ static class HeadsetVerdict
     /// <summary>Minimum share of frames with a current pose.</summary>
     const double MinCurrentShare = 0.5;
 
+    /// <summary>Gets the reason why a recording is incomplete, in one line; null if it is complete.</summary>
+    /// <param name="problem">Reason why the recording ended early; null if it did not.</param>
+    /// <param name="lostLines">Number of lines that the recording lost.</param>
+    public static string RecordingFaultOf(string problem, long lostLines) => problem ?? (lostLines > 0 ? HeadsetMessages.LinesLost(lostLines) : null);
+
     /// <summary>Gets the reason why the run failed, in one line; null if it did not fail.</summary>
     /// <param name="statistics">Statistics at the end of the run.</param>
     /// <param name="wasTimeTrusted">Whether, at any time in the run, the clock was accurate enough for a current pose.</param>

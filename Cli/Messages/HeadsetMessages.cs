@@ -21,6 +21,9 @@ static class HeadsetMessages
     public static string NamespaceInvalid(string name, int max) =>
         $"--namespace: is '{name}'; allowed: a letter, then letters, digits and underscores, up to {max} characters";
 
+    public static string LinesLost(long lines) =>
+        FormattableString.Invariant($"--record: {lines} lines are missing, because the disk was too slow; record to a faster disk");
+
     public static string NoClock(string reason) => $"the clock was never synchronised: {reason}; run longer (--seconds), or check the connection to the gateway";
     public static string NoJoints(string reason) => $"no joint positions arrived: {reason}; check that a source publishes them to the gateway";
     public static string AtEnd(string state) => $"at the end, the pose is {state}";

@@ -1,5 +1,6 @@
 using NUnit.Framework;
 using Nowpose.Cli.Headset;
+using Nowpose.Cli.Messages;
 using Nowpose.Protocol;
 using Nowpose.Session;
 
@@ -24,6 +25,14 @@ public class HeadsetVerdictTests
         var statistics = new SessionStatistics { Samples = samples };
         statistics.ChangeableJointStatuses.AddRange(joints);
         return statistics;
+    }
+
+    [Test]
+    public void RecordingFaultOf_LostLines_IsAFaultWithTheirNumber()
+    {
+        Assert.That(HeadsetVerdict.RecordingFaultOf(null, 0), Is.Null);
+        Assert.That(HeadsetVerdict.RecordingFaultOf(null, 4711), Is.EqualTo(HeadsetMessages.LinesLost(4711)).And.Contains("4711"));
+        Assert.That(HeadsetVerdict.RecordingFaultOf("disk full", 4711), Is.EqualTo("disk full"));
     }
 
     static readonly JointStatus Deleted =
