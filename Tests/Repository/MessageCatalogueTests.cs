@@ -2,6 +2,7 @@ using System.Net;
 using System.Reflection;
 using System.Text.RegularExpressions;
 using Nowpose.Gateway.Messages;
+using Nowpose.Protocol;
 using Nowpose.Tests.Core;
 using NUnit.Framework;
 
@@ -160,6 +161,14 @@ public sealed partial class MessageCatalogueTests
         var texts = Enum.GetValues<DropReason>().Select(DropMessages.Of).Where(text => text.Contains(' ', StringComparison.Ordinal));
 
         Assert.That(texts.Where(text => !IsComplete(text)).Distinct(), Is.EqualTo(new[] { "belongs to another source" }));
+    }
+
+    [Test]
+    public void DropMessages_NameTooLong_StatesTheLimitsOfNamesAndKeys()
+    {
+        var text = DropMessages.Of(DropReason.NameTooLong);
+
+        Assert.That(text, Does.Contain($" {ProtocolLimits.NameLength} ").And.Contain($"({ProtocolLimits.KeyLength} "));
     }
 
     [TestCase("visu_ms is -3 ms", false)]
