@@ -172,45 +172,6 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(FrameOf(tree, "screw").World.X, Is.EqualTo(11.11).Within(1e-12));
         }
 
-        [TestCase("arm/base", true)]
-        [TestCase("arm/upper", false)]
-        [TestCase("arm/finger", false)]
-        public void IsFixed_OnALink_IsTrueIfNoJointMovesTheLinkAndTheRobotIsFixed(string link, bool isFixed)
-        {
-            var tree = NewTree();
-            tree.Add(new MovingLinks("arm", TestRobot.Model));
-            tree.Add(Pose(0, link, "plate"), isStationary: true);
-            tree.Add(Pose(0, "plate", "screw"), isStationary: true);
-            (bool, bool) AreFixed() => (FrameOf(tree, "plate").IsFixed, FrameOf(tree, "screw").IsFixed);
-            tree.Evaluate(At(0));
-            Assert.That(AreFixed(), Is.EqualTo((isFixed, isFixed)), "the robot is at the world's origin");
-
-            tree.Add(Pose(0, "world", "arm/base", 1), isStationary: true);
-            tree.Evaluate(At(0.1));
-            Assert.That(AreFixed(), Is.EqualTo((isFixed, isFixed)), "the robot stands on a stationary frame");
-
-            for (var k = 0; k <= 5; k++) tree.Add(Pose(k * Sampling, "world", "arm/base", k), isStationary: false);
-            tree.Evaluate(At(5 * Sampling));
-            tree.Evaluate(At(5 * Sampling));
-            Assert.That(AreFixed(), Is.EqualTo((false, false)), "the robot moves");
-        }
-
-        [Test]
-        public void IsFixed_ParentBecomesUnknown_IsFalse()
-        {
-            var tree = NewTree();
-            tree.Add(Pose(0, "world", "table", 1), isStationary: true);
-            tree.Add(Pose(0, "table", "plate", 1), isStationary: true);
-            tree.Evaluate(At(0));
-            Assert.That((FrameOf(tree, "table").IsFixed, FrameOf(tree, "plate").IsFixed), Is.EqualTo((true, true)));
-
-            tree.Add(Pose(1, "hall", "table", 1), isStationary: true);
-            tree.Evaluate(At(1));
-
-            Assert.That((FrameOf(tree, "table").State, FrameOf(tree, "plate").State), Is.EqualTo((FrameState.Orphan, FrameState.Orphan)));
-            Assert.That((FrameOf(tree, "table").IsFixed, FrameOf(tree, "plate").IsFixed), Is.EqualTo((false, false)));
-        }
-
         /// <summary>
         /// A digital twin reports the object in the gripper as the parent of the robot. The reported parents have no cycle, but the
         /// displayed parents do.
@@ -284,26 +245,6 @@ namespace Nowpose.Tests.Core.Frames
             var expected = RigidTransform.FromXyzRpy(4, 0, 0, 0, 0, 0) * held * RigidTransform.FromXyzRpy(0, 4, 0.5, 0, 0, 0);
             Assert.That(Distance(tree.HeldOf(tree.IndexOf("screw")), expected), Is.LessThan(1e-12));
             Assert.That(tree.HeldOf(tree.IndexOf("orphan")), Is.EqualTo(RigidTransform.Identity), "the displayed pose");
-        }
-
-        [TestCase("world", false)]
-        [TestCase("table", false)]
-        [TestCase("arm", true)]
-        [TestCase("tool", true)]
-        [TestCase("elsewhere", false)]
-        public void IsCarried_RobotWhoseRootLinkIsTheWorld_IsTrueOnlyOnLinksThatMove(string parent, bool isCarried)
-        {
-            var tree = NewTree();
-            tree.Add(new MovingLinks("", UrdfReader.Read(@"<robot name='r'>
-                <link name='world'/><link name='table'/><link name='arm'/><link name='tool'/>
-                <joint name='stand' type='fixed'><parent link='world'/><child link='table'/></joint>
-                <joint name='turn' type='continuous'><parent link='table'/><child link='arm'/><axis xyz='0 0 1'/></joint>
-                <joint name='flange' type='fixed'><parent link='arm'/><child link='tool'/></joint>
-            </robot>", "test")));
-            tree.Add(Pose(0, parent, "box"), isStationary: false);
-            tree.Evaluate(At(0));
-
-            Assert.That(tree.IsCarried(tree.IndexOf("box")), Is.EqualTo(isCarried));
         }
     }
 }
