@@ -12,8 +12,10 @@ const ANSWER_MS = 2000;
 /** Number of consecutive invalid exchanges after which the connection is closed. */
 const MAX_INVALID = 10;
 
-/** Called with one word of a fixed set for each invalid exchange. */
-export type Invalid = (reason: 'sync-malformed' | 'sync-other-request' | 'sync-time-reversed' | 'sync-too-long') => void;
+type SyncFault = 'sync-malformed' | 'sync-other-request' | 'sync-time-reversed' | 'sync-too-long';
+
+/** Called for each invalid exchange. */
+export type Invalid = (fault: SyncFault) => void;
 
 /** A connection to the sync port of another gateway. Makes one exchange at a time. */
 export class SyncClient {
@@ -107,7 +109,7 @@ export class SyncClient {
   }
 }
 
-function faultOf(reply: Reply, sequence: number, t1: Nanoseconds, took: Nanoseconds): Parameters<Invalid>[0] | null {
+function faultOf(reply: Reply, sequence: number, t1: Nanoseconds, took: Nanoseconds): SyncFault | null {
   const { received, sent, resolution = 0n } = reply.reading;
   if (reply.sequence !== sequence || reply.t1 !== t1) return 'sync-other-request';
   if (sent < received) return 'sync-time-reversed';
