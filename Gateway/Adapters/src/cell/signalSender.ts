@@ -1,4 +1,5 @@
 import type { OfferedClock } from '../clock/offeredClock';
+import { REFUSED_EVERY_MS } from '../gateway/keptMessages';
 import type { LinkEvents, Publisher } from '../gateway/link';
 import type { Nanoseconds } from '../times';
 import { MAX_SIGNALS, SIGNALS, signals } from './messages';
@@ -10,7 +11,6 @@ import { MAX_SIGNALS, SIGNALS, signals } from './messages';
  */
 const REPEATED_MS = 30_000;
 const REPEAT_EVERY_MS = 1000;
-const REFUSED_EVERY_MS = 10_000;
 
 interface Change {
   value: number;

@@ -1,6 +1,6 @@
 import { TF_STATIC } from '../cell/messages';
 
-/** Interval at which stationary frames that the gateway refuses are sent again. */
+/** Interval at which stationary frames and signals that the gateway refuses are sent again. */
 export const REFUSED_EVERY_MS = 10_000;
 
 /** Messages that the gateway must have. They are sent again after a reconnection; stationary frames also after the gateway has refused some. */
