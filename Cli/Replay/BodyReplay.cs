@@ -46,7 +46,7 @@ public sealed class BodyReplay
     public int Frames => _loop.Frames;
 
     /// <summary>Runs once to the end of the recording. After a cancellation, returns the results so far.</summary>
-    /// <param name="report">Receives the number of finished frames from time to time; null if nobody needs it.</param>
+    /// <param name="report">Receives the number of finished frames from time to time; null if it is not needed.</param>
     /// <exception cref="InputException">No frame could be scored, or the errors overflow.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
     public BodyReplayResult Run(Action<int> report = null, CancellationToken cancellation = default)

@@ -40,7 +40,7 @@ sealed class ReplayLoop
     /// <param name="positionsAt">Returns the sample values at the given time in s, as a new array.</param>
     /// <param name="take">Called for each sample when it has arrived.</param>
     /// <param name="score">Called for each scored frame with its time.</param>
-    /// <param name="report">Receives the number of finished frames from time to time; null if nobody needs it.</param>
+    /// <param name="report">Receives the number of finished frames from time to time; null if it is not needed.</param>
     /// <returns>Number of scored frames; at least 1.</returns>
     /// <exception cref="InputException">No frame could be scored.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>

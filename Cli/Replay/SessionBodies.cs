@@ -37,7 +37,7 @@ sealed class SessionBodies
     }
 
     /// <summary>Gets the result of each object that moves. After a cancellation, returns the results so far.</summary>
-    /// <param name="report">Receives the number of finished events; null if nobody needs it.</param>
+    /// <param name="report">Receives the number of finished events; null if it is not needed.</param>
     public IReadOnlyList<BodyReplayResult> Run(Action<int> report = null, CancellationToken cancellation = default)
     {
         for (var i = 0; i < _session.Events.Count && !cancellation.IsCancellationRequested; i++)

@@ -58,7 +58,7 @@ sealed class SessionReplay
     /// <summary>Called for each frame with the frame, one predicted position per joint, and the kinds of these predictions.</summary>
     public Action<RecordedSession.Event, double[], PredictionKind[]> Predicted { get; init; }
 
-    /// <param name="report">Receives the number of finished events; null if nobody needs it.</param>
+    /// <param name="report">Receives the number of finished events; null if it is not needed.</param>
     /// <exception cref="InputException">No frame could be scored.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
     public ReplayResult Run(Action<int> report = null, CancellationToken cancellation = default) =>

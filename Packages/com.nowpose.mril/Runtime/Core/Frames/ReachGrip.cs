@@ -58,7 +58,7 @@ namespace Nowpose.Frames
         /// <summary>Reason why the held object is unknown, in one line; null if it is known.</summary>
         public string Fault => _unknown ?? _signalFault;
 
-        /// <summary>Control time since which the held object has been unknown; null while this time is unknown, and if there is no fault.</summary>
+        /// <summary>Control time since which the held object has been unknown; null while this time is unknown, and without a fault.</summary>
         public ControlTime? FaultSince { get; private set; }
 
         // False after the object's source or another gripper has taken the object over.
