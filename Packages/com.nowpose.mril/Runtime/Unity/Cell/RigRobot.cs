@@ -59,11 +59,7 @@ namespace Nowpose.Unity.Cell
             {
                 if (_robot == null || _robot.Frame.State == PoseState.Current) return null;
                 if (_robot.Frame.IsLimitedByBase) return _session.Frames.HeldSince(_session.Frames.Find(_robot.Root));
-                ControlTime? since = null;
-                if (StatisticsOf(_source.Statistics) is RobotStatistics robot)
-                    foreach (var joint in robot.JointStatuses)
-                        if (joint.IsMissing && !(joint.Since >= since)) since = joint.Since ?? since;
-                return since;
+                return _session.Frames.MissingSince(_robot);
             }
         }
 

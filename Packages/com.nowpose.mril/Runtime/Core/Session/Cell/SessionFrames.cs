@@ -100,6 +100,9 @@ namespace Nowpose.Session.Cell
             return frame != null && frame.State == FrameState.Held ? frame.Newest : null;
         }
 
+        /// <inheritdoc cref="JointWatch.MissingSince"/>
+        public ControlTime? MissingSince(SessionRobot robot) => robot.MissingSince(_moment);
+
         /// <summary>
         /// Queues a message for the next display frame. Messages of tracked frames wait for a display frame with a known control time. Thread-safe.
         /// </summary>
