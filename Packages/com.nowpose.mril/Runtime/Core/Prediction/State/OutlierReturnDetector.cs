@@ -25,7 +25,7 @@ namespace Nowpose.Prediction.State
             var isReturn = IsUnconfirmed && Math.Abs(motion.Newest[0] - _before) < MaxReturnRatio * Math.Abs(motion.Previous[0] - _before);
             IsUnconfirmed = !isReturn && motion.MaxSpeed > 0 && motion.Speed > MinSpeedRatio * motion.MaxSpeed;
             _before = motion.Previous[0];
-            return motion.IsPreviousWrong = isReturn;
+            return isReturn;
         }
     }
 }
