@@ -36,7 +36,7 @@ namespace Nowpose.Network
         TaskCompletionSource<RosTimeAnswer> _awaited;
         string _id;
         long _number;
-        int _dropsInARow;
+        ExchangeIntake _intake;
         volatile LinkStatus _status = LinkStatus.Connecting;
 
         /// <param name="pace">Schedule of the exchanges; used by this object only.</param>
@@ -59,7 +59,7 @@ namespace Nowpose.Network
         {
             // The connection may lead to another server, or the server may have started or stopped a simulation.
             _resolution = new RosClockResolution();
-            _dropsInARow = 0;
+            _intake = new ExchangeIntake(_synchroniser, _faults, (drops, fault) => ConnectionMessages.UnusableAnswers(Service, drops, fault));
             while (true)
             {
                 var begun = _clock.Now;
@@ -95,7 +95,7 @@ namespace Nowpose.Network
             }
             _resolution.Add(time, sent, answer.Arrival);
             if (_resolution.IsStopped) _status = LinkStatus.Waiting(ConnectionMessages.RosClockStopped(Service));
-            else if (_resolution.IsKnown) Take(new SyncExchange(sent, time, time, answer.Arrival, _resolution.Value));
+            else if (_resolution.IsKnown && _intake.Add(new SyncExchange(sent, time, time, answer.Arrival, _resolution.Value))) _status = LinkStatus.Connected;
             var pause = _pace.Next(_synchroniser, answer.Arrival);
             return _resolution.IsMeasuring && !_resolution.IsStopped ? answer.Arrival - sent + QuickPause : pause;
         }
@@ -126,18 +126,6 @@ namespace Nowpose.Network
                     throw new IOException(ConnectionMessages.NoAnswer(Service, ProtocolLimits.SyncReplyTimeout.TotalSeconds), late);
                 }
             }
-        }
-
-        void Take(in SyncExchange exchange)
-        {
-            var fault = SyncExchangeRules.Check(exchange);
-            if (fault == SyncExchangeFault.None && _synchroniser.Add(exchange, out fault) == SyncVerdict.SetAside)
-                _faults.Count(SyncExchangeFault.Contradiction);
-            _faults.Count(fault);
-            _dropsInARow = fault == SyncExchangeFault.None ? 0 : _dropsInARow + 1;
-            if (_dropsInARow == ProtocolLimits.SyncDropsInARow)
-                throw new GatewayRefusalException(ConnectionMessages.UnusableAnswers(Service, _dropsInARow, fault));
-            if (_dropsInARow == 0) _status = LinkStatus.Connected;
         }
     }
 }

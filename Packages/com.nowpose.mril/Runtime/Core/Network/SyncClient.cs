@@ -94,19 +94,13 @@ namespace Nowpose.Network
 
         void ExchangeUntilStopped(SyncConnection connection, Backoff backoff)
         {
-            var dropsInARow = 0;
+            var intake = new ExchangeIntake(_synchroniser, _faults, ConnectionMessages.UnusableReplies);
             TimeSpan pause;
             do
             {
                 var begun = _clock.Now;
                 var fault = connection.Exchange(out var exchange);
-                if (fault == SyncExchangeFault.None && _synchroniser.Add(exchange, out fault) == SyncVerdict.SetAside)
-                    _faults.Count(SyncExchangeFault.Contradiction);
-                _faults.Count(fault);
-                dropsInARow = fault == SyncExchangeFault.None ? 0 : dropsInARow + 1;
-                if (dropsInARow == ProtocolLimits.SyncDropsInARow)
-                    throw new GatewayRefusalException(ConnectionMessages.UnusableReplies(dropsInARow, fault));
-                if (dropsInARow == 0)
+                if (intake.Add(exchange, fault))
                 {
                     _status = LinkStatus.Connected;
                     backoff.Reset();
