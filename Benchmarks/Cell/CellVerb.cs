@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Globalization;
 using System.Runtime.InteropServices;
+using Nowpose.Cli;
 using Nowpose.Gateway.Options;
 using Nowpose.Prediction;
 
@@ -70,8 +71,7 @@ static class CellVerb
             bytes += allocated;
         }
 
-        all.Sort();
-        return (all.Average(), all[all.Count / 2], withSamples.Average(), bytes);
+        return (all.Average(), Quantile.Of(all, 0.5), withSamples.Average(), bytes);
     }
 
     static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);

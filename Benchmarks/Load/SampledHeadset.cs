@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Nowpose.Cli;
 using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
 using Nowpose.Network;
@@ -46,9 +47,7 @@ sealed class SampledHeadset : IDisposable
     {
         lock (_errorsUs)
         {
-            if (_errorsUs.Count == 0) return double.NaN;
-            var sorted = _errorsUs.Order().ToArray();
-            return sorted[(int)Math.Min(sorted.Length - 1, Math.Ceiling(share * sorted.Length))];
+            return Quantile.OfOrNull(_errorsUs, share) ?? double.NaN;
         }
     }
 

@@ -23,8 +23,6 @@ sealed record ClockErrors(double P50Us, double P95Us, double MaximumUs, double S
             return Math.Sqrt(squares.Average());
         }
         var end = runs[0].Instants[^1].Seconds;
-        return new ClockErrors(At(settled, 0.5), At(settled, 0.95), settled[^1], Skew(FirstSkew, SettledAfter), Skew(0.75 * end, end));
+        return new ClockErrors(Quantile.Of(settled, 0.5), Quantile.Of(settled, 0.95), settled[^1], Skew(FirstSkew, SettledAfter), Skew(0.75 * end, end));
     }
-
-    static double At(double[] sorted, double fraction) => sorted[(int)(fraction * (sorted.Length - 1))];
 }
