@@ -61,6 +61,9 @@ namespace Nowpose.Unity
         internal readonly ShownParts Parts = new ShownParts();
         readonly DeviceWatch _device = new DeviceWatch();
         readonly KeptDisplay _display = new KeptDisplay();
+        readonly Listeners<Action<DisplayFrame>> _computed = new Listeners<Action<DisplayFrame>>(), _shown = new Listeners<Action<DisplayFrame>>();
+        readonly Listeners<Action> _hidden = new Listeners<Action>(), _robotChanged = new Listeners<Action>();
+        readonly Listeners<Action<SessionChange>> _changed = new Listeners<Action<SessionChange>>();
         SessionChangeQueue _changes;
         BeforeRender _beforeRender;
         SessionLog _log;
@@ -73,19 +76,19 @@ namespace Nowpose.Unity
 
         /// <summary>Raised after the pose is computed: once per frame, and again right before rendering if the settings request it.</summary>
         /// <remarks>Not raised while the robot is unknown. The session reuses the frame object, so listeners must not store it.</remarks>
-        public event Action<DisplayFrame> Shown;
+        public event Action<DisplayFrame> Shown { add => _shown.Add(value); remove => _shown.Remove(value); }
 
         /// <summary>Raised before <see cref="Shown"/>, and also while the robot is unknown, for objects and signals of the cell.</summary>
-        internal event Action<DisplayFrame> Computed;
+        internal event Action<DisplayFrame> Computed { add => _computed.Add(value); remove => _computed.Remove(value); }
 
         /// <summary>Raised when the session is paused, disabled or restarted: the displayed pose is then not current.</summary>
-        public event Action Hidden;
+        public event Action Hidden { add => _hidden.Add(value); remove => _hidden.Remove(value); }
 
         /// <summary>Raised when <see cref="Robot"/> changes.</summary>
-        public event Action RobotChanged;
+        public event Action RobotChanged { add => _robotChanged.Add(value); remove => _robotChanged.Remove(value); }
 
         /// <summary>Raised for each change of the session. If there is a UnityEvent for the change, the UnityEvent is raised first.</summary>
-        public event Action<SessionChange> Changed;
+        public event Action<SessionChange> Changed { add => _changed.Add(value); remove => _changed.Remove(value); }
 
         /// <summary>The running session, a new one after each pause; null while the component is disabled or paused, or its settings are invalid.</summary>
         public CompensationSession Session { get; private set; }
@@ -116,12 +119,7 @@ namespace Nowpose.Unity
         public RobotDescriptionAsset RobotAsset
         {
             get => _robot;
-            set
-            {
-                _robot = value;
-                _description = default;
-                Restart();
-            }
+            set { (_robot, _description) = (value, default); Restart(); }
         }
 
         /// <summary>Headset clock. A new value takes effect in the next session. The default is a stopwatch.</summary>
@@ -240,7 +238,7 @@ namespace Nowpose.Unity
             if (_isWanted) Session.Connect();
             if (robot == Robot) return;
             Robot = robot;
-            RobotChanged?.Invoke();
+            _robotChanged.Raise(this);
         }
 
         void Leave()
@@ -257,7 +255,7 @@ namespace Nowpose.Unity
             Movers.Stop();
             _display.Follow(null);
             Frame = null;
-            Hidden?.Invoke();
+            _hidden.Raise(this);
         }
 
         void Notify(SessionChange change)
@@ -274,7 +272,7 @@ namespace Nowpose.Unity
             if ((change & SessionChange.EnteredRange) != 0) _onEnteredRange.Invoke();
             if ((change & SessionChange.LeftRange) != 0) _onLeftRange.Invoke();
             if ((change & SessionChange.Stale) != 0) _onStale.Invoke();
-            Changed?.Invoke(change);
+            _changed.Raise(this, change);
         }
 
         /// <returns>Null if a listener ended the session.</returns>
@@ -290,9 +288,9 @@ namespace Nowpose.Unity
             // A listener of a rig may end the session, too.
             Movers.Move(frame);
             if (Session != session) return null;
-            Computed?.Invoke(frame);
+            _computed.Raise(this, frame);
             if (Session != session) return null;
-            if (Robot != null) Shown?.Invoke(frame);
+            if (Robot != null) _shown.Raise(this, frame);
             return Session == session ? frame : null;
         }
     }

@@ -40,6 +40,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Material of the links that the flange carries, for a robot built from primitives.")]
         Material _toolMaterial = null;
 
+        readonly Listeners<Action> _bound = new Listeners<Action>(), _posed = new Listeners<Action>();
         MrilSession _source;
         RigRobot _robot;
         RobotModel _refused;
@@ -50,10 +51,10 @@ namespace Nowpose.Unity
         double[] _joints = Array.Empty<double>();
 
         /// <summary>Raised after the transforms were bound to a robot.</summary>
-        public event Action Bound;
+        public event Action Bound { add => _bound.Add(value); remove => _bound.Remove(value); }
 
         /// <summary>Raised after the transforms were moved. This may happen twice per frame.</summary>
-        public event Action Posed;
+        public event Action Posed { add => _posed.Add(value); remove => _posed.Remove(value); }
 
         /// <summary>The displayed robot; null before <see cref="Bind"/>.</summary>
         public RobotModel Model { get; private set; }
@@ -138,7 +139,7 @@ namespace Nowpose.Unity
             _hierarchy = RigHierarchy.Find(model, transform) ?? Built(model);
             _joints = new double[model.MovingJoints.Count];
             Model = model;
-            Bound?.Invoke();
+            _bound.Raise(this);
         }
 
         /// <summary>Moves the links to joint positions.</summary>
@@ -150,7 +151,7 @@ namespace Nowpose.Unity
                 throw new ArgumentException(RigMessages.ValueCount(name, joints.Length, _joints.Length), nameof(joints));
             joints.CopyTo(_joints);
             _hierarchy.Apply(joints);
-            Posed?.Invoke();
+            _posed.Raise(this);
         }
 
         /// <summary>Whether the objects below the rig have the root link of a robot. Other links may be missing. Changes nothing.</summary>

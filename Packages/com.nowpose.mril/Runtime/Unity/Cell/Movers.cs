@@ -91,7 +91,18 @@ namespace Nowpose.Unity.Cell
                 }
             }
 
-            public void Move(DisplayFrame frame) => _move(frame);
+            // An error of one component must not stop the others, which would then look current at an old pose.
+            public void Move(DisplayFrame frame)
+            {
+                try
+                {
+                    _move(frame);
+                }
+                catch (Exception fault)
+                {
+                    Debug.LogException(fault, Component);
+                }
+            }
         }
     }
 }

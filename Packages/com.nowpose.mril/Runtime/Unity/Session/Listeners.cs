@@ -1,0 +1,52 @@
+using System;
+using UnityEngine;
+
+namespace Nowpose.Unity.Session
+{
+    /// <summary>
+    /// The listeners of an event. An exception of one listener is logged, and the other listeners are called nevertheless: otherwise an error in a
+    /// user's script would keep the new state from the components that show it. Allocates only when a listener is added or removed.
+    /// </summary>
+    /// <typeparam name="T">Type of the event.</typeparam>
+    sealed class Listeners<T> where T : Delegate
+    {
+        T _all;
+        T[] _each = Array.Empty<T>();
+
+        public void Add(T listener) => Set((T)Delegate.Combine(_all, listener));
+
+        public void Remove(T listener) => Set((T)Delegate.Remove(_all, listener));
+
+        /// <summary>Calls each listener that is present now.</summary>
+        /// <param name="sender">Component that raises the event, for the console.</param>
+        /// <param name="call">Calls a listener with the value. It must not capture variables, which would allocate.</param>
+        public void Raise<TValue>(Component sender, Action<T, TValue> call, TValue value)
+        {
+            foreach (var listener in _each)
+            {
+                try
+                {
+                    call(listener, value);
+                }
+                catch (Exception fault)
+                {
+                    Debug.LogException(fault, sender);
+                }
+            }
+        }
+
+        void Set(T all)
+        {
+            _all = all;
+            _each = all == null ? Array.Empty<T>() : Array.ConvertAll(all.GetInvocationList(), listener => (T)listener);
+        }
+    }
+
+    static class ListenerCalls
+    {
+        public static void Raise(this Listeners<Action> listeners, Component sender) => listeners.Raise(sender, (listener, _) => listener(), false);
+
+        public static void Raise<TValue>(this Listeners<Action<TValue>> listeners, Component sender, TValue value) =>
+            listeners.Raise(sender, (listener, given) => listener(given), value);
+    }
+}
