@@ -3,6 +3,7 @@ using Nowpose.Unity.Cell;
 using Nowpose.Unity.Tests.Rendering;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.Events;
 using static Nowpose.Unity.Tests.Hatched;
 
 namespace Nowpose.Unity.Tests.Session;
@@ -68,6 +69,23 @@ public class ThrowingListenerTests : PlayedParts
         Run(3);
 
         Assert.That(raised, Is.EqualTo(new[] { SessionChange.Synchronised }));
+    }
+
+    [TestCase("Lost")]
+    [TestCase("Changed")]
+    [TestCase("Hidden")]
+    public void Settings_SetWhileAListenerThrows_StartsASession(string raised)
+    {
+        var listeners = new UnityEvent();
+        listeners.AddListener(Throw);
+        if (raised == "Lost") _session.With("_onLost", listeners);
+        else if (raised == "Changed") _session.Changed += change => { if (change == SessionChange.Lost) Throw(); };
+        else _session.Hidden += Throw;
+        Run(3);
+
+        _session.Settings = PlayedCell.Offline;
+
+        Assert.That((_session.Session != null, Exceptions), Is.EqualTo((true, 1)));
     }
 
     [Test]

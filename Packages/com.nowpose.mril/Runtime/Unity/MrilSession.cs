@@ -267,11 +267,11 @@ namespace Nowpose.Unity
 
         void Raise(SessionChange change)
         {
-            if ((change & SessionChange.Synchronised) != 0) _onSynchronised.Invoke();
-            if ((change & SessionChange.Lost) != 0) _onLost.Invoke();
-            if ((change & SessionChange.EnteredRange) != 0) _onEnteredRange.Invoke();
-            if ((change & SessionChange.LeftRange) != 0) _onLeftRange.Invoke();
-            if ((change & SessionChange.Stale) != 0) _onStale.Invoke();
+            if ((change & SessionChange.Synchronised) != 0) _onSynchronised.Raise(this);
+            if ((change & SessionChange.Lost) != 0) _onLost.Raise(this);
+            if ((change & SessionChange.EnteredRange) != 0) _onEnteredRange.Raise(this);
+            if ((change & SessionChange.LeftRange) != 0) _onLeftRange.Raise(this);
+            if ((change & SessionChange.Stale) != 0) _onStale.Raise(this);
             _changed.Raise(this, change);
         }
 

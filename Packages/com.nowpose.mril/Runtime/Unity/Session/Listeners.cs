@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using UnityEngine.Events;
 
 namespace Nowpose.Unity.Session
 {
@@ -48,5 +49,18 @@ namespace Nowpose.Unity.Session
 
         public static void Raise<TValue>(this Listeners<Action<TValue>> listeners, Component sender, TValue value) =>
             listeners.Raise(sender, (listener, given) => listener(given), value);
+
+        /// <summary>Calls the listeners of an event of the Inspector. Logs an exception of a listener; the later ones are then not called.</summary>
+        public static void Raise(this UnityEvent listeners, Component sender)
+        {
+            try
+            {
+                listeners.Invoke();
+            }
+            catch (Exception fault)
+            {
+                Debug.LogException(fault, sender);
+            }
+        }
     }
 }

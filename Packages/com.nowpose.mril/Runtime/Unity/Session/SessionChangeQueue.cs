@@ -13,20 +13,14 @@ namespace Nowpose.Unity.Session
         readonly Queue<SessionChange> _changes = new Queue<SessionChange>(4);
         readonly Action<SessionChange> _raise;
 
+        /// <param name="raise">Raises a change. It must not throw.</param>
         public SessionChangeQueue(Action<SessionChange> raise) => _raise = raise;
 
         public void Add(SessionChange change)
         {
             _changes.Enqueue(change);
             if (_changes.Count > 1) return;
-            try
-            {
-                for (; _changes.Count > 0; _changes.Dequeue()) _raise(_changes.Peek());
-            }
-            finally
-            {
-                _changes.Clear();
-            }
+            for (; _changes.Count > 0; _changes.Dequeue()) _raise(_changes.Peek());
         }
     }
 }
