@@ -104,6 +104,18 @@ public class PlayedNamespaceTests : PlayedParts
         Run(1, Send, () => AssertAt(ghost.transform, _session.transform, Along(0.3 * (_cell.Now - 1 / 60.0 - Latency)), 1e-4));
     }
 
+    [Test]
+    public void Gripper_BesideARigOnAMovingBase_HasThePoseOfTheFlange()
+    {
+        var rig = Second(RobotFiles.LoadText("youbot"));
+        var gripper = Below<VirtualGripper>("gripper", _session.transform);
+        gripper.Mount(rig);
+        void Send(double t) => SendPose("world", "arm2/arm_link_0", t, Along(0.3 * t));
+        Run(2, Send);
+
+        Run(1, Send, () => Assert.That(Vector3.Distance(gripper.transform.position, rig.Flange.position), Is.LessThan(1e-5)));
+    }
+
     RobotRig Second(string urdf, RigPose shows = RigPose.Displayed)
     {
         var made = new GameObject("Second");

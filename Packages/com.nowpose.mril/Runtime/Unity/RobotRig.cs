@@ -214,8 +214,9 @@ namespace Nowpose.Unity
             var shown = _robot.FrameIn(_source.Session, frame);
             FollowRobot();
             if (shown == null || !IsFollowing) return;
-            Apply(_shows == RigPose.Held ? shown.HeldJoints : shown.Joints);
+            // The base moves first, because listeners of Posed read the links' poses in the world.
             _robot.PlaceBase();
+            Apply(_shows == RigPose.Held ? shown.HeldJoints : shown.Joints);
         }
 
         // Must not be called in OnEnable, because Unity does not allow the removal of children while it enables objects.
