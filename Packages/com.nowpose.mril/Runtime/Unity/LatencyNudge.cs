@@ -27,7 +27,8 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The session to calibrate. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("The rig to shift. Empty: the first rig below the session that shows the displayed pose.")]
+        [SerializeField, Tooltip("The rig to shift. Empty: the first rig below the session that shows the displayed pose of "
+            + "the session's own robot.")]
         RobotRig _rig = null;
 
         [SerializeField, Tooltip("The loader that stores the result on the device. Empty: the loader on the session's object; without one, the "
@@ -42,8 +43,7 @@ namespace Nowpose.Unity
         MrilSession _source;
         MarkedNudges _marks;
         TimeSpan _usedVisu;
-        Transform _moved;
-        Vector3 _home;
+        RobotRig _moved;
         float _offsetMm;
 
         /// <summary>Shift of the displayed robot along the axis in mm, −500 to 500, for a slider.</summary>
@@ -141,13 +141,8 @@ namespace Nowpose.Unity
             _source = this.RequiredSession(_session, "latency nudge");
             if (_source == null) return;
             if (_loader == null) _loader = _source.GetComponent<LatencyProfileLoader>();
-            var rig = _rig != null ? _rig : DisplayedBelow(_source);
-            if (rig == null) ConsoleLog.Warn(this, ComponentMessages.NudgeWithoutRig(name));
-            else
-            {
-                _moved = rig.transform;
-                _home = _moved.localPosition;
-            }
+            _moved = _rig != null ? _rig : DisplayedBelow(_source);
+            if (_moved == null) ConsoleLog.Warn(this, ComponentMessages.NudgeWithoutRig(name));
             _source.Shown += Follow;
             Shift();
         }
@@ -157,13 +152,15 @@ namespace Nowpose.Unity
             if (_source is null) return;
             _source.Shown -= Follow;
             _source = null;
-            if (_moved != null) _moved.localPosition = _home;
+            if (_moved != null) _moved.Shift = Vector3.zero;
             _moved = null;
             _speed.Reset();
         }
 
         void Follow(DisplayFrame frame)
         {
+            // An assigned rig may show a robot in a namespace.
+            if (_moved != null && _moved.Robot is SessionRobot robot) frame = robot.Frame;
             if (frame.State == PoseState.Current && frame.DisplayTime.HasValue) _speed.Add(frame.DisplayTime.Value, AlongMm(frame.ToolPose));
             else _speed.Reset();
         }
@@ -182,9 +179,8 @@ namespace Nowpose.Unity
         {
             if (_moved == null) return;
             var metres = _offsetMm / 1000.0;
-            var shift = UnityFrame.DirectionToUnity((
+            _moved.Shift = UnityFrame.DirectionToUnity((
                 _axis == NudgeAxis.X ? metres : 0, _axis == NudgeAxis.Y ? metres : 0, _axis == NudgeAxis.Z ? metres : 0)).Vector();
-            _moved.localPosition = _home + _moved.localRotation * shift;
         }
 
         CompensationSession NudgedSession()
@@ -213,7 +209,7 @@ namespace Nowpose.Unity
         static RobotRig DisplayedBelow(MrilSession session)
         {
             foreach (var rig in session.GetComponentsInChildren<RobotRig>(true))
-                if (rig.Shows == RigPose.Displayed) return rig;
+                if (rig.Shows == RigPose.Displayed && rig.RobotNamespace.Length == 0) return rig;
             return null;
         }
 

@@ -48,6 +48,7 @@ namespace Nowpose.Unity
         GameObject _built;
         Material _plain;
         bool _isMaterialReported;
+        Vector3 _shift, _unshifted;
         double[] _joints = Array.Empty<double>();
 
         /// <summary>Raised after the transforms were bound to a robot.</summary>
@@ -78,6 +79,17 @@ namespace Nowpose.Unity
 
         // The session's own robot may be unknown while objects and other robots are shown.
         bool IsRobotUnknown => RobotNamespace.Length == 0 && _source.Robot == null;
+
+        /// <summary>Displacement of the rig from the robot's base in the axes of the base, in metres. Frames that place the base keep it.</summary>
+        internal Vector3 Shift
+        {
+            set
+            {
+                if (_shift.sqrMagnitude == 0) _unshifted = transform.localPosition;
+                _shift = value;
+                Displace();
+            }
+        }
 
         /// <summary>Reason why the robot's pose is not current, in one line; null if it is current.</summary>
         internal string Fault => _source == null ? StatusMessages.NoSession : _robot.Fault;
@@ -215,9 +227,15 @@ namespace Nowpose.Unity
             FollowRobot();
             if (shown == null || !IsFollowing) return;
             // The base moves first, because listeners of Posed read the links' poses in the world.
-            _robot.PlaceBase();
+            if (_robot.PlaceBase() && _shift.sqrMagnitude > 0)
+            {
+                _unshifted = transform.localPosition;
+                Displace();
+            }
             Apply(_shows == RigPose.Held ? shown.HeldJoints : shown.Joints);
         }
+
+        void Displace() => transform.localPosition = _unshifted + transform.localRotation * _shift;
 
         // Must not be called in OnEnable, because Unity does not allow the removal of children while it enables objects.
         void FollowRobot()

@@ -119,11 +119,13 @@ namespace Nowpose.Unity.Cell
         }
 
         /// <summary>Moves the rig to the robot's base if the cell has a frame with the name of the robot's root link.</summary>
-        public void PlaceBase()
+        /// <returns>Whether the cell has this frame.</returns>
+        public bool PlaceBase()
         {
-            if (_robot == null || !_robot.HasRootFrame) return;
+            if (_robot == null || !_robot.HasRootFrame) return false;
             var tree = _session.Frames.Tree;
             _rig.transform.PlaceIn(_world, _rig.Shows == RigPose.Held ? tree.HeldOf(tree.IndexOf(_robot.Root)) : _robot.RootPose);
+            return true;
         }
 
         SessionRobot Add(CompensationSession session)
