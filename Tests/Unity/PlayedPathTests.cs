@@ -52,6 +52,21 @@ public class PlayedPathTests : PlayedParts
     }
 
     [Test]
+    public void PlannedPath_MovedBelowAnotherRig_DrawsThePathOfThatRobot()
+    {
+        var (_, path, line) = NewPath();
+        var other = Below<RobotRig>("Other", _session.transform);
+        other.transform.localPosition = new Vector3(3, 0, 0);
+        Run(1);
+
+        path.transform.SetParent(other.transform, false);
+        SendPlan(_cell.Now, 3);
+        Run(0.2);
+
+        Assert.That(Vector3.Distance(line.GetPosition(0), other.Tool.position), Is.LessThan(2e-4));
+    }
+
+    [Test]
     public void PlannedPath_Drawn_AllocatesNothing()
     {
         var (_, path, _) = NewPath();

@@ -1,6 +1,7 @@
 using Nowpose.Gateway.Plants;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Tests.Rendering;
 using NUnit.Framework;
 using UnityEngine;
@@ -131,6 +132,41 @@ public class ReparentedPartTests : PlayedParts
         rig.transform.SetParent(other.transform);
 
         Assert.That(rig.Session, Is.SameAs(other));
+    }
+
+    [Test]
+    public void Gripper_MovedToTheFlangeOfAnotherRig_FollowsThatRig()
+    {
+        var (first, second) = (Below<RobotRig>("First", _session.transform), Below<RobotRig>("Second", _session.transform));
+        var loose = Loose<VirtualGripper>("loose");
+        var gripper = Below<VirtualGripper>("gripper", first.transform);
+        var mounted = Below<VirtualGripper>("mounted", first.transform);
+        Run(0.5);
+        mounted.Mount(second);
+
+        gripper.transform.SetParent(second.Flange, false);
+        loose.transform.SetParent(second.Flange, false);
+        mounted.transform.SetParent(_session.transform, false);
+
+        Assert.That((gripper.Rig, gripper.Flange), Is.EqualTo((second, second.Flange)));
+        Assert.That((loose.Rig, mounted.Rig), Is.EqualTo((second, second)), "a mounted gripper keeps its rig");
+    }
+
+    [Test]
+    public void GripByReach_MovedBelowAnotherRig_GripsWithThatRobot()
+    {
+        var grip = Loose<GripByReach>("grip");
+        var rig = Below<RobotRig>("Robot", _session.transform);
+
+        grip.transform.SetParent(rig.transform, false);
+        Run(1);
+        SendSignal("grip", _cell.Now - 1, 0);
+        Run(0.5);
+        Assert.That(grip.Fault, Is.Null);
+
+        grip.transform.SetParent(null, false);
+        Run(0.1);
+        Assert.That((grip.Fault, _session.Parts.Count), Is.EqualTo((StatusMessages.NoRig, 0)));
     }
 
     [Test]

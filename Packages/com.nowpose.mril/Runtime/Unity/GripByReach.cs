@@ -76,6 +76,13 @@ namespace Nowpose.Unity
 
         void OnDisable() => Follow(null);
 
+        void OnTransformParentChanged()
+        {
+            if (!this.IsBelowAnotherRig(_rig, _source)) return;
+            OnDisable();
+            OnEnable();
+        }
+
         // Detects the session of a rig that is enabled after this component.
         void LateUpdate()
         {

@@ -58,6 +58,13 @@ namespace Nowpose.Unity
             _source = null;
         }
 
+        void OnTransformParentChanged()
+        {
+            if (!this.IsBelowAnotherRig(_rig, _source)) return;
+            OnDisable();
+            OnEnable();
+        }
+
         // Detects the session of a rig that is enabled after this component.
         void LateUpdate()
         {

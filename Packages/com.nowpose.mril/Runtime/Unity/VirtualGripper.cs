@@ -28,7 +28,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Fingers of the gripper and the joints that move them.")]
         List<GripperFinger> _fingers = new List<GripperFinger>();
 
-        RobotRig _source;
+        RobotRig _source, _found;
         Transform _flange;
         FingerDrive[] _drives = Array.Empty<FingerDrive>();
         MrilSession _listedBy;
@@ -81,12 +81,20 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            var rig = _rig != null ? _rig : GetComponentInParent<RobotRig>();
-            if (rig != null) Mount(rig);
+            _found = _rig != null ? _rig : GetComponentInParent<RobotRig>();
+            if (_found != null) Mount(_found);
             else ConsoleLog.Fail(this, ComponentMessages.GripperWithoutRig(name));
         }
 
         void OnDisable() => Unmount();
+
+        // A gripper that a script has mounted or unmounted stays as it is.
+        void OnTransformParentChanged()
+        {
+            if (!ReferenceEquals(_source, _found) || !this.IsBelowAnotherRig(_rig, _found)) return;
+            OnDisable();
+            OnEnable();
+        }
 
         void Fit()
         {

@@ -25,6 +25,14 @@ namespace Nowpose.Unity.Session
         public static bool IsBelowAnotherSession(this MonoBehaviour component, MrilSession assigned, MrilSession used) =>
             component.isActiveAndEnabled && assigned == null && component.SessionOr(null) != used;
 
+        /// <summary>
+        /// Returns whether an enabled component without an assigned rig is below another rig than the one that it uses, because the component or one
+        /// of its parents has got a new parent.
+        /// </summary>
+        /// <param name="used">The rig that the component uses; null if it uses none.</param>
+        public static bool IsBelowAnotherRig(this MonoBehaviour component, RobotRig assigned, RobotRig used) =>
+            component.isActiveAndEnabled && assigned == null && component.GetComponentInParent<RobotRig>() != used;
+
         /// <summary>Returns the same session as <see cref="SessionOr"/>, for a component that needs one. Logs a warning if there is none.</summary>
         /// <param name="kind">Kind of the component, for example "status panel".</param>
         public static MrilSession RequiredSession(this Component component, MrilSession assigned, string kind)
