@@ -116,6 +116,20 @@ public class PlayedNamespaceTests : PlayedParts
         Run(1, Send, () => Assert.That(Vector3.Distance(gripper.transform.position, rig.Flange.position), Is.LessThan(1e-5)));
     }
 
+    [Test]
+    public void Rig_WithNamespaceAfterAPause_KeepsItsLinksAndTheObjectsBelowThem()
+    {
+        var rig = Second(RobotFiles.LoadText("youbot"));
+        Run(0.5);
+        var (flange, own) = (rig.Flange, Below<FrameProbe>("own", rig.Flange));
+
+        _cell.Player.Pause(true);
+        _cell.Player.Pause(false);
+        Run(0.5);
+
+        Assert.That((rig.IsFollowing, rig.Flange, own != null), Is.EqualTo((true, flange, true)));
+    }
+
     RobotRig Second(string urdf, RigPose shows = RigPose.Displayed)
     {
         var made = new GameObject("Second");

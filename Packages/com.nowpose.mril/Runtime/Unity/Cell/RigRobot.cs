@@ -134,7 +134,9 @@ namespace Nowpose.Unity.Cell
             {
                 if (_description == null)
                     throw new InputException(RigMessages.NoDescription(_name, _rig.name));
-                return session.Robots.Add(_name, _description.Read());
+                // For the same URDF, the rig keeps its model, and with it the links that it has built and the user's objects below them.
+                var shown = _rig.Model;
+                return session.Robots.Add(_name, shown?.SourceHash == UrdfHash.Of(_description.Urdf) ? shown : _description.Read());
             }
             catch (InputException fault)
             {
