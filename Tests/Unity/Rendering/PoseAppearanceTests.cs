@@ -31,6 +31,31 @@ public class PoseAppearanceTests
     }
 
     [Test]
+    public void Show_TextActivatedWhileNotCurrent_KeepsTheTextureOfItsFont()
+    {
+        var font = new Material((Shader)null) { mainTexture = new Texture2D(256, 256) };
+        var text = PlayedAppearance.Child("Text", _played.Rig.transform);
+        text.SetActive(false);
+        var renderer = text.AddComponent<MeshRenderer>();
+        renderer.sharedMaterial = UserMaterials.Blended("_Color", 0.8f);
+        text.AddComponent<TextMesh>();
+        text.AddComponent<FontTexture>().With("_fontMaterial", font);
+        _played.BeCurrent();
+        _played.Cell.IsPlantUp = false;
+        _played.Run(1);
+        var block = new MaterialPropertyBlock();
+        renderer.GetPropertyBlock(block);
+        Assert.That(block.GetColor("_Color").a, Is.LessThan(0.8f), "not current");
+
+        text.SetActive(true);
+        _played.Cell.IsPlantUp = true;
+        _played.Run(1);
+
+        renderer.GetPropertyBlock(block);
+        Assert.That((block.GetColor("_Color").a, block.GetTexture("_MainTex")), Is.EqualTo((0.8f, font.mainTexture)));
+    }
+
+    [Test]
     public void Show_BeforeTheFirstPositions_DrawsOnlyTheText()
     {
         _played.Cell.IsPlantUp = false;

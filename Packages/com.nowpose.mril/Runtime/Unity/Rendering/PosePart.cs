@@ -213,11 +213,14 @@ namespace Nowpose.Unity.Rendering
             }
         }
 
+        // The Font Texture on an inactive object sets the texture of the letters later, when the object is activated.
+        bool HasOwnBlock => _renderer.HasPropertyBlock() || _renderer.TryGetComponent<FontTexture>(out _);
+
         void TakePattern()
         {
             if (_isPatternSet) return;
             _isPatternSet = true;
-            _hadBlock = _renderer.HasPropertyBlock();
+            _hadBlock = HasOwnBlock;
             _renderer.GetPropertyBlock(_block);
             _ownFade = Own(PoseMaterial.FadeId);
             _ownHatch = Own(PoseMaterial.HatchId);
@@ -245,7 +248,7 @@ namespace Nowpose.Unity.Rendering
             _renderer.GetPropertyBlock(_block);
             if (!_isAlphaSet)
             {
-                _hadBlock = _renderer.HasPropertyBlock();
+                _hadBlock = HasOwnBlock;
                 _ownColour = _block.HasColor(_material.Colour) ? _block.GetColor(_material.Colour) : (Color?)null;
             }
             _isAlphaSet = fade > 0;
