@@ -34,6 +34,28 @@ public class PlayedActuatedPartTests : PlayedParts
         Assert.That(part.Share, Is.EqualTo(1).Within(1e-6));
     }
 
+    // A model in millimetres has the scale 0.001. A cell in miniature is scaled as a whole.
+    [TestCase(0.001f, 1f)]
+    [TestCase(0.001f, 0.1f)]
+    [TestCase(1f, 0.1f)]
+    public void ActuatedPart_BelowAScaledModel_MovesByItsWayInMetresOfTheCell(float model, float cell)
+    {
+        _session.transform.localScale = Vector3.one * cell;
+        var scaled = Below<FrameProbe>("model", _session.transform).transform;
+        scaled.localScale = Vector3.one * model;
+        var part = Below<ActuatedPart>("door", scaled).With("_wayMetres", new Vector3(0, 0.02f, 0.5f)).With("_strokeMs", 0f);
+        part.transform.localPosition = new Vector3(1, 2, 3);
+        var start = part.transform.position;
+        Run(1);
+
+        SendSignal("door", _cell.Now - 1, 1);
+        Run(0.5);
+
+        Assert.That(Vector3.Distance(part.transform.position - start, new Vector3(0, 0.02f * cell, 0.5f * cell)), Is.LessThan(1e-5));
+        part.enabled = false;
+        Assert.That(part.transform.localPosition, Is.EqualTo(new Vector3(1, 2, 3)));
+    }
+
     [Test]
     public void ActuatedPart_SignalNotCurrent_LooksDifferentUntilItIsCurrent()
     {

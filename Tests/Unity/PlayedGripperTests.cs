@@ -75,6 +75,25 @@ public class PlayedGripperTests
         Assert.That(max, Is.GreaterThan(0.0085));
     }
 
+    [TestCase(0.001f, 1f)]
+    [TestCase(0.001f, 0.1f)]
+    [TestCase(1f, 0.1f)]
+    public void Gripper_FingerOfAScaledModel_MovesByTheJointPositionInMetresOfTheRig(float model, float cell)
+    {
+        _played.Session.transform.localScale = Vector3.one * cell;
+        var gripper = Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform);
+        var scaled = Below<FrameProbe>("Model", gripper.transform).transform;
+        scaled.localScale = Vector3.one * model;
+        var finger = Below<FrameProbe>("Finger", scaled).transform;
+        gripper.With("_fingers", new List<GripperFinger> { new("gripper_finger_joint_l", finger) });
+
+        _played.Play(2);
+
+        var way = Math.Abs(_played.Session.Frame.Joints[_played.Session.Robot.IndexOfMovingJoint("gripper_finger_joint_l")]);
+        Assert.That(way, Is.GreaterThan(0.001));
+        Assert.That(Vector3.Distance(finger.position, scaled.position), Is.EqualTo(cell * way).Within(1e-6));
+    }
+
     [Test]
     public void Gripper_NoRigAbove_NamesTheRemedy()
     {

@@ -36,6 +36,7 @@ namespace Nowpose.Unity
         float _strokeMs = 300;
 
         MrilSession _source;
+        Transform _world;
         SignalFollower _follower;
         ActuatedStroke _stroke;
         Vector3 _restPosition;
@@ -67,7 +68,9 @@ namespace Nowpose.Unity
             }
             _follower = SignalFollower.Of(this, _session, "actuated part", Signal, Take, restarted: Take);
             _source = this.SessionOr(_session);
-            if (_source != null) _source.Movers.Add(this, Show);
+            if (_source == null) return;
+            _world = CellPlace.WorldOf(this, _source);
+            _source.Movers.Add(this, Show);
         }
 
         void OnDisable()
@@ -105,14 +108,17 @@ namespace Nowpose.Unity
         // The part keeps its share of the stroke below a new parent.
         void TakeRest()
         {
-            _restPosition = transform.localPosition - Share * _wayMetres;
+            _restPosition = transform.localPosition - Way(Share);
             _restRotation = transform.localRotation * Quaternion.Inverse(Quaternion.Euler(Share * _turnDegrees));
         }
+
+        // Returns the displacement at a share of the stroke, in the units of the parent.
+        Vector3 Way(float share) => _world == null ? share * _wayMetres : (share * _wayMetres).InUnitsOfParent(transform, _world);
 
         void Move(float share)
         {
             Share = share;
-            transform.localPosition = _restPosition + share * _wayMetres;
+            transform.localPosition = _restPosition + Way(share);
             transform.localRotation = _restRotation * Quaternion.Euler(share * _turnDegrees);
         }
     }

@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Kinematics;
+using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
 using UnityEngine;
 
@@ -8,7 +9,7 @@ namespace Nowpose.Unity
     /// <summary>Moves a transform relative to its parent according to the position of a joint.</summary>
     public sealed class JointDrive
     {
-        readonly Transform _moved;
+        readonly Transform _moved, _world;
         readonly bool _slides;
         readonly Vector3 _restPosition, _direction;
         readonly Quaternion _rest, _halfTurn;
@@ -25,9 +26,15 @@ namespace Nowpose.Unity
         /// <param name="restPosition">Position of the transform at joint position 0, in its parent's axes, in metres.</param>
         /// <param name="restRotation">Rotation of the transform at joint position 0.</param>
         public JointDrive(Transform moved, RobotJoint joint, Vector3 restPosition, Quaternion restRotation)
+            : this(moved, joint, restPosition, restRotation, null) { }
+
+        /// <param name="restPosition">Position of the transform at joint position 0, in the units of its parent.</param>
+        /// <param name="world">Transform whose units are metres; null if the units of the parent are metres.</param>
+        internal JointDrive(Transform moved, RobotJoint joint, Vector3 restPosition, Quaternion restRotation, Transform world)
         {
             if (joint.Kind == JointKind.Fixed) throw new ArgumentException(RigMessages.FixedJoint(joint.Name), nameof(joint));
             _moved = moved;
+            _world = world;
             _slides = joint.Kind == JointKind.Prismatic;
             _restPosition = restPosition;
             _rest = restRotation;
@@ -41,8 +48,13 @@ namespace Nowpose.Unity
         /// <param name="position">Position of the joint in rad, or in m for a prismatic joint.</param>
         public void Apply(double position)
         {
-            if (_slides) _moved.localPosition = _restPosition + _direction * (float)position;
-            else _moved.localRotation = Turned(position / 2);
+            if (!_slides)
+            {
+                _moved.localRotation = Turned(position / 2);
+                return;
+            }
+            var way = _direction * (float)position;
+            _moved.localPosition = _restPosition + (_world == null ? way : way.InUnitsOfParent(_moved, _world));
         }
 
         // Computes the quaternion in double, because Unity's float degrees would cause a visible error at the end of a long arm.

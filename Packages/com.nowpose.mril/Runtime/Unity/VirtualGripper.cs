@@ -158,7 +158,7 @@ namespace Nowpose.Unity
             }
             var joint = _source.Model.MovingJoints[index];
             if (_source.Link(joint.ChildLink) == finger.Finger) return false;
-            drive = new FingerDrive(index, finger.Finger, joint);
+            drive = new FingerDrive(index, finger.Finger, joint, _source);
             return true;
         }
 
@@ -181,11 +181,11 @@ namespace Nowpose.Unity
 
         readonly struct FingerDrive
         {
-            public FingerDrive(int index, Transform finger, RobotJoint joint)
+            public FingerDrive(int index, Transform finger, RobotJoint joint, RobotRig rig)
             {
                 Joint = index;
                 Finger = finger;
-                Move = new JointDrive(finger, joint, finger.localPosition, finger.localRotation);
+                Move = new JointDrive(finger, joint, finger.localPosition, finger.localRotation, rig.transform);
             }
 
             public int Joint { get; }

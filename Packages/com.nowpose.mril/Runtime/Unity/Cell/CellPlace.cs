@@ -20,6 +20,19 @@ namespace Nowpose.Unity.Cell
         public static RigidTransform PoseIn(Transform world, Transform placed) => UnityPoses.ToRoom(
             world.InverseTransformPoint(placed.position), Quaternion.Inverse(world.rotation) * placed.rotation);
 
+        /// <summary>Converts a displacement in metres to the units of an object's parent, which differ below a scaled model.</summary>
+        /// <param name="metres">Displacement in the parent's axes.</param>
+        /// <param name="world">Transform whose units are metres, such as the frame <c>world</c> or a rig.</param>
+        public static Vector3 InUnitsOfParent(this Vector3 metres, Transform moved, Transform world)
+        {
+            if (moved.parent == null) return metres;
+            var (one, unit) = (world.lossyScale, moved.parent.lossyScale);
+            return new Vector3(Ratio(metres.x * one.x, unit.x), Ratio(metres.y * one.y, unit.y), Ratio(metres.z * one.z, unit.z));
+        }
+
+        // Along an axis that is scaled to 0, every displacement is invisible.
+        static float Ratio(float length, float unit) => unit == 0 ? 0 : length / unit;
+
         /// <summary>Moves an object to a pose in the frame <c>world</c>.</summary>
         /// <param name="pose">Pose in the frame <c>world</c>, right-handed, in metres.</param>
         public static void PlaceIn(this Transform moved, Transform world, in RigidTransform pose)
