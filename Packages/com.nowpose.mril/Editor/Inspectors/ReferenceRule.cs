@@ -44,15 +44,21 @@ namespace Nowpose.Editor.Inspectors
         public Shortcoming Shortcoming(Component component)
         {
             var remedy = _remedy(component);
-            return new Shortcoming(_message, remedy == null ? null : "Use '" + remedy.name + "'", components => Assign(components, remedy));
+            return new Shortcoming(_message, remedy == null ? null : "Use '" + remedy.name + "'", Assign);
         }
 
-        void Assign(Object[] components, Object remedy)
+        // The remedy differs between the components: each panel has texts of its own.
+        void Assign(Object[] components)
         {
-            using (var serialised = new SerializedObject(components))
+            foreach (var component in components)
             {
-                serialised.FindProperty(_field).objectReferenceValue = remedy;
-                serialised.ApplyModifiedProperties();
+                var remedy = _remedy((Component)component);
+                if (remedy == null) continue;
+                using (var serialised = new SerializedObject(component))
+                {
+                    serialised.FindProperty(_field).objectReferenceValue = remedy;
+                    serialised.ApplyModifiedProperties();
+                }
             }
         }
 

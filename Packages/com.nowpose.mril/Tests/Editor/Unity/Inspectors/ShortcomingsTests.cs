@@ -128,6 +128,18 @@ namespace Nowpose.Tests.Unity.Inspectors
             Assert.That(below.Shown("_session"), Is.Null);
         }
 
+        [Test]
+        public void Fix_SeveralPanels_AssignsEachItsOwnText()
+        {
+            var session = _scene.New<MrilSession>("Session").transform;
+            StatusPanel one = _scene.New<StatusPanel>("One", session), two = _scene.New<StatusPanel>("Two", session);
+            TextMesh first = _scene.New<TextMesh>("Cell", one.transform), second = _scene.New<TextMesh>("Cell", two.transform);
+
+            Shortcomings.Of(new Object[] { one, two }).Single().Fix();
+
+            Assert.That((one.Shown("_cell"), two.Shown("_cell")), Is.EqualTo(((object)first, (object)second)));
+        }
+
         static Shortcoming[] Of(Object component) => Shortcomings.Of(new[] { component }).ToArray();
     }
 }
