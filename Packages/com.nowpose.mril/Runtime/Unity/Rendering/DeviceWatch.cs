@@ -5,15 +5,12 @@ using UnityEngine.XR;
 namespace Nowpose.Unity.Rendering
 {
     /// <summary>
-    /// Reports the conditions of this device to a session, when the session starts and again when the display starts to report its rate.
+    /// Reports the conditions of this device to a session, when the session starts and again when the display reports another rate.
     /// </summary>
     sealed class DeviceWatch
     {
-        /// <summary>
-        /// FramesBetweenLooks: interval between checks, in frames. MaxLooks: maximum number of checks. The display starts some frames after the
-        /// scene.
-        /// </summary>
-        const int FramesBetweenLooks = 60, MaxLooks = 10;
+        /// <summary>Interval between checks, in frames. The display starts after the scene, and an app or the user may change its rate.</summary>
+        const int FramesBetweenLooks = 60;
 
         readonly List<XRDisplaySubsystem> _displays = new List<XRDisplaySubsystem>();
         int _frames;
@@ -27,7 +24,8 @@ namespace Nowpose.Unity.Rendering
         /// <summary>Checks the display rate at intervals. Call once per frame. Allocates only if the rate has changed.</summary>
         public void Follow(CompensationSession session)
         {
-            if (_frames >= FramesBetweenLooks * MaxLooks || ++_frames % FramesBetweenLooks != 0) return;
+            if (++_frames < FramesBetweenLooks) return;
+            _frames = 0;
             var hertz = ThisDevice.DisplayHz(_displays);
             if (hertz.HasValue && hertz != session.Conditions.DisplayHz) session.Conditions = ThisDevice.Conditions;
         }
