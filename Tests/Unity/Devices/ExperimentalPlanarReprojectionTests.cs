@@ -1,4 +1,7 @@
+using Nowpose.Gateway.Plants;
 using Nowpose.OpenXR;
+using Nowpose.Protocol;
+using Nowpose.Session;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
@@ -76,6 +79,22 @@ public sealed class ExperimentalPlanarReprojectionTests
         var expected = (after - before) / FrameSeconds;
         Assert.That(expected.magnitude, Is.GreaterThan(0.002f), "the robot moves");
         Assert.That((velocity - expected).magnitude, Is.LessThan(0.05f * expected.magnitude + 1e-4f));
+    }
+
+    [Test]
+    public void Posed_RobotInANamespace_SendsTheVelocityOfItsTool()
+    {
+        Play();
+        _rig.Follow(_session, "arm2", RobotDescriptionAsset.Create("second", RobotFiles.LoadText("ur5")));
+        var joints = RobotFiles.Load("ur5").MovingJoints.Select(joint => joint.Name).ToArray();
+
+        // The second robot rests, and the session's own robot moves.
+        _cell.Run(5, _session, () => _session.Session.Listener.Received(
+            new JointStateMessage(ControlTime.FromSeconds(1300 + _cell.Now - 0.08), joints, joints.Select(_ => 0.1).ToArray()),
+            HeadsetTime.FromSeconds(1000 + _cell.Now), "arm2"));
+
+        Assert.That(_session.Session.Robots[1].Frame.State, Is.EqualTo(PoseState.Current));
+        Assert.That(Newest.ReprojectionPlaneOverrideVelocity.Value.magnitude, Is.LessThan(1e-4f));
     }
 
     [TestCase(true)]

@@ -35,7 +35,7 @@ namespace Nowpose.OpenXR
         readonly ToolVelocity _velocity = new ToolVelocity();
         ReprojectionCheck _check;
         RobotRig _source;
-        CompensationSession _session;
+        SessionRobot _robot;
         bool _isMissing;
         int _requestFrame;
 
@@ -120,13 +120,13 @@ namespace Nowpose.OpenXR
             _check.Imposed = ReprojectionMode.PlanarManual;
         }
 
-        // The velocity is known only if the rig follows a session and shows the pose at the display time.
+        // The velocity is known only if the rig follows a robot of a session and shows its pose at the display time.
         void FollowVelocity()
         {
-            var session = _source.IsFollowing && _source.Shows == RigPose.Displayed ? _source.Session.Session : null;
-            if (session != _session) _velocity.Reset();
-            _session = session;
-            if (session != null) _velocity.Follow(_source.Session.Frame);
+            var robot = _source.IsFollowing && _source.Shows == RigPose.Displayed ? _source.Robot : null;
+            if (robot != _robot) _velocity.Reset();
+            _robot = robot;
+            if (robot != null) _velocity.Follow(robot.Frame);
         }
 
         void Refuse(string why)
