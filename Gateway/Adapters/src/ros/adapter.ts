@@ -69,7 +69,7 @@ export async function run(context: AdapterContext): Promise<void> {
 
   const { output } = context;
   const { namespace } = settings;
-  const names = new JointNames(configuration.joints, namespace);
+  const names = new JointNames(configuration.joints, namespace, settings.maxDeceleration);
   const states = new JointStates(names, settings.oldest, clock, gateway, status, output.joints.silence);
   robot.subscribe(settings.jointStates, message => states.pass(message), JOINT_STATE);
   const isDescribed = configuration.robot !== null || namespace in configuration.robots;

@@ -15,21 +15,27 @@ export interface OutJoint {
   offset: number;
   /** Whether the position is known to be a length in m. */
   isLinear: boolean;
+  /** Maximum deceleration, rad/s² or m/s²; null if unknown. */
+  maxDeceleration: number | null;
 }
 
 /** Selects and renames the joints that are forwarded: the joints in the configuration, or all joints if it lists none. */
 export class JointNames {
   readonly #known = new Map<string, OutJoint>();
 
-  /** @param namespace Namespace of the robot; empty if it has none. */
+  /**
+   * @param namespace Namespace of the robot; empty if it has none.
+   * @param maxDeceleration Maximum deceleration of the joints that the configuration does not list; null if unknown.
+   */
   constructor(
     joints: Joint[],
     readonly namespace = '',
+    readonly maxDeceleration: number | null = null,
   ) {
-    joints.forEach(({ joint, name, source, topic, scale, offset, isLinear }, index) => {
+    joints.forEach(({ joint, name, source, topic, scale, offset, isLinear = false, maxDeceleration: limit = null }, index) => {
       // Skips a joint with its own topic, because the joint states do not contain it.
       if (topic === undefined)
-        this.#known.set((source as string | undefined) ?? name, { index, joint, name, scale, offset, isLinear: isLinear === true });
+        this.#known.set((source as string | undefined) ?? name, { index, joint, name, scale, offset, isLinear, maxDeceleration: limit });
     });
     this.isOpen = joints.length === 0;
   }
@@ -42,7 +48,8 @@ export class JointNames {
     const known = this.#known.get(source);
     if (known !== undefined || !this.isOpen || this.#known.size >= MAX_JOINTS || source === '') return known;
     const joint = this.namespace === '' ? source : `${this.namespace}/${source}`;
-    const added = { index: this.#known.size, joint, name: source, scale: 1, offset: 0, isLinear: false };
+    const { maxDeceleration } = this;
+    const added = { index: this.#known.size, joint, name: source, scale: 1, offset: 0, isLinear: false, maxDeceleration };
     this.#known.set(source, added);
     return added;
   }

@@ -77,7 +77,8 @@ export class JointStates {
     });
   }
 
-  #isUsable({ index, joint, scale, offset, isLinear }: OutJoint, position: unknown, stamp: Nanoseconds | null, now: Nanoseconds | null): boolean {
+  #isUsable(out: OutJoint, position: unknown, stamp: Nanoseconds | null, now: Nanoseconds | null): boolean {
+    const { index, joint, scale, offset, isLinear, maxDeceleration } = out;
     this.status.joints.expect(joint);
     // The position may be null, because rosbridge sends NaN as null.
     if (typeof position !== 'number' || !Number.isFinite(position * scale + offset)) {
@@ -91,7 +92,7 @@ export class JointStates {
       this.status.accept(joint);
       this.silence.heard(joint);
       let end = this.#ends.get(joint);
-      if (end === undefined) this.#ends.set(joint, (end = new EndOfData(decelerationFloor(isLinear))));
+      if (end === undefined) this.#ends.set(joint, (end = new EndOfData(decelerationFloor(isLinear), maxDeceleration)));
       end.add(stamp!, position * scale + offset);
       this.#judged.delete(joint);
     }

@@ -31,6 +31,8 @@ interface RosSettings {
   /** The text before the names of the robot's links in ROS; empty if there is none. */
   linkPrefix: string;
   hasClock: boolean;
+  /** Maximum deceleration of joints that the file does not list; null if unknown. */
+  maxDeceleration: number | null;
   /** Maximum age of a stamp. Values with older stamps are refused. */
   oldest: Nanoseconds;
 }
@@ -41,6 +43,7 @@ interface PlantSection {
   plain?: boolean;
   clock: boolean;
   oldest_ms?: number;
+  max_deceleration?: number;
   topics?: { joint_states?: string; robot_description?: string | false; joint_trajectory?: string; tf?: string; tf_static?: string };
   world?: string;
   namespace?: string;
@@ -60,7 +63,8 @@ interface FrameEntry {
 const sectionOf = (configuration: Configuration): PlantSection => configuration.plant as unknown as PlantSection;
 
 export function settingsOf(configuration: Configuration): RosSettings {
-  const { endpoint, pin, plain, clock, oldest_ms: oldest, topics, world, namespace, link_prefix: linkPrefix, frames } = sectionOf(configuration);
+  const section = sectionOf(configuration);
+  const { endpoint, pin, plain, clock, oldest_ms: oldest, topics, world, namespace, link_prefix: linkPrefix, frames } = section;
   return {
     endpoint,
     pin: pin ?? null,
@@ -76,6 +80,7 @@ export function settingsOf(configuration: Configuration): RosSettings {
     namespace: namespace ?? '',
     linkPrefix: linkPrefix ?? '',
     hasClock: clock,
+    maxDeceleration: section.max_deceleration ?? null,
     oldest: ofMilliseconds(oldest ?? OLDEST_MS),
   };
 }

@@ -1,13 +1,15 @@
-// Tests in virtual time the states of objects of ROS whose poses arrive as a whole.
+// Tests in virtual time the states of silent joints of ROS, and of silent objects whose poses arrive as a whole.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { ANY, like, messages } from '../messages.mjs';
+import { plant, S } from '../outputInVirtualTime.mjs';
 import { parts } from '../parts.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { rosCell } from './frames.mjs';
 
 const { silenceMessages } = messages;
-const { kinds, readConfiguration } = await parts('configuration/configuration', 'kinds');
+const { JointNames, JointStates, kinds, readConfiguration, settingsOf } = await parts(
+  'configuration/configuration', 'kinds', 'ros/jointNames', 'ros/jointStates', 'ros/settings');
 
 /** Moves an object at 0.3 m/s until `endMs`. Calls `observe` every 10 ms until `untilMs`. */
 function moving(settings, { endMs = 1000, untilMs = 6000, observe = () => {} } = {}) {
@@ -79,4 +81,32 @@ frames:
 
     assert.equal(stateOf('frame/part'), 'live');
   });
+});
+
+describe('silence of a joint of ROS', () => {
+  /** Returns the state of joint a, which sends its position every 50 ms, accelerates to 0.5 rad/s and is silent from 1 s on. */
+  function stateAfterMotion(entries) {
+    const path = temporaryFile('plant.yaml', `plant: { kind: ros, endpoint: "ws://127.0.0.1:9090", silence: rest${entries}`);
+    const configuration = readConfiguration(path, {}, { ros: kinds.ros.check });
+    const { status, clock, time, output, stateOf } = plant([], { faultAfterMs: null });
+    const names = new JointNames(configuration.joints, '', settingsOf(configuration).maxDeceleration);
+    const states = new JointStates(names, 10n * S, clock, { publish: () => {} }, status, output.silence);
+    for (; time.ms < 3000; time.ms += 50) {
+      const stamp = { sec: Number(clock.now / S), nanosec: Number(clock.now % S) };
+      if (time.ms <= 1000) states.pass({ header: { stamp }, name: ['a'], position: [0.25 * (time.ms / 1000) ** 2] });
+      output.checkSilence();
+    }
+    return stateOf('a');
+  }
+
+  // The stop requires a deceleration between 8 and 10 rad/s².
+  for (const [name, state, entries] of [
+    ['NoLimit', 'rest', ' }'],
+    ['HigherLimit', 'rest', ', max_deceleration: 11 }'],
+    ['LowerLimit', 'fault', ', max_deceleration: 8 }'],
+    ['LowerLimitOfThePlant', 'fault', ', max_deceleration: 8 }\njoints: [{ joint: a }]'],
+    ['LowerLimitOfTheJoint', 'fault', ' }\njoints: [{ joint: a, max_deceleration: 8 }]'],
+    ['HigherLimitOfTheJoint', 'rest', ', max_deceleration: 8 }\njoints: [{ joint: a, max_deceleration: 11 }]'],
+  ])
+    it(`Joint_MovesAsTheDataEnd_${name}_IsInState_${state}`, () => assert.equal(stateAfterMotion(entries), state));
 });
