@@ -20,8 +20,8 @@ static class UnityVerb
         };
         var package = new Option<string>("--package")
         {
-            Description = "Source of the package: a Git URL, file:PATH or a folder. Default: the source in the project's manifest or, if it has none, "
-                + "the folder of this clone or published program.",
+            Description = "Source of the package: a Git URL, file:PATH, a folder or a .tgz file. Default: the source in the project's manifest or, if it "
+                + "has none, the folder of this clone or published program.",
             HelpName = "ADDRESS",
         };
         var onConflict = new Option<string>("--on-conflict")
