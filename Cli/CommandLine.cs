@@ -15,7 +15,7 @@ public static class CommandLine
         Control.UseSingleThread();
         return Invocation.RunAsync(
             Invocation.Root(
-                "nowpose", "Shows a moving robot where it is, not where it was. Without a command: demo.",
+                "nowpose", "Draws virtual parts on a moving robot at its present position. Without a command: demo.",
                 Demo.DemoVerb.Create(), Replay.ReplayVerb.Create(), Sync.SyncVerb.Create(), Recommend.RecommendVerb.Create(),
                 Kinematics.KinematicsVerb.Create(), Headset.HeadsetVerb.Create(), Figures.FiguresVerb.Create(), Calibrate.CalibrateVerb.Create(),
                 Unity.UnityVerb.Create()),
