@@ -12,7 +12,7 @@ interface Reading {
 export class ComponentTrack {
   #newest: Reading | null = null;
   #previous: Reading | null = null;
-  /** A first value with an unknown time. It is valid until a newer value arrives. */
+  /** A value with an unknown time. It is valid until a newer value arrives. */
   #resting: number | null = null;
 
   get value(): number | null {
@@ -29,8 +29,12 @@ export class ComponentTrack {
     [this.#previous, this.#newest] = [this.#newest, { value, stamp }];
   }
 
-  /** Sets the value that the component already had before the connection was made. */
+  /**
+   * Sets a value that the component has had since an unknown time: since before the connection was made, or since a change whose notification was
+   * lost.
+   */
   rest(value: number): void {
+    this.forget();
     this.#resting = value;
   }
 

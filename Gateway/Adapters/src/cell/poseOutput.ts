@@ -160,8 +160,14 @@ export class PoseOutput {
     const isOld = stamp === null || (now !== null && stamp < now - this.options.oldest);
     if (isFirst === true && isOld) {
       // Keeps the value. It is published when it is known to be at rest.
-      this.#components[index].rest(number);
-      for (const track of this.#tracksOf(index)) this.#arrive(track, stamp);
+      const component = this.#components[index];
+      const isChange = component.value !== null && component.value !== number;
+      component.rest(number);
+      for (const track of this.#tracksOf(index)) {
+        // The frame has moved since its last pose, so its motion did not end there.
+        if (isChange) track.motion.restart();
+        this.#arrive(track, stamp);
+      }
       return undefined;
     }
     return stamp === null ? { reason: 'stamp-missing', text: refusalMessages.noStamp } : number;

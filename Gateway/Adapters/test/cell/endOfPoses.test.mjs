@@ -123,6 +123,31 @@ describe('the end of the data of objects', () => {
     assert.ok(last(one) >= 2150);
   });
 
+  it('Frame_NotificationOfItsLastChangeLost_IsRepeatedWithTheValueThatIsReadAgain', () => {
+    const { output, take, poses, time, clock, stateOf } = moving(stopped, 3000), before = poses().length;
+
+    take({ 0: 0.4 }, { stamp: null, isFirst: true });
+    for (; time.ms <= 4000; time.ms += 100) output.hold(clock.now - 50n * MS, 150n * MS, new Set());
+    const { position } = poses().at(-1), atRest = stateOf('frame/part');
+    take({ 1: 1 });
+
+    assert.deepEqual([position[0], atRest], [0.4, 'rest']);
+    assert.ok(poses().slice(before).every(pose => pose.position[0] === 0.4), JSON.stringify(poses().slice(before)));
+  });
+
+  // A value that is read again and differs is a later change, whose time is unknown. The same value is the end of the data.
+  for (const [name, x, expected] of [['AnotherValue', 0.4, 'rest'], ['TheSameValue', 0.3, 'fault']])
+    it(`Frame_DataEndDuringTheMotionAnd${name}IsReadAgain_HasTheState${expected === 'rest' ? 'Rest' : 'Fault'}`, () => {
+      const { output, take, poses, time, clock, stateOf } = moving(interrupted, 3000, { maxDeceleration: 1 }), before = stateOf('frame/part');
+
+      take({ 0: x }, { stamp: null, isFirst: true });
+      time.ms += 100;
+      output.hold(clock.now - 50n * MS, 150n * MS, new Set());
+
+      assert.deepEqual([before, stateOf('frame/part')], ['fault', expected]);
+      if (expected === 'rest') assert.equal(poses().at(-1).position[0], x);
+    });
+
   it('Frame_StopsWithinItsDeceleration_IsAtRestAndRepeated', () => {
     const one = moving(stopped, 3000);
 
