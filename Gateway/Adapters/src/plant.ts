@@ -1,14 +1,15 @@
 import { OfferedClock } from './clock/offeredClock';
 import type { Configuration } from './configuration/configuration';
 import { silenceMs } from './configuration/silenceEntry';
+import { diagnosticsOf } from './gateway/diagnosticsOf';
 import { GatewayLink } from './gateway/link';
-import { description, DIAGNOSTICS, diagnostics, ROBOT_DESCRIPTION, topicOf, VERSION_TOPIC } from './gateway/messages';
+import { description, DIAGNOSTICS, ROBOT_DESCRIPTION, topicOf, VERSION_TOPIC } from './gateway/messages';
 import { AdapterStatus } from './gateway/status';
 import { load } from './kinds';
 import { Log } from './log';
 import { PlantOutput } from './samples/plantOutput';
 import { type Nanoseconds, ofMilliseconds, toMilliseconds } from './times';
-import { compareVersions, VERSION } from './version';
+import { compareVersions } from './version';
 import { clockMessages } from './messages/gateway';
 
 const DIAGNOSTICS_MS = 1000;
@@ -66,7 +67,7 @@ export async function runPlant(configuration: Configuration): Promise<number> {
   function report(): void {
     clearTimeout(changed ?? undefined);
     changed = null;
-    gateway.publish(DIAGNOSTICS, diagnosticsOf(plant.name, status, gateway));
+    gateway.publish(DIAGNOSTICS, diagnosticsOf(plant.name, status, gateway.dropped));
   }
 }
 
@@ -75,11 +76,6 @@ function reportCoarse(status: AdapterStatus, log: Log, coarse: Nanoseconds | nul
   status.detail('clock', steps);
   if (steps === null) return log.resume('clock steps', clockMessages.fineAgain);
   log.change('clock steps', 'coarse', clockMessages.coarse(steps));
-}
-
-function diagnosticsOf(name: string, status: AdapterStatus, gateway: GatewayLink): object {
-  const values = { version: VERSION, ...status.values(), dropped: String(gateway.dropped) };
-  return diagnostics(`plant/${name}`, status.level, status.message, values);
 }
 
 /** Detects the events that end the process: SIGTERM, SIGINT and, for a child process, the end of its parent, which closes the pipe. */

@@ -23,10 +23,24 @@ export interface Condition {
   uncertainty: string;
 }
 
+/** The diagnostics of one joint, frame or signal. */
+interface Report {
+  /** 0 if it is neither live nor at rest, 1 if it is at rest, 2 if it is live. */
+  rank: 0 | 1 | 2;
+  since: number;
+  values: string[][];
+}
+
+/** Sorts reports by their importance: faults before the others, and the newest before older ones. A receiver may keep only a part of the list. */
+export const byImportance = (a: Report, b: Report): number => a.rank - b.rank || b.since - a.since;
+
 /** Two reports with start times that differ by less than this describe the same state. The transmission time causes the difference. */
 const SAME_SINCE_MS = 2000;
 
 const isGood = ({ state }: Condition): boolean => state === 'live' || state === 'rest';
+
+/** Shortens a text, but not to an empty one, which would have another meaning. */
+const shortened = (text: string, longest: number): string => (text.length <= longest ? text : `${text.slice(0, longest)}…`);
 
 /** The states of all joints, frames or signals, with their reasons. Logs the start and the end of each fault once. */
 export class Conditions {
@@ -133,17 +147,25 @@ export class Conditions {
       if (isGood(condition) || condition.state === 'refused') this.#enter(name, 'fault', reason, 'not-connected', this.now());
   }
 
-  /** Gets the diagnostics of all names. Faults come first, because a receiver may keep only a part of the list. */
-  values(): Record<string, string> {
-    const sorted = [...this.#known].sort(([, a], [, b]) => Number(isGood(a)) - Number(isGood(b)));
-    return Object.fromEntries(
-      sorted.flatMap(([name, { state, since, reason, word, uncertainty }]) => [
-        [`${this.kind}/${name}`, `${state} ${(since / 1000).toFixed(3)}${reason === '' ? '' : ` ${reason}`}`],
+  get size(): number {
+    return this.#known.size;
+  }
+
+  /**
+   * Gets the diagnostics of all names.
+   * @param longest Maximum length of a reason.
+   */
+  reports(longest: number): Report[] {
+    return [...this.#known].map(([name, { state, since, reason, word, uncertainty }]) => ({
+      rank: state === 'live' ? 2 : state === 'rest' ? 1 : 0,
+      since,
+      values: [
+        [`${this.kind}/${name}`, `${state} ${(since / 1000).toFixed(3)}${reason === '' ? '' : ` ${shortened(reason, longest)}`}`],
         // The gateway's metrics name the reasons of joints only.
         ...(word === '' || this.kind !== 'joint' ? [] : [[`reason/${name}`, word]]),
-        ...(uncertainty === '' ? [] : [[`uncertain/${name}`, uncertainty]]),
-      ]),
-    );
+        ...(uncertainty === '' ? [] : [[`uncertain/${name}`, shortened(uncertainty, longest)]]),
+      ],
+    }));
   }
 
   #trouble(name: string, state: State, { reason: word, text }: Refusal, since: number, isLogged: boolean): void {

@@ -1,5 +1,5 @@
 import { Log } from '../log';
-import { type Condition, Conditions } from './conditions';
+import { byImportance, type Condition, Conditions } from './conditions';
 import { stateMessages } from '../messages/values';
 
 /** State of the connection to the plant. It is "waiting" between two connection attempts. */
@@ -173,8 +173,21 @@ export class AdapterStatus {
     return this.#refused.get(reason) ?? 0;
   }
 
-  values(): Record<string, string> {
+  /** Number of joints, frames and signals. */
+  get size(): number {
+    return this.#all.reduce((sum, { size }) => sum + size, 0);
+  }
+
+  /**
+   * Gets all values for the diagnostics.
+   * @param longest Maximum length of a reason of a joint, frame or signal.
+   * @param count Maximum number of joints, frames and signals. The most important ones are included.
+   */
+  values(longest = Infinity, count = Infinity): Record<string, string> {
     const refused = [...this.#refused];
+    // Joints come first, because the gateway takes one that is not reported for one that the adapter no longer has.
+    const [joints, ...others] = this.#all.map(each => each.reports(longest));
+    const reports = [...joints.sort(byImportance), ...others.flat().sort(byImportance)];
     return {
       ...this.#details,
       state: this.#state,
@@ -183,7 +196,7 @@ export class AdapterStatus {
       refused: String(refused.reduce((sum, [, count]) => sum + count, 0)),
       ...Object.fromEntries(refused.map(([reason, count]) => [`refused/${reason}`, String(count)])),
       reconnects: String(this.#reconnects),
-      ...Object.assign({}, ...this.#all.map(each => each.values())),
+      ...Object.fromEntries(reports.slice(0, count).flatMap(({ values }) => values)),
     };
   }
 }
