@@ -30,8 +30,9 @@ interface BrokerEvents {
 }
 
 /**
- * The connection of a bridge to the broker. Publishes retained messages again after each reconnection. A publishing bridge also publishes its presence
- * again when another connection withdraws it: the former connection of this bridge, which the broker ends later than the bridge, or another bridge.
+ * The connection of a bridge to the broker. Publishes retained messages again after each reconnection. A publishing bridge also publishes them and
+ * its presence again when another connection withdraws its presence: the former connection of this bridge, which the broker ends later than the bridge,
+ * or another bridge. Receivers have then discarded the values that they had.
  */
 export class BrokerLink {
   readonly #queue = new SendQueue<{ topic: string; payload: string }>();
@@ -116,16 +117,20 @@ export class BrokerLink {
   }
 
   #open(): void {
-    for (const [name, payload] of this.#retained) this.#keep(name, payload);
-    // Sent last, so that receivers have all values when the connection is announced.
-    if (this.#isPublishing) this.#keep(ALIVE, this.#presence);
+    this.#announce();
     this.events.opened();
     this.#pump();
   }
 
+  // Sends the presence last, so that receivers have all values when the connection is announced.
+  #announce(): void {
+    for (const [name, payload] of this.#retained) this.#keep(name, payload);
+    if (this.#isPublishing) this.#keep(ALIVE, this.#presence);
+  }
+
   // Ignores a retained message, because this bridge announces itself after its subscriptions.
   #announceAfter(presence: string, isRetained: boolean): void {
-    if (!isRetained && presence === ('false' satisfies Presence)) this.#keep(ALIVE, this.#presence);
+    if (!isRetained && presence === ('false' satisfies Presence)) this.#announce();
   }
 
   #keep(name: string, payload: string): void {
