@@ -11,7 +11,7 @@ export const SIGNALS = '/signals';
 export const stationaryKey = (frame: string): string => `${TF_STATIC} ${frame}`;
 
 /** Maximum number of transforms in a message. With names of 128 characters of 3 bytes, such a message is shorter than 64 KiB. */
-export const MAX_TRANSFORMS = 48;
+const MAX_TRANSFORMS = 48;
 
 /** Maximum number of signals in a message. With names of 128 characters of 6 bytes, such a message is shorter than 64 KiB. */
 export const MAX_SIGNALS = 80;
@@ -45,6 +45,12 @@ export const transform = (stamp: Nanoseconds, { frame, parent, position: [x, y, 
   child_frame_id: frame,
   transform: { translation: { x, y, z }, rotation: { x: qx, y: qy, z: qz, w: qw } },
 });
+
+/** Creates messages with these transforms, each of which is short enough for the gateway. */
+export const transformMessages = (transforms: object[]): object[] =>
+  Array.from({ length: Math.ceil(transforms.length / MAX_TRANSFORMS) }, (_, i) => ({
+    transforms: transforms.slice(i * MAX_TRANSFORMS, (i + 1) * MAX_TRANSFORMS),
+  }));
 
 export const signals = (stamp: Nanoseconds, name: string[], value: number[]): object => ({
   header: { stamp: toRosTime(stamp), frame_id: '' },

@@ -13,7 +13,7 @@ import { ComponentTrack } from './component';
 import { FrameStates } from './frameStates';
 import { poseOf, STEP } from './framePose';
 import { silenceOf, type Track, trackOf } from './frameTrack';
-import { MAX_TRANSFORMS, type Pose, type StampedPose, TF, TF_STATIC, transform } from './messages';
+import { type Pose, type StampedPose, TF, TF_STATIC, transform, transformMessages } from './messages';
 import { refusalMessages, silenceMessages } from '../messages/values';
 
 interface PoseOptions {
@@ -277,8 +277,8 @@ export class PoseOutput {
   }
 
   #send(poses: StampedPose[]): void {
-    for (let i = 0; i < poses.length; i += MAX_TRANSFORMS) {
-      this.gateway.publish(TF, { transforms: poses.slice(i, i + MAX_TRANSFORMS).map(({ stamp, pose }) => transform(stamp, pose)) });
+    for (const message of transformMessages(poses.map(({ stamp, pose }) => transform(stamp, pose)))) {
+      this.gateway.publish(TF, message);
       this.status.sampled();
     }
   }
@@ -286,7 +286,6 @@ export class PoseOutput {
   #publishStationary(frames: Frame[]): void {
     // Uses a zero stamp, which needs no clock, because a stationary frame has the same pose at all times.
     const transforms = frames.map(frame => transform(0n, poseOf(frame, () => null) as Pose));
-    for (let i = 0; i < transforms.length; i += MAX_TRANSFORMS)
-      this.gateway.publishKept(TF_STATIC, { transforms: transforms.slice(i, i + MAX_TRANSFORMS) }, `${TF_STATIC}[${i}]`);
+    transformMessages(transforms).forEach((message, i) => this.gateway.publishKept(TF_STATIC, message, `${TF_STATIC}[${i}]`));
   }
 }

@@ -1,5 +1,5 @@
 import type { FrameStates } from '../cell/frameStates';
-import { type Pose, stationaryKey, TF, TF_STATIC, tooFar, transform } from '../cell/messages';
+import { type Pose, stationaryKey, TF, TF_STATIC, tooFar, transform, transformMessages } from '../cell/messages';
 import { unit } from '../cell/rotation';
 import type { OfferedClock } from '../clock/offeredClock';
 import { WORLD } from '../configuration/frames';
@@ -78,9 +78,10 @@ export class RosFrames {
       this.gateway.forgetKept(stationaryKey(pose.frame));
       return [transform(stamp!, pose)];
     });
-    if (transforms.length === 0) return;
-    this.gateway.publish(TF, { transforms });
-    this.status.sampled();
+    for (const message of transformMessages(transforms)) {
+      this.gateway.publish(TF, message);
+      this.status.sampled();
+    }
   }
 
   /** Forwards the stationary frames in a message of /tf_static. */

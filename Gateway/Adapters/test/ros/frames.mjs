@@ -13,13 +13,17 @@ export function rosCell(wholeFrames, names = {}) {
   const one = cell({ wholeFrames, values: [] }), { output, clock, status, gateway } = one;
   const frames = wholeFrames.map(({ frame }) => ({ frame, source: `detected_${frame}`, topic: null }));
   const ros = new RosFrames({ frames, world: 'map', namespace: '', linkPrefix: '', ...names }, 10n * S, clock, gateway, status, output.frames.states);
-  /** Creates a message with the current pose of a frame. */
-  const message = (frame, x, parent = 'map') => ({
-    transforms: [{
-      header: { stamp: { sec: Number(clock.now / S), nanosec: Number(clock.now % S) }, frame_id: parent },
-      child_frame_id: `detected_${frame}`,
-      transform: { translation: { x, y: 0, z: 0 }, rotation: { x: 0, y: 0, z: 0, w: 1 } },
-    }],
+  const transform = ([frame, x, parent = 'map']) => ({
+    header: { stamp: { sec: Number(clock.now / S), nanosec: Number(clock.now % S) }, frame_id: parent },
+    child_frame_id: `detected_${frame}`,
+    transform: { translation: { x, y: 0, z: 0 }, rotation: { x: 0, y: 0, z: 0, w: 1 } },
   });
-  return { ...one, pass: (...pose) => ros.pass(message(...pose)), passStationary: (...pose) => ros.passStationary(message(...pose)) };
+  /** Creates a message with the current poses of frames, each with its frame, x and parent. */
+  const message = (...poses) => ({ transforms: poses.map(transform) });
+  return {
+    ...one,
+    pass: (...pose) => ros.pass(message(pose)),
+    passAll: poses => ros.pass(message(...poses)),
+    passStationary: (...pose) => ros.passStationary(message(pose)),
+  };
 }
