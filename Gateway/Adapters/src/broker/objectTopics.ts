@@ -10,6 +10,8 @@ export const REPORTS = 'signal_status';
 /** Gets the topic of a name, without MQTT's separators and wildcards in its last level. */
 export const topicFor = (kind: string, name: string): string => `${kind}/${encodeURIComponent(name)}`;
 
+export const kindOf = (topic: string): string => topic.split('/')[0];
+
 /** Gets the kind of a topic, and the name in it; undefined if it has none. */
 export function namedBy(topic: string): { kind: string; name?: string } {
   const [kind, level] = topic.split('/');

@@ -4,6 +4,7 @@ import { JointNames, type OutJoint } from '../ros/jointNames';
 import { JointStates } from '../ros/jointStates';
 import { passedTrajectory } from '../ros/trajectory';
 import { ALIVE, below, BrokerLink, DESCRIPTION, type Presence, STATES, STATUS, TRAJECTORY } from './brokerLink';
+import { kindOf } from './objectTopics';
 import { ReceivedObjects } from './receivedObjects';
 import { ReportedJoints } from './reportedJoints';
 import type { BrokerSettings } from './settings';
@@ -12,6 +13,9 @@ import { brokerMessages, malformedMessages } from '../messages/broker';
 
 /** Interval of the attempts to send signals that wait for the clock. */
 const CHECK_MS = 250;
+
+/** Maximum length of the name of a topic in the log. */
+const MAX_NAME = 300;
 
 const MAX_MESSAGE = 64 * 1024;
 const MAX_DESCRIPTION = 1024 * 1024;
@@ -40,6 +44,9 @@ export async function subscribe(
     });
   }
 
+  // Uses the kind of a topic as the subject, because a broker may have any number of names, and the log stores each subject.
+  const malformed = (name: string, problem: string): void =>
+    status.refuse('malformed', take.has(name) ? name : kindOf(name), `${name.slice(0, MAX_NAME)}: ${problem}`);
   const away = (reason: string): void => {
     leave();
     if (status.state === 'connected') status.reconnected();
@@ -54,11 +61,11 @@ export async function subscribe(
       const known = take.get(name);
       if (known === undefined && payload.length === 0) return objects.remove(name);
       const message = parsed(name, payload);
-      if (message === null) return status.refuse('malformed', name, malformedMessages.notObject);
+      if (message === null) return malformed(name, malformedMessages.notObject);
       if (known === undefined) objects.take(name, message);
       else known(message);
     },
-    malformed: (name, problem) => status.refuse('malformed', name, problem),
+    malformed,
   });
 
   function enter(presence: string): void {

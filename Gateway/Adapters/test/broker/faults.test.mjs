@@ -8,7 +8,7 @@ import { missing, Mosquitto } from './mosquitto.mjs';
 import { SyncServer } from './syncServer.mjs';
 import { messages } from '../messages.mjs';
 
-const { brokerMessages, silenceMessages } = messages;
+const { brokerMessages, malformedMessages, silenceMessages } = messages;
 
 describe('faults behind a broker', { skip: missing, concurrency: 3 }, () => {
   it('Subscriber_PublisherKilled_ReportsIt', async t => {
@@ -122,6 +122,21 @@ describe('faults behind a broker', { skip: missing, concurrency: 3 }, () => {
     await until(() => again.heard.some(m => m.topic === '/nowpose/joint_status'), () => publisher.err);
     publish(again, '/nowpose/joint_status', jointStatus(stamp, { b: `rest ${secondsAgo(stamp, 1)} no change is reported` }));
     await until(() => far.state?.state === 'connected' && far.joint('b')?.state === 'rest', () => JSON.stringify(far.state));
+  });
+
+  it('Subscriber_MalformedMessagesOnManyTopics_AreLoggedOnce', async t => {
+    const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);
+    const subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync));
+    await subscriber.said(brokerMessages.noPublisher('nowpose/cell'));
+    const client = await connectAsync(broker.url, { protocolVersion: 5 });
+    t.after(() => client.endAsync(true));
+
+    for (let i = 0; i < 20; i++) await client.publishAsync(`${TOPIC}/signals/${i}`, ['{', '{}'][i % 2], { retain: true });
+
+    await until(() => far.state?.['refused/malformed'] === '20', () => JSON.stringify(far.state));
+    const lines = subscriber.err.split('\n').filter(line => line.includes('malformed'));
+    assert.equal(lines.length, 1, lines.join('\n'));
+    assert.ok(lines[0].includes(`signals/0: ${malformedMessages.notObject}`), lines[0]);
   });
 
   for (const [name, topic, payload, reason] of [
