@@ -1,6 +1,8 @@
 import { SIGNALS, TF, TF_STATIC } from '../cell/messages';
+import { isLate } from '../cell/signalSender';
 import type { GatewayLink } from '../gateway/link';
 import { SIGNAL_STATUS } from '../gateway/messages';
+import { type Nanoseconds, ofRosTime } from '../times';
 import type { BrokerLink } from './brokerLink';
 import { FRAMES, REPORTS, SIGNAL, STATIONARY, topicFor } from './objectTopics';
 
@@ -15,7 +17,8 @@ interface Transform {
  */
 export class PublishedObjects {
   static readonly topics = [`${STATIONARY}/+`, `${SIGNAL}/+`];
-  readonly #retained = new Set<string>();
+  /** The retained topics, with the stamps of their values; zero for a stationary frame. */
+  readonly #retained = new Map<string, Nanoseconds>();
 
   constructor(
     gateway: Pick<GatewayLink, 'subscribe' | 'watch'>,
@@ -28,13 +31,14 @@ export class PublishedObjects {
     gateway.subscribe(TF_STATIC, ({ transforms }) => {
       for (const one of transforms as Transform[]) this.#retain(topicFor(STATIONARY, one.child_frame_id), { transforms: [one] });
     });
-    gateway.subscribe(SIGNALS, ({ header, name, value }) =>
-      (name as string[]).forEach((one, i) => this.#retain(topicFor(SIGNAL, one), { header, name: [one], value: [(value as number[])[i]] })),
-    );
+    gateway.subscribe(SIGNALS, ({ header, name, value }) => {
+      const stamp = ofRosTime((header as { stamp?: unknown }).stamp) ?? 0n;
+      (name as string[]).forEach((one, i) => this.#retain(topicFor(SIGNAL, one), { header, name: [one], value: [(value as number[])[i]] }, stamp));
+    });
     gateway.subscribe(SIGNAL_STATUS, message => broker.publishRetained(REPORTS, JSON.stringify(message)));
     gateway.watch({
       opened: () => {
-        for (const topic of this.#retained) this.#remove(topic);
+        for (const topic of this.#retained.keys()) this.#remove(topic);
       },
     });
   }
@@ -44,8 +48,9 @@ export class PublishedObjects {
     if (isRetained && !this.#retained.has(topic)) this.broker.removeRetained(topic);
   }
 
-  #retain(topic: string, message: object): void {
-    this.#retained.add(topic);
+  #retain(topic: string, message: object, stamp: Nanoseconds = 0n): void {
+    if (isLate(stamp, this.#retained.get(topic) ?? 0n)) return;
+    this.#retained.set(topic, stamp);
     this.broker.publishRetained(topic, JSON.stringify(message));
   }
 

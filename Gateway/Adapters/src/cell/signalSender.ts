@@ -1,7 +1,7 @@
 import type { OfferedClock } from '../clock/offeredClock';
 import { REFUSED_EVERY_MS } from '../gateway/keptMessages';
 import type { LinkEvents, Publisher } from '../gateway/link';
-import type { Nanoseconds } from '../times';
+import { type Nanoseconds, NS_PER_S } from '../times';
 import { MAX_SIGNALS, SIGNALS, signals } from './messages';
 
 /**
@@ -11,6 +11,12 @@ import { MAX_SIGNALS, SIGNALS, signals } from './messages';
  */
 const REPEATED_MS = 30_000;
 const REPEAT_EVERY_MS = 1000;
+
+/** Maximum time by which a late value is older than the newest one. An older stamp shows that the clock of the source went back. */
+const MAX_LATENESS: Nanoseconds = NS_PER_S;
+
+/** Whether a value of a signal is not the newest one, because a newer one has overtaken it. */
+export const isLate = (stamp: Nanoseconds, newest: Nanoseconds): boolean => stamp < newest && newest - stamp <= MAX_LATENESS;
 
 interface Change {
   value: number;
@@ -45,7 +51,10 @@ export class SignalSender implements LinkEvents {
     return this.#newest.get(name)?.value;
   }
 
+  /** Adds a value. Ignores a late one. */
   add(name: string, value: number, stamp: Nanoseconds): void {
+    const newest = this.#newest.get(name);
+    if (newest !== undefined && isLate(stamp, newest.stamp)) return;
     this.#newest.set(name, { value, stamp });
     this.#pending.add(name);
     this.#send();

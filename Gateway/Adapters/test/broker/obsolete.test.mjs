@@ -11,7 +11,7 @@ const { brokerMessages } = messages;
 const { AdapterStatus, Log, PublishedObjects, ReceivedObjects } = await parts('gateway/status', 'log', 'broker/publishedObjects', 'broker/receivedObjects');
 
 const transform = (child, x) => ({ header: { stamp: { sec: 1, nanosec: 0 }, frame_id: 'world' }, child_frame_id: child, transform: { translation: { x } } });
-const signal = (name, value) => ({ header: state(1n).header, name: [name], value: [value] });
+const signal = (name, value, stamp = 1n) => ({ header: state(stamp).header, name: [name], value: [value] });
 /** The list of a gateway that has just started. */
 const NOTHING = jointStatus(0n, {});
 
@@ -89,6 +89,31 @@ describe('obsolete objects and signals on a broker', () => {
     objects.heard('signals/of-another-client', false);
 
     assert.deepEqual(topics(), ['signals/closed']);
+  });
+
+  // A value that is older by more than 1 s shows that the clock went back.
+  const VALUES = [[1, 5000n], [2, 4500n], [3, 3900n], [4, 4000n]].map(([value, ms]) => signal('closed', value, ms * 1_000_000n));
+
+  it('Publisher_LateValue_DoesNotReplaceTheNewestOneUnlessTheClockWentBack', () => {
+    const { receive, reconnect, retained } = publisher();
+
+    const kept = VALUES.map(message => {
+      receive('/signals', message);
+      return JSON.parse(retained.get('signals/closed')).value[0];
+    });
+
+    assert.deepEqual(kept, [1, 1, 3, 4]);
+    reconnect();
+    receive('/signals', signal('closed', 5, 3_999_000_000n));
+    assert.deepEqual(JSON.parse(retained.get('signals/closed')).value, [5]);
+  });
+
+  it('Receiver_LateValue_DoesNotReplaceTheNewestOneUnlessTheClockWentBack', () => {
+    const { objects, sent } = receiver();
+
+    for (const message of VALUES) objects.take('signals/closed', message);
+
+    assert.deepEqual(sent.map(([, { value }]) => value[0]), [1, 3, 4]);
   });
 
   it('Receiver_StationaryFrameMovesOrIsRemoved_IsNotSentAgain', () => {
