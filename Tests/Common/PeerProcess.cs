@@ -6,6 +6,9 @@ namespace Nowpose.Tests.Common;
 /// <summary>Starts a second process that acts as another machine, and collects its output lines. Disposal kills the process.</summary>
 sealed class PeerProcess : IDisposable
 {
+    // Disposal kills a program that has not ended by then.
+    static readonly TimeSpan EndLimit = TimeSpan.FromSeconds(10);
+
     readonly Process _process;
     readonly ConcurrentQueue<string> _lines = [];
 
@@ -54,6 +57,13 @@ sealed class PeerProcess : IDisposable
     public string All => string.Join('\n', _lines);
 
     public void Send(string line) => _process.StandardInput.WriteLine(line);
+
+    /// <summary>Closes the input of a program that then ends, and waits for its end.</summary>
+    public void CloseInput()
+    {
+        _process.StandardInput.Close();
+        _process.WaitForExit(EndLimit);
+    }
 
     public bool Printed(string words) => _lines.Any(line => line.Contains(words));
 

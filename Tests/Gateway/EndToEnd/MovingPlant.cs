@@ -82,7 +82,12 @@ sealed class MovingPlant : IPlantTruth, IDisposable
         return DateTimeOffset.UnixEpoch + TimeSpan.FromSeconds(double.Parse(_program.ValueOf(key), CultureInfo.InvariantCulture));
     }
 
-    public void Dispose() => _program.Dispose();
+    public void Dispose()
+    {
+        // The program deletes its temporary files when its input ends, but not when it is killed.
+        _program.CloseInput();
+        _program.Dispose();
+    }
 
     IEnumerable<string> Joints()
     {

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
+import { once } from 'node:events';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
 import { adapters, until } from '../program.mjs';
@@ -64,8 +65,14 @@ describe('faults', () => {
     const port = await freePort();
     const child = spawn(process.execPath, [join(adapters, 'test', 'opcua', 'main.mjs'), '--port', String(port), '--security', 'none'],
       { stdio: ['ignore', 'pipe', 'inherit'] });
-    t.after(() => child.kill('SIGKILL'));
-    await new Promise(resolve => child.stdout.once('data', resolve));
+    const ended = once(child, 'close');
+    // The plant deletes its temporary folder when it ends normally.
+    t.after(async () => {
+      child.kill('SIGCONT');
+      child.kill('SIGTERM');
+      await ended;
+    });
+    await once(child.stdout, 'data');
     const { bridge, state, states } = await adapterFor(t, { endpoint: `opc.tcp://127.0.0.1:${port}` }, OPEN, JOINTS);
     await states(5);
 
