@@ -185,7 +185,8 @@ namespace Nowpose.Anchoring
             var all = _window.CountSince(_window.Newest - MaxAge);
             if (!IsExact(_mean.Value) && all > count + MinSightings) _mean = PoseMean.Of(_window, all, space);
             var mean = _mean.Value;
-            estimate = new MarkerEstimate(Marker.MarkerInBase, mean.Pose, mean.ErrorMetres, mean.ErrorRadians);
+            estimate = new MarkerEstimate(
+                Marker.MarkerInBase, mean.Pose, mean.ErrorMetres, mean.ErrorRadians, mean.SpreadMetres, mean.SpreadRadians);
             return IsExact(mean);
         }
 

@@ -16,12 +16,17 @@ namespace Nowpose.Anchoring.Fitting
 
         /// <param name="inBase">Configured pose in the base frame.</param>
         /// <param name="mean">Mean of the sightings, in the room frame.</param>
-        public MarkerEstimate(in RigidTransform inBase, in RigidTransform mean, double errorMetres, double errorRadians)
+        /// <param name="spreadMetres">Root mean square distance of the sightings from their mean.</param>
+        /// <param name="spreadRadians">Root mean square angle between the sightings and their mean.</param>
+        public MarkerEstimate(
+            in RigidTransform inBase, in RigidTransform mean, double errorMetres, double errorRadians, double spreadMetres = 0, double spreadRadians = 0)
         {
             InBase = inBase;
             Mean = mean;
             ErrorMetres = errorMetres;
             ErrorRadians = errorRadians;
+            SpreadMetres = spreadMetres;
+            SpreadRadians = spreadRadians;
         }
 
         public RigidTransform InBase { get; }
@@ -32,6 +37,9 @@ namespace Nowpose.Anchoring.Fitting
 
         public double ErrorRadians { get; }
 
+        public double SpreadMetres { get; }
+        public double SpreadRadians { get; }
+
         public double PositionWeight => 1 / (ErrorMetres * ErrorMetres / 3 + PlacedMetres * PlacedMetres);
 
         /// <summary>Variance of the mean's rotation about an axis, rad², which decreases with the number of sightings.</summary>
@@ -41,6 +49,7 @@ namespace Nowpose.Anchoring.Fitting
         public double RotationWeight(double placedVariance) => 1 / (RotationVariance + placedVariance);
 
         /// <summary>Returns the estimate with its mean transformed by <paramref name="room"/>.</summary>
-        public MarkerEstimate From(in RigidTransform room) => new MarkerEstimate(InBase, room * Mean, ErrorMetres, ErrorRadians);
+        public MarkerEstimate From(in RigidTransform room) =>
+            new MarkerEstimate(InBase, room * Mean, ErrorMetres, ErrorRadians, SpreadMetres, SpreadRadians);
     }
 }

@@ -61,10 +61,10 @@ namespace Nowpose.Anchoring.Tracking
         public (double Metres, double Radians) Spread()
         {
             double metres = 0, radians = 0;
-            foreach (var marker in _estimated)
+            foreach (var estimate in _estimates)
             {
-                metres += marker.SpreadMetres.Value * marker.SpreadMetres.Value / _estimated.Count;
-                radians += marker.SpreadRadians.Value * marker.SpreadRadians.Value / _estimated.Count;
+                metres += estimate.SpreadMetres * estimate.SpreadMetres / _estimates.Count;
+                radians += estimate.SpreadRadians * estimate.SpreadRadians / _estimates.Count;
             }
             return (Math.Sqrt(metres), Math.Sqrt(radians));
         }

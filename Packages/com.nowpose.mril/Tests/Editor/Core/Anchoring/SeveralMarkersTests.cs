@@ -81,6 +81,39 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(cell.Tracker.Lock.ChangeMetres, Is.InRange(1e-6, 0.01), "the change is reported");
         }
 
+        // A gap removes the sightings of a marker, and the next sighting alone gives no new estimate.
+        [Test]
+        public void Tick_NewMarkerAfterAPartWasSeenOnceInAGap_ImprovesTheLock()
+        {
+            var cell = NoisyOneOfThree();
+            var spread = cell.Tracker.Lock.SpreadMetres;
+            cell.IsInView = _ => false;
+            cell.Run(1);
+            cell.IsInView = payload => payload == "a";
+            cell.Run(2 / 60.0);
+            Assert.That(cell.Tracker.Markers[0].SpreadMetres, Is.Null);
+
+            cell.IsInView = payload => payload == "b";
+            cell.Run(4);
+
+            AssertBothAreParts(cell);
+            Assert.That(cell.Tracker.Lock.SpreadMetres, Is.EqualTo(spread).Within(0.0005), "both markers have the same noise");
+        }
+
+        [Test]
+        public void Tick_NewMarkerAfterThePositionWasLost_ImprovesTheLock()
+        {
+            var cell = NoisyOneOfThree(new FakeAnchors());
+            cell.Anchors.Held[0].State = SpatialAnchorState.Lost;
+            cell.Run(1);
+            cell.Anchors.Held[0].State = SpatialAnchorState.Tracking;
+
+            cell.IsInView = payload => payload == "b";
+            cell.Run(4);
+
+            AssertBothAreParts(cell);
+        }
+
         [Test]
         public void Tick_SecondMarkerAtAWrongPlace_IsDetected()
         {
@@ -108,6 +141,25 @@ namespace Nowpose.Tests.Core.Anchoring
 
             Assert.That(cell.RunUntilLocked(6), Is.Null);
             Assert.That(cell.Tracker.Markers[0].Ignored[SightingFault.TwoPlaces], Is.GreaterThan(50));
+        }
+
+        /// <summary>Creates a base with three markers that is locked by marker a.</summary>
+        static SimulatedMarkers NoisyOneOfThree(FakeAnchors anchors = null)
+        {
+            var cell = SimulatedMarkers.Three(5);
+            cell.Anchors = anchors;
+            cell.Noisy();
+            cell.IsInView = payload => payload == "a";
+            Locked(cell);
+            Assert.That(cell.Tracker.Lock.Markers, Is.EqualTo(1));
+            return cell;
+        }
+
+        static void AssertBothAreParts(SimulatedMarkers cell)
+        {
+            Assert.That((cell.Tracker.State, cell.Tracker.Lock.Markers), Is.EqualTo((BaseAnchorState.Locked, 2)));
+            Assert.That(cell.Tracker.Base.Value.DistanceTo(cell.Tracker.Lock.Base), Is.EqualTo(0));
+            Assert.That(cell.Tracker.Markers[1].DeviationMetres, Is.LessThan(0.003));
         }
     }
 }
