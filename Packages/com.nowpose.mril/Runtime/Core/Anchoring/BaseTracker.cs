@@ -23,7 +23,7 @@ namespace Nowpose.Anchoring
         BaseAnchorState _state;
         HeadsetTime _now;
         HeadsetTime? _lastPlaced, _lastReport;
-        RelockedFrom? _former;
+        RelockedFrom _former;
         RigidTransform? _placed;
         MapCorrection _correction;
         bool _hasNewSightings, _isHeldByHand, _wasLost;
@@ -174,7 +174,7 @@ namespace Nowpose.Anchoring
             for (var i = 0; i < sightings.Count; i++) isReleased &= !Take(sightings[i], now, head);
             if (isReleased) LockByHand(anchors);
             if (_hasNewSightings && !IsBeingPlaced && !_isHeldByHand && !IsLost) Judge(now, anchors);
-            if (_former is RelockedFrom former && former.IsOver(now, _markers.All)) Return(former);
+            if (_former?.Follow(now, _markers.All) == true) Return(_former);
             if (Base is RigidTransform pose) _shown.Follow(pose, now);
             else _shown.Rest(now);
             _words.Update(this, now);
@@ -252,7 +252,7 @@ namespace Nowpose.Anchoring
         }
 
         // No marker was in view, so the previous state is restored. The next marker that comes into view confirms or refutes it.
-        void Return(in RelockedFrom former)
+        void Return(RelockedFrom former)
         {
             _state = former.State == BaseAnchorState.Moved ? (Lock != null ? BaseAnchorState.Locked : BaseAnchorState.Restored) : former.State;
             _isHeldByHand = former.IsHeldByHand;

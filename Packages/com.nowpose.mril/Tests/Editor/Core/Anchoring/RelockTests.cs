@@ -30,6 +30,22 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Moved), "the marker is monitored again");
         }
 
+        // The headset is taken off after the request.
+        [Test]
+        public void Relock_ApplicationPaused_SearchesForTheWholeTimeAfterThePause()
+        {
+            var cell = NoisyOne();
+            cell.IsInView = _ => false;
+            cell.Tracker.Relock();
+            cell.Run(2);
+
+            cell.Pause(60);
+
+            cell.Run(14.5, () => Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Searching)));
+            cell.Run(1);
+            Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
+        }
+
         [Test]
         public void Place_ByHand_NextLockEasesFromThePlacedPose()
         {

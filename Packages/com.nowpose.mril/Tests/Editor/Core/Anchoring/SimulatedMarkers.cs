@@ -91,6 +91,9 @@ namespace Nowpose.Tests.Core.Anchoring
             (NoiseMetres, NoiseDegrees, OutlierShare) = (0.002, 0.5, 0.1);
         }
 
+        /// <summary>Lets time pass without frames, as while the headset is suspended.</summary>
+        public void Pause(double seconds) => _frame += (int)Math.Round(seconds / FrameSeconds);
+
         public void Run(double seconds, Action seen = null)
         {
             for (var end = Seconds + seconds - 1e-9; Seconds < end; seen?.Invoke()) Frame();
