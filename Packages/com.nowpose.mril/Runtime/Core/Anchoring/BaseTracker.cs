@@ -92,6 +92,9 @@ namespace Nowpose.Anchoring
         /// <summary>Distance to the position that the device reports, in metres, if it is too far to be followed; otherwise 0.</summary>
         public double ElsewhereMetres => _place.ElsewhereMetres;
 
+        /// <summary>Whether the device has removed the anchor that held the position of the base.</summary>
+        internal bool IsAnchorRemoved => _place.IsRemoved;
+
         /// <summary>Whether markers are compared with their expected poses.</summary>
         bool IsWatching => IsKnown && !_place.IsLost;
 
@@ -289,10 +292,8 @@ namespace Nowpose.Anchoring
 
         void ClearBase()
         {
-            Base = null;
-            (Lock, _placed) = (null, null);
+            (Base, Lock, _placed, _correction) = (null, null, null, default);
             _shown.Jump(null);
-            _correction = default;
         }
     }
 }

@@ -24,6 +24,9 @@ namespace Nowpose.Messages
 
         public const string Lost = "the headset has lost the position of the base: look around";
 
+        /// <param name="problem">Reason why the device no longer holds the position; null if it gives none.</param>
+        public static string Removed(string problem) => problem ?? "the device no longer holds the position of the base; lock or place the base again";
+
         public static string TooFar(string maxMetres) => $"is too far away: move to within {maxMetres} m of it";
 
         public const string TooOblique = "is seen too obliquely: stand in front of it";

@@ -19,6 +19,6 @@ namespace Nowpose.Unity.Messages
         public const string NotConfirmedLabel = "base not confirmed";
         public const string MovedLabel = "base or marker moved";
         public const string Moved = "a marker is not at its expected position";
-        public const string Lost = "the headset has lost its position in the room";
+        public const string Lost = "the headset has lost the position of the base";
     }
 }

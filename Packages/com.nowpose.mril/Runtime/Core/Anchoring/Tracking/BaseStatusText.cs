@@ -46,6 +46,7 @@ namespace Nowpose.Anchoring.Tracking
                 case BaseAnchorState.Moved: return Move(tracker);
                 case BaseAnchorState.Locked: return Lock(tracker);
                 case BaseAnchorState.Restored: return new Subject(Kind.Restored, tracker.Problem);
+                case BaseAnchorState.Lost when tracker.IsAnchorRemoved: return new Subject(Kind.Removed, tracker.Problem);
                 case BaseAnchorState.Lost: return new Subject(Kind.Lost, a: (int)Math.Min(Math.Ceiling(10 * tracker.ElsewhereMetres), 1e6));
                 default: return new Subject(Kind.Placed);
             }
@@ -119,6 +120,7 @@ namespace Nowpose.Anchoring.Tracking
                 case Kind.Looking: return BaseStatusMessages.Looking(subject.Count > 0, (string)subject.First);
                 case Kind.Moved: return BaseStatusMessages.Moved(subject.Count, Name(subject.First), off);
                 case Kind.Locked: return Locked(tracker);
+                case Kind.Removed: return BaseStatusMessages.Removed(tracker.Problem);
                 case Kind.Restored: return BaseStatusMessages.Restored(tracker.Markers.Count > 0, tracker.Problem);
                 case Kind.Lost:
                     return subject.A == 0
@@ -167,7 +169,7 @@ namespace Nowpose.Anchoring.Tracking
 
         enum Kind
         {
-            Placed, BeingPlaced, Looking, Ignored, Gathers, Moving, Scatters, Conflict, Restored, Locked, Moved, Lost,
+            Placed, BeingPlaced, Looking, Ignored, Gathers, Moving, Scatters, Conflict, Restored, Locked, Moved, Lost, Removed,
         }
 
         /// <summary>Content of the status text. Equal contents produce equal strings.</summary>

@@ -17,12 +17,20 @@ namespace Nowpose.Anchoring.Tracking
         const double MaxJumpMetres = 0.3;
 
         ISpatialAnchor _anchor, _former;
-        bool _isSought;
+        bool _isSought, _hasTracked;
 
         public bool IsThere => _anchor != null;
 
-        /// <summary>Whether the device holds the position but its pose is unknown or too far away to be followed.</summary>
-        public bool IsLost => _anchor != null && (_anchor.State == SpatialAnchorState.Lost || ElsewhereMetres > 0);
+        /// <summary>
+        /// Whether the pose of the position is unknown or too far away to be followed, or the device no longer holds the position.
+        /// </summary>
+        public bool IsLost => _anchor != null && (_anchor.State == SpatialAnchorState.Lost || ElsewhereMetres > 0 || IsRemoved);
+
+        /// <summary>Whether the device has held the position and no longer holds it.</summary>
+        /// <remarks>
+        /// The device's map may have changed, so the position is lost. A position that the device has never held was measured in the current map.
+        /// </remarks>
+        public bool IsRemoved => _hasTracked && _anchor.State == SpatialAnchorState.Failed;
 
         /// <summary>Distance to the reported position in metres, if it is too far to be followed; otherwise 0.</summary>
         public double ElsewhereMetres { get; private set; }
@@ -38,6 +46,7 @@ namespace Nowpose.Anchoring.Tracking
         {
             if (_isSought || anchors == null || name.Length == 0 || !anchors.IsReady) return;
             _isSought = true;
+            _hasTracked = false;
             _anchor = anchors.Find(name);
         }
 
@@ -47,6 +56,7 @@ namespace Nowpose.Anchoring.Tracking
         public void Hold(ISpatialAnchors anchors, in RigidTransform pose, string name)
         {
             _isSought = true;
+            _hasTracked = false;
             ElsewhereMetres = 0;
             _former?.Dispose();
             _former = _anchor;
@@ -63,6 +73,7 @@ namespace Nowpose.Anchoring.Tracking
             ElsewhereMetres = 0;
             Leave(ref _former);
             Leave(ref _anchor);
+            _hasTracked = false;
             _isSought = !seekAgain;
         }
 
@@ -72,6 +83,7 @@ namespace Nowpose.Anchoring.Tracking
         {
             ElsewhereMetres = 0;
             if (_anchor == null || _anchor.State != SpatialAnchorState.Tracking) return null;
+            _hasTracked = true;
             Leave(ref _former);
             if (!(_anchor.Pose is RigidTransform pose) || !pose.IsPose()) return null;
             var jump = last is RigidTransform before ? before.DistanceTo(pose) : 0;

@@ -154,6 +154,42 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Tracker.Base.Value.DistanceTo(_cell.Base), Is.LessThan(1e-9));
         }
 
+        // The device removes an anchor, for example when its AR runtime restarts. The map may then be another one.
+        [Test]
+        public void Tick_DeviceRemovesTheAnchor_IsLostWithTheReasonUntilTheNextLock()
+        {
+            Lock();
+            _cell.Run(1);
+            var before = Tracker.Base.Value;
+            (_anchors.Held[0].State, _anchors.Held[0].Problem) = (SpatialAnchorState.Failed, "the device has removed the anchor");
+            _cell.Base = Shift(0.4) * _cell.Base;
+
+            _cell.Run(3);
+            Assert.That((Tracker.State, Tracker.Words), Is.EqualTo((BaseAnchorState.Lost, "the device has removed the anchor")));
+            Assert.That(Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
+
+            Tracker.Relock();
+            Lock();
+            _cell.Run(3);
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
+            Assert.That(Tracker.Shown.Value.DistanceTo(_cell.Base), Is.LessThan(1e-6));
+            Assert.That(_anchors.Held.Single().State, Is.EqualTo(SpatialAnchorState.Tracking));
+        }
+
+        [Test]
+        public void Place_DeviceHasRemovedTheAnchor_ReleasesIt()
+        {
+            Lock();
+            _cell.Run(1);
+            _anchors.Held[0].State = SpatialAnchorState.Failed;
+            _cell.Run(1);
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Lost));
+
+            Tracker.Place(Shift(1));
+
+            Assert.That((Tracker.State, Tracker.Problem), Is.EqualTo((BaseAnchorState.Placed, (string)null)));
+        }
+
         [Test]
         public void Tick_BaseStoredInAnEarlierRun_IsRestoredAndConfirmedByMarkers()
         {
