@@ -97,7 +97,7 @@ public sealed partial class MessageCatalogueTests
         ["RequestMessages"] = ["Closed", "ClosedForRate", "Dropped", "NotAccepted"],
         ["RobotMessages"] = ["OfRobot"],
         ["SessionMessages"] = ["Description", "DescriptionUnusable", "PlausibleAgain", "Recording", "Stale", "Synchronised", "WithinRange"],
-        ["SignalMessages"] = ["ClockUnsynchronised", "NoConnection", "NoValue", "OlderThanConnection"],
+        ["SignalMessages"] = ["ClockUnsynchronised", "NoConnection", "NoValue", "OlderThanConnection", "StampMismatch"],
         ["SimulationMessages"] = ["Error", "Read", "Written"],
         ["SweepMessages"] = ["Responds"],
         ["SyncServerMessages"] = ["Closed", "NotAccepted"],

@@ -10,6 +10,9 @@ namespace Nowpose.Messages
         /// <summary>The display time is not known well enough. This affects all signals alike.</summary>
         public const string ClockUnsynchronised = "clock unsynchronised";
 
+        /// <summary>The control clock has stepped, which the headset does not know yet, or the clock of the source is wrong.</summary>
+        public const string StampMismatch = "the time stamp of its newest value does not match the control clock";
+
         public const string OlderThanConnection = "no value since the connection was restored";
     }
 }

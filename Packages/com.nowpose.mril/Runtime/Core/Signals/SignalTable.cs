@@ -42,16 +42,28 @@ namespace Nowpose.Signals
         /// <returns>Drop reason; <see cref="DropReason.None"/> if the value was used.</returns>
         public DropReason Add(ControlTime stamp, in SignalValue value, ControlTime? arrival = null)
         {
-            var index = IndexOf(value.Name);
-            if (index < 0)
-            {
-                index = FreeIndex();
-                if (index < 0) return DropReason.TooManySignals;
-                _indices.Add(value.Name, index);
-                _signals[index] = new SignalTrack(value.Name);
-                _signals[index].Restarted += signal => Restarted?.Invoke(signal);
-            }
-            return _signals[index].Add(stamp, value.Value, arrival);
+            var index = IndexOfNew(value.Name);
+            return index < 0 ? DropReason.TooManySignals : _signals[index].Add(stamp, value.Value, arrival);
+        }
+
+        /// <summary>Keeps a received value whose stamp is in the future; see <see cref="SignalTrack.Unplaced"/>.</summary>
+        public void AddFuture(in SignalValue value)
+        {
+            var index = IndexOfNew(value.Name);
+            if (index >= 0) _signals[index].AddFuture(value.Value);
+        }
+
+        /// <summary>Returns the index of a signal, which is added if the table does not have it; −1 if the table is full.</summary>
+        int IndexOfNew(string name)
+        {
+            var index = IndexOf(name);
+            if (index >= 0) return index;
+            index = FreeIndex();
+            if (index < 0) return index;
+            _indices.Add(name, index);
+            _signals[index] = new SignalTrack(name);
+            _signals[index].Restarted += signal => Restarted?.Invoke(signal);
+            return index;
         }
 
         int FreeIndex()

@@ -18,6 +18,8 @@ namespace Nowpose.Signals
         readonly LateValues _late = new LateValues();
         // Newest time for which an ordinary value is known or may still arrive: the newest stamp, without announced changes.
         ControlTime? _newestSample;
+        // Newest received value, if its stamp was in the future.
+        double? _future;
         int _count;
         bool _isVisible;
 
@@ -43,8 +45,15 @@ namespace Nowpose.Signals
         /// <summary>Stamp of the newest message, with or without a change; null before the first.</summary>
         public ControlTime? Newest { get; private set; }
 
-        /// <summary>Headset time at which the last used value arrived; null if unknown.</summary>
+        /// <summary>Headset time at which the last value arrived that was used or is <see cref="Unplaced"/>; null if unknown.</summary>
         public HeadsetTime? Received { get; set; }
+
+        /// <summary>
+        /// The newest received value, if its stamp does not match the control time: it is in the future, or too late to have been overtaken on the
+        /// network. Otherwise null.
+        /// </summary>
+        /// <remarks>Either the control clock has stepped, which the headset does not know yet, or the clock of the source is wrong.</remarks>
+        public double? Unplaced => _future ?? _late.NewestFarBehind(_newestSample);
 
         /// <summary>Adds a received value, which may repeat the previous value.</summary>
         /// <remarks>
@@ -54,6 +63,7 @@ namespace Nowpose.Signals
         /// <param name="arrival">Control time of the arrival; null if unknown.</param>
         public DropReason Add(ControlTime stamp, double value, ControlTime? arrival = null)
         {
+            _future = null;
             if (stamp > arrival)
             {
                 // The ordinary values that follow may be late by a normal delay. If they are older, the clock of the source went back.
@@ -68,6 +78,9 @@ namespace Nowpose.Signals
             if (!(stamp <= _newestSample)) _newestSample = stamp;
             return Place(stamp, value);
         }
+
+        /// <summary>Keeps a received value whose stamp is in the future until the next value or the next <see cref="Restart"/>.</summary>
+        public void AddFuture(double value) => _future = value;
 
         /// <summary>Makes the next change visible if the display time has reached it.</summary>
         /// <returns>Whether a change has become visible. Call the method until it returns false, so that no change is missed.</returns>
@@ -86,17 +99,18 @@ namespace Nowpose.Signals
         }
 
         /// <summary>
-        /// Discards all times, because they are no longer valid. The newest value becomes visible, because a source that publishes only
-        /// changes does not repeat it.
+        /// Discards all times, because they are no longer valid. The newest value, also an <see cref="Unplaced"/> one, becomes visible, because a
+        /// source that publishes only changes does not repeat it.
         /// </summary>
         public void Restart()
         {
-            if (_count == 0) return;
-            var newest = _changes[_count - 1].Value;
+            if (_count == 0 && Unplaced == null) return;
+            var newest = Unplaced ?? _changes[_count - 1].Value;
             _count = 0;
             if (_isVisible) _changes[_count++] = new Change(Always, _changes[0].Value);
             if (!_isVisible || _changes[0].Value != newest) _changes[_count++] = new Change(Always, newest);
             Newest = _newestSample = null;
+            _future = null;
             _late.Clear();
             Restarted?.Invoke(this);
         }

@@ -81,6 +81,7 @@ namespace Nowpose.Session.Cell
             if (!isConnected) return SignalMessages.NoConnection;
             if (_ended.TryGetValue(signal, out var report)) return report.Reason;
             var index = Table.IndexOf(signal);
+            if (index >= 0 && Table[index].Unplaced.HasValue) return SignalMessages.StampMismatch;
             if (index < 0 || !Table[index].IsKnown)
             {
                 if (!_isWaitingForClock) return SignalMessages.NoValue;
@@ -121,7 +122,10 @@ namespace Nowpose.Session.Cell
             var arrival = clock.ToControl(signal.Arrival);
             var isInFuture = StampRule.IsInFuture(signal.Stamp, arrival, clock.ErrorBound);
             var reason = isInFuture ? DropReason.StampInFuture : Table.Add(signal.Stamp, signal.Value, arrival);
-            if (reason == DropReason.None || reason == DropReason.DuplicateSample) Table[Table.IndexOf(signal.Value.Name)].Received = signal.Arrival;
+            if (isInFuture) Table.AddFuture(signal.Value);
+            var index = Table.IndexOf(signal.Value.Name);
+            var isUsed = reason == DropReason.None || reason == DropReason.DuplicateSample;
+            if (index >= 0 && (isUsed || Table[index].Unplaced.HasValue)) Table[index].Received = signal.Arrival;
             _drops.Count(reason);
             Judged?.Invoke(signal.Value, signal.Stamp, signal.Arrival, reason);
         }

@@ -194,6 +194,23 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That((restarts, signal.Value), Is.EqualTo((0, 1.0)));
         }
 
+        [TestCase(0.2, null, 1)]
+        [TestCase(0.3, 0.5, 0.5)]
+        public void Restart_AfterALateValue_ShowsItOnlyIfItCannotHaveBeenOvertaken(double lateBy, double? unplaced, double shown)
+        {
+            var signal = new SignalTrack("grip");
+            signal.Add(At(10), 0);
+            signal.Add(At(11), 1);
+            while (signal.Next(At(12))) { }
+
+            Assert.That(signal.Add(At(11 - lateBy), 0.5), Is.EqualTo(DropReason.LateSample));
+            Assert.That(signal.Unplaced, Is.EqualTo(unplaced));
+            signal.Restart();
+            while (signal.Next(At(1))) { }
+
+            Assert.That((signal.Value, signal.Unplaced), Is.EqualTo((shown, (double?)null)));
+        }
+
         [Test]
         public void Next_WaitingChangeCorrectedToTheVisibleValue_IsNotAChange()
         {
