@@ -79,6 +79,67 @@ public sealed class GatewayDialerTests
         foreach (var one in accepted) one.Dispose();
     }
 
+    // A host name may have the address of an interface that this network cannot reach.
+    [TestCase(1)]
+    [TestCase(3)]
+    public async Task Open_FirstAddressesOfTheHostDoNotRespond_ConnectsToTheLast(int silent)
+    {
+        using var listener = new TcpListener(IPAddress.Loopback, 0);
+        listener.Start();
+        IPAddress[] addresses = [.. Enumerable.Range(1, silent).Select(i => IPAddress.Parse("192.0.2." + i)), IPAddress.Loopback];
+        var dialer = new GatewayDialer(
+            new ConnectionSettings("localhost"),
+            (tcp, address, port) => IPAddress.IsLoopback(address) ? tcp.ConnectAsync(address, port) : new TaskCompletionSource().Task,
+            _ => Task.FromResult(addresses));
+
+        using var stream = await dialer.OpenAsync(((IPEndPoint)listener.LocalEndpoint).Port, default).Bounded();
+
+        using var accepted = await listener.AcceptTcpClientAsync().Bounded();
+        await stream.WriteAsync(new byte[] { 42 });
+        Assert.That(accepted.GetStream().ReadByte(), Is.EqualTo(42));
+    }
+
+    [Test]
+    public async Task Open_FirstAddressSilentAndSecondRefuses_ConnectsWithTheSecondAttemptToTheFirst()
+    {
+        using var listener = new TcpListener(IPAddress.Loopback, 0);
+        listener.Start();
+        var tried = new List<IPAddress>();
+        var silent = IPAddress.Loopback;
+        var refusing = IPAddress.Parse("127.0.0.2");
+        var dialer = new GatewayDialer(
+            new ConnectionSettings("localhost"),
+            (tcp, address, port) =>
+            {
+                tried.Add(address);
+                if (address.Equals(refusing)) return Task.FromException(new SocketException((int)SocketError.ConnectionRefused));
+                return tried.Count == 1 ? new TaskCompletionSource().Task : tcp.ConnectAsync(address, port);
+            },
+            _ => Task.FromResult(new[] { silent, refusing }));
+
+        using var stream = await dialer.OpenAsync(((IPEndPoint)listener.LocalEndpoint).Port, default).Bounded();
+
+        Assert.That(tried, Is.EqualTo(new[] { silent, refusing, silent }));
+    }
+
+    [Test]
+    public void Open_AllAddressesRefuse_ThrowsAfterOneAttemptToEach()
+    {
+        var tried = new List<IPAddress>();
+        IPAddress[] addresses = [IPAddress.Loopback, IPAddress.Parse("127.0.0.2")];
+        var dialer = new GatewayDialer(
+            new ConnectionSettings("localhost"),
+            (_, address, _) =>
+            {
+                tried.Add(address);
+                return Task.FromException(new SocketException((int)SocketError.ConnectionRefused));
+            },
+            _ => Task.FromResult(addresses));
+
+        Assert.ThrowsAsync<SocketException>(() => dialer.OpenAsync(1, default).Bounded());
+        Assert.That(tried, Is.EqualTo(addresses));
+    }
+
     static async Task ReachesAsync(IPAddress listening, string host)
     {
         var listener = new TcpListener(listening, 0);

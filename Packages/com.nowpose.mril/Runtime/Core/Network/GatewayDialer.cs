@@ -15,22 +15,20 @@ namespace Nowpose.Network
     /// <summary>Opens a byte stream to the gateway: TCP with NoDelay, inside TLS if the settings require it.</summary>
     sealed class GatewayDialer
     {
-        /// <summary>
-        /// Time without a connection after which a second attempt starts. Longer than the round-trip time in a local network, so that a second
-        /// attempt is rare unless a packet was lost.
-        /// </summary>
-        static readonly TimeSpan SecondAttempt = TimeSpan.FromMilliseconds(300);
-
         readonly ConnectionSettings _settings;
         readonly ServerTrust _trust;
-        readonly Func<TcpClient, IPAddress, int, Task> _connect;
+        readonly ConnectionAttempts _attempts;
+        readonly Func<string, Task<IPAddress[]>> _resolve;
 
         /// <param name="connect">Connects a client to an address and a port; null for a TCP connection.</param>
-        public GatewayDialer(ConnectionSettings settings, Func<TcpClient, IPAddress, int, Task> connect = null)
+        /// <param name="resolve">Gets the addresses of a host name; null for those of the system.</param>
+        public GatewayDialer(
+            ConnectionSettings settings, Func<TcpClient, IPAddress, int, Task> connect = null, Func<string, Task<IPAddress[]>> resolve = null)
         {
             _settings = settings;
             _trust = new ServerTrust(settings.Pin);
-            _connect = connect ?? ((tcp, address, port) => tcp.ConnectAsync(address, port));
+            _attempts = new ConnectionAttempts(connect ?? ((tcp, address, port) => tcp.ConnectAsync(address, port)));
+            _resolve = resolve ?? Dns.GetHostAddressesAsync;
         }
 
         /// <exception cref="GatewayRefusalException">
@@ -45,7 +43,7 @@ namespace Nowpose.Network
                 inTime.CancelAfter(ProtocolLimits.DialTimeout);
                 try
                 {
-                    return await TryAllAsync(port, inTime.Token).OrCancelled(inTime.Token).ConfigureAwait(false);
+                    return await OpenStreamAsync(port, inTime.Token).OrCancelled(inTime.Token).ConfigureAwait(false);
                 }
                 catch (Exception failure)
                 {
@@ -58,36 +56,19 @@ namespace Nowpose.Network
             }
         }
 
-        async Task<Stream> TryAllAsync(int port, CancellationToken cancel)
-        {
-            var addresses = await AddressesAsync().ConfigureAwait(false);
-            for (var i = 0; ; i++)
-            {
-                cancel.ThrowIfCancellationRequested();
-                try
-                {
-                    return await OpenAsync(addresses[i], port, cancel).ConfigureAwait(false);
-                }
-                catch (SocketException) when (i + 1 < addresses.Length)
-                {
-                    // Tries the next address: the gateway may listen only on another of its addresses, or this machine may not support this
-                    // address's protocol.
-                }
-            }
-        }
-
-        // IPv4 addresses come first, because a gateway listens on them by default and an address without a response uses up the timeout.
+        // IPv4 addresses come first, because a gateway listens on them by default.
         async Task<IPAddress[]> AddressesAsync()
         {
             if (IPAddress.TryParse(_settings.Host, out var literal)) return new[] { literal };
-            var found = await Dns.GetHostAddressesAsync(_settings.Host).ConfigureAwait(false);
+            var found = await _resolve(_settings.Host).ConfigureAwait(false);
             if (found.Length == 0) throw new SocketException((int)SocketError.HostNotFound);
             return found.OrderBy(address => address.AddressFamily == AddressFamily.InterNetwork ? 0 : 1).ToArray();
         }
 
-        async Task<Stream> OpenAsync(IPAddress address, int port, CancellationToken cancel)
+        async Task<Stream> OpenStreamAsync(int port, CancellationToken cancel)
         {
-            var tcp = await ConnectAsync(address, port, cancel).ConfigureAwait(false);
+            var addresses = await AddressesAsync().ConfigureAwait(false);
+            var tcp = await _attempts.ConnectAsync(addresses, port, cancel).ConfigureAwait(false);
             try
             {
                 // Closing the socket is the only way to cancel a connection attempt or a TLS handshake on .NET Standard 2.1.
@@ -102,53 +83,6 @@ namespace Nowpose.Network
                 tcp.Dispose();
                 throw;
             }
-        }
-
-        // The system repeats a lost packet of a connection attempt only after a second. A second attempt replaces it sooner. The attempt that ends
-        // first decides, because a refusal applies to both.
-        async Task<TcpClient> ConnectAsync(IPAddress address, int port, CancellationToken cancel)
-        {
-            using (var stop = CancellationTokenSource.CreateLinkedTokenSource(cancel))
-            {
-                var first = AttemptAsync(address, port, stop.Token);
-                var ended = first;
-                await Task.WhenAny(first, Task.Delay(SecondAttempt, stop.Token)).ConfigureAwait(false);
-                if (!first.IsCompleted)
-                {
-                    var second = AttemptAsync(address, port, stop.Token);
-                    ended = await Task.WhenAny(first, second).ConfigureAwait(false);
-                    _ = (ended == first ? second : first).ContinueWith(
-                        DisposeResult, CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
-                }
-
-                // Ends the other attempt and the delay.
-                stop.Cancel();
-                return await ended.ConfigureAwait(false);
-            }
-        }
-
-        async Task<TcpClient> AttemptAsync(IPAddress address, int port, CancellationToken cancel)
-        {
-            // The address family is explicit, because without it a client supports only IPv4 under Mono and IL2CPP.
-            var tcp = new TcpClient(address.AddressFamily) { NoDelay = true };
-            try
-            {
-                using (cancel.Register(tcp.Dispose))
-                    await _connect(tcp, address, port).ConfigureAwait(false);
-                return tcp;
-            }
-            catch
-            {
-                tcp.Dispose();
-                throw;
-            }
-        }
-
-        // Reads the exception of a failed attempt, so that it is not reported as unobserved.
-        static void DisposeResult(Task<TcpClient> attempt)
-        {
-            if (attempt.Status == TaskStatus.RanToCompletion) attempt.Result.Dispose();
-            else _ = attempt.Exception;
         }
 
         async Task<Stream> SecureAsync(Stream plain)
