@@ -14,6 +14,11 @@ static class DropMessages
     /// <summary>Precedes the text of <see cref="DropReason.TooLarge"/> if the limit applies to the message that the gateway would send.</summary>
     public const string AsWritten = "as the gateway writes it,";
 
+    public static readonly string TooManySubscriptions =
+        $"the client exceeds the maximum of {ProtocolLimits.SubscriptionsPerTopic} subscriptions to one topic; unsubscribe from some, or use their ids again";
+
+    public static readonly string IdTooLong = $"the id is longer than the maximum of {ProtocolLimits.KeyLength} characters; shorten it";
+
     /// <param name="maxPerSecond">Maximum number of messages that the client's role may send per second.</param>
     public static string TooManyMessages(int maxPerSecond) =>
         $"the client exceeds the message rate of its role; the maximum is {maxPerSecond} messages/s; reduce the rate";

@@ -128,7 +128,7 @@ sealed class RosbridgeSession : IDisposable
             return;
         }
 
-        if (!HasRoomFor(message))
+        if (!HasRoomFor(message) || !HasRoomForId(message))
             return;
         Warn(message);
         if (!Publications.IsKnown(message.RobotTopic))
@@ -254,6 +254,15 @@ sealed class RosbridgeSession : IDisposable
         if (!isNameGood || topics.Count > ProtocolLimits.TopicsPerClient)
             _replies.Drop(message, isNameGood ? DropReason.TooManyTopics : DropReason.NameTooLong);
         return isNameGood && topics.Count <= ProtocolLimits.TopicsPerClient;
+    }
+
+    bool HasRoomForId(RosbridgeMessage message)
+    {
+        var isIdGood = !(message.Id?.Length > ProtocolLimits.KeyLength);
+        if (isIdGood && _subscriptions.HasRoomFor(message.Topic, message.Id)) return true;
+        if (isIdGood) _replies.Drop(message, DropReason.TooManyTopics, rule: DropMessages.TooManySubscriptions);
+        else _replies.Drop(message, DropReason.NameTooLong, rule: DropMessages.IdTooLong);
+        return false;
     }
 
     // Derives the client's ROS version from the newest type name that it has sent, for responses of services, whose requests contain no type.

@@ -10,6 +10,10 @@ sealed class SubscriptionSet(MessageHub hub, int queueLength, DropCounters drops
 
     public IEnumerable<string> Topics => _topics.Keys;
 
+    /// <summary>Whether a subscription can be added, or replaces one with the same id.</summary>
+    public bool HasRoomFor(string topic, string id) => !_topics.TryGetValue(topic, out var present)
+        || present.Wishes.Count < ProtocolLimits.SubscriptionsPerTopic || present.Wishes.Exists(wish => wish.Id == id);
+
     /// <summary>Adds a subscription, or replaces the one with the same id.</summary>
     /// <returns>Format of times of all subscriptions to the topic, which is that of the first.</returns>
     public RosTimeForm Add(string topic, string id, SubscriptionTerms terms)

@@ -1,6 +1,8 @@
+using System.Globalization;
 using System.Net.WebSockets;
 using NUnit.Framework;
 using Nowpose.Gateway;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
@@ -113,6 +115,41 @@ public class RosbridgeTopicTests
         await SubscribeToUnknownAsync(client, "/one_more");
         Assert.That(gateway.Drops[DropReason.TooManyTopics], Is.EqualTo(2));
     }
+
+    [Test]
+    public async Task Subscribe_MoreThan64IdsOfATopic_IsRefused()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        for (var i = 0; i < ProtocolLimits.SubscriptionsPerTopic; i++) await client.SendAsync(Subscribe(i.ToString(CultureInfo.InvariantCulture)));
+        await client.RoundTripAsync();
+
+        await client.SendAsync(Subscribe("one more"));
+        await client.ExpectErrorAsync(DropMessages.TooManySubscriptions);
+        Assert.That(gateway.Drops[DropReason.TooManyTopics], Is.EqualTo(1));
+
+        await client.SendAsync(Subscribe("0"));
+        await client.SendAsync("""{"op":"unsubscribe","topic":"/joint_states","id":"0"}""");
+        await client.SendAsync(Subscribe("one more"));
+        await client.RoundTripAsync();
+        Assert.That(gateway.Drops.Total, Is.EqualTo(1));
+    }
+
+    [TestCase(0, 0)]
+    [TestCase(1, 1)]
+    public async Task Subscribe_LongId_IsRefusedAboveTheMaximumLength(int more, int dropped)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync(Subscribe(new string('i', ProtocolLimits.KeyLength + more)));
+
+        if (dropped > 0) await client.ExpectErrorAsync(DropMessages.IdTooLong);
+        await client.RoundTripAsync();
+        Assert.That(gateway.Drops[DropReason.NameTooLong], Is.EqualTo(dropped));
+    }
+
+    static string Subscribe(string id) => $$"""{"op":"subscribe","topic":"{{RosTopics.JointStates}}","id":"{{id}}"}""";
 
     [Test]
     public async Task Subscribe_TopicNeverPublished_ReceivesAWarning()

@@ -22,7 +22,10 @@ namespace Nowpose.Protocol
         /// <summary>Maximum length of a joint name without the namespace of its robot, in UTF-16 code units.</summary>
         public const int NameLength = 128;
 
-        /// <summary>Maximum length of a key of diagnostics, in UTF-16 code units. A key is a name with its namespace, after a prefix.</summary>
+        /// <summary>
+        /// Maximum length of a key of diagnostics and of the id of a subscription, in UTF-16 code units. A key is a name with its namespace, after a
+        /// prefix; clients also make ids from the name of the topic.
+        /// </summary>
         public const int KeyLength = 256;
 
         /// <summary>Maximum number of robots in namespaces per gateway; the robot without a namespace is not counted.</summary>
@@ -41,6 +44,10 @@ namespace Nowpose.Protocol
         public const int Signals = 256;
 
         public const int TopicsPerClient = 64;
+
+        /// <summary>Maximum number of subscriptions of a client to one topic; they differ in their ids.</summary>
+        public const int SubscriptionsPerTopic = 64;
+
         public const int FragmentsPerMessage = 64;
         public static readonly TimeSpan MessageTimeout = TimeSpan.FromSeconds(5);
 
