@@ -8,7 +8,7 @@ namespace Nowpose.Gateway.Hub;
 public sealed class MessageHub
 {
     readonly Lock _lock = new();
-    readonly NameOwners<(string Topic, string Name)> _owners = new();
+    readonly TopicOwners _owners = new();
     readonly Subscribers _subscribers = new();
     readonly Dictionary<(HubSource Source, string Topic), HubMessage> _newest = [];
     readonly RobotRegistry _robots = new();
@@ -207,27 +207,29 @@ public sealed class MessageHub
 
     /// <summary>Makes a source the owner of all names on a robot's topic, or of none if one name belongs to another source.</summary>
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
-    /// <returns>The refusal with the name that belongs to another source; null if the source owns all names.</returns>
+    /// <returns>
+    /// A refusal if a name belongs to another source, or if there are too many names or robots; null if the source owns all names.
+    /// </returns>
     internal Refusal? Claim(HubSource source, string robot, string kind, string[] names)
     {
         lock (_lock)
         {
             var topic = RobotTopic.NameOf(robot, kind);
-            if (FindTaken(source, topic, names) is { } taken)
+            if (_owners.FindTaken(source, topic, names) is { } taken)
             {
                 if (kind == RosTopics.JointStates) Refused?.Invoke(source, kind, RobotTopic.Qualified(robot, taken.What), taken.Owner);
                 return taken;
             }
 
-            if (Use(source, robot, kind) is { } refusal) return refusal;
-            foreach (var name in names) _owners.Take(source, (topic, name));
+            if ((_owners.FindExcess(topic, names) ?? Use(source, robot, kind)) is { } refusal) return refusal;
+            _owners.Take(source, topic, names);
             return null;
         }
     }
 
     internal bool IsFree(HubSource source, string robot, string[] names)
     {
-        lock (_lock) return FindTaken(source, RobotTopic.NameOf(robot, RosTopics.JointStates), names) == null;
+        lock (_lock) return _owners.FindTaken(source, RobotTopic.NameOf(robot, RosTopics.JointStates), names) == null;
     }
 
     /// <summary>Gets the other source that owns a frame or signal; null if there is none.</summary>
@@ -246,7 +248,7 @@ public sealed class MessageHub
         lock (_lock)
         {
             // The hub would have refused even a valid sample, so the fault does not concern the joints of the other source.
-            if (FindTaken(source, RobotTopic.NameOf(robot, RosTopics.JointStates), names) is { } taken)
+            if (_owners.FindTaken(source, RobotTopic.NameOf(robot, RosTopics.JointStates), names) is { } taken)
             {
                 Refused?.Invoke(source, RosTopics.JointStates, RobotTopic.Qualified(robot, taken.What), taken.Owner);
                 return;
@@ -269,7 +271,7 @@ public sealed class MessageHub
     {
         lock (_lock)
         {
-            _owners.Release(source, name => topic == null || name.Topic == topic);
+            _owners.Release(source, topic);
             if (topic != null) TopicReleased?.Invoke(source, topic);
             foreach (var kept in _newest.Keys.Where(kept => kept.Source == source && (topic == null || kept.Topic == topic)).ToList())
                 _newest.Remove(kept);
@@ -278,10 +280,6 @@ public sealed class MessageHub
             _robots.Release(source, topic);
         }
     }
-
-    Refusal? FindTaken(HubSource source, string topic, string[] names) =>
-        Array.Find(names, name => _owners.OtherThan(source, (topic, name)) != null) is { } taken
-            ? new Refusal(DropReason.JointTaken, taken, _owners[(topic, taken)]) : null;
 
     void RemoveCycles()
     {

@@ -5,7 +5,8 @@ namespace Nowpose.Gateway.Hub;
 /// <summary>The reason why the hub refused a message.</summary>
 /// <param name="What">The joint, frame, signal or robot for which the message was refused.</param>
 /// <param name="Owner">The source that owns the joint, frame or signal; null if the reason is not another source.</param>
-readonly record struct Refusal(DropReason Reason, string What, HubSource Owner = null);
+/// <param name="Rule">The fault as one clause; null for the text of the reason.</param>
+readonly record struct Refusal(DropReason Reason, string What, HubSource Owner = null, string Rule = null);
 
 /// <summary>
 /// A transform or a signal that was left out of a published message: its content is invalid, it breaks a limit of the cell, or it belongs to another source.

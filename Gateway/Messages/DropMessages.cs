@@ -19,6 +19,10 @@ static class DropMessages
 
     public static readonly string IdTooLong = $"the id is longer than the maximum of {ProtocolLimits.KeyLength} characters; shorten it";
 
+    /// <param name="max">Maximum number of joints on a topic, of all sources.</param>
+    public static string TooManyNames(int max) =>
+        $"exceeds the maximum of {max} different joints of all messages; unadvertise the topic, or connect again, to release the earlier joints";
+
     /// <param name="maxPerSecond">Maximum number of messages that the client's role may send per second.</param>
     public static string TooManyMessages(int maxPerSecond) =>
         $"the client exceeds the message rate of its role; the maximum is {maxPerSecond} messages/s; reduce the rate";

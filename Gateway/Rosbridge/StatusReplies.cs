@@ -26,7 +26,7 @@ sealed class StatusReplies(HubSource source, DropCounters drops, Action<string> 
     public void Drop(RosbridgeMessage message, Refusal refusal)
     {
         var owner = refusal.Owner == null ? "" : $", {Short(refusal.Owner.Title)}";
-        Drop(message, refusal.Reason, rule: $"{Short(refusal.What)} {DropMessages.Of(refusal.Reason)}{owner}");
+        Drop(message, refusal.Reason, rule: $"{Short(refusal.What)} {refusal.Rule ?? DropMessages.Of(refusal.Reason)}{owner}");
     }
 
     /// <summary>Reports transforms or signals that were left out of a message, and clears the list. Each is counted; the client receives one status message per reason and owner.</summary>

@@ -34,6 +34,23 @@ public class MessageHubTests
     }
 
     [Test]
+    public void Publish_OtherJointsInEachMessage_IsRefusedAboveTheMaximumUntilTheTopicIsReleased()
+    {
+        using var source = _hub.OpenSource();
+        using var other = _hub.OpenSource();
+        for (var i = 0; i < TopicOwners.MaxNames; i++) Assert.That(source.Publish(Gateways.State(i + 1, "joint" + i)), Is.Null);
+
+        Assert.That(source.Publish(Gateways.State(2, "joint0", "one more"))?.Reason, Is.EqualTo(DropReason.TooManyJoints));
+        Assert.That(other.Publish(Gateways.State(2, "one more"))?.Reason, Is.EqualTo(DropReason.TooManyJoints));
+        Assert.That(source.Publish(Gateways.State(2, "joint0", "joint1")), Is.Null, "no new joint");
+        Assert.That(source.Publish(Plan(1, "one more")), Is.Null, "another topic");
+        Assert.That(source.Publish(Gateways.State(2, "one more"), robot: "arm"), Is.Null, "another robot");
+
+        source.Release(RosTopics.JointStates);
+        Assert.That(other.Publish(Gateways.State(2, "one more")), Is.Null);
+    }
+
+    [Test]
     public void Publish_ArmAndGripperSeparately_PublishesBoth()
     {
         using var arm = _hub.OpenSource();
