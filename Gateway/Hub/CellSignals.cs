@@ -1,18 +1,13 @@
 using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
+using Nowpose.Signals;
 
 namespace Nowpose.Gateway.Hub;
 
 /// <summary>The signals of the cell: their sources and their newest values. A signal is removed when its source ends. Not thread-safe.</summary>
 sealed class CellSignals
 {
-    /// <summary>
-    /// Maximum time by which a late value is older than the newest one. An older stamp shows that the clock of the source went back, because newer
-    /// messages do not overtake a message by more than this time.
-    /// </summary>
-    internal static readonly TimeSpan MaxLateness = TimeSpan.FromSeconds(1);
-
     /// <summary>The sources of all signals.</summary>
     public NameOwners<string> Owners { get; } = new();
 
@@ -46,15 +41,12 @@ sealed class CellSignals
         }
     }
 
-    /// <summary>Returns whether a value is not the newest one, because a newer one has overtaken it.</summary>
-    public static bool IsLate(ControlTime stamp, ControlTime newest) => stamp < newest && newest - stamp <= MaxLateness;
-
     /// <summary>Keeps a published message for later subscribers, for the signals of which it has the newest value.</summary>
     public void Latch(HubMessage message)
     {
         var signals = (SignalsMessage)message.Content;
         for (var i = 0; i < signals.Count; i++)
-            if (Newest.Of(signals[i].Name)?.Content is not SignalsMessage newest || !IsLate(signals.Stamp, newest.Stamp))
+            if (Newest.Of(signals[i].Name)?.Content is not SignalsMessage newest || !LateValues.IsOvertaken(signals.Stamp, newest.Stamp))
                 Newest.Set(signals[i].Name, message);
     }
 

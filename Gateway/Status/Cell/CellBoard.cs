@@ -3,6 +3,7 @@ using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
+using Nowpose.Signals;
 
 namespace Nowpose.Gateway.Status.Cell;
 
@@ -59,7 +60,7 @@ sealed class CellBoard(
             for (var i = 0; i < message.Count; i++)
             {
                 if (!TryGet(_signals, message[i].Name, ProtocolLimits.Signals, signal => signal.IsEnded, out var signal)) continue;
-                if (signal.IsEnded || !CellSignals.IsLate(message.Stamp, signal.Newest)) Update(signal, message[i].Value, message.Stamp);
+                if (signal.IsEnded || !LateValues.IsOvertaken(message.Stamp, signal.Newest)) Update(signal, message[i].Value, message.Stamp);
                 (signal.Source, signal.IsEnded, signal.HasLeft, signal.HasAny) = (source, false, false, true);
                 signal.Refusal = null;
             }

@@ -41,7 +41,7 @@ namespace Nowpose.Session
             foreach (var robot in _session.Robots) robot.Joints.Take(message, arrival);
         }
 
-        public void SignalStatusReceived(JointStatusMessage message, HeadsetTime arrival) => _session.Signals.Take(message);
+        public void SignalStatusReceived(JointStatusMessage message, HeadsetTime arrival) => _session.Signals.Take(message, arrival);
 
         public void Described(string urdf, string robot = "")
         {

@@ -17,11 +17,20 @@ namespace Nowpose.Signals
         /// </summary>
         const int MinFarBehind = 3;
 
+        /// <summary>
+        /// Maximum time by which newer messages overtake a value. Messages stay in order on a connection, and a server discards those that have waited
+        /// for longer.
+        /// </summary>
+        static readonly TimeSpan MaxOvertaken = TimeSpan.FromSeconds(1);
+
         readonly (ControlTime Stamp, double Value)[] _oldestFirst = new (ControlTime, double)[Capacity];
         int _count;
 
         /// <summary>The values, oldest first.</summary>
         public ReadOnlySpan<(ControlTime Stamp, double Value)> All => _oldestFirst.AsSpan(0, _count);
+
+        /// <summary>Returns whether a value is older than the newest one, and newer messages can have overtaken it.</summary>
+        public static bool IsOvertaken(ControlTime stamp, ControlTime? newest) => stamp < newest && newest - stamp <= MaxOvertaken;
 
         /// <summary>
         /// Adds a received value. If the value is not late, the late values before it are discarded: newer messages have only overtaken them on the

@@ -39,11 +39,12 @@ namespace Nowpose.Signals
         /// <summary>Adds a received value.</summary>
         /// <param name="stamp">Control time from which the signal has the value.</param>
         /// <param name="arrival">Control time of the arrival; null if unknown.</param>
+        /// <param name="isOfNewSource">See <see cref="SignalTrack.Add"/>.</param>
         /// <returns>Drop reason; <see cref="DropReason.None"/> if the value was used.</returns>
-        public DropReason Add(ControlTime stamp, in SignalValue value, ControlTime? arrival = null)
+        public DropReason Add(ControlTime stamp, in SignalValue value, ControlTime? arrival = null, bool isOfNewSource = false)
         {
             var index = IndexOfNew(value.Name);
-            return index < 0 ? DropReason.TooManySignals : _signals[index].Add(stamp, value.Value, arrival);
+            return index < 0 ? DropReason.TooManySignals : _signals[index].Add(stamp, value.Value, arrival, isOfNewSource);
         }
 
         /// <summary>Keeps a received value whose stamp is in the future; see <see cref="SignalTrack.Unplaced"/>.</summary>

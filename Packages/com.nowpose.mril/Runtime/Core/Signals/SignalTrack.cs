@@ -58,12 +58,20 @@ namespace Nowpose.Signals
         /// <summary>Adds a received value, which may repeat the previous value.</summary>
         /// <remarks>
         /// If late stamps show that the source's clock went back, the signal restarts with the late values. An announced change, whose stamp is later
-        /// than its arrival, does not make the values after it late.
+        /// than its arrival, does not make the values after it late. A value that is too late to have been overtaken comes from another source, or its
+        /// source has restarted; it is sufficient if it differs from the known values, because a source that publishes only changes sends no other.
         /// </remarks>
         /// <param name="arrival">Control time of the arrival; null if unknown.</param>
-        public DropReason Add(ControlTime stamp, double value, ControlTime? arrival = null)
+        /// <param name="isOfNewSource">Whether the former source may have ended since its last value. The value is then not an overtaken one.</param>
+        public DropReason Add(ControlTime stamp, double value, ControlTime? arrival = null, bool isOfNewSource = false)
         {
             _future = null;
+            var newest = isOfNewSource ? Newest : _newestSample;
+            if (stamp < newest && (isOfNewSource || !LateValues.IsOvertaken(stamp, newest)) && !Includes(stamp, value))
+            {
+                RestartWith(stackalloc[] { (stamp, value) });
+                return DropReason.None;
+            }
             if (stamp > arrival)
             {
                 // The ordinary values that follow may be late by a normal delay. If they are older, the clock of the source went back.
@@ -72,7 +80,7 @@ namespace Nowpose.Signals
             }
             if (_late.Add(stamp, value, _newestSample))
             {
-                RestartWithLateValues();
+                RestartWith(_late.All);
                 return DropReason.None;
             }
             if (!(stamp <= _newestSample)) _newestSample = stamp;
@@ -117,14 +125,22 @@ namespace Nowpose.Signals
 
         // Keeps the visible value until the display time reaches the first late value. Discards the other values, because their stamps are from
         // before the clock went back.
-        void RestartWithLateValues()
+        void RestartWith(ReadOnlySpan<(ControlTime, double)> lateValues)
         {
             _count = 0;
             if (_isVisible) _changes[_count++] = new Change(Always, _changes[0].Value);
             Newest = _newestSample = null;
-            foreach (var (stamp, value) in _late.All) Place(stamp, value);
+            foreach (var (stamp, value) in lateValues) Place(stamp, value);
             _late.Clear();
             Restarted?.Invoke(this);
+        }
+
+        // Returns whether the signal had a value at a time, according to the changes that are kept.
+        bool Includes(ControlTime stamp, double value)
+        {
+            var place = _count - 1;
+            while (place >= 0 && _changes[place].Stamp > stamp) place--;
+            return place >= 0 && _changes[place].Value == value;
         }
 
         DropReason Place(ControlTime stamp, double value)

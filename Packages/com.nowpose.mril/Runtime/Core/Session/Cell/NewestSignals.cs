@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
+using Nowpose.Signals;
 
 namespace Nowpose.Session.Cell
 {
@@ -27,7 +28,7 @@ namespace Nowpose.Session.Cell
         readonly object _gate = new object();
         readonly Dictionary<string, ArrivedSignal> _values = new Dictionary<string, ArrivedSignal>(StringComparer.Ordinal);
 
-        /// <summary>Keeps a value unless the kept value of the same signal has a later stamp.</summary>
+        /// <summary>Keeps a value unless a newer value of the same signal has overtaken it.</summary>
         /// <returns>Reason why the given or the kept value was dropped; <see cref="DropReason.None"/> if neither value was dropped.</returns>
         public DropReason Keep(in ArrivedSignal arrived)
         {
@@ -35,7 +36,7 @@ namespace Nowpose.Session.Cell
             {
                 var isKnown = _values.TryGetValue(arrived.Value.Name, out var kept);
                 if (!isKnown && _values.Count >= ProtocolLimits.Signals) return DropReason.TooManySignals;
-                if (!isKnown || kept.Stamp <= arrived.Stamp) _values[arrived.Value.Name] = arrived;
+                if (!isKnown || !LateValues.IsOvertaken(arrived.Stamp, kept.Stamp)) _values[arrived.Value.Name] = arrived;
                 return isKnown ? DropReason.SlowReader : DropReason.None;
             }
         }

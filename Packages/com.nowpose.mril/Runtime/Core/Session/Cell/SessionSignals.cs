@@ -23,6 +23,7 @@ namespace Nowpose.Session.Cell
         readonly Subscriptions _subscriptions;
         readonly DropCounters _drops;
         readonly ConnectionStart _connection;
+        readonly SourceEnds _ends = new SourceEnds();
         // The receiving thread replaces the whole dictionary, so readers need no lock.
         volatile Dictionary<string, JointReport> _ended = new Dictionary<string, JointReport>(StringComparer.Ordinal);
 
@@ -66,10 +67,11 @@ namespace Nowpose.Session.Cell
         }
 
         /// <summary>Stores the reports of the signals whose source has ended. Thread-safe.</summary>
-        public void Take(JointStatusMessage message)
+        public void Take(JointStatusMessage message, HeadsetTime arrival)
         {
             var ended = new Dictionary<string, JointReport>(StringComparer.Ordinal);
             foreach (var report in message.Joints)
+            _ends.Add(message, arrival);
                 if (!report.State.IsGood()) ended[report.Joint] = report;
             _ended = ended;
         }
@@ -121,7 +123,7 @@ namespace Nowpose.Session.Cell
         {
             var arrival = clock.ToControl(signal.Arrival);
             var isInFuture = StampRule.IsInFuture(signal.Stamp, arrival, clock.ErrorBound);
-            var reason = isInFuture ? DropReason.StampInFuture : Table.Add(signal.Stamp, signal.Value, arrival);
+            var reason = isInFuture ? DropReason.StampInFuture : Table.Add(signal.Stamp, signal.Value, arrival, IsOfNewSource(signal));
             if (isInFuture) Table.AddFuture(signal.Value);
             var index = Table.IndexOf(signal.Value.Name);
             var isUsed = reason == DropReason.None || reason == DropReason.DuplicateSample;
@@ -131,3 +133,11 @@ namespace Nowpose.Session.Cell
         }
     }
 }
+        // Over a new connection, the gateway first sends the value that it regards as the newest.
+        bool IsOfNewSource(in ArrivedSignal signal)
+        {
+            var index = Table.IndexOf(signal.Value.Name);
+            return index >= 0 && Table[index].Received is HeadsetTime former
+                && (!_connection.Includes(former) || _ends.IsBetween(former, signal.Arrival, signal.Value.Name));
+        }
+

@@ -26,11 +26,11 @@ namespace Nowpose.Tests.Core.Signals
         public void Next_SeveralChanges_AreShownInTheOrderOfTheirStamps()
         {
             var signal = new SignalTrack("grip");
-            signal.Add(At(12), 0.5);
+            signal.Add(At(10.2), 0.5);
             signal.Add(At(10), 1);
-            signal.Add(At(11), 0);
+            signal.Add(At(10.1), 0);
 
-            foreach (var (time, value) in new[] { (10, 1.0), (11, 0.0), (12, 0.5) })
+            foreach (var (time, value) in new[] { (10, 1.0), (10.1, 0.0), (10.2, 0.5) })
             {
                 Assert.That(signal.Next(At(20)), Is.True);
                 Assert.That((signal.Since, signal.Value), Is.EqualTo(((ControlTime?)At(time), value)));
@@ -142,7 +142,8 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That(signal.Value, Is.EqualTo(messages.Find(each => each.Stamp == 10 + 0.01 * 29).Value));
         }
 
-        [TestCase(100, 1, 3)] // the source started again
+        [TestCase(100, 1, 1)] // no message is overtaken by so much
+        [TestCase(0.5, 0.01, 3)]
         [TestCase(0.2, 0.01, 5)] // so small that overtaken messages could be the cause
         public void Add_StampsOfTheSourceGoBack_RestartsWithTheLateValues(double step, double interval, int needed)
         {
@@ -178,6 +179,22 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That((signal.Since, signal.Value), Is.EqualTo(((ControlTime?)At(960), 0.0)));
         }
 
+        // A source that publishes only changes may have no other value for hours.
+        [Test]
+        public void Add_OneValueOlderThanAnyOvertakenMessage_RestartsOnlyIfItContradictsTheKnownValues()
+        {
+            var signal = new SignalTrack("grip");
+            var restarts = 0;
+            signal.Restarted += _ => restarts++;
+            signal.Add(At(1000), 1);
+            signal.Add(At(1009), 1);
+            signal.Next(At(1009));
+
+            Assert.That((signal.Add(At(1001), 1), restarts), Is.EqualTo((DropReason.None, 0)), "the signal had this value at that time");
+            Assert.That((signal.Add(At(990), 0), restarts), Is.EqualTo((DropReason.None, 1)));
+            Assert.That((signal.Next(At(1009)), signal.Value, signal.Since), Is.EqualTo((true, 0.0, (ControlTime?)At(990))));
+        }
+
         [Test]
         public void Add_SingleOldMessagesAmongNewOnes_DoNotRestart()
         {
@@ -188,7 +205,7 @@ namespace Nowpose.Tests.Core.Signals
             {
                 signal.Add(At(1000 + 0.1 * k), k % 2);
                 signal.Next(At(1000 + 0.1 * k));
-                if (k % 5 < 2) signal.Add(At(10 + k), 0.5);
+                if (k % 5 < 2) signal.Add(At(999.3 + 0.1 * k), 0.5);
             }
 
             Assert.That((restarts, signal.Value), Is.EqualTo((0, 1.0)));

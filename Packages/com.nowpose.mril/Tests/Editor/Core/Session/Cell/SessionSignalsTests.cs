@@ -151,7 +151,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         // The headset still has the former control time when the value arrives, and the source does not repeat the value.
         [TestCase(3600, true)]
         [TestCase(3600, false)]
-        [TestCase(-10, true)]
+        [TestCase(-0.5, true)]
         public void Signal_BetweenAClockStepAndTheNextExchanges_IsNotCurrentUntilItIsShown(double step, bool isKnownBefore)
         {
             var cell = new CellSession();
@@ -184,6 +184,45 @@ namespace Nowpose.Tests.Core.Session.Cell
             cell.Run(0.2);
 
             Assert.That((ValueOf(cell, "grip"), cell.Session.Signals.FaultOf("grip", isConnected: true)), Is.EqualTo((0.5, (string)null)));
+        }
+
+        // The new source may have had its value since before the last change of the former source. A small difference could also be that of a message
+        // that was overtaken.
+        [TestCase(10, true)]
+        [TestCase(0.3, true)]
+        [TestCase(0.3, false)]
+        public void Signal_ValueOfANewSourceIsOlderThanTheFormerValue_IsShown(double older, bool isSameConnection)
+        {
+            var cell = new CellSession();
+            cell.Reconnect();
+            cell.Send("grip", 19.9, 1);
+            cell.Run(0.3);
+            if (isSameConnection)
+                foreach (var reports in new[] { new[] { new JointReport("grip", JointDataState.Stale, ControlTime.FromSeconds(cell.Now), "its source has ended") },
+                             Array.Empty<JointReport>() })
+                    cell.Session.Listener.SignalStatusReceived(new JointStatusMessage(reports), HeadsetTime.FromSeconds(cell.Now));
+            else cell.Reconnect();
+            cell.Run(0.1);
+
+            cell.Session.Listener.SignalsReceived(
+                new SignalsMessage(ControlTime.FromSeconds(19.9 - older), new SignalValue("grip", 0)), HeadsetTime.FromSeconds(cell.Now));
+            cell.Run(0.1);
+
+            Assert.That((ValueOf(cell, "grip"), cell.Session.Signals.FaultOf("grip", isConnected: true)), Is.EqualTo((0.0, (string)null)));
+        }
+
+        [Test]
+        public void Signal_OlderValuesOfANewSourceWaitForTheClock_ShowsTheNewestOfThem()
+        {
+            var cell = new CellSession(isClockKnown: false);
+            cell.Send("grip", 19, 1);
+            cell.Send("grip", 15, 0);
+            for (var k = 0; k < 1000; k++) cell.Send("speed", 16 + 0.001 * k, k);
+
+            cell.Synchronise();
+            cell.Run(0.1);
+
+            Assert.That(ValueOf(cell, "grip"), Is.Zero);
         }
 
         [Test]
