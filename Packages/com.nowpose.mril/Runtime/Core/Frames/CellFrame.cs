@@ -219,8 +219,9 @@ namespace Nowpose.Frames
         {
             if (Reach == null || pose.Stamp <= _newest) return false;
             var source = pose.ToPose();
-            _sourceRest.Add(source);
-            return Reach.IsReleased && pose.Stamp > Reach.Since && _sourceRest.IsLeftBy(source);
+            // A stationary pose has no time, and no noise.
+            if (!_isStationary) _sourceRest.Add(source);
+            return Reach.IsReleased && (_isStationary || pose.Stamp > Reach.Since) && _sourceRest.IsLeftBy(source);
         }
 
         void Begin(in FrameTransform pose, bool isStationary)

@@ -1,3 +1,5 @@
+using Nowpose.Frames;
+using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Session.Cell.GripScene;
@@ -39,6 +41,27 @@ namespace Nowpose.Tests.Core.Session.Cell
 
             Assert.That(cell.Session.Frames.StateOf(Find(cell, "box")), Is.EqualTo(PoseState.Current));
         }
+
+        [Test]
+        public void StateOf_ReleasedStationaryObjectIsPublished_FollowsItsSourceOnlyToAnotherPose()
+        {
+            var (cell, _) = NewCell("box");
+            cell.Send("world", "box", 0, At(1, 0), isStationary: true);
+            cell.Sampling = t => cell.SendJoints(t, Shoulder(t), 0);
+            Move(cell);
+            var released = Find(cell, "box").World;
+
+            Publish(cell, 1);
+            Until(cell, Open + 1);
+            Assert.That(Distance(Find(cell, "box").World, released), Is.Zero, "its source repeats the pose from before the grip");
+
+            Publish(cell, 0.5);
+            Until(cell, Open + 2);
+            Assert.That(Distance(Find(cell, "box").World, At(0.5, 0)), Is.LessThan(1e-9));
+        }
+
+        static void Publish(CellSession cell, double x) => cell.Session.Listener.FramesReceived(
+            new TransformsMessage(At(x, 0).ToTransform(default, "world", "box")), true, HeadsetTime.FromSeconds(cell.Now));
 
         static void Move(CellSession cell)
         {
