@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Prediction;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -14,7 +15,7 @@ namespace Nowpose.Frames
         BodyPredictor _predictor;
         RigidTransform _given = RigidTransform.Identity;
         RigidTransform? _shown;
-        ControlTime? _newest;
+        ControlTime? _newest, _movedAt;
         PoseFade _fade;
         string _parent;
         ReachPlace _reach, _nextReach;
@@ -65,12 +66,28 @@ namespace Nowpose.Frames
         /// <summary>Whether a change of the parent, or of the place that a gripper determines, waits for the next display frame.</summary>
         public bool IsBeingHandedOver => _handOver.Count > 0 || _isReachWaiting;
 
-        /// <summary>A gripper that may hold the object or may have moved it, and whose held object is unknown; null if there is none.</summary>
+        /// <summary>A gripper that may hold the object, because its held object is unknown; null if there is none.</summary>
         public ReachGrip UnknownGrip
         {
             get => _unknownGrip?.Fault != null ? _unknownGrip : null;
-            set => _unknownGrip = value;
+            set
+            {
+                if (value != null && UnknownGrip == null && Reach == null) Watch();
+                _unknownGrip = value;
+            }
         }
+
+        /// <summary>
+        /// A gripper that may have moved the object, and has no fault any more; null if there is none. The place of the object is unknown until its source
+        /// reports another pose, or until a gripper grips the object.
+        /// </summary>
+        public ReachGrip UnknownMover { get; private set; }
+
+        /// <summary>Reason why it is unknown whether a gripper has moved the object, in one line; null if it is known.</summary>
+        public string GripFault => UnknownGrip?.Fault ?? (UnknownMover != null ? FrameMessages.ReleasedUnnoticed : null);
+
+        /// <summary>Control time since which the state has been <see cref="FrameState.GripUnknown"/>; null if this time is unknown.</summary>
+        public ControlTime? GripFaultSince => UnknownGrip != null ? UnknownGrip.FaultSince : _movedAt;
 
         /// <summary>Displayed pose in the world, right-handed, metres.</summary>
         public RigidTransform World { get; private set; } = RigidTransform.Identity;
@@ -110,11 +127,31 @@ namespace Nowpose.Frames
         /// <param name="place">The place; null if the object's own source determines the place again.</param>
         public void Put(ReachPlace place)
         {
-            if (Reach == null && place != null) (_sourceRest ??= new SourceRest()).Begin();
+            if (Reach == null && place != null) Watch();
+            if (place?.IsReleased != true) SetUnknownMover(null, null);
             if (place?.IsReleased == true && Reach?.IsReleased != true) _sourceRest.Release(_given);
             _nextReach = place;
             _isReachWaiting = true;
         }
+
+        /// <summary>
+        /// Marks the object, because a gripper may have moved it unnoticed. Has no effect if the source has moved the object during the unknown grip: the
+        /// object was then not in the gripper, or its source follows it there.
+        /// </summary>
+        /// <param name="gripper">The gripper; null to remove the mark.</param>
+        /// <param name="since">Time of the opening; null if unknown.</param>
+        public void SetUnknownMover(ReachGrip gripper, ControlTime? since)
+        {
+            if (gripper != null && Reach == null)
+            {
+                if (_sourceRest == null) Watch();
+                if (_sourceRest.HasMoved(_given)) return;
+                _sourceRest.Release(_given);
+            }
+            (UnknownMover, _movedAt) = (gripper, since);
+        }
+
+        void Watch() => (_sourceRest ??= new SourceRest()).Begin();
 
         /// <summary>Returns the pose in <see cref="SourceParent"/> at a time other than the displayed one, according to its source.</summary>
         /// <param name="time">Time since the epoch, s.</param>
@@ -141,6 +178,7 @@ namespace Nowpose.Frames
             if (_handOver.Count == 0) return;
             // The object's source has priority: it has given the object another parent.
             _reach = null;
+            SetUnknownMover(null, null);
             Begin(_handOver[0], _handOver.IsStationary);
             for (var i = 0; i < _handOver.Count; i++) Take(_handOver[i], epoch);
             _handOver.End();
@@ -157,7 +195,7 @@ namespace Nowpose.Frames
             var pose = PoseInParent(time, out var kind);
             State = kind == PredictionKind.None ? FrameState.Missing
                 : kind == PredictionKind.Held ? FrameState.Held
-                : UnknownGrip != null ? FrameState.GripUnknown
+                : UnknownGrip != null || UnknownMover != null ? FrameState.GripUnknown
                 : isParentCurrent ? FrameState.Current : FrameState.ParentNotCurrent;
             if (kind == PredictionKind.None) return;
             var now = parent * pose;
@@ -199,6 +237,7 @@ namespace Nowpose.Frames
             _isReachWaiting = false;
             _displayed = _evaluated = double.NaN;
             _speed = 0;
+            _movedAt = null;
             if (_isStationary) return;
             _predictor.Reset();
             _newest = null;
@@ -217,11 +256,12 @@ namespace Nowpose.Frames
         // was moved.
         bool IsMovedBy(in FrameTransform pose)
         {
-            if (Reach == null || pose.Stamp <= _newest) return false;
+            if (Reach == null && UnknownGrip == null && UnknownMover == null || pose.Stamp <= _newest) return false;
             var source = pose.ToPose();
             // A stationary pose has no time, and no noise.
             if (!_isStationary) _sourceRest.Add(source);
-            return Reach.IsReleased && (_isStationary || pose.Stamp > Reach.Since) && _sourceRest.IsLeftBy(source);
+            var isReleased = Reach == null ? UnknownMover != null : Reach.IsReleased && (_isStationary || pose.Stamp > Reach.Since);
+            return isReleased && _sourceRest.IsLeftBy(source);
         }
 
         void Begin(in FrameTransform pose, bool isStationary)
@@ -250,7 +290,7 @@ namespace Nowpose.Frames
             var hasRestarted = _predictor.Restarts != restarts;
             if (!(pose.Stamp <= _newest) || hasRestarted) (_newest, _given) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z));
             // The time stamp of the release belongs to the earlier run of the source.
-            if (hasRestarted && Reach?.IsReleased == true) Put(null);
+            if (hasRestarted && (Reach?.IsReleased == true || UnknownMover != null)) Put(null);
             return reason;
         }
     }

@@ -15,8 +15,8 @@ namespace Nowpose.Frames
         Held,
 
         /// <summary>
-        /// The pose would be valid, but it is unknown what a gripper holds that may hold the object or may have moved it; see
-        /// <see cref="CellFrame.UnknownGrip"/>.
+        /// The pose would be valid, but it is unknown what a gripper holds or held that may hold the object or may have moved it; see
+        /// <see cref="CellFrame.UnknownGrip"/> and <see cref="CellFrame.UnknownMover"/>.
         /// </summary>
         GripUnknown,
 

@@ -83,12 +83,17 @@ namespace Nowpose.Frames
         }
 
         /// <summary>
-        /// Cancels all placements by a gripper: the sources of the objects that it holds or has released determine their places again.
+        /// Cancels all placements by a gripper: the sources of the objects that it holds or has released determine their places again. Their places are
+        /// unknown until these sources report other poses, because the sources may still report the places from before the grip.
         /// </summary>
         public void TakeFrom(ReachGrip gripper)
         {
             for (var i = 0; i < _frames.Count; i++)
-                if (_frames[i].Reach?.Gripper == gripper) Put(i, null);
+            {
+                if (_frames[i].Reach?.Gripper != gripper) continue;
+                Put(i, null);
+                _frames[i].SetUnknownMover(gripper, null);
+            }
         }
 
         /// <summary>Returns the pose of a frame in the world at a time other than the displayed one.</summary>

@@ -70,9 +70,21 @@ namespace Nowpose.Frames
         {
             if (isClosed == _isClosed) return;
             Decide(isLast: true);
+            var mayHaveMoved = !isClosed && _unknown != null;
             (_isClosed, _since, _isFinal) = (isClosed, since ?? default, since == null);
             _unknown = isClosed && since == null ? FrameMessages.ClosedAtUnknownTime : null;
             if (!isClosed && since == null) Leave();
+            if (mayHaveMoved) MarkAsMoved(since);
+        }
+
+        // The object was released at an unknown place, and its own source may still report the place from before the grip.
+        void MarkAsMoved(ControlTime? since)
+        {
+            for (var i = 0; i < _objects.Count; i++)
+            {
+                var index = _tree.IndexOf(_objects[i]);
+                if (index >= 0 && CanMove(index)) _tree[index].SetUnknownMover(this, since);
+            }
         }
 
         /// <summary>Determines the effect of a change from the data that have arrived. Call it before the tree is evaluated.</summary>
@@ -127,6 +139,8 @@ namespace Nowpose.Frames
             _held = -1;
             _isFinal = true;
             _unknown = _signalFault = null;
+            for (var i = 0; i < _tree.Count; i++)
+                if (_tree[i].UnknownMover == this) _tree[i].SetUnknownMover(null, null);
         }
 
         void Decide(bool isLast)

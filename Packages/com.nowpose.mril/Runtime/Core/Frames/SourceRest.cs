@@ -6,7 +6,7 @@ namespace Nowpose.Frames
 {
     /// <summary>
     /// Detects that the source of an object reports a pose that differs from its pose at the release by more than the noise of a tracker. It is used
-    /// while a gripper, and not the source, determines the place of the object.
+    /// while a gripper, and not the source, determines the place of the object, and while a gripper may have moved the object.
     /// </summary>
     /// <remarks>
     /// <see cref="ScatterDetector"/> measures the noise from the grip on. For white noise with the standard deviation σ in each component, the
@@ -42,6 +42,14 @@ namespace Nowpose.Frames
             _isFirst = true;
         }
 
+        /// <summary>Returns whether a pose differs from the first pose by more than the noise measured so far.</summary>
+        public bool HasMoved(in RigidTransform pose)
+        {
+            if (_isFirst) return false;
+            Release(_first);
+            return IsDifferent(pose);
+        }
+
         /// <summary>Stores the pose at the release, and the noise measured so far.</summary>
         /// <param name="rest">Newest pose of the source.</param>
         public void Release(in RigidTransform rest)
@@ -72,10 +80,14 @@ namespace Nowpose.Frames
         /// </summary>
         public bool IsLeftBy(in RigidTransform pose)
         {
-            var difference = _rest.Inverse * pose;
-            var isDifferent = new Vector3D(difference.X, difference.Y, difference.Z).Length > _metres || UnitQuaternion.Of(difference).Log().Length > _radians;
-            _different = isDifferent ? _different + 1 : 0;
+            _different = IsDifferent(pose) ? _different + 1 : 0;
             return _different >= (_metres > SamePosition || _radians > SameRotation ? MinConsecutive : 1);
+        }
+
+        bool IsDifferent(in RigidTransform pose)
+        {
+            var difference = _rest.Inverse * pose;
+            return new Vector3D(difference.X, difference.Y, difference.Z).Length > _metres || UnitQuaternion.Of(difference).Log().Length > _radians;
         }
     }
 }

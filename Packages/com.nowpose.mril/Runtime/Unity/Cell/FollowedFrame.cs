@@ -87,7 +87,7 @@ namespace Nowpose.Unity.Cell
             {
                 case FrameState.Missing: return ObjectMessages.NoPose;
                 case FrameState.Held: return held.IsStationary ? ObjectMessages.OlderThanConnection : ObjectMessages.PosesStopped;
-                case FrameState.GripUnknown: return Kept(held.State, held.UnknownGrip?.Fault);
+                case FrameState.GripUnknown: return Kept(held.State, held.GripFault);
                 default: return Kept(held.State, _session.Frames.Tree.ReasonAbove(held, out _, out _));
             }
         }

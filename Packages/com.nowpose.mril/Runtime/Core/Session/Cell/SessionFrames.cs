@@ -96,7 +96,7 @@ namespace Nowpose.Session.Cell
                 Tree.ReasonAbove(frame, out frame, out var robot);
                 if (robot != null) return (robot as SessionRobot)?.MissingSince(_moment);
             }
-            if (frame?.State == FrameState.GripUnknown) return frame.UnknownGrip?.FaultSince;
+            if (frame?.State == FrameState.GripUnknown) return frame.GripFaultSince;
             return frame != null && frame.State == FrameState.Held ? frame.Newest : null;
         }
 

@@ -1,5 +1,7 @@
 using System;
 using Nowpose.Kinematics;
+using Nowpose.Protocol.Cell;
+using Nowpose.Session;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Session.Cell.GripScene;
 
@@ -34,6 +36,7 @@ namespace Nowpose.Tests.Core.Session.Cell
 
             Assert.That(grip.Held, Is.Null);
             Assert.That(Distance(Find(cell, "box").World, Place), Is.LessThan(1e-6), "the pose that its source reports");
+            Assert.That(Find(cell, "box").UnknownMover, Is.Null, "the source of the object has restarted, too");
             Assert.That(grip.Fault, value == 1 ? Does.Contain("held object is unknown") : (NUnit.Framework.Constraints.IResolveConstraint)Is.Null);
         }
 
@@ -81,6 +84,34 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Open + 3);
 
             Assert.That(Distance(Find(cell, "box").World, Place), Is.LessThan(1e-6), "the pose that its source reports");
+            Assert.That(Find(cell, "box").UnknownMover, Is.Null, "its source has restarted, too");
+        }
+
+        // The object's source repeats a pose from before the grip, so the object is probably still where it was released.
+        [Test]
+        public void SourceOfTheSignal_RestartsAfterTheRelease_ObjectIsHeldUntilItsSourceReportsAnotherPose()
+        {
+            var (cell, _) = NewCell("box");
+            var place = Place;
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "box", t, place);
+            };
+            CloseAt(cell);
+            Until(cell, Open);
+            cell.Send("grip", Open, 0);
+            Until(cell, Open + 1);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
+
+            cell.Session.Listener.SignalsReceived(
+                new SignalsMessage(ControlTime.FromSeconds(Close - Back), new SignalValue("grip", 0)), HeadsetTime.FromSeconds(cell.Now));
+            Until(cell, Open + 2);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held));
+
+            place = At(1.1, 0);
+            Until(cell, Open + 3);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
         }
 
         [Test]
@@ -104,6 +135,8 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(grip.Fault, Is.Null);
             Assert.That(Distance(Find(cell, "box").World, Tool(Shoulder(opened)) * inHand), Is.LessThan(1e-6));
         }
+
+        static PoseState StateOf(CellSession cell) => cell.Session.Frames.StateOf(Find(cell, "box"));
 
         static void SendAll(CellSession cell, double stamp, double t)
         {

@@ -1,6 +1,8 @@
+using System;
 using Nowpose.Frames;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Simulation;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Session.Cell.GripScene;
 
@@ -32,18 +34,66 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That((StateOf(cell), cell.Session.Frames.HeldSince(Find(cell, "box"))), Is.EqualTo((PoseState.Current, (ControlTime?)null)));
         }
 
-        [Test]
-        public void StateOf_GripperClosedBeforeTheFirstSample_IsHeldUntilTheGripperOpens()
+        // The gripper may have carried the box away, and its source does not report this.
+        [TestCase(0)]
+        [TestCase(0.001)]
+        public void StateOf_GripperClosedBeforeTheFirstSample_IsHeldUntilTheSourceReportsAnotherPose(double noise)
         {
+            var random = new Random(1);
             var (cell, _) = NewGrip();
+            var x = 1.05;
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "box", t, At(x + noise * random.NextNormal(), 0.02));
+            };
             cell.Send("grip", 5, 1);
             Until(cell, Close);
             Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held), "the box may be in the gripper");
 
             cell.Send("grip", Close, 0);
             Until(cell, Close + 1);
+            Assert.That((StateOf(cell), cell.Session.Frames.HeldSince(Find(cell, "box"))),
+                Is.EqualTo((PoseState.Held, (ControlTime?)ControlTime.FromSeconds(Close))), "the box may be where the gripper released it");
+
+            x = 1.1;
+            Until(cell, Close + 2);
 
             Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
+        }
+
+        [Test]
+        public void StateOf_SourceMovesTheObjectDuringAnUnknownGrip_IsCurrentAfterTheOpening()
+        {
+            var (cell, _) = NewGrip();
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "box", t, At(t < Close - 1 ? 1.05 : 1.15, 0.02));
+            };
+            cell.Send("grip", 5, 1);
+            Until(cell, Close);
+
+            cell.Send("grip", Close, 0);
+            Until(cell, Close + 1);
+
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
+        }
+
+        [Test]
+        public void StateOf_GrippedAfterAnUnknownGrip_IsCurrent()
+        {
+            var (cell, grip) = NewGrip();
+            cell.Send("grip", 5, 1);
+            Until(cell, 21);
+            cell.Send("grip", 21, 0);
+            Until(cell, Close);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held));
+
+            cell.Send("grip", Close, 1);
+            Until(cell, Close + 1);
+
+            Assert.That((grip.Held, StateOf(cell)), Is.EqualTo(("box", PoseState.Current)));
         }
 
         [Test]
