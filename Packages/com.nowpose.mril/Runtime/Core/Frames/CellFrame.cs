@@ -103,7 +103,7 @@ namespace Nowpose.Frames
         /// <summary>Stamp of the newest pose; null before the first pose, and for a stationary frame.</summary>
         public ControlTime? Newest => _isStationary ? null : _newest;
 
-        /// <summary>Returns whether a pose in another parent is older than the newest pose, or than the waiting poses in a third parent.</summary>
+        /// <inheritdoc cref="HandOver.IsOvertaken"/>
         public bool IsOvertaken(in FrameTransform pose) => _handOver.IsOvertaken(pose, _parent, Newest);
 
         /// <summary>Adds a received pose, whose parent may differ from the previous one.</summary>

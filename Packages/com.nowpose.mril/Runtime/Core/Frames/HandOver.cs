@@ -1,3 +1,4 @@
+using Nowpose.Prediction.Samples;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Frames
@@ -8,7 +9,15 @@ namespace Nowpose.Frames
         /// <summary>Maximum number of waiting poses. When the maximum is reached, a further pose replaces the newest one.</summary>
         const int MaxWaiting = 8;
 
+        /// <summary>
+        /// Number of consecutive poses in another parent, each newer than the previous one, that proves that the clock of the source went back if the last
+        /// of them is late by more than <see cref="ArrivalOrder.MaxDelay"/>.
+        /// </summary>
+        const int MinFarBehind = 2;
+
         readonly FrameTransform[] _waiting = new FrameTransform[MaxWaiting];
+        ControlTime _overtaken;
+        int _overtakenCount;
 
         /// <summary>Number of waiting poses.</summary>
         public int Count { get; private set; }
@@ -18,13 +27,24 @@ namespace Nowpose.Frames
         /// <summary>Whether the waiting poses come from /tf_static.</summary>
         public bool IsStationary { get; private set; }
 
-        /// <summary>Returns whether a pose in another parent is older than the newest pose, or than the waiting poses in a third parent.</summary>
+        /// <summary>
+        /// Returns whether a pose in another parent is older than the newest pose, or than the waiting poses in a third parent. Returns false if the clock of
+        /// the source went back. Call it once for each received pose.
+        /// </summary>
         /// <param name="parent">Present parent of the frame.</param>
         /// <param name="newest">Stamp of the newest pose in the present parent; null if there is none.</param>
         public bool IsOvertaken(in FrameTransform pose, string parent, ControlTime? newest)
         {
-            if (Count > 0 && !IsStationary) return pose.Parent != _waiting[0].Parent && pose.Stamp <= _waiting[Count - 1].Stamp;
-            return pose.Parent != parent && pose.Stamp <= newest;
+            if (Count > 0 && !IsStationary) (parent, newest) = (_waiting[0].Parent, _waiting[Count - 1].Stamp);
+            if (pose.Parent == parent || !(pose.Stamp <= newest))
+            {
+                _overtakenCount = 0;
+                return false;
+            }
+            if (_overtakenCount == 0 || pose.Stamp < _overtaken) _overtakenCount = 1;
+            else if (pose.Stamp > _overtaken) _overtakenCount++;
+            _overtaken = pose.Stamp;
+            return _overtakenCount < MinFarBehind || ClockTicks.Seconds(newest.Value - pose.Stamp) <= ArrivalOrder.MaxDelay;
         }
 
         /// <summary>Adds a pose. Discards the waiting poses in a third parent.</summary>

@@ -112,6 +112,42 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(FrameOf(tree, "a").Parent, Is.EqualTo("b"));
         }
 
+        // The sources of both parents have the same clock. Two late poses can be overtaken if they are not very late.
+        [TestCase(0.1, false, "world")]
+        [TestCase(0.1, true, "b")]
+        [TestCase(10, false, "b")]
+        [TestCase(10, true, "c")]
+        public void Add_ClockOfTheSourceSetBackWithAnotherParent_HandsOverAfterTwoPoses(double step, bool isPending, string expected)
+        {
+            var tree = NewTree();
+            tree.Add(Pose(19.9, "world", "a"), isStationary: false);
+            tree.Evaluate(At(19.9));
+            if (isPending) tree.Add(Pose(20, "b", "a"), isStationary: false);
+            var parent = isPending ? "c" : "b";
+
+            Assert.That(tree.Add(Pose(19.9 - step, parent, "a", 1), isStationary: false), Is.EqualTo(DropReason.LateSample));
+            tree.Add(Pose(19.9 - step, parent, "a", 1), isStationary: false);
+            tree.Add(Pose(19.9 - step + Sampling, parent, "a", 2), isStationary: false);
+            tree.Evaluate(At(19.9 - step + Sampling));
+
+            Assert.That(FrameOf(tree, "a").Parent, Is.EqualTo(expected));
+            if (step > 1) Assert.That(FrameOf(tree, "a").Newest, Is.EqualTo((ControlTime?)At(19.9 - step + Sampling)));
+        }
+
+        [Test]
+        public void Add_LatePosesInTwoParentsInTurn_AreNoHandOver()
+        {
+            var tree = NewTree();
+            for (var k = 0; k < 20; k++)
+            {
+                tree.Add(Pose(20 + k * Sampling, "world", "a"), isStationary: false);
+                tree.Add(Pose(10 + k * Sampling, "b", "a"), isStationary: false);
+                tree.Evaluate(At(20 + k * Sampling));
+            }
+
+            Assert.That(FrameOf(tree, "a").Parent, Is.EqualTo("world"));
+        }
+
         [Test]
         public void Reset_StationaryPosePending_IsUsedAfterTheReset()
         {
