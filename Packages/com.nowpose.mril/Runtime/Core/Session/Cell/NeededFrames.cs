@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Frames;
+using Nowpose.Prediction.Samples;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -52,12 +53,16 @@ namespace Nowpose.Session.Cell
         {
             if (_others.TryGetValue(pose.Child, out var kept))
             {
-                if (!isStationary && !kept.IsStationary && pose.Stamp <= kept.Pose.Stamp) return DropReason.LateSample;
+                if (!isStationary && !kept.IsStationary && IsOvertaken(pose.Stamp, kept.Pose.Stamp)) return DropReason.LateSample;
             }
             else if (_others.Count + _tree.Count >= ProtocolLimits.Frames && !TryRemoveSilent(pose.Stamp)) return DropReason.TooManyFrames;
             _others[pose.Child] = (pose, isStationary);
             return DropReason.None;
         }
+
+        // The clock of the source went back if the pose is much older.
+        static bool IsOvertaken(ControlTime stamp, ControlTime newest) =>
+            stamp <= newest && ClockTicks.Seconds(newest - stamp) <= ArrivalOrder.MaxDelay;
 
         // Removes the kept tracked frame with the oldest pose if its source has probably ended, because each new source may use new names.
         bool TryRemoveSilent(ControlTime now)

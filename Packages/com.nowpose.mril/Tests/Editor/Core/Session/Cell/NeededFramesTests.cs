@@ -1,0 +1,31 @@
+using System.Linq;
+using Nowpose.Frames;
+using Nowpose.Protocol.Cell;
+using NUnit.Framework;
+using static Nowpose.Tests.Core.Session.Cell.GripScene;
+
+namespace Nowpose.Tests.Core.Session.Cell
+{
+    /// <summary>Tests the kept poses of frames that are not shown yet.</summary>
+    public class NeededFramesTests
+    {
+        // A restarted source has no connection with the poses before. A message is not overtaken by so much.
+        [TestCase(0.2, 20)]
+        [TestCase(5, 15)]
+        public void Need_OlderPoseArrivedLast_IsUsedIfItsSourceHasRestarted(double older, double expected)
+        {
+            var cell = new CellSession();
+            Receive(cell, 20, false, "box");
+            Receive(cell, 20 - older, false, "box");
+            cell.Run(0.1);
+
+            cell.Session.Frames.Need("box");
+
+            Assert.That(cell.Session.Frames.Find("box").Newest, Is.EqualTo((ControlTime?)ControlTime.FromSeconds(expected)));
+        }
+
+        static void Receive(CellSession cell, double stamp, bool isStationary, params string[] frames) => cell.Session.Listener.FramesReceived(
+            new TransformsMessage(frames.Select(frame => At(1, 0).ToTransform(ControlTime.FromSeconds(stamp), "world", frame)).ToArray()),
+            isStationary, HeadsetTime.FromSeconds(cell.Now));
+    }
+}
