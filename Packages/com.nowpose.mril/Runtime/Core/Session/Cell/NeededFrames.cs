@@ -32,9 +32,10 @@ namespace Nowpose.Session.Cell
         }
 
         /// <inheritdoc cref="FrameTree.Add(in FrameTransform, bool)"/>
-        public DropReason Add(in FrameTransform pose, bool isStationary)
+        /// <param name="arrival">Control time of the arrival; null if unknown.</param>
+        public DropReason Add(in FrameTransform pose, bool isStationary, ControlTime? arrival = null)
         {
-            if (!_needed.Contains(pose.Child)) return Keep(pose, isStationary);
+            if (!_needed.Contains(pose.Child)) return Keep(pose, isStationary, arrival);
             var reason = _tree.Add(pose, isStationary);
             if (reason == DropReason.None && !_tree.IsLink(pose.Parent)) Need(pose.Parent);
             return reason;
@@ -49,13 +50,13 @@ namespace Nowpose.Session.Cell
             foreach (var name in stale) _others.Remove(name);
         }
 
-        DropReason Keep(in FrameTransform pose, bool isStationary)
+        DropReason Keep(in FrameTransform pose, bool isStationary, ControlTime? arrival)
         {
             if (_others.TryGetValue(pose.Child, out var kept))
             {
                 if (!isStationary && !kept.IsStationary && IsOvertaken(pose.Stamp, kept.Pose.Stamp)) return DropReason.LateSample;
             }
-            else if (_others.Count + _tree.Count >= ProtocolLimits.Frames && !TryRemoveSilent(pose.Stamp)) return DropReason.TooManyFrames;
+            else if (_others.Count + _tree.Count >= ProtocolLimits.Frames && !TryRemoveSilent(arrival)) return DropReason.TooManyFrames;
             _others[pose.Child] = (pose, isStationary);
             return DropReason.None;
         }
@@ -65,7 +66,7 @@ namespace Nowpose.Session.Cell
             stamp <= newest && ClockTicks.Seconds(newest - stamp) <= ArrivalOrder.MaxDelay;
 
         // Removes the kept tracked frame with the oldest pose if its source has probably ended, because each new source may use new names.
-        bool TryRemoveSilent(ControlTime now)
+        bool TryRemoveSilent(ControlTime? now)
         {
             var oldest = default(FrameTransform);
             foreach (var other in _others)

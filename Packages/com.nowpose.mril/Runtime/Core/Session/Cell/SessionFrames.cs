@@ -136,7 +136,7 @@ namespace Nowpose.Session.Cell
         {
             for (var i = 0; i < message.Count; i++)
             {
-                var reason = _needed.Add(message[i], isStationary: true);
+                var reason = _needed.Add(message[i], isStationary: true, now);
                 if (reason == DropReason.None) _stationaryArrivals.Add(message[i].Child, arrival);
                 Judge(message[i], true, arrival, reason);
             }
@@ -147,10 +147,11 @@ namespace Nowpose.Session.Cell
         {
             var now = clock.ToControl(arrival);
             for (var i = 0; i < message.Count; i++)
+            var now = _moment.Clock.IsKnown ? _moment.Clock.ToControl(arrival) : (ControlTime?)null;
             {
                 var reason = StampRule.IsInFuture(message[i].Stamp, now, clock.ErrorBound) ? DropReason.StampInFuture
                     : _stationaryArrivals.IsLater(message[i].Child, arrival) ? DropReason.LateSample
-                    : _needed.Add(message[i], isStationary: false);
+                    : _needed.Add(message[i], isStationary: false, now);
                 Judge(message[i], false, arrival, reason);
             }
             message.Release();
