@@ -54,7 +54,7 @@ namespace Nowpose.Unity.Cell
 
         bool IShownPart.IsFaultCommon => Fault == SignalMessages.ClockUnsynchronised;
 
-        ControlTime? IShownPart.FaultSince => _session?.Signals.EndOf(_name);
+        ControlTime? IShownPart.FaultSince => _session?.Signals.FaultSince(_name, _session.CanReceiveSignals);
 
         /// <summary>Starts to follow a signal in the session of a component.</summary>
         /// <param name="kind">Kind of the component, for the text of the warning that is logged if it has no session.</param>

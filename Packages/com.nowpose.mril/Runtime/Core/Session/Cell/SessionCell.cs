@@ -38,7 +38,7 @@ namespace Nowpose.Session.Cell
         {
             Robots.Show(moment);
             Frames.Take(moment);
-            Signals.Show(moment);
+            Signals.Show(moment, canReceiveSignals);
             // A gripper takes an object in the frame in which its signal's change is visible.
             Grips.Decide(moment, canReceiveSignals);
             Frames.Show(moment);
@@ -51,7 +51,7 @@ namespace Nowpose.Session.Cell
             Grips.Settle();
             Robots.Restart();
             Frames.Restart();
-            Signals.Table.Restart();
+            Signals.Restart();
         }
     }
 }

@@ -21,6 +21,7 @@ namespace Nowpose.Session.Cell
         readonly Arrivals<TransformsMessage> _tracked = new Arrivals<TransformsMessage>(QueueLength);
         readonly Arrivals<TransformsMessage> _stationary = new Arrivals<TransformsMessage>(StationaryQueueLength);
         readonly StationaryArrivals _stationaryArrivals;
+        readonly StateTimes _states = new StateTimes();
         readonly NeededFrames _needed;
         readonly DropCounters _drops;
         DisplayMoment _moment;
@@ -87,7 +88,7 @@ namespace Nowpose.Session.Cell
         /// <summary>
         /// Returns the time since which a held frame has had no newer pose: the stamp of its newest pose, or that of the frame above it whose poses
         /// have stopped, or that of a joint of the robot on which it is. If it is unknown what a gripper holds, returns the time since which this is
-        /// unknown. Returns null if the frame is not held.
+        /// unknown. If there is no such time, returns the display time at which this state began. Returns null if the frame is current or unknown.
         /// </summary>
         public ControlTime? HeldSince(CellFrame frame)
         {
@@ -96,9 +97,16 @@ namespace Nowpose.Session.Cell
                 Tree.ReasonAbove(frame, out frame, out var robot);
                 if (robot != null) return (robot as SessionRobot)?.MissingSince(_moment);
             }
-            if (frame?.State == FrameState.GripUnknown) return frame.GripFaultSince;
-            return frame != null && frame.State == FrameState.Held ? frame.Newest : null;
+            switch (frame?.State)
+            {
+                case FrameState.GripUnknown: return frame.GripFaultSince ?? BeginningOf(frame);
+                case FrameState.Held: return frame.Newest ?? BeginningOf(frame);
+                case FrameState.Orphan: return BeginningOf(frame);
+                default: return null;
+            }
         }
+
+        ControlTime? BeginningOf(CellFrame frame) => _states.SinceOf(Tree.IndexOf(frame.Name));
 
         /// <inheritdoc cref="JointWatch.MissingSince"/>
         public ControlTime? MissingSince(SessionRobot robot) => robot.MissingSince(_moment);
@@ -123,17 +131,23 @@ namespace Nowpose.Session.Cell
         }
 
         /// <summary>Computes the poses of all frames. Call it after the robots have computed their poses.</summary>
-        public void Show(in DisplayMoment moment) => Tree.Evaluate(moment.DisplayTime);
+        public void Show(in DisplayMoment moment)
+        {
+            Tree.Evaluate(moment.DisplayTime);
+            _states.Update(Tree, moment.DisplayTime);
+        }
 
         /// <summary>Discards the poses of tracked frames, because their times are no longer valid.</summary>
         public void Restart()
         {
             Tree.Reset();
             _needed.Restart();
+            _states.Restart();
         }
 
         void Take(TransformsMessage message, HeadsetTime arrival)
         {
+            var now = _moment.Clock.IsKnown ? _moment.Clock.ToControl(arrival) : (ControlTime?)null;
             for (var i = 0; i < message.Count; i++)
             {
                 var reason = _needed.Add(message[i], isStationary: true, now);
@@ -147,7 +161,6 @@ namespace Nowpose.Session.Cell
         {
             var now = clock.ToControl(arrival);
             for (var i = 0; i < message.Count; i++)
-            var now = _moment.Clock.IsKnown ? _moment.Clock.ToControl(arrival) : (ControlTime?)null;
             {
                 var reason = StampRule.IsInFuture(message[i].Stamp, now, clock.ErrorBound) ? DropReason.StampInFuture
                     : _stationaryArrivals.IsLater(message[i].Child, arrival) ? DropReason.LateSample

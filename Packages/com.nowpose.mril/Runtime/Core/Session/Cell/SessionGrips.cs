@@ -71,7 +71,7 @@ namespace Nowpose.Session.Cell
                 if (name == signal.Name) grip.Restart(isOfSource: signal.Newest.HasValue);
         }
 
-        void Judge(ReachGrip grip, string signal) => grip.Judge(_signals.FaultOf(signal, _canReceive), _signals.EndOf(signal));
+        void Judge(ReachGrip grip, string signal) => grip.Judge(_signals.FaultOf(signal, _canReceive), _signals.FaultSince(signal, _canReceive));
 
         static void Change(ReachGrip grip, SignalTrack signal) => grip.Change(signal.Value >= 0.5, signal.Since);
     }

@@ -28,6 +28,8 @@ namespace Nowpose.Session.Cell
         volatile Dictionary<string, JointReport> _ended = new Dictionary<string, JointReport>(StringComparer.Ordinal);
 
         bool _isTimeKnown = true, _isWaitingForClock;
+        ClockModel _clock;
+        ControlTime? _disconnectedSince;
 
         public SessionSignals(Subscriptions subscriptions, DropCounters drops, ConnectionStart connection)
         {
@@ -69,9 +71,9 @@ namespace Nowpose.Session.Cell
         /// <summary>Stores the reports of the signals whose source has ended. Thread-safe.</summary>
         public void Take(JointStatusMessage message, HeadsetTime arrival)
         {
+            _ends.Add(message, arrival);
             var ended = new Dictionary<string, JointReport>(StringComparer.Ordinal);
             foreach (var report in message.Joints)
-            _ends.Add(message, arrival);
                 if (!report.State.IsGood()) ended[report.Joint] = report;
             _ended = ended;
         }
@@ -89,16 +91,39 @@ namespace Nowpose.Session.Cell
                 if (!_isWaitingForClock) return SignalMessages.NoValue;
             }
             // The gateway sends each value again at once, unless it has restarted and has no value from the signal's source.
-            else if (!(Table[index].Received is HeadsetTime arrival) || !_connection.Includes(arrival)) return SignalMessages.OlderThanConnection;
+            else if (IsOlderThanConnection(Table[index])) return SignalMessages.OlderThanConnection;
             return _isTimeKnown ? null : SignalMessages.ClockUnsynchronised;
         }
 
-        /// <summary>Returns the time at which the source of a signal ended; null if it has not ended.</summary>
-        public ControlTime? EndOf(string signal) => _ended.TryGetValue(signal, out var report) ? report.Since : (ControlTime?)null;
+        /// <summary>
+        /// Returns the time since which a signal's value has not been current: the end of the connection or of the signal's source, or the start of the
+        /// newest connection if the value is older. Returns null for another fault, and if the value is current.
+        /// </summary>
+        /// <param name="isConnected">Whether messages can arrive.</param>
+        public ControlTime? FaultSince(string signal, bool isConnected)
+        {
+            if (!isConnected) return _disconnectedSince;
+            if (_ended.TryGetValue(signal, out var report)) return report.Since;
+            var index = Table.IndexOf(signal);
+            return index >= 0 && Table[index].IsKnown && IsOlderThanConnection(Table[index]) && _clock.IsKnown && _connection.Newest is HeadsetTime start
+                ? _clock.ToControl(start) : (ControlTime?)null;
+        }
+
+        bool IsOlderThanConnection(SignalTrack signal) => !(signal.Received is HeadsetTime arrival) || !_connection.Includes(arrival);
+
+        /// <summary>Discards all times, because they are no longer valid; see <see cref="SignalTrack.Restart"/>.</summary>
+        public void Restart()
+        {
+            _disconnectedSince = null;
+            Table.Restart();
+        }
 
         /// <summary>Processes the queued messages, and shows each change whose stamp the display time has reached.</summary>
-        public void Show(in DisplayMoment moment)
+        /// <param name="isConnected">Whether messages can arrive.</param>
+        public void Show(in DisplayMoment moment, bool isConnected)
         {
+            _clock = moment.Clock;
+            _disconnectedSince = isConnected ? null : _disconnectedSince ?? moment.DisplayTime;
             _isTimeKnown = moment.IsTrusted;
             _isWaitingForClock = !moment.DisplayTime.HasValue;
             if (!(moment.DisplayTime is ControlTime displayTime)) return;
@@ -119,6 +144,14 @@ namespace Nowpose.Session.Cell
             (_ended.TryGetValue(signal.Name, out var report) && report.State == JointDataState.Stale)
             || (signal.Received is HeadsetTime arrival && !_connection.Includes(arrival));
 
+        // Over a new connection, the gateway first sends the value that it regards as the newest.
+        bool IsOfNewSource(in ArrivedSignal signal)
+        {
+            var index = Table.IndexOf(signal.Value.Name);
+            return index >= 0 && Table[index].Received is HeadsetTime former
+                && (!_connection.Includes(former) || _ends.IsBetween(former, signal.Arrival, signal.Value.Name));
+        }
+
         void Take(in ArrivedSignal signal, in ClockModel clock)
         {
             var arrival = clock.ToControl(signal.Arrival);
@@ -133,11 +166,3 @@ namespace Nowpose.Session.Cell
         }
     }
 }
-        // Over a new connection, the gateway first sends the value that it regards as the newest.
-        bool IsOfNewSource(in ArrivedSignal signal)
-        {
-            var index = Table.IndexOf(signal.Value.Name);
-            return index >= 0 && Table[index].Received is HeadsetTime former
-                && (!_connection.Includes(former) || _ends.IsBetween(former, signal.Arrival, signal.Value.Name));
-        }
-

@@ -85,6 +85,32 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
+        public void HeldSince_FrameAboveUnknownOrStationaryPoseOutdated_IsTheTimeAtWhichThisStateBegan()
+        {
+            var cell = new CellSession();
+            foreach (var name in new[] { "table", "on_table", "lost" }) cell.Session.Frames.Need(name);
+            ControlTime? SinceOf(string frame) => cell.Session.Frames.HeldSince(cell.Session.Frames.Find(frame));
+            cell.Reconnect();
+            cell.Send("world", "table", 20, Along(0), isStationary: true);
+            cell.Send("table", "on_table", 20, Along(0), isStationary: true);
+            cell.Run(1);
+            Assert.That((SinceOf("table"), SinceOf("on_table")), Is.EqualTo(((ControlTime?)null, (ControlTime?)null)));
+
+            cell.Send("unknown parent", "lost", cell.Now, Along(0.1), isStationary: true);
+            cell.Reconnect();
+            double outdated = double.NaN, lost = double.NaN;
+            cell.Run(5, at =>
+            {
+                if (double.IsNaN(outdated) && StateOf(cell, "table") == PoseState.Held) outdated = at;
+                if (double.IsNaN(lost) && cell.Session.Frames.Find("lost")?.State == FrameState.Orphan) lost = at;
+            });
+
+            Assert.That(SinceOf("table").Value.SinceEpoch.TotalSeconds, Is.EqualTo(outdated).Within(1e-3));
+            Assert.That(SinceOf("on_table"), Is.EqualTo(SinceOf("table")));
+            Assert.That(SinceOf("lost").Value.SinceEpoch.TotalSeconds, Is.EqualTo(lost).Within(1e-3));
+        }
+
+        [Test]
         public void HeldSince_RobotStopped_IsTheStampOfItsNewestSample()
         {
             var cell = new CellSession();

@@ -234,7 +234,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             cell.Run(0.1);
             Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
             Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: false), Is.EqualTo(SignalMessages.NoConnection));
-            cell.Session.Signals.Show(new DisplayMoment());
+            cell.Session.Signals.Show(new DisplayMoment(), isConnected: true);
             Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo(SignalMessages.ClockUnsynchronised));
             cell.Run(0.2);
             Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
@@ -243,10 +243,30 @@ namespace Nowpose.Tests.Core.Session.Cell
             cell.Session.Listener.SignalStatusReceived(
                 new JointStatusMessage(new[] { new JointReport("grip", JointDataState.Stale, end, "its source has ended") }), default);
             Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo("its source has ended"));
-            Assert.That((cell.Session.Signals.EndOf("grip"), cell.Session.Signals.EndOf("door")), Is.EqualTo(((ControlTime?)end, (ControlTime?)null)));
+            Assert.That((cell.Session.Signals.FaultSince("grip", isConnected: true), cell.Session.Signals.FaultSince("door", isConnected: true)),
+                Is.EqualTo(((ControlTime?)end, (ControlTime?)null)));
 
             cell.Session.Listener.SignalStatusReceived(new JointStatusMessage(Array.Empty<JointReport>()), default);
             Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
+        }
+
+        [Test]
+        public void FaultSince_NoConnectionThenValueOlderThanTheConnection_IsTheFirstFrameThenTheStartOfTheConnection()
+        {
+            var cell = new CellSession();
+            double Since(bool isConnected) => cell.Session.Signals.FaultSince("grip", isConnected)?.SinceEpoch.TotalSeconds ?? double.NaN;
+            cell.Run(1);
+            Assert.That(cell.Session.CanReceiveSignals, Is.False);
+            Assert.That(Since(isConnected: false), Is.EqualTo(20 + CellSession.Visu).Within(1e-3));
+
+            cell.Send("grip", 20.9, 1);
+            cell.Run(1);
+            Assert.That((Since(isConnected: true), Since(isConnected: false)), Is.EqualTo((double.NaN, double.NaN)));
+
+            var start = cell.Now;
+            cell.Reconnect();
+            cell.Run(1);
+            Assert.That(Since(isConnected: true), Is.EqualTo(start).Within(1e-3));
         }
 
         // Values wait for the clock, so a value that is not known yet may already have arrived.
