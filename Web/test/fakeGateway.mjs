@@ -73,6 +73,8 @@ export class FakeGateway {
   sets = [JOINTS];
   /** Angle between the pose that "left door" displays and the true pose, rad; null if the headset does not report it. */
   turned = 0.1;
+  /** Namespace of the robot that "left door" displays; empty for the robot without a namespace. */
+  displayedRobot = '';
   token = null;
   isSilent = false;
 
@@ -152,7 +154,8 @@ export class FakeGateway {
     for (const [name, turned] of [['left door', this.turned], ['right door', 1]]) {
       if (turned === null) continue;
       const light = this.now + 0.04, [first, ...rest] = swing(this.pace * light, this.rest);
-      this.send('/nowpose/displayed', jointState('/nowpose/displayed', light, [first + turned, ...rest], name));
+      this.send('/nowpose/displayed', jointState('/nowpose/displayed', light, [first + turned, ...rest], name,
+        JOINTS.map(joint => (name === 'left door' && this.displayedRobot ? `${this.displayedRobot}/${joint}` : joint))));
     }
   }
 

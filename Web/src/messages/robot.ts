@@ -30,6 +30,8 @@ export const robotMessages = {
         : `${headset} displays the tool ${apart(displayedMm)} from its true position`;
     return heldMm == null ? `${shown}.` : `${shown}; without compensation ${heldMm < 0.1 ? '' : 'about '}${apart(heldMm)}.`;
   },
+  /** @param robot Namespace of the robot. */
+  displaysAnother: (headset: string, robot: string) => `${headset} displays the robot ${robot}, which is not compared.`,
   /** @param joints The joints, each with the reason from `jointReasons`. */
   linksNotDrawn: (joints: string[]) => `${joints.join(', ')}: links below these joints are not drawn.`,
 };

@@ -23,6 +23,9 @@ const NUMBERS_MS = 500;
 /** Minimum interval between two pictures. The motion still looks smooth, and the work is half of that at the maximum frame rate. */
 const PICTURE_MS = 30;
 
+/** Returns the namespace in the cell-wide name of a joint; empty if it has none. */
+const namespaceOf = (joint: string) => joint.slice(0, Math.max(0, joint.indexOf('/')));
+
 const seconds = () => performance.now() / 1000;
 
 /** Shows the true pose of the robot half a second ago, and the pose that the selected headset displayed at that time. */
@@ -33,6 +36,8 @@ export class RobotPanel {
   private readonly unknown = el('p', { class: 'level warning', hidden: true });
   private readonly truth = new JointTracks(KEEP_S);
   private displayed = new JointTracks(KEEP_S);
+  /** Namespace of the robot that the selected headset displays; empty for the robot without a namespace. */
+  private displayedRobot = '';
   private readonly clock = new LiveClock();
   private readonly sampled = (stamp: number) => this.clock.add(stamp, seconds());
   private readonly frames = new Frames(this.sampled);
@@ -65,7 +70,10 @@ export class RobotPanel {
 
   /** Selects the headset whose displayed pose is drawn over the robot. */
   choose(headset: Headset | null): void {
-    if (headset?.name !== this.headset?.name) this.displayed = new JointTracks(KEEP_S);
+    if (headset?.name !== this.headset?.name) {
+      this.displayed = new JointTracks(KEEP_S);
+      this.displayedRobot = '';
+    }
     this.headset = headset;
   }
 
@@ -83,6 +91,7 @@ export class RobotPanel {
   // Removes everything received on an earlier connection. The gateway may have restarted without some robots and objects; it sends the others again.
   private clear(): void {
     for (const part of [this.truth, this.displayed, this.frames, this.others]) part.clear();
+    this.displayedRobot = '';
   }
 
   private describe(text: string): void {
@@ -100,7 +109,9 @@ export class RobotPanel {
   private shown(text: string): void {
     if (!this.headset || !text.includes(JSON.stringify(this.headset.name))) return;
     const state = readJointState(text);
-    if (state?.frame === this.headset.name) this.displayed.add(state.stamp, state.names, state.positions);
+    if (state?.frame !== this.headset.name) return;
+    this.displayedRobot = namespaceOf(state.names[0] ?? '');
+    if (this.displayedRobot === '') this.displayed.add(state.stamp, state.names, state.positions);
   }
 
   private animate(): void {
@@ -162,13 +173,14 @@ export class RobotPanel {
 
   // Returns the newest samples that had arrived at that time, computed from the latencies that the headset measured.
   private held(time: number) {
-    const late = this.headset && [numberOf(this.headset, 'l_app_ms'), numberOf(this.headset, 'l_visu_ms')];
+    const late = this.headset && this.displayedRobot === '' && [numberOf(this.headset, 'l_app_ms'), numberOf(this.headset, 'l_visu_ms')];
     return !late || late[0] == null || late[1] == null ? null : this.truth.heldAt(time - (late[0] + late[1]) / 1000);
   }
 
   private showDistances(displayed: number | null, hold: number | null): void {
     const name = this.headset?.name;
     if (!name) return setText(this.words, robotMessages.noHeadset);
+    if (this.displayedRobot !== '') return setText(this.words, robotMessages.displaysAnother(name, this.displayedRobot));
     const isToolKnown = this.view.bodies!.isToolDrawn('truth');
     setText(this.words, isToolKnown ? robotMessages.toolError(name, displayed, hold) : robotMessages.toolUnknown);
   }

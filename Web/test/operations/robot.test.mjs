@@ -85,6 +85,17 @@ describe('the robot', () => {
     assert.match(await page.textContent('.apart'), /mm.*mm/, 'also without compensation');
   });
 
+  it('is not compared with the pose of another robot that the headset displays', async () => {
+    const page = await open();
+    await showsToolError(page);
+
+    gateway.displayedRobot = 'arm2';
+
+    await becomes(page, '.apart', robotMessages.displaysAnother('left door', 'arm2'));
+    gateway.displayedRobot = '';
+    await showsToolError(page);
+  });
+
   it('shows a distance of less than 0.1 mm at rest', async () => {
     gateway.turned = 0;
     gateway.pace = 0;

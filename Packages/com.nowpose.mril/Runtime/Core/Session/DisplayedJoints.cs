@@ -12,10 +12,11 @@ namespace Nowpose.Session
         readonly string _headset;
         ControlTime _newest;
 
-        public DisplayedJoints(RobotModel robot, DisplayFrame frame, string headset)
+        /// <param name="name">Namespace of the robot; empty for the robot without a namespace. The topic is common to all robots.</param>
+        public DisplayedJoints(string name, RobotModel robot, DisplayFrame frame, string headset)
         {
             _frame = frame;
-            _names = robot.MovingJoints.Select(joint => joint.Name).ToArray();
+            _names = robot.MovingJoints.Select(joint => RobotTopic.Qualified(name, joint.Name)).ToArray();
             _headset = headset;
         }
 

@@ -98,20 +98,21 @@ namespace Nowpose.Session
         static string MissingJoints(SessionStatistics statistics) =>
             string.Join(",", Joints(statistics).Where(each => each.IsMissing).Select(each => each.Joint));
 
-        // The joints of all robots. Those of the other robots have cell-wide names, such as arm2/elbow.
-        static IEnumerable<JointStatus> Joints(SessionStatistics statistics) => statistics.JointStatuses.Concat(
-            from robot in statistics.OtherRobots
+        static IEnumerable<RobotStatistics> Robots(SessionStatistics statistics) => statistics.OtherRobots.Prepend(statistics.OwnRobot);
+
+        // The joints of all robots. Those of a robot in a namespace have cell-wide names, such as arm2/elbow.
+        static IEnumerable<JointStatus> Joints(SessionStatistics statistics) =>
+            from robot in Robots(statistics)
             from joint in robot.JointStatuses
-            select new JointStatus(robot.NameOf(joint.Joint), joint.State, joint.Since, joint.Age, joint.Reason));
+            select robot.Namespace.Length == 0 ? joint : new JointStatus(robot.NameOf(joint.Joint), joint.State, joint.Since, joint.Age, joint.Reason);
 
-        static string BeyondLimits(SessionStatistics statistics) => string.Join(",", new[] { statistics.BeyondLimits?.Joint.Name }
-            .Concat(statistics.OtherRobots.Select(robot => robot.BeyondLimits == null ? null : robot.NameOf(robot.BeyondLimits.Joint.Name)))
-            .Where(name => name != null));
+        static string BeyondLimits(SessionStatistics statistics) => string.Join(",",
+            Robots(statistics).Where(robot => robot.BeyondLimits != null).Select(robot => robot.NameOf(robot.BeyondLimits.Joint.Name)));
 
-        // The robots whose description differs from that of the gateway; "main" for the robot of the session.
-        static string OtherDescriptions(SessionStatistics statistics) => string.Join(",", new[] { ("main", statistics.RobotDescriptionMatch) }
-            .Concat(statistics.OtherRobots.Select(robot => (robot.Namespace, robot.DescriptionMatch)))
-            .Where(robot => robot.Item2 == RobotDescriptionMatch.Different).Select(robot => robot.Item1));
+        // The robots whose description differs from that of the gateway; "main" for the robot without a namespace.
+        static string OtherDescriptions(SessionStatistics statistics) => string.Join(",",
+            Robots(statistics).Where(robot => robot.DescriptionMatch == RobotDescriptionMatch.Different)
+                .Select(robot => robot.Namespace.Length == 0 ? "main" : robot.Namespace));
 
         static void AddPose(SessionStatistics statistics, Action<string, string> add)
         {
@@ -131,12 +132,13 @@ namespace Nowpose.Session
             add("reduction_uncertainty", tool?.ReductionUncertainty);
             foreach (var joint in statistics.JointErrors)
             {
-                add("error/" + joint.Joint, joint.Error?.Rms);
-                add("error_p95/" + joint.Joint, joint.Error?.P95);
-                add("error_hold/" + joint.Joint, joint.Error?.HoldRms);
-                add("error_hold_p95/" + joint.Joint, joint.Error?.HoldP95);
-                add("reduction/" + joint.Joint, joint.Error?.Reduction);
-                add("reduction_uncertainty/" + joint.Joint, joint.Error?.ReductionUncertainty);
+                var name = statistics.OwnRobot.NameOf(joint.Joint);
+                add("error/" + name, joint.Error?.Rms);
+                add("error_p95/" + name, joint.Error?.P95);
+                add("error_hold/" + name, joint.Error?.HoldRms);
+                add("error_hold_p95/" + name, joint.Error?.HoldP95);
+                add("reduction/" + name, joint.Error?.Reduction);
+                add("reduction_uncertainty/" + name, joint.Error?.ReductionUncertainty);
             }
         }
 

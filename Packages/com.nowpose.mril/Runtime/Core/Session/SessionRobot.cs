@@ -26,7 +26,7 @@ namespace Nowpose.Session
             Description = new ReceivedDescription(robot);
             _tracks = new JointTracks(robot, settings.Prediction);
             _computer = new FrameComputer(robot, _tracks, settings.OutsideRange);
-            _displayed = new DisplayedJoints(robot, Frame, settings.Connection.HeadsetName);
+            _displayed = new DisplayedJoints(name, robot, Frame, settings.Connection.HeadsetName);
             Joints = new JointWatch(name, robot, _tracks, settings.Prediction.HorizonCap);
             Hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
             _tracks.Restarted += Hindcast.Restart;
@@ -106,6 +106,7 @@ namespace Nowpose.Session
         /// <param name="now">Headset time at which the states of the joints are evaluated.</param>
         public void Fill(RobotStatistics into, HeadsetTime now, in ClockModel clock)
         {
+            into.Namespace = Namespace;
             into.Pose = Frame.State;
             into.IsLimitedByBase = Frame.IsLimitedByBase;
             into.DescriptionMatch = Description.Match;

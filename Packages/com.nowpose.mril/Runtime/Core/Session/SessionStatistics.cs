@@ -178,6 +178,9 @@ namespace Nowpose.Session
         public LinkStatus SampleLink { get; internal set; } = LinkStatus.Idle;
         internal TransportSecurity Security { get; set; }
 
+        /// <summary>State of <see cref="CompensationSession.Robot"/>.</summary>
+        internal RobotStatistics OwnRobot => _robot;
+
         internal List<JointStatus> ChangeableJointStatuses => _robot.JointStatuses;
 
         /// <summary>States of the displayed robots other than <see cref="CompensationSession.Robot"/>.</summary>
@@ -193,10 +196,7 @@ namespace Nowpose.Session
             {
                 if (!robots[i].IsShown) continue;
                 if (shown == _otherRobots.Count) _otherRobots.Add(new RobotStatistics());
-                var into = _otherRobots[shown++];
-                // Another session may have had other robots.
-                into.Namespace = robots[i].Namespace;
-                robots[i].Fill(into, now, Clock);
+                robots[i].Fill(_otherRobots[shown++], now, Clock);
             }
             _otherRobots.RemoveRange(shown, _otherRobots.Count - shown);
         }

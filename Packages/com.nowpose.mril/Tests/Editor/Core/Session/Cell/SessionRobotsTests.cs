@@ -214,6 +214,25 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(DiagnosticsOf(cell).Level, Is.EqualTo(1));
         }
 
+        // /nowpose/displayed and the diagnostics are common to all robots of the cell.
+        [Test]
+        public void Diagnostics_OwnRobotInANamespace_NameItsJointsWithTheNamespace()
+        {
+            var cell = new CellSession(robotNamespace: "arm2");
+            string Of(string key) => DiagnosticsOf(cell).Values.FirstOrDefault(pair => pair.Key == key).Value;
+            cell.Run(0.5);
+            Assert.That((Of("missing_joints"), Of("joint_status/arm2/elbow")), Is.EqualTo(("arm2/shoulder,arm2/elbow", "no value")));
+
+            cell.Sampling = t => cell.SendJoints(t, 45, 0, "arm2");
+            cell.Session.Listener.Described(OtherUrdf, "arm2");
+            cell.Run(4);
+
+            Assert.That((Of("missing_joints"), Of("beyond_limits"), Of("description_differs")), Is.EqualTo(("", "arm2/shoulder", "arm2")));
+            Assert.That(DiagnosticsOf(cell).Values.Where(pair => pair.Key.StartsWith("error/")).Select(pair => pair.Key),
+                Is.All.StartsWith("error/arm2/").And.Not.Empty);
+            Assert.That(cell.Session.Displayed().Names, Is.EqualTo(TestRobot.Model.MovingJoints.Select(joint => "arm2/" + joint.Name)));
+        }
+
         const string OtherUrdf = "<robot name='other'><link name='base'/></robot>";
 
         static DiagnosticsMessage DiagnosticsOf(CellSession cell) =>
