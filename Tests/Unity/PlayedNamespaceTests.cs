@@ -92,6 +92,27 @@ public class PlayedNamespaceTests : PlayedParts
         Assert.That(_cell.Messages, Has.Exactly(1).Contains(RobotMessages.OfRobot("arm2", found.Words)));
     }
 
+    // The poses of the last session remain where they were, but nothing reports whether they are still right.
+    [Test]
+    public void CellParts_SessionHasEnded_AreNotCurrent()
+    {
+        Second(RobotFiles.LoadText("ur5"));
+        var joints = RobotFiles.Load("ur5").MovingJoints.Select(joint => joint.Name).ToArray();
+        var box = Below<TrackedObject>("box", _session.transform);
+        Run(2, t =>
+        {
+            _session.Session.Listener.Received(
+                new JointStateMessage(At(t), joints, [.. joints.Select(_ => 0.1)]), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2");
+            SendPose("world", "box", t, Along(0.1));
+        });
+        Assert.That((FaultsNow(), _session.Parts.Summary), Is.EqualTo(("", "2 current")));
+
+        _session.enabled = false;
+
+        Assert.That(FaultsNow(), Is.EqualTo($"robot arm2: {StatusMessages.NoSession}; object box: {StatusMessages.NoSession}"));
+        Assert.That((_session.Parts.Summary, box.State, _session.Parts.SinceOf(0)), Is.EqualTo(("! 2 not current", PoseState.Incomplete, (ControlTime?)null)));
+    }
+
     // The uncompensated robot stands on the newest pose of its base, not on the predicted one.
     [Test]
     public void Rig_ShowsHeldPoseOnAMovingBase_StandsOnTheNewestPoseOfTheBase()

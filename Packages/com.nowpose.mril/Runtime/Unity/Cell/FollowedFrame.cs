@@ -65,12 +65,16 @@ namespace Nowpose.Unity.Cell
         /// <summary>Whether the frame's pose is known and is the same at any time.</summary>
         public bool IsFixed => _frame != null && _frame.IsFixed;
 
-        public PoseState State => _session == null ? PoseState.Incomplete : _session.Frames.StateOf(_frame);
+        public PoseState State => _session == null || HasEnded ? PoseState.Incomplete : _session.Frames.StateOf(_frame);
+
+        // The states in a session that has ended are those of its last frame.
+        bool HasEnded => _source.Session != _session;
 
         public string Fault
         {
             get
             {
+                if (_session != null && HasEnded) return StatusMessages.NoSession;
                 switch (State)
                 {
                     case PoseState.Current: return null;
@@ -105,14 +109,14 @@ namespace Nowpose.Unity.Cell
         {
             get
             {
-                if (_session == null || _invalid != null) return false;
+                if (_session == null || HasEnded || _invalid != null) return false;
                 // Poses of moving frames wait for the clock, so a frame without a pose may already have one.
                 if (_frame == null) return _canWaitForClock && _session.Frames.IsWaitingForClock;
                 return State == PoseState.Unsynchronised || State == PoseState.OutsideRange;
             }
         }
 
-        public ControlTime? FaultSince => _session?.Frames.HeldSince(_frame);
+        public ControlTime? FaultSince => HasEnded ? null : _session?.Frames.HeldSince(_frame);
 
         /// <summary>Starts to follow a frame in the session of a component.</summary>
         /// <param name="kind">Kind of the component, for the text of the warning that is logged if it has no session.</param>

@@ -44,24 +44,28 @@ namespace Nowpose.Unity.Cell
         {
             get
             {
+                if (_session != null && HasEnded) return StatusMessages.NoSession;
                 if (_robot == null) return _session == null ? StatusMessages.NoSession : StatusMessages.RobotNotAdded;
                 return FaultOf(_robot.Frame)
                     ?? (StatisticsOf(_source.Statistics) is RobotStatistics robot ? FaultOf(robot) : StatusMessages.ReasonOf(_robot.Frame.State));
             }
         }
 
-        public bool IsFaultCommon => _robot != null
+        public bool IsFaultCommon => _robot != null && !HasEnded
             && (_robot.Frame.State == PoseState.Unsynchronised || _robot.Frame.State == PoseState.OutsideRange);
 
         public ControlTime? FaultSince
         {
             get
             {
-                if (_robot == null || _robot.Frame.State == PoseState.Current) return null;
+                if (_robot == null || HasEnded || _robot.Frame.State == PoseState.Current) return null;
                 if (_robot.Frame.IsLimitedByBase) return _session.Frames.HeldSince(_session.Frames.Find(_robot.Root));
                 return _session.Frames.MissingSince(_robot);
             }
         }
+
+        // The states in a session that has ended are those of its last frame.
+        bool HasEnded => _source.Session != _session;
 
         // The time and the render time concern the whole cell, and a base that is not current concerns all joints.
         static string FaultOf(DisplayFrame frame) => frame.IsLimitedByBase || frame.State == PoseState.Unsynchronised || frame.State == PoseState.OutsideRange
