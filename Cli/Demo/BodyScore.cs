@@ -28,11 +28,19 @@ sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
             for (var body = 0; body < work.Names.Count; body++)
             {
                 var shown = run.Bodies.At(frame, body);
-                if (!shown.IsKnown || shown.Parent != run.Settings.Robot.ToolLink.Name) continue;
+                if (!shown.IsKnown || !(shown.Parent == work.Robots[0].Tool || IsCarried(body, frame, work))) continue;
                 for (var joint = 0; joint < joints.Length; joint++) joints[joint] = run.Frames.Displayed(frame, joint);
                 largest = Math.Max(largest ?? 0, MillimetresPerMetre * shown.Displayed.DistanceTo(tool.PoseAt(joints) * work.Robots[0].InTool));
             }
         return largest;
+    }
+
+    // While the arm rests after the grip, the display has no message about the grip yet, and the workpiece is at the same place on the conveyor.
+    bool IsCarried(int body, int frame, CellWork work)
+    {
+        var light = run.Truth.MotionSecondsAt(run.Frames.Rows[frame].TrueLight);
+        work.PoseOf(body, light, out var parent);
+        return parent == work.Robots[0].Tool && BodyError.IsMoving(time => work.WorldOf(body, time), light);
     }
 
     IEnumerable<(double HoldMm, double Mm, double HoldDeg, double Deg)> ErrorsIn(int frame, CellWork work)

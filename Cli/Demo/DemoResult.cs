@@ -29,8 +29,8 @@ sealed record DemoResult(
 
     /// <summary>Errors of the cell's objects while they move.</summary>
     /// <param name="LargestSlipMm">
-    /// Largest distance between an object displayed as gripped and its place in the displayed gripper, mm; null if none was gripped. Frames between the
-    /// true grip and the first frame that displays it are not included; their errors are in the errors of the position.
+    /// Largest distance between a gripped object and its place in the displayed gripper, mm; null if none was gripped. It includes the frames in which the
+    /// object is displayed as gripped, and those in which the gripper truly carries it.
     /// </param>
     public sealed record BodyErrors(PoseErrors ErrorMm, PoseErrors ErrorDeg, double? LargestSlipMm);
 

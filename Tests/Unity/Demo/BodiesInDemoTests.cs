@@ -1,5 +1,6 @@
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Virtual;
+using Nowpose.Simulation.Work;
 using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
@@ -46,6 +47,24 @@ public class BodiesInDemoTests
 
         Assert.That(bodies.ErrorMm.Reduction, Is.EqualTo(0).Within(0.02));
         Assert.That(bodies.ErrorMm.HoldRms, Is.GreaterThan(15));
+    }
+
+    [Test]
+    public void Slip_MovingGripperWithoutItsObjectAsDisplayed_IsTheDistanceOfTheObjectFromTheGripper()
+    {
+        var run = VirtualStage.Play(Settings(1) with { Seconds = 12 }, hasScene: false);
+        var work = run.Settings.Work;
+        var late = new DemoBodies(work);
+        for (var frame = 0; frame < run.Frames.Rows.Count; frame++)
+            for (var body = 0; body < work.Names.Count; body++)
+            {
+                var shown = run.Bodies.At(frame, body);
+                late.Add(shown.Parent != work.Robots[0].Tool ? shown : shown with { Parent = CellWork.Conveyor, Displayed = work.Robots[0].Taken });
+            }
+
+        var bodies = new DemoScore(run with { Bodies = late }).Result().Bodies;
+
+        Assert.That(bodies.LargestSlipMm, Is.GreaterThan(50), "the object remains on the conveyor");
     }
 
     [Test]
