@@ -10,7 +10,7 @@ namespace Nowpose.Editor.Inspectors
         protected override void DrawLive()
         {
             var shown = (GripByReach)target;
-            EditorGUILayout.LabelField("Holds", shown.Held ?? "nothing");
+            EditorGUILayout.LabelField("Holds", shown.Held ?? (shown.Fault == null ? "nothing" : "unknown"));
             EditorGUILayout.LabelField("State", shown.Fault ?? "current");
         }
     }
