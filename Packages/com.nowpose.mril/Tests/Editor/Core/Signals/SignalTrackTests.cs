@@ -142,7 +142,7 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That(signal.Value, Is.EqualTo(messages.Find(each => each.Stamp == 10 + 0.01 * 29).Value));
         }
 
-        [TestCase(100, 1, 1)] // no message is overtaken by so much
+        [TestCase(100, 1, 1)] // more than the maximum by which messages are overtaken
         [TestCase(0.5, 0.01, 3)]
         [TestCase(0.2, 0.01, 5)] // so small that overtaken messages could be the cause
         public void Add_StampsOfTheSourceGoBack_RestartsWithTheLateValues(double step, double interval, int needed)

@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Session.Cell
     /// <summary>Tests the kept poses of frames that are not shown yet.</summary>
     public class NeededFramesTests
     {
-        // A restarted source has no connection with the poses before. A message is not overtaken by so much.
+        // Newer messages overtake a message by up to 0.25 s. An older pose shows that the source has restarted.
         [TestCase(0.2, 20)]
         [TestCase(5, 15)]
         public void Need_OlderPoseArrivedLast_IsUsedIfItsSourceHasRestarted(double older, double expected)
