@@ -1,10 +1,12 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Reasons for the state of a frame.</summary>
+/// <summary>Reasons for the state of a frame or a signal.</summary>
 static class CellReasons
 {
     public const string PosesStopped = "its poses stopped arriving";
     public const string StampsStopped = "its poses arrive with an unchanged time stamp; set each stamp to the control time of its pose";
+
+    public const string AdapterSilent = "its adapter has stopped reporting";
 
     public static string ParentMissing(string parent) =>
         $"no source publishes its parent {parent}, and no described robot has a link of this name";

@@ -178,7 +178,7 @@ sealed class GatewayStatus : IDisposable
         var name = StatusObjects.AdapterName(diagnostics.HardwareId);
         if (source != null) source.Name = name;
         _joints.Report(name, diagnostics.Values, source);
-        _cellReports.Add(name, diagnostics.Values);
+        _cellReports.Add(name, diagnostics.Values, source);
         ReportSignals();
     }
 

@@ -65,7 +65,7 @@ sealed record FrameView(string Name, string Parent, string Source, string State,
 /// <summary>The state of one signal.</summary>
 /// <param name="Source">Source of the signal, named like the source of a joint.</param>
 /// <param name="Value">Current value; null before the first value.</param>
-/// <param name="State">live; ended: its source has ended; or the state that its adapter reports: refused, fault or missing.</param>
+/// <param name="State">live; stale: its adapter has stopped reporting; ended: its source has ended; or the state that its adapter reports: refused, fault or missing.</param>
 /// <param name="AgeS">Control time minus the stamp of the message that changed the value; null before the first value.</param>
 /// <param name="Reason">The reason for the state; null for a live signal.</param>
 sealed record SignalView(string Name, double? Value, string Source, string State, double? AgeS, string Reason = null)

@@ -87,7 +87,9 @@ sealed class CellBoard(
         }
     }
 
-    /// <summary>Gets the signals that an adapter reports with a fault or whose newest value was refused, with a short reason for headsets.</summary>
+    /// <summary>
+    /// Gets the signals that an adapter reports with a fault, whose adapter is silent, or whose newest value was refused, with a short reason for headsets.
+    /// </summary>
     public IReadOnlyList<CellReport> FaultySignals()
     {
         lock (_gate)
@@ -213,10 +215,14 @@ sealed class CellBoard(
     static SignalView Explained(SignalView signal, CellReport report) => report == null
         ? signal : signal with { State = JointDataStates.Of(report.Report.State), Reason = report.Report.Reason, Since = report.Report.Since };
 
-    // Gets the adapters' reports about signals that are not current. A report about a live signal applies only if it comes from the signal's source.
+    // Gets the adapters' reports about signals that are not current, and the signals of silent adapters. Both apply to a live signal only if the adapter is
+    // the signal's source.
     IEnumerable<CellReport> SignalFaults() => reports.Troubled(AdapterReport.SignalPrefix)
         .Where(one => !_signals.TryGetValue(one.Name, out var signal) || signal.IsEnded || signal.Refusal != null || signal.Source.Title == one.Adapter)
-        .DistinctBy(one => one.Name);
+        .Concat(reports.Unconfirmed(AdapterReport.SignalPrefix).Where(IsCurrent)).DistinctBy(one => one.Name);
+
+    bool IsCurrent(CellReport one) =>
+        _signals.TryGetValue(one.Name, out var signal) && signal is { IsEnded: false, Refusal: null } && signal.Source.Title == one.Adapter;
 
     bool IsOver(long last) => time.GetElapsedTime(last) > JointBoard.ForgottenAfter;
 

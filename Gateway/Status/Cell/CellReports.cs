@@ -1,3 +1,5 @@
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Cell;
@@ -6,41 +8,41 @@ namespace Nowpose.Gateway.Status.Cell;
 sealed record CellReport(string Name, string Adapter, AdapterReport Report);
 
 /// <summary>The adapters' newest reports about their frames and signals. Thread-safe.</summary>
-/// <remarks>Reports expire, because a silent adapter is reported as a separate fault, and its frames and signals end with its connection.</remarks>
+/// <remarks>
+/// A report about a fault is valid until the adapter's next report or the end of its connection, which also ends the adapter's frames and signals. A
+/// report that a value is current expires, because nothing confirms the value while the adapter is silent.
+/// </remarks>
 sealed class CellReports(TimeProvider time)
 {
     /// <summary>Maximum number of adapters. The limit bounds the memory that a faulty client can use by sending many names.</summary>
     internal const int MaxAdapters = 16;
 
     readonly Lock _lock = new();
-    readonly Dictionary<string, (long At, IReadOnlyList<KeyValuePair<string, AdapterReport>> Reports)> _adapters = [];
+    readonly Dictionary<string, Received> _adapters = [];
 
     /// <summary>Stores the diagnostics of an adapter, which have a key for each configured frame and signal.</summary>
-    public void Add(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values)
+    /// <param name="source">The adapter's connection; null if unknown.</param>
+    public void Add(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values, HubSource source = null)
     {
         var reports = Read(values, AdapterReport.FramePrefix, ProtocolLimits.Frames).Concat(Read(values, AdapterReport.SignalPrefix, ProtocolLimits.Signals)).ToList();
         lock (_lock)
         {
             foreach (var (name, one) in _adapters)
-                if (!IsValid(one.At)) _adapters.Remove(name);
-            if (_adapters.ContainsKey(adapter) || _adapters.Count < MaxAdapters) _adapters[adapter] = (time.GetTimestamp(), reports);
+                if (!one.IsConnected) _adapters.Remove(name);
+            if (_adapters.ContainsKey(adapter) || _adapters.Count < MaxAdapters)
+                _adapters[adapter] = new Received(source, time.GetTimestamp(), time.GetUtcNow(), reports);
         }
     }
 
     /// <summary>Gets the reports about frames or signals that are neither live nor at rest.</summary>
     /// <param name="kind"><see cref="AdapterReport.FramePrefix"/> or <see cref="AdapterReport.SignalPrefix"/>.</param>
-    public IReadOnlyList<CellReport> Troubled(string kind)
-    {
-        lock (_lock)
-            return
-            [
-                .. from adapter in _adapters
-                   where IsValid(adapter.Value.At)
-                   from one in adapter.Value.Reports
-                   where one.Key.StartsWith(kind, StringComparison.Ordinal) && !one.Value.State.IsGood()
-                   select new CellReport(one.Key[kind.Length..], adapter.Key, one.Value),
-            ];
-    }
+    public IReadOnlyList<CellReport> Troubled(string kind) => Select(kind, (_, report) => report.State.IsGood() ? null : report);
+
+    /// <summary>Gets the frames or signals that were live or at rest in the newest report of an adapter that has stopped reporting.</summary>
+    /// <inheritdoc cref="Troubled" path="/param"/>
+    public IReadOnlyList<CellReport> Unconfirmed(string kind) => Select(
+        kind, (adapter, report) => report.State.IsGood() && !IsFresh(adapter)
+            ? new AdapterReport(JointDataState.Stale, adapter.Utc, CellReasons.AdapterSilent) : null);
 
     /// <summary>Gets an adapter's report that a frame or signal is at rest; null if there is none.</summary>
     /// <param name="key"><see cref="AdapterReport.FramePrefix"/> or <see cref="AdapterReport.SignalPrefix"/>, and the name.</param>
@@ -48,17 +50,38 @@ sealed class CellReports(TimeProvider time)
     {
         lock (_lock)
         {
-            if (!_adapters.TryGetValue(adapter, out var known) || !IsValid(known.At)) return null;
+            if (!_adapters.TryGetValue(adapter, out var known) || !known.IsConnected || !IsFresh(known)) return null;
             foreach (var one in known.Reports)
                 if (one.Key == key && one.Value.State == JointDataState.Rest) return one.Value;
             return null;
         }
     }
 
-    bool IsValid(long at) => time.GetElapsedTime(at) < AdapterReport.Validity;
+    bool IsFresh(Received adapter) => time.GetElapsedTime(adapter.At) < AdapterReport.Validity;
+
+    IReadOnlyList<CellReport> Select(string kind, Func<Received, AdapterReport, AdapterReport?> of)
+    {
+        lock (_lock)
+            return
+            [
+                .. from adapter in _adapters
+                   where adapter.Value.IsConnected
+                   from one in adapter.Value.Reports
+                   where one.Key.StartsWith(kind, StringComparison.Ordinal)
+                   let report = of(adapter.Value, one.Value)
+                   where report != null
+                   select new CellReport(one.Key[kind.Length..], adapter.Key, report.Value),
+            ];
+    }
 
     static IEnumerable<KeyValuePair<string, AdapterReport>> Read(IEnumerable<KeyValuePair<string, string>> values, string kind, int limit) =>
         values.Where(pair => pair.Key.StartsWith(kind, StringComparison.Ordinal))
             .SelectMany(pair => AdapterReport.TryParse(pair.Value, out var report) ? [KeyValuePair.Create(pair.Key, report)] : Array.Empty<KeyValuePair<string, AdapterReport>>())
             .DistinctBy(pair => pair.Key).Take(limit);
+
+    /// <param name="At">Arrival, a timestamp of the time provider.</param>
+    sealed record Received(HubSource Source, long At, DateTimeOffset Utc, IReadOnlyList<KeyValuePair<string, AdapterReport>> Reports)
+    {
+        public bool IsConnected => Source is not { IsEnded: true };
+    }
 }

@@ -11,7 +11,7 @@ static class CellStates
     /// <summary>State of a frame on /tf_static.</summary>
     public const string Stationary = "stationary";
 
-    /// <summary>State of a tracked frame whose poses have stopped.</summary>
+    /// <summary>State of a tracked frame whose poses have stopped, or of a signal whose adapter has stopped reporting.</summary>
     public const string Stale = "stale";
 
     /// <summary>State of a frame whose chain of parents reaches neither the world nor a link of a described robot.</summary>
@@ -26,5 +26,5 @@ static class CellStates
     static readonly string[] OfReports = [.. new[] { JointDataState.Refused, JointDataState.Fault, JointDataState.Missing }.Select(JointDataStates.Of)];
 
     /// <summary>All states of frames and of signals.</summary>
-    public static readonly IReadOnlyList<string> OfFrames = [Live, Stationary, Stale, Orphan, ParentStale, .. OfReports], OfSignals = [Live, Ended, .. OfReports];
+    public static readonly IReadOnlyList<string> OfFrames = [Live, Stationary, Stale, Orphan, ParentStale, .. OfReports], OfSignals = [Live, Stale, Ended, .. OfReports];
 }

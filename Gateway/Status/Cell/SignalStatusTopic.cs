@@ -8,7 +8,7 @@ namespace Nowpose.Gateway.Status.Cell;
 
 /// <summary>
 /// Publishes the list of signals without current values on /nowpose/signal_status after each change of the list. These are the signals whose
-/// source has ended, those that an adapter reports with a fault, and those whose newest value the gateway has refused.
+/// source has ended, those that an adapter reports with a fault, those of an adapter that has stopped reporting, and those whose newest value the gateway has refused.
 /// </summary>
 /// <remarks>
 /// Headsets need the list, because a signal that is published only on change may be silent for hours and still be current. All methods run

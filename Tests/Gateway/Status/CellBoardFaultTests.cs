@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status;
 using Nowpose.Gateway.Status.Cell;
@@ -72,9 +73,56 @@ public class CellBoardFaultTests : CellBoardFixture
             ("box", "fault", "node deleted", 2), ("lid", "missing", "no value", null),
         }));
 
-        _time.Advance(TimeSpan.FromSeconds(1.5));
+        _time.Advance(TimeSpan.FromMinutes(1));
 
-        Assert.That(_board.Frames(At(9)).Select(frame => (frame.Name, frame.State)), Is.EqualTo(new[] { ("box", "stale") }), "the source has stopped reporting");
+        Assert.That(_board.Frames(At(68)).Select(frame => frame.State), Is.EqualTo(new[] { "fault", "missing" }), "nothing shows that the fault has ended");
+    }
+
+    [Test]
+    public void FramesAndSignals_ReportedInFault_AreInFaultUntilTheConnectionOfTheAdapterEnds()
+    {
+        _source.Name = "cell";
+        _board.Add(_source, Pose("box", 5), isStationary: false);
+        _board.Add(_source, new SignalsMessage(At(5), new SignalValue("grip", 1)));
+        _reports.Add("cell", [.. new[] { "frame/box", "frame/lid", "signal/grip", "signal/lamp" }.Select(key => KeyValuePair.Create(key, "fault 1700000000.000 gone"))], _source);
+        _time.Advance(TimeSpan.FromMinutes(1));
+
+        Assert.That(_board.Frames(At(65)).Select(frame => frame.State).Concat(_board.Signals(At(65)).Select(signal => signal.State)), Has.Exactly(4).EqualTo("fault"));
+        Assert.That(_board.FaultySignals().Select(one => one.Name), Is.EqualTo(new[] { "grip", "lamp" }));
+
+        _source.Dispose();
+        _board.End(_source, ["grip"]);
+
+        Assert.That(_board.Frames(At(65)).Select(frame => (frame.Name, frame.State)), Is.EqualTo(new[] { ("box", "stale") }));
+        Assert.That(_board.Signals(At(65)).Select(signal => (signal.Name, signal.State)), Is.EqualTo(new[] { ("grip", "ended") }));
+        Assert.That(_board.FaultySignals(), Is.Empty);
+    }
+
+    [TestCase("live 1700000000.000")]
+    [TestCase("rest 1700000000.000 unchanged")]
+    public void Signals_AdapterStopsReporting_AreStaleSinceItsLastReport(string report)
+    {
+        void Report() => _reports.Add("cell", [KeyValuePair.Create("signal/grip", report), KeyValuePair.Create("signal/other", report)], _source);
+        _source.Name = "cell";
+        _board.Add(_source, new SignalsMessage(At(5), new SignalValue("grip", 1)));
+        _board.Add(new MessageHub().OpenSource(), new SignalsMessage(At(5), new SignalValue("other", 1)));
+        Report();
+        var last = _time.GetUtcNow();
+        (string, string, DateTimeOffset?)[] Faulty() =>
+            [.. _board.Signals(At(8)).Where(signal => signal.State != "live").Select(signal => (signal.Name, signal.State, signal.Since))];
+
+        _time.Advance(AdapterReport.Validity - TimeSpan.FromMilliseconds(1));
+        Assert.That(Faulty(), Is.Empty);
+        _time.Advance(TimeSpan.FromMilliseconds(1));
+
+        Assert.That(Faulty(), Is.EqualTo(new (string, string, DateTimeOffset?)[] { ("grip", "stale", last) }), "only the signal of this adapter");
+        Assert.That(_board.Signals(At(8)).First().Reason, Is.EqualTo(CellReasons.AdapterSilent));
+        Assert.That(_board.FaultySignals().Select(one => (one.Name, one.Report.State)), Is.EqualTo(new[] { ("grip", JointDataState.Stale) }));
+
+        Report();
+
+        Assert.That(Faulty(), Is.Empty);
+        Assert.That(_board.FaultySignals(), Is.Empty);
     }
 
     [Test]

@@ -121,7 +121,7 @@ public class MetricsTests
 
         var lines = Metrics.Of(state, new ForwardingTimes()).Split('\n').Where(line => Regex.IsMatch(line, "^nowpose_(frame|signal)_state{")).ToList();
 
-        Assert.That(lines, Has.Count.EqualTo(2 * 8 + 5));
+        Assert.That(lines, Has.Count.EqualTo(2 * 8 + 6));
         Assert.That(lines.Where(line => line.EndsWith(" 1", StringComparison.Ordinal)), Is.EqualTo(new[]
         {
             "nowpose_frame_state{frame=\"box\",source=\"twin\",state=\"orphan\"} 1", "nowpose_frame_state{frame=\"table\",source=\"twin\",state=\"stationary\"} 1",

@@ -59,7 +59,7 @@ export interface Signal {
   /** The newest value; null before the first value, like `age_s`. */
   value: number | null;
   source: string;
-  state: 'live' | 'ended' | 'refused' | 'fault' | 'missing';
+  state: 'live' | 'stale' | 'ended' | 'refused' | 'fault' | 'missing';
   /** Time since the value last changed. */
   age_s: number | null;
   /** Reason why the value is not current; null if it is current. */

@@ -1,6 +1,7 @@
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Events;
+using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
@@ -155,5 +156,27 @@ public class CellFaultTests
 
         await _gateway.EndsAsync("signal", "grip (plc)");
         Assert.That((await StatusAsync()).Level, Is.EqualTo("ok"));
+    }
+
+    [Test]
+    public async Task Signal_AdapterStopsReporting_IsStaleUntilItsConnectionEnds()
+    {
+        HubMessage list = null;
+        _gateway.Server.Hub.Subscribe(RosTopics.SignalStatus, message => list = message);
+        _gateway.Source.Name = "plc";
+        _gateway.Source.Publish(new SignalsMessage(Gateways.Start, new SignalValue("grip", 1)), []);
+        _gateway.Report("adapter/plc", ("state", "connected"), ("signal/grip", $"live {_gateway.Since()}"), ("signal/lamp", $"missing {_gateway.Since()} no value"));
+        string Listed() => string.Join(", ", ((DiagnosticsMessage)list.Content).Values.Select(pair => pair.Key + " " + pair.Value.Split(' ')[0]));
+        Assert.That(Listed(), Is.EqualTo("lamp missing"));
+
+        _gateway.Time.Advance(TimeSpan.FromSeconds(2.5));
+
+        await Soon.BecomesAsync(() => Listed() == "lamp missing, grip stale", "the list for headsets has the signal");
+        Assert.That((await _gateway.GetAsync("/metrics")).Text, Does.Contain("nowpose_signal_state{signal=\"grip\",source=\"plc\",state=\"stale\"} 1\n"));
+
+        _gateway.Source.Dispose();
+
+        await Soon.BecomesAsync(() => Listed() == "grip stale", "the adapter no longer reports the lamp");
+        await _gateway.BeginsAsync("signal", "grip (plc)");
     }
 }
