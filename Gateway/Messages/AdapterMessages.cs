@@ -20,6 +20,9 @@ static class AdapterMessages
     public static string FormerKey(string adapter, string former, string current) =>
         $"adapter {adapter}: uses the former key {former}NAME in its reports, which the next release will ignore; update it to use {current}NAME";
 
+    public static string TooMany(string adapter, int most) =>
+        $"adapter {adapter}: its reports about objects and signals are ignored, because {most} other adapters report some; use a second gateway for it";
+
     public const string NodeNeeded = "--plant: Node.js 20 or newer is needed to read a control system";
 
     public static string CheckUnreadable(string file) =>

@@ -65,7 +65,7 @@ sealed class GatewayStatus : IDisposable
         _connections = [("sync", sync), ("websocket", webSocket)];
         _diagnostics = new DiagnosticsBoard(options.Time);
         _joints = new JointBoard(options.Time, () => limits.Robots, log);
-        _cellReports = new CellReports(options.Time);
+        _cellReports = new CellReports(options.Time, log);
         _cell = new CellBoard(options.Time, _cellReports, hub.Links.RootOf, hub.Links.JointsOf);
         _refusals = new RecentRefusals(options.Time);
         Events = events;

@@ -12,13 +12,17 @@ sealed record CellReport(string Name, string Adapter, AdapterReport Report);
 /// A report about a fault is valid until the adapter's next report or the end of its connection, which also ends the adapter's frames and signals. A
 /// report that a value is current expires, because nothing confirms the value while the adapter is silent.
 /// </remarks>
-sealed class CellReports(TimeProvider time)
+/// <param name="log">Called once, when there are too many adapters; null for no log.</param>
+sealed class CellReports(TimeProvider time, Action<string> log = null)
 {
-    /// <summary>Maximum number of adapters. The limit bounds the memory that a faulty client can use by sending many names.</summary>
-    internal const int MaxAdapters = 16;
+    /// <summary>
+    /// Maximum number of adapters with frames or signals. The limit bounds the memory that a faulty client can use by sending many names.
+    /// </summary>
+    internal const int MaxAdapters = 64;
 
     readonly Lock _lock = new();
     readonly Dictionary<string, Received> _adapters = [];
+    bool _isLimitLogged;
 
     /// <summary>Stores the diagnostics of an adapter, which have a key for each configured frame and signal.</summary>
     /// <param name="source">The adapter's connection; null if unknown.</param>
@@ -29,9 +33,19 @@ sealed class CellReports(TimeProvider time)
         {
             foreach (var (name, one) in _adapters)
                 if (!one.IsConnected) _adapters.Remove(name);
-            if (_adapters.ContainsKey(adapter) || _adapters.Count < MaxAdapters)
+            _adapters.Remove(adapter);
+            if (reports.Count == 0) return;
+            if (_adapters.Count < MaxAdapters)
+            {
                 _adapters[adapter] = new Received(source, time.GetTimestamp(), time.GetUtcNow(), reports);
+                return;
+            }
+
+            if (_isLimitLogged) return;
+            _isLimitLogged = true;
         }
+
+        log?.Invoke(AdapterMessages.TooMany(adapter, MaxAdapters));
     }
 
     /// <summary>Gets the reports about frames or signals that are neither live nor at rest.</summary>

@@ -155,4 +155,32 @@ public class CellBoardFaultTests : CellBoardFixture
         Assert.That(troubled, Has.Count.EqualTo(CellReports.MaxAdapters * ProtocolLimits.Frames));
         Assert.That(troubled.Select(one => one.Adapter), Has.None.EqualTo("damaged"));
     }
+
+    [Test]
+    public void Reports_AdaptersWithoutFramesAndSignals_DoNotCountTowardsTheLimit()
+    {
+        for (var i = 0; i < CellReports.MaxAdapters; i++) _reports.Add($"arm{i}", [KeyValuePair.Create("joint/a", "live 1700000000.000")]);
+        for (var i = 0; i < CellReports.MaxAdapters; i++) _reports.Add($"cell{i}", [KeyValuePair.Create($"signal/s{i}", "fault 1700000000.000 gone")]);
+
+        Assert.That(_reports.Troubled("signal/"), Has.Count.EqualTo(CellReports.MaxAdapters));
+    }
+
+    [Test]
+    public void Reports_MoreAdaptersThanTheLimit_AreIgnoredAndLoggedOnce()
+    {
+        var log = new List<string>();
+        var reports = new CellReports(_time, log.Add);
+        void Add(int adapter) => reports.Add($"a{adapter}", [KeyValuePair.Create("signal/s", "fault 1700000000.000 gone")]);
+        for (var i = 0; i < CellReports.MaxAdapters; i++) Add(i);
+        Assert.That(log, Is.Empty);
+
+        for (var i = 0; i < 3; i++) Add(CellReports.MaxAdapters);
+
+        Assert.That(log, Is.EqualTo(new[] { AdapterMessages.TooMany($"a{CellReports.MaxAdapters}", CellReports.MaxAdapters) }));
+
+        reports.Add("a0", []);
+        Add(CellReports.MaxAdapters);
+
+        Assert.That(reports.Troubled("signal/").Select(one => one.Adapter), Has.None.EqualTo("a0").And.Some.EqualTo($"a{CellReports.MaxAdapters}"));
+    }
 }
