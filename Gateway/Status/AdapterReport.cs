@@ -8,7 +8,7 @@ namespace Nowpose.Gateway.Status;
 /// "STATE SINCE REASON". A joint that may not be at rest also has the key uncertain/NAME with the reason, and a joint that is neither live nor at rest
 /// the key reason/NAME with one word.
 /// </summary>
-/// <param name="Since">Start of the state, on the wall clock of the adapter's machine.</param>
+/// <param name="Since">Start of the state on the gateway's wall clock.</param>
 /// <param name="Uncertainty">The reason why a joint reported at rest may not be at rest; empty if there is none.</param>
 /// <param name="Word">The adapter's word for the reason; null if it sends none.</param>
 readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since, string Reason, string Uncertainty = "", string Word = null)
@@ -29,6 +29,9 @@ readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since,
     // End of the year 9999, the maximum of DateTimeOffset.
     const double MaxUnixSeconds = 253_402_300_799;
 
+    // Two reports whose starts differ by less than this describe the same state. The transmission time causes the difference.
+    static readonly TimeSpan SameSince = TimeSpan.FromSeconds(2);
+
     static readonly string[] Prefixes = [JointPrefix, FramePrefix, SignalPrefix, WordPrefix, UncertainPrefix, FormerUncertainPrefix];
 
     /// <summary>Time for which a report is valid. Adapters report once per second.</summary>
@@ -45,7 +48,10 @@ readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since,
 
     public static bool IsFormerKey(string key) => key.StartsWith(FormerUncertainPrefix, StringComparison.Ordinal);
 
-    public static bool TryParse(string value, out AdapterReport report)
+    /// <summary>Parses a report.</summary>
+    /// <param name="sent">Stamp of the message on the wall clock of the adapter's machine, like SINCE; zero if unknown.</param>
+    /// <param name="now">Arrival of the message.</param>
+    public static bool TryParse(string value, ControlTime sent, DateTimeOffset now, out AdapterReport report)
     {
         report = default;
         var words = value.Split(' ', 3);
@@ -55,9 +61,18 @@ readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since,
         var isNumber = double.TryParse(words[1], NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var seconds);
         if (!isNumber || seconds is not (>= 0 and <= MaxUnixSeconds)) return false;
         var reason = words.Length == 3 ? Sentence(words[2]) : "";
-        report = new AdapterReport(state, DateTimeOffset.UnixEpoch + TimeSpan.FromSeconds(seconds), reason);
+        // Uses only a difference of times of the same clock, because the clock of the adapter's machine may be wrong. Ignores the transmission time.
+        var arrival = now - DateTimeOffset.UnixEpoch;
+        var age = (sent == default ? arrival : sent.SinceEpoch) - TimeSpan.FromSeconds(seconds);
+        report = new AdapterReport(state, now - Clamp(age, TimeSpan.Zero, arrival), reason);
         return true;
     }
+
+    /// <summary>Returns this report with the start of the previous report if both describe the same state.</summary>
+    public AdapterReport After(in AdapterReport previous) =>
+        State == previous.State && (Since - previous.Since).Duration() < SameSince ? this with { Since = previous.Since } : this;
+
+    static TimeSpan Clamp(TimeSpan value, TimeSpan min, TimeSpan max) => value < min ? min : value > max ? max : value;
 
     public static string Sentence(string text) => InputException.OneLine(text.Trim(), MaxReasonLength);
 }

@@ -177,8 +177,8 @@ sealed class GatewayStatus : IDisposable
     {
         var name = StatusObjects.AdapterName(diagnostics.HardwareId);
         if (source != null) source.Name = name;
-        _joints.Report(name, diagnostics.Values, source);
-        _cellReports.Add(name, diagnostics.Values, source);
+        _joints.Report(name, diagnostics.Values, source, diagnostics.Stamp);
+        _cellReports.Add(name, diagnostics.Values, source, diagnostics.Stamp);
         ReportSignals();
     }
 

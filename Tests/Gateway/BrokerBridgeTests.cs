@@ -72,7 +72,7 @@ public class BrokerBridgeTests
             await using var nearBridge = AdapterProcesses.Start([new PlantFile(publish, "hall", "")], near);
             using var adapter = near.Hub.OpenSource();
             using var reports = new Timer(
-                _ => adapter.Publish(new DiagnosticsMessage(Gateways.Start, "plant/press", [
+                _ => adapter.Publish(new DiagnosticsMessage(new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch), "plant/press", [
                     new("state", "connected"), new("joint/gone", $"missing {since}.000 the server has no node Axis1"),
                     new("joint/still", $"rest {since}.000 assumed at rest"), new("uncertain/still", "the stop itself was not observed"),
                 ])), null, TimeSpan.Zero, TimeSpan.FromMilliseconds(500));

@@ -26,18 +26,28 @@ sealed class CellReports(TimeProvider time, Action<string> log = null)
 
     /// <summary>Stores the diagnostics of an adapter, which have a key for each configured frame and signal.</summary>
     /// <param name="source">The adapter's connection; null if unknown.</param>
-    public void Add(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values, HubSource source = null)
+    /// <param name="sent">Stamp of the diagnostics; zero if unknown.</param>
+    public void Add(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values, HubSource source = null, ControlTime sent = default)
     {
-        var reports = Read(values, AdapterReport.FramePrefix, ProtocolLimits.Frames).Concat(Read(values, AdapterReport.SignalPrefix, ProtocolLimits.Signals)).ToList();
+        var now = time.GetUtcNow();
+        var reports = new Dictionary<string, AdapterReport>();
+        foreach (var (kind, limit) in new[] { (AdapterReport.FramePrefix, ProtocolLimits.Frames), (AdapterReport.SignalPrefix, ProtocolLimits.Signals) })
+        {
+            var most = reports.Count + limit;
+            foreach (var (key, value) in values.Where(pair => pair.Key.StartsWith(kind, StringComparison.Ordinal)))
+                if (reports.Count < most && AdapterReport.TryParse(value, sent, now, out var report)) reports.TryAdd(key, report);
+        }
+
         lock (_lock)
         {
             foreach (var (name, one) in _adapters)
                 if (!one.IsConnected) _adapters.Remove(name);
-            _adapters.Remove(adapter);
+            _adapters.Remove(adapter, out var previous);
             if (reports.Count == 0) return;
             if (_adapters.Count < MaxAdapters)
             {
-                _adapters[adapter] = new Received(source, time.GetTimestamp(), time.GetUtcNow(), reports);
+                var kept = reports.ToDictionary(one => one.Key, one => one.Value.After(previous?.Reports.GetValueOrDefault(one.Key) ?? default));
+                _adapters[adapter] = new Received(source, time.GetTimestamp(), now, kept);
                 return;
             }
 
@@ -65,9 +75,7 @@ sealed class CellReports(TimeProvider time, Action<string> log = null)
         lock (_lock)
         {
             if (!_adapters.TryGetValue(adapter, out var known) || !known.IsConnected || !IsFresh(known)) return null;
-            foreach (var one in known.Reports)
-                if (one.Key == key && one.Value.State == JointDataState.Rest) return one.Value;
-            return null;
+            return known.Reports.TryGetValue(key, out var report) && report.State == JointDataState.Rest ? report : null;
         }
     }
 
@@ -88,13 +96,8 @@ sealed class CellReports(TimeProvider time, Action<string> log = null)
             ];
     }
 
-    static IEnumerable<KeyValuePair<string, AdapterReport>> Read(IEnumerable<KeyValuePair<string, string>> values, string kind, int limit) =>
-        values.Where(pair => pair.Key.StartsWith(kind, StringComparison.Ordinal))
-            .SelectMany(pair => AdapterReport.TryParse(pair.Value, out var report) ? [KeyValuePair.Create(pair.Key, report)] : Array.Empty<KeyValuePair<string, AdapterReport>>())
-            .DistinctBy(pair => pair.Key).Take(limit);
-
     /// <param name="At">Arrival, a timestamp of the time provider.</param>
-    sealed record Received(HubSource Source, long At, DateTimeOffset Utc, IReadOnlyList<KeyValuePair<string, AdapterReport>> Reports)
+    sealed record Received(HubSource Source, long At, DateTimeOffset Utc, Dictionary<string, AdapterReport> Reports)
     {
         public bool IsConnected => Source is not { IsEnded: true };
     }

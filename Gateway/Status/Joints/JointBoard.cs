@@ -76,8 +76,10 @@ sealed class JointBoard(
 
     /// <summary>Adds the diagnostics of an adapter, which have a key for each configured joint.</summary>
     /// <param name="source">The adapter's connection; null if unknown.</param>
-    public void Report(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values, HubSource source = null)
+    /// <param name="sent">Stamp of the diagnostics; zero if unknown.</param>
+    public void Report(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values, HubSource source = null, ControlTime sent = default)
     {
+        var now = time.GetUtcNow();
         var reports = new Dictionary<string, AdapterReport>();
         var uncertainties = values.Select(pair => (Joint: AdapterReport.UncertainJoint(pair.Key), pair.Value)).Where(one => one.Joint != null)
             .Take(ProtocolLimits.Joints).DistinctBy(one => one.Joint).ToDictionary(one => one.Joint, one => AdapterReport.Sentence(one.Value));
@@ -87,7 +89,7 @@ sealed class JointBoard(
         foreach (var (key, value) in values)
         {
             if (reports.Count >= ProtocolLimits.Joints) break;
-            if (key.StartsWith(AdapterReport.JointPrefix, StringComparison.Ordinal) && AdapterReport.TryParse(value, out var report))
+            if (key.StartsWith(AdapterReport.JointPrefix, StringComparison.Ordinal) && AdapterReport.TryParse(value, sent, now, out var report))
             {
                 var name = key[AdapterReport.JointPrefix.Length..];
                 reports[name] = report with { Uncertainty = uncertainties.GetValueOrDefault(name, ""), Word = words.GetValueOrDefault(name) };

@@ -32,7 +32,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
 
     public void Report(in AdapterReport report)
     {
-        (_report, _reportedAt, IsConfigured) = (report, time.GetTimestamp(), true);
+        (_report, _reportedAt, IsConfigured) = (report.After(_report), time.GetTimestamp(), true);
     }
 
     /// <summary>Records that the adapter no longer reports the joint.</summary>

@@ -144,6 +144,19 @@ public class CellBoardFaultTests : CellBoardFixture
     }
 
     [Test]
+    public void Reports_WithTransmissionTimesAndAWrongClock_HaveOneStartOnTheClockOfTheGateway()
+    {
+        var sent = ControlTime.FromSeconds(1_000_000);
+        var since = _time.GetUtcNow() - TimeSpan.FromSeconds(10);
+        foreach (var delay in new[] { 0, 0.2, 0.05 })
+        {
+            _time.Advance(TimeSpan.FromSeconds(delay));
+            _reports.Add("cell", [KeyValuePair.Create("signal/grip", "fault 999990.000 gone")], sent: sent);
+            Assert.That(_reports.Troubled("signal/").Single().Report.Since, Is.EqualTo(since));
+        }
+    }
+
+    [Test]
     public void Reports_FromManyAdaptersWithManyNames_AreBounded()
     {
         for (var adapter = 0; adapter < 100; adapter++)

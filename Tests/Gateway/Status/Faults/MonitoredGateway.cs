@@ -57,7 +57,7 @@ sealed class MonitoredGateway : IAsyncDisposable
     public void Publish(params string[] joints) => Source.Publish(Gateways.State(1, joints));
 
     public void Report(string name, params (string Key, string Value)[] values) =>
-        Source.Publish(new DiagnosticsMessage(Gateways.Start, name, [.. values.Select(pair => KeyValuePair.Create(pair.Key, pair.Value))]));
+        Source.Publish(new DiagnosticsMessage(new ControlTime(Time.GetUtcNow() - DateTimeOffset.UnixEpoch), name, [.. values.Select(pair => KeyValuePair.Create(pair.Key, pair.Value))]));
 
     public string Since(double secondsAgo = 0) =>
         ((Time.GetUtcNow() - TimeSpan.FromSeconds(secondsAgo)).ToUnixTimeMilliseconds() / 1000.0).ToString("0.000", CultureInfo.InvariantCulture);

@@ -202,4 +202,17 @@ public class ReportedJointTests
 
         Assert.That(_joints.Joint("a").Since, Is.EqualTo(_joints.Time.GetUtcNow()));
     }
+
+    [TestCase(-3600)]
+    [TestCase(0)]
+    [TestCase(3600)]
+    public void Report_ClockOfTheAdapterIsWrong_GivesTheStartOnTheClockOfTheGateway(double clockError)
+    {
+        var adapter = _joints.Time.GetUtcNow().ToUnixTimeMilliseconds() / 1000.0 + clockError;
+
+        _joints.Board.Report(
+            "press", [KeyValuePair.Create("joint/a", FormattableString.Invariant($"fault {adapter - 20:0.000} gone"))], sent: ControlTime.FromSeconds(adapter));
+
+        Assert.That(_joints.Time.GetUtcNow() - _joints.Joint("a").Since, Is.EqualTo(TimeSpan.FromSeconds(20)));
+    }
 }
