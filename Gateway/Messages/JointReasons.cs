@@ -11,6 +11,8 @@ static class JointReasons
     public static string Silent(string adapter) => $"samples stopped arriving, and the adapter {adapter} has stopped reporting";
 
     public const string SamplesStopped = "samples stopped arriving, although the adapter reports the joint as live";
+    public const string StampsStopped = "its samples arrive with an unchanged time stamp; set each stamp to the control time of its sample";
+    public const string StampsOld = "its samples arrive with time stamps that are more than 10 s old; compare the clock of its source with the control clock";
     public const string NotPublished = "the robot description has this joint, but no source publishes it";
     public const string NoSource = "no source publishes joint positions yet";
 

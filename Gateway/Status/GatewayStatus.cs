@@ -162,7 +162,7 @@ sealed class GatewayStatus : IDisposable
         {
             var age = _clock.AtReceived(message.ReceivedAt) - state.Stamp;
             _sources.Add(message.Joints, message.ReceivedAt, age);
-            _joints.Add(message.Source, message.Joints, age);
+            _joints.Add(message.Source, message.Joints, state.Stamp, age);
         }
         else if (message.Content is TransformsMessage frames) _cell.Add(message.Source, frames, message.Topic == RosTopics.TfStatic);
         else if (message.Content is SignalsMessage signals) _cell.Add(message.Source, signals);

@@ -24,7 +24,7 @@ sealed class JointBoard(
     /// <summary>Maximum number of sources of one joint: the source that publishes the joint, and others that are refused or gone.</summary>
     internal const int MaxSources = 4;
 
-    /// <summary>Time without samples after which a joint is stale, unless its adapter reports another state.</summary>
+    /// <summary>Time without a sample with a new stamp after which a joint is stale, unless its adapter reports another state.</summary>
     internal static readonly TimeSpan StaleAfter = TimeSpan.FromSeconds(1.8);
 
     internal static readonly TimeSpan ForgottenAfter = TimeSpan.FromMinutes(10);
@@ -41,10 +41,10 @@ sealed class JointBoard(
     /// <param name="source">The source; null for the gateway's own.</param>
     /// <param name="names">Joints of the sample.</param>
     /// <param name="age">Control time at the arrival of the sample minus its stamp.</param>
-    public void Add(HubSource source, string[] names, TimeSpan age)
+    public void Add(HubSource source, string[] names, ControlTime stamp, TimeSpan age)
     {
         lock (_lock)
-            foreach (var name in names) Find(name)?.Samples.Add(source, age);
+            foreach (var name in names) Find(name)?.Samples.Add(source, stamp, age);
     }
 
     /// <summary>Adds a sample that was refused because another source publishes one of its joints.</summary>

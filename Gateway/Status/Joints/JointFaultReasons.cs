@@ -26,6 +26,12 @@ static class JointFaultReasons
     /// <summary>The gateway drops the source's samples for a reason without its own word.</summary>
     public const string InvalidMessage = "invalid-message";
 
+    /// <summary>The samples arrive with an unchanged time stamp.</summary>
+    public const string StampNotNewer = "stamp-not-newer";
+
+    /// <summary>The samples arrive with a time stamp that is too old.</summary>
+    public const string StampOld = "stamp-old";
+
     /// <summary>Any other reason, for example of an adapter that sends no word.</summary>
     public const string Other = "other";
 
@@ -34,7 +40,7 @@ static class JointFaultReasons
     [
         "never-received", "not-connected", "node-gone", "not-monitored", "not-readable", "ended-in-motion", "silent-too-long", "not-confirmed",
         "retained", "plc-stopped", "other-gateway", "status-bad", "status-uncertain", "type", "index", "field", "malformed", "not-finite",
-        "stamp-missing", "stamp-zero", "stamp-not-newer", "stamp-future", "stamp-old", "time-unmatched",
+        "stamp-missing", "stamp-zero", StampNotNewer, "stamp-future", StampOld, "time-unmatched",
     ];
 
     /// <summary>All words.</summary>

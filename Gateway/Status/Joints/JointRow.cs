@@ -76,6 +76,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
             return isReportFresh
                 ? (JointDataState.Missing, null, JointReasons.NoSample, JointFaultReasons.NoSample)
                 : (JointDataState.Missing, null, JointReasons.NoReport, JointFaultReasons.AdapterSilent);
+        if (samples.StampFault is { } fault) return (JointDataState.Stale, samples.LastUtc, fault.Reason, fault.Word);
         if (IsConfigured && !isReportFresh)
             return (JointDataState.Stale, samples.LastUtc, JointReasons.Silent(Source), JointFaultReasons.AdapterSilent);
         var reason = isReportFresh ? JointReasons.SamplesStopped : "samples stopped arriving";

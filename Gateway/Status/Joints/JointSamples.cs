@@ -1,14 +1,20 @@
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Status.Joints;
 
-/// <summary>The samples of one joint at the gateway: their rate, their age, and the time since the last sample.</summary>
+/// <summary>The samples of one joint at the gateway: their rate, their age, and the time since the last sample with a new stamp.</summary>
 sealed class JointSamples(TimeProvider time)
 {
     // Weight of a new interval in the mean interval, so small that a few bursts over TCP hardly change the rate.
     const double Weight = 0.05;
 
-    long _last;
+    /// <summary>Age from which a sample says nothing about the present position. Headsets show a position of about a second at most.</summary>
+    internal static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(10);
+
+    // Arrival of the newest sample, and of the newest one with another stamp than the sample before.
+    long _arrived, _last;
+    ControlTime _stamp;
     TimeSpan _ageAtArrival;
     double _meanSeconds;
 
@@ -22,10 +28,22 @@ sealed class JointSamples(TimeProvider time)
     /// <summary>Whether the source of the newest sample has ended normally.</summary>
     public bool HasLeft { get; private set; }
 
-    /// <summary>Time since the newest sample arrived.</summary>
+    /// <summary>Time since the newest sample with another stamp than the sample before arrived.</summary>
     public TimeSpan Silence => time.GetElapsedTime(_last);
 
-    public bool IsFlowing => HasAny && Silence < JointBoard.StaleAfter;
+    public bool IsFlowing => HasAny && Silence < JointBoard.StaleAfter && !IsOld;
+
+    /// <summary>The reason why the samples that arrive are not current, as a sentence and as a word; null if none arrive or if they are current.</summary>
+    public (string Reason, string Word)? StampFault
+    {
+        get
+        {
+            if (!HasAny || IsFlowing || time.GetElapsedTime(_arrived) >= JointBoard.StaleAfter) return null;
+            return IsOld ? (JointReasons.StampsOld, JointFaultReasons.StampOld) : (JointReasons.StampsStopped, JointFaultReasons.StampNotNewer);
+        }
+    }
+
+    bool IsOld => _ageAtArrival > MaxAge;
 
     /// <summary>Control time minus the newest sample's stamp; null before the first sample.</summary>
     public TimeSpan? Age => HasAny ? _ageAtArrival + Silence : null;
@@ -38,14 +56,20 @@ sealed class JointSamples(TimeProvider time)
     /// <summary>Adds a sample that has just arrived.</summary>
     /// <param name="source">Source of the sample.</param>
     /// <param name="age">Control time at the arrival minus the sample's stamp.</param>
-    public void Add(HubSource source, TimeSpan age)
+    public void Add(HubSource source, ControlTime stamp, TimeSpan age)
     {
-        var now = time.GetTimestamp();
+        var now = _arrived = time.GetTimestamp();
+        if (HasAny && source == Source && stamp == _stamp)
+        {
+            HasLeft = false;
+            return;
+        }
+
         var interval = time.GetElapsedTime(_last, now).TotalSeconds;
         // Restarts the mean after a pause, which is not a sampling interval.
         if (!IsFlowing) _meanSeconds = 0;
         else _meanSeconds = _meanSeconds == 0 ? interval : _meanSeconds + Weight * (interval - _meanSeconds);
         (HasAny, HasLeft) = (true, false);
-        (Source, _last, _ageAtArrival, LastUtc) = (source, now, age, time.GetUtcNow());
+        (Source, _stamp, _last, _ageAtArrival, LastUtc) = (source, stamp, now, age, time.GetUtcNow());
     }
 }

@@ -14,6 +14,7 @@ namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
 sealed class MonitoredGateway : IAsyncDisposable
 {
     readonly List<string> _log = [];
+    IControlClock _clock;
 
     public SteppedTime Time { get; } = new();
     public GatewayServer Server { get; private set; }
@@ -31,8 +32,8 @@ sealed class MonitoredGateway : IAsyncDisposable
     public async Task StartAsync(Func<GatewayOptions, GatewayOptions> with = null, IControlClock clock = null)
     {
         var options = Gateways.Options() with { Time = Time };
-        clock ??= new StopwatchControlClock(Gateways.Start);
-        Server = await GatewayServer.StartAsync(with?.Invoke(options) ?? options, clock, AddToLog).Bounded();
+        _clock = clock ?? new StopwatchControlClock(Gateways.Start);
+        Server = await GatewayServer.StartAsync(with?.Invoke(options) ?? options, _clock, AddToLog).Bounded();
         Source = Server.Hub.OpenSource();
     }
 
@@ -54,7 +55,7 @@ sealed class MonitoredGateway : IAsyncDisposable
         return text.TrimEnd('\n').Split('\n');
     }
 
-    public void Publish(params string[] joints) => Source.Publish(Gateways.State(1, joints));
+    public void Publish(params string[] joints) => Source.Publish(new JointStateMessage(_clock.Now, joints, [.. joints.Select(_ => 1.0)]));
 
     public void Report(string name, params (string Key, string Value)[] values) =>
         Source.Publish(new DiagnosticsMessage(new ControlTime(Time.GetUtcNow() - DateTimeOffset.UnixEpoch), name, [.. values.Select(pair => KeyValuePair.Create(pair.Key, pair.Value))]));

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Protocol;
 using NUnit.Framework;
@@ -50,12 +51,74 @@ public class JointBoardTests
         Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Stale));
 
         var again = _joints.Time.GetUtcNow();
-        _joints.Board.Add(_joints.Source, ["a"], TimeSpan.Zero);
+        _joints.Add(_joints.Source, "a");
 
         Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Live));
         Assert.That(_joints.Joint("a").Since, Is.EqualTo(again));
         _joints.Send(2, "a");
         Assert.That(_joints.Joint("a").RateHz, Is.EqualTo(20).Within(0.5), "the rate does not include the pause");
+    }
+
+    [Test]
+    public void Read_SamplesWithAnUnchangedStamp_IsStaleSinceTheFirstUntilTheStampChanges()
+    {
+        _joints.Send(2, "a");
+        var (first, stamp) = (_joints.Time.GetUtcNow(), _joints.Now);
+        void Repeat(double seconds)
+        {
+            for (var i = 0; i < seconds * 50; i++)
+            {
+                _joints.Board.Add(_joints.Source, ["a"], stamp, _joints.Now - stamp);
+                _joints.Time.Advance(TimeSpan.FromMilliseconds(20));
+            }
+        }
+
+        Repeat(1.7);
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Live));
+        Repeat(60);
+
+        var joint = _joints.Joint("a");
+        Assert.That((joint.State, joint.Since, joint.Reason), Is.EqualTo((JointDataState.Stale, first, JointReasons.StampsStopped)));
+        Assert.That((joint.ReasonWord, joint.RateHz, joint.Age.Value.TotalSeconds), Is.EqualTo((JointFaultReasons.StampNotNewer, 0.0, 61.7)));
+
+        _joints.Add(_joints.Source, "a");
+
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Live));
+    }
+
+    [TestCase(9.9, JointDataState.Live)]
+    [TestCase(10.1, JointDataState.Stale)]
+    [TestCase(600, JointDataState.Stale)]
+    public void Read_SamplesWithOldStamps_IsStaleFromTenSeconds(double ageSeconds, JointDataState expected)
+    {
+        var age = TimeSpan.FromSeconds(ageSeconds);
+        for (var i = 0; i < 100; i++)
+        {
+            _joints.Board.Add(_joints.Source, ["a"], _joints.Now - age, age);
+            _joints.Time.Advance(TimeSpan.FromMilliseconds(20));
+            Assert.That(_joints.Joint("a").State, Is.EqualTo(expected));
+        }
+
+        var isLive = expected == JointDataState.Live;
+        Assert.That(_joints.Joint("a").Reason, Is.EqualTo(isLive ? "" : JointReasons.StampsOld));
+        Assert.That(_joints.Joint("a").ReasonWord, Is.EqualTo(isLive ? null : JointFaultReasons.StampOld));
+
+        _joints.Send(1, "a");
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Live), "the clock of the source is correct again");
+    }
+
+    [Test]
+    public void Read_UnchangedStampAfterTheAdapterReportsRest_IsAtRest()
+    {
+        _joints.Source.Name = "press";
+        var stamp = _joints.Now;
+        for (var second = 0; second < 20; second++)
+        {
+            _joints.Board.Add(_joints.Source, ["a"], stamp, _joints.Now - stamp);
+            _joints.Report("press", ("a", "rest", "no change"));
+            _joints.Time.Advance(TimeSpan.FromSeconds(1));
+            Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Rest), $"after {second + 1} s");
+        }
     }
 
     [Test]
@@ -112,9 +175,9 @@ public class JointBoardTests
         _joints.Report("press", ("configured", "missing", ""));
         for (var i = 0; i < 5000; i++)
         {
-            _joints.Board.Add(_joints.Source, [$"joint {i}"], TimeSpan.Zero);
+            _joints.Add(_joints.Source, $"joint {i}");
             _joints.Time.Advance(TimeSpan.FromMilliseconds(10));
-            if (i % 50 == 0) _joints.Board.Add(_joints.Source, ["live"], TimeSpan.Zero);
+            if (i % 50 == 0) _joints.Add(_joints.Source, "live");
         }
 
         Assert.That(_joints.Board.Read(), Has.Count.EqualTo(JointBoard.MaxJoints));

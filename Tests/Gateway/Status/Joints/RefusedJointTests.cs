@@ -36,7 +36,7 @@ public class RefusedJointTests
         _joints.Send(2, "a", "b");
         for (var i = 0; i < 40; i++)
         {
-            _joints.Board.Add(other, ["c"], TimeSpan.Zero);
+            _joints.Add(other, "c");
             _joints.Board.Refuse(_joints.Source, ["a", "b"], "position of joint b is null");
             _joints.Time.Advance(TimeSpan.FromMilliseconds(50));
         }

@@ -26,10 +26,20 @@ sealed class SampledBoard
     {
         for (var i = 0; i < seconds * 20; i++)
         {
-            Board.Add(Source, names, TimeSpan.FromMilliseconds(70));
+            Add(Source, names);
             Time.Advance(TimeSpan.FromMilliseconds(50));
         }
     }
+
+    /// <summary>Adds a sample that is 70 ms old.</summary>
+    public void Add(HubSource source, params string[] names)
+    {
+        var age = TimeSpan.FromMilliseconds(70);
+        Board.Add(source, names, Now - age, age);
+    }
+
+    /// <summary>Control time, which is equal to the wall clock.</summary>
+    public ControlTime Now => new(Time.GetUtcNow() - DateTimeOffset.UnixEpoch);
 
     public void Report(string adapter, params (string Joint, string State, string Reason)[] joints)
     {
