@@ -251,9 +251,11 @@ public sealed class Recorder : IAsyncDisposable
         _file = file;
         _log(RecorderMessages.Begun(file.Path));
         _traffic.Tick(file);
-        // Adds the latched messages, because they were published before this file and are not published again.
+        // Adds the messages that the hub keeps, because they were published before this file and are not published again.
         foreach (var topic in LatchedTopics)
             foreach (var message in _hub.ReadLatched(topic, () => 0)) _traffic.Add(file, message);
+        foreach (var robot in _hub.Robots.Prepend(""))
+            _hub.Subscribe(RobotTopic.NameOf(robot, RosTopics.JointTrajectory), message => _traffic.Add(file, message)).Dispose();
         _ending.RemoveAll(ended => ended.IsCompleted);
         _ = file.Ended.ContinueWith(_ => Settle(file), TaskScheduler.Default);
     }

@@ -185,4 +185,21 @@ public class RecorderFileTests
         var sample = lines.Single(line => line.GetProperty("kind").GetString() == "sample");
         Assert.That(sample.GetProperty("names")[0].GetString(), Is.EqualTo("arm1/a"));
     }
+
+    [TestCase("", "a")]
+    [TestCase("arm1", "arm1/a")]
+    public async Task Record_SetPointsSentBeforeTheStart_WritesTheNewestOfEachFile(string robot, string joint)
+    {
+        foreach (var position in new[] { 0.25, 0.5 })
+            _cell.Source.Publish(new JointTrajectoryMessage(_cell.Clock.Now, ["a"], [new JointTrajectoryPoint(TimeSpan.Zero, [position])]), null, robot);
+        await using var recorder = _cell.Open();
+        for (var i = 0; i < 2; i++)
+        {
+            recorder.SwitchOn();
+            await recorder.SwitchOffAsync().Bounded();
+
+            var plan = Lines(recorder.Path).Single(line => line.GetProperty("kind").GetString() == "plan");
+            Assert.That((plan.GetProperty("names")[0].GetString(), plan.GetProperty("points")[0].GetProperty("position")[0].GetDouble()), Is.EqualTo((joint, 0.5)));
+        }
+    }
 }
