@@ -138,8 +138,9 @@ public sealed class HubSource : IDisposable
     /// <param name="topic">Topic of the message.</param>
     internal void ReportDropped(string topic, LeftOut part) => _hub.ReportDropped(this, topic, part);
 
-    /// <summary>Reports that the source ends normally. Its joints are then removed from the status after a period without samples.</summary>
-    internal void Leave() => _hub.ReportLeft(this);
+    /// <summary>Reports that the source ends normally. Its data are then removed from the status after a period without messages.</summary>
+    /// <param name="topic">The topic on which it ends; null for all.</param>
+    internal void Leave(string topic = null) => _hub.ReportLeft(this, topic);
 
     /// <summary>Releases the joints, frames or signals that this source owns on one topic.</summary>
     public void Release(string topic)

@@ -65,8 +65,8 @@ public sealed class MessageHub
     /// <summary>Raised when a source no longer publishes on a topic, except when it ends. Called under the hub's lock.</summary>
     internal event Action<HubSource, string> TopicReleased;
 
-    /// <summary>Raised when a source ends normally: it has closed its connection or unadvertised its joint states.</summary>
-    internal event Action<HubSource> SourceLeft;
+    /// <summary>Raised when a source ends normally, with the topic that it has unadvertised, or null if it has closed its connection.</summary>
+    internal event Action<HubSource, string> SourceLeft;
 
     /// <summary>Gets the description of a robot; null until a source has published one.</summary>
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
@@ -241,7 +241,7 @@ public sealed class MessageHub
 
     internal void ReportLeft(string name) => Left?.Invoke(name);
 
-    internal void ReportLeft(HubSource source) => SourceLeft?.Invoke(source);
+    internal void ReportLeft(HubSource source, string topic) => SourceLeft?.Invoke(source, topic);
 
     internal void ReportDropped(HubSource source, string robot, string[] names, string reason, DropReason code)
     {

@@ -172,8 +172,10 @@ sealed class RosbridgeSession : IDisposable
         }
 
         _source.Release(message.Topic);
-        if (message.RobotTopic.Kind == RosTopics.JointStates && !_advertised.Any(topic => RobotTopic.Parse(topic).Kind == RosTopics.JointStates))
-            _source.Leave();
+        // Several robots of one source end together, because the status has no topics of joints.
+        var isLast = message.RobotTopic.Kind == RosTopics.JointStates && !_advertised.Any(topic => RobotTopic.Parse(topic).Kind == RosTopics.JointStates);
+        if (isLast) _source.Leave(RosTopics.JointStates);
+        else if (Publications.HasParts(message.Topic)) _source.Leave(message.Topic);
     }
 
     void Offer(RosbridgeMessage message)

@@ -75,8 +75,7 @@ sealed class GatewayStatus : IDisposable
         hub.PartDropped += _cell.Refuse;
         hub.Left += _diagnostics.Remove;
         hub.SampleDropped += _joints.Refuse;
-        hub.SourceLeft += _joints.Leave;
-        hub.SourceLeft += _cell.Leave;
+        hub.SourceLeft += Leave;
         hub.SignalsEnded += _cell.End;
         hub.Frames.Ended += _cell.EndFrame;
         hub.Frames.Replaced += _cell.RemoveFrame;
@@ -116,8 +115,7 @@ sealed class GatewayStatus : IDisposable
         _hub.PartDropped -= _cell.Refuse;
         _hub.Left -= _diagnostics.Remove;
         _hub.SampleDropped -= _joints.Refuse;
-        _hub.SourceLeft -= _joints.Leave;
-        _hub.SourceLeft -= _cell.Leave;
+        _hub.SourceLeft -= Leave;
         _hub.SignalsEnded -= _cell.End;
         _hub.Frames.Ended -= _cell.EndFrame;
         _hub.Frames.Replaced -= _cell.RemoveFrame;
@@ -189,6 +187,12 @@ sealed class GatewayStatus : IDisposable
     {
         if (topic == RosTopics.JointStates) _joints.Refuse(source, name, owner);
         _refusals.Add(source, topic, name, owner);
+    }
+
+    void Leave(HubSource source, string topic)
+    {
+        if (topic is null or RosTopics.JointStates) _joints.Leave(source);
+        _cell.Leave(source, topic);
     }
 
     static JointView Of(JointSnapshot joint) => new(

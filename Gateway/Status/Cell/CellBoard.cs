@@ -125,12 +125,16 @@ sealed class CellBoard(
     }
 
     /// <summary>Records that a source ended normally.</summary>
-    public void Leave(HubSource source)
+    /// <param name="topic">The topic on which the source ended; null for all.</param>
+    public void Leave(HubSource source, string topic = null)
     {
+        bool IsOn(string of) => topic == null || topic == of;
         lock (_gate)
         {
-            foreach (var frame in _frames.Values.Where(frame => frame.Source == source)) frame.HasLeft = true;
-            foreach (var signal in _signals.Values.Where(signal => signal.Source == source)) signal.HasLeft = true;
+            foreach (var frame in _frames.Values)
+                if (frame.Source == source && IsOn(frame.IsStationary ? RosTopics.TfStatic : RosTopics.Tf)) frame.HasLeft = true;
+            foreach (var signal in _signals.Values)
+                if (signal.Source == source && IsOn(RosTopics.Signals)) signal.HasLeft = true;
         }
     }
 

@@ -1,6 +1,7 @@
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Events;
+using Nowpose.Gateway.Status.Joints;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using NUnit.Framework;
@@ -178,5 +179,28 @@ public class CellFaultTests
 
         await Soon.BecomesAsync(() => Listed() == "grip stale", "the adapter no longer reports the lamp");
         await _gateway.BeginsAsync("signal", "grip (plc)");
+    }
+
+    // The client closes its connection in another way afterwards, so that only the withdrawal is a normal end.
+    [TestCase(RosTopics.Signals, "box")]
+    [TestCase(RosTopics.Tf, "grip")]
+    [TestCase(RosTopics.JointStates, "box, grip")]
+    public async Task Unadvertise_OneTopic_EndsNormallyOnlyOnThisTopic(string topic, string kept)
+    {
+        using (var client = await RawRosbridgeClient.ConnectAsync(_gateway.Server))
+        {
+            await client.SendAsync(RosbridgeWriter.Advertise(topic, null));
+            await client.SendAsync(Tf(Frame("box")));
+            await client.SendAsync(SignalsText(("grip", 1)));
+            await client.SendAsync($$"""{"op":"unadvertise","topic":"{{topic}}"}""");
+            await client.RoundTripAsync();
+        }
+
+        await Soon.BecomesAsync(() => _gateway.Server.WebSocketConnections.Open == 0, "the client has disconnected");
+        _gateway.Time.Advance(JointBoard.ForgottenAfter + TimeSpan.FromSeconds(1));
+
+        var state = await _gateway.StateAsync();
+        var names = state.GetProperty("frames").EnumerateArray().Concat(state.GetProperty("signals").EnumerateArray()).Select(one => one.GetProperty("name").GetString());
+        Assert.That(string.Join(", ", names), Is.EqualTo(kept));
     }
 }
