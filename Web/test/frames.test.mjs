@@ -36,6 +36,18 @@ describe('frames', () => {
     assert.deepEqual(shown, [2]);
   });
 
+  it('place a robot at the origin only if the gateway does not list its base as a frame', () => {
+    const frames = new Frames();
+    frames.setListed(['arm1/base', 'box']);
+    const baseAt = name => frames.baseAt(name, 10, none)?.elements[12];
+    assert.deepEqual(['base', 'arm1/base', 'arm2/base'].map(baseAt), [0, undefined, 0]);
+
+    frames.take(message('arm1/base', 'world', 10, 2), false);
+    frames.setListed([]);
+
+    assert.equal(baseAt('arm1/base'), 2);
+  });
+
   it('move with the drawn link of a robot, even if a source publishes the link', () => {
     const frames = new Frames();
     frames.take(message('tool0', 'world', 10, 9), false);

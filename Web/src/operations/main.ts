@@ -112,6 +112,7 @@ function show(state: State): void {
   byId('pairing').hidden = !state.pairs_headsets;
   headsets.show(state.headsets ?? []);
   robot.setJoints(state.joints ?? []);
+  robot.setFrames(state.frames ?? []);
   robot.choose(state.headsets?.find(h => h.name === headsets.chosen) ?? null);
   budget.show(state.headsets ?? []);
   plots.add(performance.now() / 1000, state, headsets.chosen);

@@ -9,7 +9,7 @@ import { setText } from './liveTable';
 import { LiveClock } from './liveClock';
 import { OtherRobots } from './otherRobots';
 import { JOINT_STATE, readJointState, type Rosbridge } from './rosbridge';
-import { type Headset, type Joint, numberOf } from './state';
+import { type CellFrame, type Headset, type Joint, numberOf } from './state';
 
 /**
  * BEHIND_S: age of the displayed state, in seconds. After this time, the following samples and the headset's report have arrived. KEEP_S: length of
@@ -86,6 +86,11 @@ export class RobotPanel {
     this.current = new Set(joints.filter(isGood).map(joint => joint.name));
     this.faults = new Map(joints.filter(joint => !this.current.has(joint.name)).map(joint => [joint.name, joint.state]));
     this.others.setJoints(joints.map(joint => joint.name));
+  }
+
+  /** Sets the frames of the gateway. A robot whose base is one of them is drawn only while the pose of its base is known. */
+  setFrames(frames: CellFrame[]): void {
+    this.frames.setListed(frames.map(frame => frame.name));
   }
 
   // Removes everything received on an earlier connection. The gateway may have restarted without some robots and objects; it sends the others again.

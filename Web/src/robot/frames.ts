@@ -46,6 +46,7 @@ export class Frames {
   readonly group = new Group();
   /** The stationary frames among them are in the order of their arrival. */
   private readonly frames = new Map<string, Frame>();
+  private listed = new Set<string>();
 
   /** @param sampled Called with the time stamp of each pose of a moving frame. */
   constructor(private readonly sampled: (stamp: number) => void = () => {}) {}
@@ -59,6 +60,11 @@ export class Frames {
     } catch {
       // Ignores a message that cannot be read. The gateway has checked it, so it has a format that this page does not support.
     }
+  }
+
+  /** @param names All frames of the gateway, also those without a pose that the gateway could send to this page. */
+  setListed(names: string[]): void {
+    this.listed = new Set(names);
   }
 
   /** Removes all frames. */
@@ -79,9 +85,9 @@ export class Frames {
     }
   }
 
-  /** Returns the pose of a frame in the world; null if the pose is unknown at that time, and the identity if no frame has this name. */
+  /** Returns the pose of a frame in the world; null if the pose is unknown at that time, and the identity if the gateway has no frame of this name. */
   baseAt(name: string, time: number, linkOf: (name: string) => Matrix4 | null): Matrix4 | null {
-    return this.frames.has(name) ? this.worldOf(name, time, linkOf, 0) : new Matrix4();
+    return this.frames.has(name) || this.listed.has(name) ? this.worldOf(name, time, linkOf, 0) : new Matrix4();
   }
 
   addTo(box: Box3): void {

@@ -72,6 +72,16 @@ describe('the robot', () => {
     await showsToolError(page);
   });
 
+  it('is not drawn if the gateway lists its base as a frame, but a pose of the base has never arrived', async () => {
+    gateway.state.frames.push({ name: 'arm_link_0', parent: 'world', source: 'tracker', state: 'stale', age_s: 60, reason: 'its poses stopped arriving' });
+    const page = await open({ reducedMotion: 'reduce' });
+    await becomes(page, '.apart', robotMessages.baseUnknown);
+    assert.equal(await bodiesDrawn(page), 1, 'only the floor');
+
+    gateway.base = [0.5, 0, 0];
+    await showsToolError(page);
+  });
+
   it('shows the distance between the displayed and the true tool at one time', async () => {
     const page = await open();
 
