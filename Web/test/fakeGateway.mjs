@@ -207,6 +207,7 @@ export class FakeGateway {
   }
 
   hear(socket, { op, topic, queue_length }) {
+    if (op === 'unsubscribe') return this.sockets.get(socket).delete(topic);
     if (op !== 'subscribe') throw new Error(`the page ${op}s`);
     this.sockets.get(socket).add(topic);
     this.queues.set(topic, queue_length);

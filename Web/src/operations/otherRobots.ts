@@ -33,11 +33,16 @@ export class OtherRobots implements Beside {
     return [...this.robots.values()].some(({ bodies }) => bodies?.isShown('truth'));
   }
 
-  /** @param joints Names of all joints of the gateway. The name of a joint in a namespace begins with the namespace, for example arm1/elbow. */
+  /**
+   * Adds the robots of these joints. If there are too many, a new robot replaces one without a joint in the list.
+   * @param joints Names of all joints of the gateway. The name of a joint in a namespace begins with the namespace, for example arm1/elbow.
+   */
   setJoints(joints: string[]): void {
-    for (const joint of joints) {
-      const end = joint.indexOf('/');
-      if (end > 0 && this.robots.size < MAX_ROBOTS && !this.robots.has(joint.slice(0, end))) this.add(joint.slice(0, end));
+    const listed = new Set(joints.filter(joint => joint.indexOf('/') > 0).map(joint => joint.slice(0, joint.indexOf('/'))));
+    for (const name of listed) {
+      if (this.robots.has(name)) continue;
+      if (this.robots.size >= MAX_ROBOTS) this.remove([...this.robots.keys()].find(known => !listed.has(known)));
+      if (this.robots.size < MAX_ROBOTS) this.add(name);
     }
   }
 
@@ -75,21 +80,33 @@ export class OtherRobots implements Beside {
   private add(name: string): void {
     const robot: Robot = { bodies: null, tracks: new JointTracks(this.keepS) };
     this.robots.set(name, robot);
-    this.link.subscribe(`/${name}/robot_description`, 'std_msgs/msg/String', text => this.describe(robot, text));
+    const [description, states] = topicsOf(name);
+    this.link.subscribe(description, 'std_msgs/msg/String', text => this.describe(robot, text));
     const take = (text: string) => {
       const state = readJointState(text);
       if (!state) return;
       this.sampled(state.stamp);
       robot.tracks.add(state.stamp, state.names, state.positions);
     };
-    this.link.subscribe(`/${name}/joint_states`, JOINT_STATE, take, 20, 8);
+    this.link.subscribe(states, JOINT_STATE, take, 20, 8);
+  }
+
+  private remove(name: string | undefined): void {
+    if (name === undefined) return;
+    for (const topic of topicsOf(name)) this.link.unsubscribe(topic);
+    this.removeBodies(this.robots.get(name)!);
+    this.robots.delete(name);
+  }
+
+  private removeBodies(robot: Robot): void {
+    if (robot.bodies) this.group.remove(robot.bodies.group);
+    robot.bodies?.dispose();
+    robot.bodies = null;
   }
 
   private describe(robot: Robot, text: string): void {
     const { data } = JSON.parse(text).msg;
-    if (robot.bodies) this.group.remove(robot.bodies.group);
-    robot.bodies?.dispose();
-    robot.bodies = null;
+    this.removeBodies(robot);
     try {
       robot.bodies = new Bodies(data);
       this.group.add(robot.bodies.group);
@@ -98,3 +115,5 @@ export class OtherRobots implements Beside {
     }
   }
 }
+
+const topicsOf = (name: string) => [`/${name}/robot_description`, `/${name}/joint_states`];

@@ -36,6 +36,11 @@ export class Rosbridge {
     if (this.socket?.readyState === WebSocket.OPEN) this.ask(this.socket, topic);
   }
 
+  unsubscribe(topic: string): void {
+    this.topics.delete(topic);
+    if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify({ op: 'unsubscribe', topic }));
+  }
+
   /** @param opened Called when a connection opens, before its first message. */
   onOpen(opened: () => void): void {
     this.opened = opened;

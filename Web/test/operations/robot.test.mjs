@@ -5,7 +5,7 @@ import { drawn } from '../drawn.mjs';
 import { JOINTS, UPRIGHT } from '../fakeGateway.mjs';
 import { messages } from '../messages.mjs';
 import { picture } from '../pixels.mjs';
-import { becomes, bodiesDrawn, gateway, open, openWithOneBody, showsToolError, withGraphics } from './page.mjs';
+import { becomes, bodiesDrawn, gateway, nextState, open, openWithOneBody, showsToolError, withGraphics } from './page.mjs';
 
 const { jointReasons, robotMessages, robotReasons } = messages;
 
@@ -41,6 +41,24 @@ describe('the robot', () => {
     gateway.state.joints.at(-JOINTS.length).state = 'stale';
     const part = await drawn(() => bodiesDrawn(page), bodies => bodies > alone && bodies < both);
     assert.ok(part > alone && part < both, `${part} bodies, between ${alone} and ${both}`);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('in a namespace is drawn after 16 others have come and gone', async () => {
+    const { page, alone } = await openWithOneBody();
+    const own = [...gateway.state.joints];
+    const jointsOf = robot => JOINTS.map(joint => ({ ...own[0], name: `${robot}/${joint}` }));
+    for (let i = 1; i <= 16; i++) gateway.state.joints = [...own, ...jointsOf(`arm${i}`), ...gateway.state.joints.slice(own.length)];
+    const topics = () => [...gateway.sockets.values()][0];
+    const used = () => [...topics()].filter(topic => topic.endsWith('/joint_states') && topic !== '/joint_states').length;
+    await drawn(() => nextState(page), () => used() === 16);
+
+    gateway.state.joints = [...own, ...jointsOf('arm17')];
+    gateway.robots = ['arm17'];
+    const both = await drawn(() => bodiesDrawn(page), bodies => bodies > alone);
+
+    assert.ok(both > alone, `${both} bodies instead of ${alone}`);
+    assert.equal(used(), 16);
     assert.deepEqual(page.complaints, []);
   });
 
