@@ -63,6 +63,7 @@ static class EventTexts
     public static string StartedAgain(string end) => $"{end} and is started again";
     public static string NotConnected(string adapter) => $"adapter {adapter} is not connected to its plant";
 
+    public const string HasNotice = "reports a warning";
     public const string OtherVersion = "is not compatible with this gateway";
     public const string NoCurrentPose = "shows no current pose";
     public const string HeadsetLost = "its reports stopped without a normal end of the connection";

@@ -207,6 +207,8 @@ sealed class Conditions(
                 // Normal only before the first samples; later, it means that the connection was lost.
                 IsNormalAtStart = Value("samples") is null or "0",
             };
+        if (isAdapter && Value("notice") is { } notice)
+            yield return new(kind, name, EventTexts.HasNotice, notice, Level.Warning);
         if (NowposeVersion.MismatchOf(Value("version"), "it", EventTexts.ThisGateway) is { } mismatch)
             yield return new(kind, name, EventTexts.OtherVersion, mismatch, Level.Warning);
         if (!isAdapter && Value("pose") is { } pose && !CurrentPoses.Contains(pose))

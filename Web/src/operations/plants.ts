@@ -120,11 +120,12 @@ function jointNote({ reason, uncertain }: Joint): string {
   return uncertain && !reason.includes(uncertain) ? [reason, uncertain].filter(Boolean).join('; ') : reason;
 }
 
-/** Returns the reason why an adapter is not connected, and the number of refused values for each reason. */
+/** Returns the reason why an adapter is not connected, its warning, coarse steps of its clock, and the number of refused values for each reason. */
 function adapterNote(adapter: Words): string {
   const refused = Object.keys(adapter).filter(key => key.startsWith('refused/') && numberOf(adapter, key));
   const counts = refused.map(key => `${key.slice('refused/'.length)} ${format(numberOf(adapter, key))}`);
-  return [textOf(adapter, 'reason'), counts.length > 0 ? operationsLabels.refusedValues(counts.join(', ')) : ''].filter(Boolean).join('; ');
+  const texts = ['reason', 'notice', 'clock'].map(key => textOf(adapter, key));
+  return [...texts, counts.length > 0 ? operationsLabels.refusedValues(counts.join(', ')) : ''].filter(Boolean).join('; ');
 }
 
 /** Returns the state of the control clock in one line. */

@@ -75,6 +75,9 @@ describe('the shown state', () => {
     assert.match(await page.textContent('#clock'), /synchronised, of press, ±\u00a035.*, within 120/);
     assert.deepEqual((await cells(page, 'belt')).slice(0, 2), ['ads', 'refused']);
     assert.equal(await noteOf(page, 'belt'), 'the router does not know this machine');
+    Object.assign(gateway.state.adapters[1], { reason: '', notice: 'emergency stop; release it', clock: 'steps of 100 ms', 'refused/type': 2 });
+    await nextState(page);
+    assert.equal(await noteOf(page, 'belt'), `emergency stop; release it; steps of 100 ms; ${operationsLabels.refusedValues('type 2')}`);
     assert.deepEqual((await cells(page, 'press_ads')).slice(0, 4), [stateLabels.measuredClock, 'synchronised', '12.5', '4.20']);
     assert.deepEqual((await cells(page, 'press_ads')).slice(5, 7), ['25', '90'], 'its ± beside its bound');
     assert.equal((await cells(page, 'press_ads'))[8], '2');

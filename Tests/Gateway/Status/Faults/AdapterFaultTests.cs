@@ -1,5 +1,6 @@
 using System.Net;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Protocol;
@@ -50,6 +51,24 @@ public class AdapterFaultTests
             () => _gateway.EventAsync("adapter", "press").Result.GetProperty("what").GetString() == "does not report", "it is silent");
         Assert.That(
             (await _gateway.StateAsync()).GetProperty("adapters").GetArrayLength(), Is.EqualTo(1), "an adapter that is gone stays in the state");
+    }
+
+    [Test]
+    public async Task Adapter_WithANotice_IsAWarningUntilTheNoticeEnds()
+    {
+        await _gateway.StartAsync();
+        _gateway.Report("adapter/press", ("state", "connected"), ("notice", "emergency stop; release it"));
+
+        await _gateway.BeginsAsync("adapter", "press");
+        var one = await _gateway.EventAsync("adapter", "press");
+        Assert.That(
+            (one.GetProperty("what").GetString(), one.GetProperty("reason").GetString(), one.GetProperty("level").GetString()),
+            Is.EqualTo((EventTexts.HasNotice, "emergency stop; release it", "warning")));
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+
+        _gateway.Report("adapter/press", ("state", "connected"));
+
+        await _gateway.EndsAsync("adapter", "press");
     }
 
     [Test]
