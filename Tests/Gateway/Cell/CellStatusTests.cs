@@ -81,7 +81,7 @@ public class CellStatusTests
         Assert.That((await StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("warning"));
 
         for (var i = 0; i < ProtocolLimits.Robots; i++) await twin.SendAsync(RosbridgeWriter.Advertise($"/new{i}/joint_states", null));
-        await twin.SendAsync(Tf(Frame("box")));
+        await twin.SendAsync(Tf(Frame("box", stamp: Gateways.Start + TimeSpan.FromTicks(10))));
         await twin.RoundTripAsync();
 
         Assert.That((await StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("ok"));
