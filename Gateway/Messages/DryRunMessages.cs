@@ -15,6 +15,11 @@ static class DryRunMessages
 
     public static string WarningLog(string warning) => $"warning: {warning}";
 
+    public static string PublishedTwice(string file, string kind, string name, string other) =>
+        $"{file}: the {kind} {name} is also in {other}, but only one source can publish it; remove it from one of the two files";
+
+    public static string TooMany(string what, int count, int most) => $"the plants have {count} {what} together; the gateway publishes at most {most}";
+
     public static string MissingJointsLog(IReadOnlyList<string> joints) => $"missing joints: {MissingJoints(joints)}";
 
     public static string MissingJoints(IReadOnlyList<string> joints)

@@ -34,6 +34,7 @@ static class AdapterProgram
             {
                 Joints = content.Joints, PassesUnlisted = content.PassesUnlisted, HasObjects = content.HasObjects, Robot = content.Robot,
                 Robots = content.Robots ?? [], Warnings = content.Warnings ?? [], Frames = content.Frames ?? [],
+                Signals = content.Signals ?? [],
             };
         }
         catch (OperationCanceledException) when (!stop.IsCancellationRequested)
@@ -61,7 +62,7 @@ static class AdapterProgram
 
     internal sealed record PlantContent(
         string Name, string[] Joints, bool PassesUnlisted, string Robot, Dictionary<string, string> Robots = null, bool HasObjects = false,
-        string[] Warnings = null, Dictionary<string, string[]> Frames = null)
+        string[] Warnings = null, Dictionary<string, string[]> Frames = null, string[] Signals = null)
     {
         static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
 

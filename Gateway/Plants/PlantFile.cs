@@ -30,6 +30,9 @@ sealed record PlantFile(string Path, string Name, string Summary)
     /// <summary>The possible parents of each configured frame, by the name of the frame. Empty if the parent arrives with the pose.</summary>
     public IReadOnlyDictionary<string, string[]> Frames { get; init; } = new Dictionary<string, string[]>();
 
+    /// <summary>Names of the configured signals.</summary>
+    public IReadOnlyList<string> Signals { get; init; } = [];
+
     /// <summary>Warnings about valid entries of the file, each with the file and the line.</summary>
     public IReadOnlyList<string> Warnings { get; init; } = [];
 

@@ -52,6 +52,7 @@ function contentOf(kind: Kind, configuration: Configuration): object {
     passes_unlisted: kind.passesUnlisted?.(configuration) ?? false,
     has_objects: configuration.hasObjects,
     frames: configuration.parents,
+    signals: configuration.signals.map(({ signal }) => signal),
     robot: configuration.robot,
     robots: configuration.robots,
     warnings: configuration.warnings,

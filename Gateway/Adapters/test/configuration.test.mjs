@@ -53,7 +53,7 @@ describe('configuration', () => {
     const { status, out } = await check(t, path, { ...process.env, NOWPOSE_SUPERVISED: '1' });
 
     const [, content] = out.split('\n');
-    assert.deepEqual([status, JSON.parse(content)], [0, { name: 'opcua', joints: ['arm_joint_1', 'arm_joint_2'], passes_unlisted: false, has_objects: false, frames: {}, robot: null, robots: {}, warnings: [] }]);
+    assert.deepEqual([status, JSON.parse(content)], [0, { name: 'opcua', joints: ['arm_joint_1', 'arm_joint_2'], passes_unlisted: false, has_objects: false, frames: {}, signals: [], robot: null, robots: {}, warnings: [] }]);
   });
 
   it('Check_ParentInAnotherNode_PrintsAWarningAndSucceeds', async t => {

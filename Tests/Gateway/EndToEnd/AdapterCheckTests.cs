@@ -1,5 +1,6 @@
 using NUnit.Framework;
 using Nowpose.Gateway;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 
@@ -92,6 +93,47 @@ public class AdapterCheckTests : PlantFileFixture
         Assert.That(status, Is.Zero, errors);
         Assert.That(CapturedConsole.Lines(output), Has.One.StartsWith($"warning {path}, line 10: frames[0].parent: "));
     }
+
+    [Test]
+    public async Task Check_NamesInTwoFiles_PrintsAWarningForEach()
+    {
+        const string Cell = """
+            plant: { name: NAME, kind: mqtt, endpoint: mqtt://127.0.0.1 }
+            joints: [{ joint: a, topic: a }, { joint: NAME_only, topic: a }]
+            frames: [{ frame: part, position: { unit: m, x: { topic: part }, y: 0, z: 0 } }]
+            signals: [{ signal: closed, topic: gripper }]
+
+            """;
+        var (first, second) = (Write(Cell.Replace("NAME", "one"), "first.yaml"), Write(Cell.Replace("NAME", "two"), "second.yaml"));
+
+        var (status, output, errors) = await CapturedConsole.OfAsync(() => Nowpose.Gateway.CommandLine.RunAsync(
+            ["serve", "--check", "--plant", first, "--plant", second, "--ws-port", "0", "--sync-port", "0"]).Bounded());
+
+        Assert.That(status, Is.Zero, errors);
+        Assert.That(
+            CapturedConsole.Lines(output).Where(line => line.StartsWith("warning ", StringComparison.Ordinal)),
+            Is.EqualTo(new[] { ("joint", "a"), ("frame", "part"), ("signal", "closed") }
+                .Select(one => "warning " + DryRunMessages.PublishedTwice(second, one.Item1, one.Item2, first))));
+    }
+
+    [TestCase(256, 256, 16, new string[0])]
+    [TestCase(257, 257, 17, new[] { "frames", "signals", "namespaces" })]
+    public void Conflicts_FilesTogetherBeyondTheLimits_AreListed(int frames, int signals, int robots, string[] expected)
+    {
+        PlantFile Half(string name, int part) => new($"{name}.yaml", name, "")
+        {
+            Joints = [.. Names("arm", robots, part).Select(robot => robot + "/a")],
+            Frames = Names("frame", frames, part).ToDictionary(frame => frame, _ => Array.Empty<string>()),
+            Signals = [.. Names("signal", signals, part)],
+        };
+
+        var count = new Dictionary<string, (int, int)> { ["frames"] = (frames, 256), ["signals"] = (signals, 256), ["namespaces"] = (robots, 16) };
+        Assert.That(
+            PlantConflicts.Of([Half("one", 0), Half("two", 1)]),
+            Is.EqualTo(expected.Select(what => DryRunMessages.TooMany(what, count[what].Item1, count[what].Item2))));
+    }
+
+    static IEnumerable<string> Names(string kind, int count, int part) => Enumerable.Range(0, count).Where(i => i % 2 == part).Select(i => $"{kind}{i}");
 
     [TestCase("convyor", true)]
     [TestCase("world", false)]
