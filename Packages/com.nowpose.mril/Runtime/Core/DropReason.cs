@@ -78,7 +78,9 @@ namespace Nowpose
         /// <summary>The joint already has a sample with the same control time, within 1 µs.</summary>
         DuplicateSample,
 
-        /// <summary>The sample is older than all samples that the prediction uses.</summary>
+        /// <summary>
+        /// The sample is older than all samples that the prediction uses, or it is late and its position contradicts the samples before and after it.
+        /// </summary>
         LateSample,
 
         /// <summary>None of the message's joints belongs to the robot.</summary>

@@ -23,8 +23,9 @@ namespace Nowpose.Prediction.Samples
     /// <remarks>
     /// In both cases, the stamp is not newer than the newest stamp. If a sample of a clock that went back is mistaken for an overtaken sample, the
     /// section is wrong; in the opposite case, all learned state is lost. Therefore up to four late samples wait. The next newer sample, or a late
-    /// sample that is not newer than the last waiting sample, shows that they were overtaken, and they are inserted. If their number, or positions
-    /// that contradict the other samples, show that the clock went back, the history restarts with them.
+    /// sample that is not newer than the last waiting sample, shows that they were overtaken, and they are inserted, except samples whose positions
+    /// contradict their neighbours: their stamps are wrong. If their number, or at least two contradictions, show that the clock went back, the
+    /// history restarts with all of them.
     /// </remarks>
     sealed class ArrivalOrder<TSample> where TSample : struct, ISample<TSample>
     {
@@ -55,6 +56,11 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Number of times that the samples showed that the clock went back; all earlier samples are then invalid.</summary>
         public int Restarts { get; private set; }
 
+        /// <summary>Adds a sample, which may be ready at once, wait, or be dropped.</summary>
+        /// <returns>
+        /// Reason why the sample is used only if the clock went back. <see cref="DropReason.None"/> also means that the sample waits; if it never
+        /// becomes ready, it still counts as used.
+        /// </returns>
         /// <param name="oldest">
         /// Order below which samples are too old for the prediction, in s; they are still evidence of a clock that went back.
         /// </param>
@@ -70,9 +76,12 @@ namespace Nowpose.Prediction.Samples
             // The stamp alone is not sufficient: a clock that goes back by whole sampling intervals repeats earlier stamps with other positions.
             var isKnown = _recent.Contains(sample, out var isRepeated);
             if (isRepeated || IsWaiting(sample)) return DropReason.DuplicateSample;
-            var reason = sample.Order < oldest ? DropReason.LateSample : isKnown ? DropReason.DuplicateSample : DropReason.None;
             if (_lateCount > 0 && sample.Order <= _late[_lateCount - 1].Order) ReleaseLate(withEvidence: false);
-            if (_recent.Contradict(sample)) _contradicted++;
+            var contradicts = _recent.Contradict(sample);
+            if (contradicts) _contradicted++;
+            var reason = sample.Order < oldest ? DropReason.LateSample
+                : isKnown ? DropReason.DuplicateSample
+                : contradicts ? DropReason.LateSample : DropReason.None;
             _isOnlyEvidence[_lateCount] = reason != DropReason.None;
             _late[_lateCount++] = sample;
             if (!HasClockGoneBack) return reason;

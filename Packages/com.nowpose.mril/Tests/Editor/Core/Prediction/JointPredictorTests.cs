@@ -28,8 +28,8 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(1.9999991, DropReason.DuplicateSample)]
         [TestCase(1.0000009, DropReason.DuplicateSample)]
         [TestCase(2.0000011, DropReason.None)]
-        [TestCase(1.9999989, DropReason.None)]
-        public void Add_TimeNearAnother_IsRefusedOnlyWithinAMicrosecond(double time, DropReason expected)
+        [TestCase(1.9999989, DropReason.LateSample)]
+        public void Add_TimeNearAnother_IsADuplicateOnlyWithinAMicrosecond(double time, DropReason expected)
         {
             var predictor = Polynomial(2, 2);
             predictor.Add(1, 1);

@@ -100,7 +100,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             var predictor = Fed(PredictionLimits.Unlimited, 0.05, 3 * Cycle);
             var before = predictor.At(predictor.NewestTime + Ahead).Position;
 
-            Assert.That(predictor.Add(predictor.NewestTime - 0.02, 5), Is.EqualTo(DropReason.None));
+            Assert.That(predictor.Add(predictor.NewestTime - 0.02, 5), Is.EqualTo(DropReason.LateSample));
             Assert.That(predictor.At(predictor.NewestTime + Ahead).Position, Is.EqualTo(before));
         }
 

@@ -192,6 +192,20 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             Assert.That(joint.At(2.1).Position, Is.EqualTo(inOrder.At(2.1).Position));
         }
 
+        // The sample that follows the newest one has a stamp that is early by 1.7 intervals.
+        [Test]
+        public void Add_LateSampleContradictsItsNeighbours_IsDropped()
+        {
+            var joint = FedJoint();
+            var inOrder = FedJoint();
+
+            Assert.That(joint.Add((Newest - 0.7) * Interval, PositionAt((Newest + 1) * Interval)), Is.EqualTo(DropReason.LateSample));
+            joint.Add(Sample((Newest + 2) * Interval));
+
+            inOrder.Add(Sample((Newest + 2) * Interval));
+            Assert.That(joint.At(2.15).Position, Is.EqualTo(inOrder.At(2.15).Position));
+        }
+
         [Test]
         public void Add_OvertakenSample_WaitsForTheNextSample()
         {
