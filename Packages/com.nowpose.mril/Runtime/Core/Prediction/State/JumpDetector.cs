@@ -15,7 +15,7 @@ namespace Nowpose.Prediction.State
         /// </summary>
         public bool IsVelocityUnknown => SamplesSince == 1;
 
-        /// <summary>Whether the newest sample may be wrong, which the next sample decides.</summary>
+        /// <summary>Whether the newest sample may be wrong, which the next samples decide.</summary>
         public bool IsUnconfirmed { get; protected set; }
 
         /// <summary>Adds the newest sample of a motion. The first displacement is not a jump, because the velocity before it is unknown.</summary>

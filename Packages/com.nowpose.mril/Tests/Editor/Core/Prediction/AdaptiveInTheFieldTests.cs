@@ -30,6 +30,25 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(later, Is.LessThan(0.006));
         }
 
+        // The weights must not learn from the wrong position, nor from the forecasts that were made from it.
+        [TestCase(0.02, 2)]
+        [TestCase(0.02, 20)]
+        [TestCase(0.05, 2)]
+        [TestCase(0.05, 5)]
+        [TestCase(0.05, 20)]
+        public void Play_SeveralWrongSamples_LaterErrorsAreTheSame(double interval, int wrong)
+        {
+            double Rms(int count)
+            {
+                var (joint, first) = (new DisplayedJoint(Predictors.Create("adaptive", PredictionLimits.Unlimited)), (int)(20 / interval));
+                JointSample Sample(int k) => new JointSample(k * interval, k >= first && k < first + count ? 3 : Motion(k * interval));
+                joint.Play(Sample, 0, 22);
+                return Math.Sqrt(joint.Play(Sample, 22, 40).Average(frame => Math.Pow(frame.Shown.Position - Motion(frame.At), 2)));
+            }
+
+            Assert.That(Rms(wrong), Is.LessThan(1.2 * Rms(0)));
+        }
+
         // A robot that repeats its move. The wrong sample must not close the gate of the repetition.
         [TestCase(0.5)]
         [TestCase(2 * Math.PI)]

@@ -1,3 +1,4 @@
+using System.Linq;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Samples;
 using Nowpose.Prediction.State;
@@ -43,6 +44,22 @@ namespace Nowpose.Tests.Core.Prediction.State
             Assert.That((detector.IsUnconfirmed, detector.IsVelocityUnknown), Is.EqualTo((false, true)));
             Assert.That(After(wrong, 6, 7).SamplesSince, Is.EqualTo(2));
         }
+
+        // A driver that reports zero a few times.
+        [TestCase(2)]
+        [TestCase(5)]
+        [TestCase(20)]
+        public void Add_ReturnFromSeveralWrongSamples_IsAJump(int wrong)
+        {
+            var positions = Enumerable.Repeat(500.0, wrong).ToArray();
+
+            Assert.That((After(positions).IsUnconfirmed, After(positions).IsVelocityUnknown), Is.EqualTo((true, false)));
+            Assert.That(After(positions.Append(5.0 + wrong).ToArray()).IsVelocityUnknown, Is.True);
+        }
+
+        [Test]
+        public void Add_JointStaysAtTheOtherPlace_IsConfirmed() =>
+            Assert.That(After(Enumerable.Repeat(500.0, 21).ToArray()).IsUnconfirmed, Is.False);
 
         // The first move at a much higher speed, and a joint that was moved elsewhere.
         [TestCase(100)]
