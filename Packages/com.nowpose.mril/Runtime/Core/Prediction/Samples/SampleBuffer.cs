@@ -9,8 +9,8 @@ namespace Nowpose.Prediction.Samples
     sealed class SampleBuffer<TSample> where TSample : struct, ISample<TSample>
     {
         /// <summary>
-        /// Minimum interval in s; closer samples are left out unless they were overtaken, so rates up to 180 Hz are used completely. Samples a
-        /// millisecond apart do not improve forecasts over a tenth of a second, and windows of few samples would contain mainly their noise.
+        /// Minimum interval in s; closer samples are left out, so rates up to 180 Hz are used completely. Samples a millisecond apart do not improve
+        /// forecasts over a tenth of a second, and windows of few samples would contain mainly their noise.
         /// </summary>
         const double MinInterval = 0.0055;
 
@@ -59,7 +59,7 @@ namespace Nowpose.Prediction.Samples
             // The order decides, because the corrected stamp of the newest sample may precede the corrected stamp of the previous sample.
             if (isNewer) (_newestOrder, Newest) = (sample.Order, sample);
             var before = History.NewestTime;
-            if (_thins && isNewer && time > before && time - before < MinInterval) return false;
+            if (_thins && (isNewer ? time > before && time - before < MinInterval : History.HasWithin(MinInterval, time))) return false;
             // The history is sorted by corrected times, so that successive times differ.
             if (!History.Add(sample.With(time, _stamps == null ? sample.Order : time))) return false;
             IsNewest = History.NewestTime > before;

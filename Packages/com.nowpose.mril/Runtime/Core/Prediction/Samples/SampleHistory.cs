@@ -30,6 +30,14 @@ namespace Nowpose.Prediction.Samples
             return true;
         }
 
+        /// <summary>Returns whether a sample is less than an interval before or after a time, both in s.</summary>
+        public bool HasWithin(double interval, double time)
+        {
+            for (var age = 0; age < Count; age++)
+                if (Math.Abs(_samples[age].Time - time) < interval) return true;
+            return false;
+        }
+
         /// <summary>Returns the number of newest samples without a gap above the maximum.</summary>
         public int CountWithoutGap(double maximumGap)
         {

@@ -24,6 +24,19 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             Assert.That(buffer.NewestStamp, Is.EqualTo(99 * interval));
         }
 
+        // Every fourth sample overtakes the three before it.
+        [Test]
+        public void Add_OvertakenSamplesOfAFastSource_ThinsThemToo()
+        {
+            var buffer = new SampleBuffer<JointSample>(24, PredictionParts.Thinning, PredictionLimits.Unlimited);
+            for (var k = 0; k < 100; k += 4)
+                foreach (var i in new[] { 3, 0, 1, 2 }) buffer.Add(new JointSample((k + i) * 0.001, k + i), displayed: double.NaN);
+
+            for (var age = 1; age < buffer.History.Count; age++)
+                Assert.That(buffer.History[age - 1].Time - buffer.History[age].Time, Is.GreaterThanOrEqualTo(0.0055), "sample " + age);
+            Assert.That(buffer.History.Count, Is.GreaterThan(10));
+        }
+
         // Scatter alone can make a corrected stamp older than the previous one, so the newest sample keeps its own stamp.
         [Test]
         public void Add_ScatteredStamps_KeepsTheNewestUnchanged()
