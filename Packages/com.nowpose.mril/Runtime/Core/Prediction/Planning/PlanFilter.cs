@@ -22,7 +22,7 @@ namespace Nowpose.Prediction.Planning
 
         /// <summary>
         /// Standard deviation of the residual while the plan is followed: a share of the plan's range, for the drive's dynamics, plus the sensor's
-        /// noise.
+        /// noise, in rad or m.
         /// </summary>
         const double NoiseRatio = 0.005, MinNoise = 1e-4;
 
@@ -53,9 +53,8 @@ namespace Nowpose.Prediction.Planning
         /// <summary>Starts a plan. Keeps the estimated delay and offset, and increases the uncertainty of the offset if necessary.</summary>
         public void Start(double range)
         {
-            var offset = UnknownOffset * Math.Min(range, MaxRange) + MinNoise;
             if (!_hasStarted) _varDelay = UnknownDelay * UnknownDelay;
-            _varOffset = Math.Max(_varOffset, offset * offset);
+            _varOffset = Math.Max(_varOffset, InitialVariance(range));
             _hasStarted = true;
         }
 
@@ -95,11 +94,20 @@ namespace Nowpose.Prediction.Planning
             _hasStarted = false;
         }
 
+        // Not above the initial variances: otherwise a plan that is not followed for minutes would accept any joint.
         void AddProcessNoise(double seconds, double range)
         {
-            var offset = OffsetDrift * (UnknownOffset * range + MinNoise);
-            _varDelay += DelayDrift * DelayDrift * seconds;
-            _varOffset += offset * offset * seconds;
+            var initial = InitialVariance(range);
+            _varDelay = Grown(_varDelay, DelayDrift * DelayDrift * seconds, UnknownDelay * UnknownDelay);
+            _varOffset = Grown(_varOffset, OffsetDrift * OffsetDrift * initial * seconds, initial);
+        }
+
+        static double Grown(double variance, double growth, double max) => Math.Max(variance, Math.Min(variance + growth, max));
+
+        static double InitialVariance(double range)
+        {
+            var offset = UnknownOffset * Math.Min(range, MaxRange) + MinNoise;
+            return offset * offset;
         }
     }
 
