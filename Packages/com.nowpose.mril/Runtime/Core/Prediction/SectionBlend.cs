@@ -72,7 +72,9 @@ namespace Nowpose.Prediction
                 _residual[c] = shown[c] - section[c];
                 squares += _residual[c] * _residual[c];
             }
-            _isActive = _timeConstant > 0 && Math.Sqrt(squares) <= MaxResidualRatio * motion.MaxSpeed * (displayed - _displayedSection);
+            // Before the first section, nothing was displayed.
+            _isActive = _timeConstant > 0 && !double.IsInfinity(_displayedSection)
+                && Math.Sqrt(squares) <= MaxResidualRatio * motion.MaxSpeed * (displayed - _displayedSection);
         }
 
         /// <summary>Ends the decay: the section is displayed as it is.</summary>

@@ -171,6 +171,20 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(left / (shown - 0.2), Is.EqualTo(Math.Exp(-1)).Within(1e-9));
         }
 
+        // The sections after the first samples of the new clock were never displayed.
+        [Test]
+        public void At_SeveralSamplesAfterTheClockWentBack_AreNotBlended()
+        {
+            const double back = 3600;
+            var (blended, bare) = Moving(1);
+            foreach (var (k, position) in new[] { (1, 1.0), (2, 1.1), (3, 1.3), (4, 1.6) }) Add(blended, bare, 1 + k * Interval - back, position);
+
+            Assert.That(blended.Predictor.Restarts, Is.EqualTo(1));
+            var time = 1 + 4 * Interval - back + 0.1;
+            Assert.That(blended.Predictor.At(1.1).Position, Is.EqualTo(bare.At(1.1).Position));
+            Assert.That(blended.Show(time).Position, Is.EqualTo(bare.At(time).Position));
+        }
+
         [Test]
         public void At_AngleWraps_IsNotBlended()
         {
