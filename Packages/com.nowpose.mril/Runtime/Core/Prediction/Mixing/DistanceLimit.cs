@@ -31,6 +31,9 @@ namespace Nowpose.Prediction.Mixing
             if (double.IsFinite(distance) && !isUnconfirmed) _max = Math.Max(_max, distance);
         }
 
+        /// <summary>Ends the limit of the last forecast: the next forecasts are made without the samples before a gap or a jump.</summary>
+        public void Release() => Factor = 1;
+
         public void Clear() => (_max, Factor) = (0, 1);
     }
 }

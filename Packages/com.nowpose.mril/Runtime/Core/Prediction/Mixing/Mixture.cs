@@ -176,6 +176,7 @@ namespace Nowpose.Prediction.Mixing
             {
                 _pending.Clear();
                 _scatter.Clear();
+                _distance.Release();
             }
             Score(motion);
             if (Uses(PredictionParts.Scatter)) _scatter.Add(motion.Newest);
