@@ -2,6 +2,7 @@ using System;
 using System.Diagnostics;
 using System.Globalization;
 using System.Linq;
+using Nowpose.Motion;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Mixing;
 
@@ -30,17 +31,30 @@ namespace Nowpose.Mono.Cost
         /// <summary>Frames per second of a headset.</summary>
         const double FrameRate = 60;
 
+        static readonly SevenPhaseProfile Forth = new SevenPhaseProfile(1, 1.5, 8, 80);
+
         static int Main()
         {
             Console.WriteLine("seven joints, a motion that repeats; µs");
             var isSlow = false;
-            foreach (var intervalMs in new[] { 50, 10 }) isSlow |= !Compare(intervalMs);
+            foreach (var intervalMs in new[] { 50, 10 }) isSlow |= !Compare(intervalMs, new PredictionLimits(), Wave);
+            Console.WriteLine("moves of drives with known limits");
+            isSlow |= !Compare(50, new PredictionLimits(velocity: 1.5, acceleration: 8, jerk: 80), Move);
             return isSlow ? 1 : 0;
         }
 
-        static bool Compare(int intervalMs)
+        static double Wave(double time, int joint) => 1.5 * Math.Sin(2 * Math.PI * time / 6.4 + joint);
+
+        // All joints brake at the same time, which is the case with the highest cost.
+        static double Move(double time, int joint)
         {
-            var (tried, quadratic) = (new Arm(Predictors.Default), new Arm("quadratic"));
+            var phase = time % 4;
+            return phase < 2 ? Forth.PositionAt(phase) : 1 - Forth.PositionAt(phase - 2);
+        }
+
+        static bool Compare(int intervalMs, PredictionLimits limits, Func<double, int, double> motion)
+        {
+            var (tried, quadratic) = (new Arm(Predictors.Default, limits, motion), new Arm("quadratic", limits, motion));
             var collections = 0;
             for (var run = 0; run < Runs; run++)
             {
@@ -90,11 +104,13 @@ namespace Nowpose.Mono.Cost
             const double Latency = 0.1;
 
             readonly string _predictor;
+            readonly PredictionLimits _limits;
+            readonly Func<double, int, double> _motion;
             readonly Stopwatch _watch = new Stopwatch();
 
-            public Arm(string predictor)
+            public Arm(string predictor, PredictionLimits limits, Func<double, int, double> motion)
             {
-                _predictor = predictor;
+                (_predictor, _limits, _motion) = (predictor, limits, motion);
                 Array.Fill(SampleTimes, double.PositiveInfinity);
                 Array.Fill(FrameTimes, double.PositiveInfinity);
             }
@@ -107,7 +123,7 @@ namespace Nowpose.Mono.Cost
             public int Run(double interval)
             {
                 var forecasters = Predictors.ForecastersOfJoints();
-                var joints = Enumerable.Range(0, Joints).Select(_ => Predictors.Create(_predictor, new PredictionLimits(), 0.014, forecasters)).ToArray();
+                var joints = Enumerable.Range(0, Joints).Select(_ => Predictors.Create(_predictor, _limits, 0.014, forecasters)).ToArray();
                 var displayed = double.NaN;
                 var first = (int)(SecondsSeen / interval);
                 for (var sample = 0; sample < first; sample++) Play(joints, sample * interval, interval, ref displayed, out _, out _);
@@ -125,7 +141,7 @@ namespace Nowpose.Mono.Cost
             {
                 _watch.Restart();
                 for (var joint = 0; joint < Joints; joint++)
-                    joints[joint].Add(new JointSample(time, 1.5 * Math.Sin(2 * Math.PI * time / 6.4 + joint)), displayed);
+                    joints[joint].Add(new JointSample(time, _motion(time, joint)), displayed);
                 sample = _watch.Elapsed.TotalMilliseconds * 1000;
                 _watch.Restart();
                 for (var i = 0; i < FramesPerSample; i++)

@@ -32,8 +32,11 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         const double ToleranceRatio = 0.02;
 
-        /// <summary>Number of bisection steps. More steps would exceed the resolution of a double.</summary>
-        const int Bisections = 50;
+        /// <summary>
+        /// Number of bisection steps. They determine the start of a move to 14 ns, and its stroke to 14 nm at a limit of 1 m/s. With 50, the 99th
+        /// percentile of a sample of seven joints is 12 to 23 % higher.
+        /// </summary>
+        const int Bisections = 32;
 
         readonly PredictionLimits _limits;
         readonly double _maxStroke;
