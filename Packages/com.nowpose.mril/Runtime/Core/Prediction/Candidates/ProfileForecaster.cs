@@ -38,6 +38,12 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         const int Bisections = 32;
 
+        /// <summary>Duration of the longest move at the maximum speed, in s. A longer move is predicted like this one until it brakes.</summary>
+        const double MaxDuration = 60;
+
+        /// <summary>Ratio to the longest stroke above which a fitted stroke means that the move has not braked yet.</summary>
+        const double UnbrakedRatio = 0.999;
+
         readonly PredictionLimits _limits;
         readonly double _maxStroke;
         readonly SevenPhaseProfile _unbraked;
@@ -57,8 +63,7 @@ namespace Nowpose.Prediction.Candidates
         {
             _limits = limits;
             if (!HasLimits(limits)) throw new ArgumentException(PredictionMessages.UnknownDerivatives, nameof(limits));
-            // A stroke so long that the move does not brake within a minute.
-            _maxStroke = limits.Velocity * 60;
+            _maxStroke = limits.Velocity * MaxDuration;
             _unbraked = Profile(_maxStroke);
             Reset();
         }
@@ -153,8 +158,7 @@ namespace Nowpose.Prediction.Candidates
             }
             _move = Profile(longer);
             _hasBraked = true;
-            // A stroke near the upper bound means that the move has not braked yet.
-            return longer < 0.999 * _maxStroke;
+            return longer < UnbrakedRatio * _maxStroke;
         }
 
         double TimeTo(double displacement)

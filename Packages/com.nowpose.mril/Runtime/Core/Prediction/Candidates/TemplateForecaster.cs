@@ -55,6 +55,9 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         const double MaxIntervalRatio = 1.6;
 
+        /// <summary>Mean square error that prevents a division of zero by zero after an exact match; negligible for every other match.</summary>
+        const double MinMeanSquare = 1e-300;
+
         readonly int _components;
         readonly double _maximumGap;
         readonly double _matchInterval;
@@ -207,8 +210,7 @@ namespace Nowpose.Prediction.Candidates
             var total = 0.0;
             for (var i = 0; i < _matches; i++)
             {
-                // The addend prevents a division of zero by zero after an exact match.
-                var ratio = _errors[i] / (min + 1e-300) + 1;
+                var ratio = _errors[i] / (min + MinMeanSquare) + 1;
                 _weights[i] = 1 / (ratio * ratio);
                 total += _weights[i];
             }

@@ -37,6 +37,12 @@ namespace Nowpose.Prediction.Planning
         /// </summary>
         const double MaxStandardErrors = 5;
 
+        /// <summary>
+        /// Minimum variances of the delay, in s², and of the offset, in rad² or m²: (1 µs)² and (1e-9)². They keep the variances positive despite rounding
+        /// errors.
+        /// </summary>
+        const double MinVarDelay = 1e-12, MinVarOffset = 1e-18;
+
         /// <summary>Bounds above which squares overflow.</summary>
         const double MaxVariance = 1e100, MaxRange = 1e40;
 
@@ -79,11 +85,10 @@ namespace Nowpose.Prediction.Planning
             (delayGain, offsetGain) = (delayGain / variance, offsetGain / variance);
             Delay += delayGain * difference;
             Offset += offsetGain * difference;
-            // The minimum variances, (1 µs)² and (1e-9)², keep the variances positive despite rounding errors.
             var (delayOld, both, offsetOld) = (_varDelay, _covariance, _varOffset);
-            _varDelay = Math.Max((1 + delayGain * velocity) * delayOld - delayGain * both, 1e-12);
+            _varDelay = Math.Max((1 + delayGain * velocity) * delayOld - delayGain * both, MinVarDelay);
             _covariance = (1 + delayGain * velocity) * both - delayGain * offsetOld;
-            _varOffset = Math.Max(offsetGain * velocity * both + (1 - offsetGain) * offsetOld, 1e-18);
+            _varOffset = Math.Max(offsetGain * velocity * both + (1 - offsetGain) * offsetOld, MinVarOffset);
             // A plan that hardly moves agrees with any joint that is at rest at the planned position.
             return Math.Abs(velocity) * UnknownDelay > MaxStandardErrors * noise ? PlanVerdict.Followed : PlanVerdict.Unclear;
         }
