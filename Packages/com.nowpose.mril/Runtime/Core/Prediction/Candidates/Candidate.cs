@@ -21,9 +21,6 @@ namespace Nowpose.Prediction.Candidates
             Table = new double[ForecastTable.Points * components];
         }
 
-        /// <inheritdoc cref="Forecaster.MaxSamples"/>
-        public int MaxSamples => _forecaster.MaxSamples;
-
         /// <summary>The forecast after the newest sample (<see cref="ForecastTable"/>), valid if there is one.</summary>
         public double[] Table { get; }
 

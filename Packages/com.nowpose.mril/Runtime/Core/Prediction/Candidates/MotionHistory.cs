@@ -1,5 +1,5 @@
+using System;
 using System.Runtime.CompilerServices;
-using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Candidates
 {
@@ -23,12 +23,26 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         public const int Margin = 4;
 
+        /// <summary>Number of samples around a grid point: two on either side determine a cubic.</summary>
+        const int Neighbours = 4;
+
+        /// <summary>
+        /// Minimum height of a spike: the smaller of the displacements to the sample and back, relative to the maximum displacement in one direction.
+        /// When a joint reverses at its maximum speed, the ratio is at most 1; the margin allows for a slightly faster motion.
+        /// </summary>
+        const double SpikeRatio = 1.3;
+
         /// <summary>
         /// Distance from a grid point, in steps, within which a sample counts as lying on it: more than the rounding errors of times and of numbers
         /// of steps, and too short for a visible motion.
         /// </summary>
         public const double Rounding = 1e-6;
 
+        // The newest samples, newest first; the components of a position are adjacent.
+        readonly double[] _times = new double[Neighbours];
+        readonly double[] _positions;
+        readonly double[] _maxDisplacements;
+        int _samples;
         double _start;
 
         /// <param name="components">Number of components of a position.</param>
@@ -36,6 +50,8 @@ namespace Nowpose.Prediction.Candidates
         {
             Components = components;
             Points = new double[Capacity * components];
+            _positions = new double[Neighbours * components];
+            _maxDisplacements = new double[components];
         }
 
         /// <summary>Number of components of a position.</summary>
@@ -50,16 +66,54 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Ring buffer of the positions at the grid points; the components of a position are adjacent.</summary>
         public double[] Points { get; }
 
-        /// <summary>Clears the history.</summary>
-        /// <param name="step">Grid step in s; 0 until the interval of the samples is known.</param>
-        /// <param name="start">Time of the first grid point, in s: the time of a sample.</param>
-        public void Start(double step, double start = 0) => (Step, _start, Count) = (step, start, 0);
+        /// <summary>Position of the sample before the newest one; interpolated if the sample was wrong.</summary>
+        public ReadOnlySpan<double> Previous => _positions.AsSpan(Components, Components);
 
-        /// <summary>Adds the grid points up to the sample before the newest one. The motion must still have the samples around these points.</summary>
-        public void Add(MotionState motion)
+        /// <summary>Clears the history and sets the grid step.</summary>
+        /// <param name="step">Grid step in s.</param>
+        public void Start(double step)
         {
-            for (var age = motion.Count - 2; age > 0; age--)
-                for (; TimeOf(Count) <= motion.TimeOf(age) + Rounding * Step; Count++) Interpolate(motion, age);
+            Step = step;
+            Count = 0;
+            _samples = 0;
+            Array.Clear(_maxDisplacements, 0, Components);
+        }
+
+        /// <summary>Adds a sample that is newer than all previous samples.</summary>
+        /// <param name="position">One number per component.</param>
+        public void Add(double time, ReadOnlySpan<double> position)
+        {
+            if (_samples == 0) _start = time;
+            else if (!(time > _times[0])) return;
+            Array.Copy(_times, 0, _times, 1, Neighbours - 1);
+            Array.Copy(_positions, 0, _positions, Components, (Neighbours - 1) * Components);
+            _times[0] = time;
+            position.CopyTo(_positions);
+            if (_samples < Neighbours)
+            {
+                // Until there are enough samples, the first one is repeated backwards in time.
+                for (var i = _samples + 1; i < Neighbours; i++)
+                {
+                    _times[i] = _times[i - 1] - Step;
+                    Array.Copy(_positions, (i - 1) * Components, _positions, i * Components, Components);
+                }
+                _samples++;
+            }
+            if (_samples == Neighbours)
+                for (var c = 0; c < Components; c++) ReplaceSpike(c);
+            for (; TimeOf(Count) <= _times[1] + Rounding * Step; Count++) Interpolate(TimeOf(Count), PlaceOf(Count));
+        }
+
+        // A wrong sample would reappear in a forecast whenever the motion repeats.
+        void ReplaceSpike(int component)
+        {
+            double newest = _positions[component], before = _positions[2 * Components + component];
+            ref var middle = ref _positions[Components + component];
+            ref var max = ref _maxDisplacements[component];
+            double to = middle - before, from = newest - middle;
+            var less = Math.Min(Math.Abs(to), Math.Abs(from));
+            if (to * from >= 0) max = Math.Max(max, less);
+            else if (max > 0 && less > SpikeRatio * max) middle = before + (newest - before) * (_times[1] - _times[2]) / (_times[0] - _times[2]);
         }
 
         /// <summary>Returns the place of a grid point in <see cref="Points"/>. The point must be one of the newest <see cref="Capacity"/>.</summary>
@@ -84,16 +138,14 @@ namespace Nowpose.Prediction.Candidates
 
         double TimeOf(long index) => _start + index * Step;
 
-        // Cubic Hermite between a sample and the one before it, with slopes of the parabolas through their neighbours.
-        void Interpolate(MotionState motion, int age)
+        // Cubic Hermite between samples 2 and 1, with slopes of the parabolas through their neighbours.
+        void Interpolate(double time, int place)
         {
-            // Before the first sample, the motion is at rest.
-            var (x, times, isFirst) = (TimeOf(Count) - motion.TimeOf(age + 1), motion.Times, age + 2 == motion.Count);
-            double h0 = isFirst ? Step : times[age + 1] - times[age + 2], h1 = times[age] - times[age + 1], h2 = times[age - 1] - times[age];
-            for (int c = 0, place = PlaceOf(Count); c < Components; c++)
+            double h0 = _times[2] - _times[3], h1 = _times[1] - _times[2], h2 = _times[0] - _times[1], x = time - _times[2];
+            for (var c = 0; c < Components; c++)
             {
-                double p1 = motion.PositionOf(age, c), p2 = motion.PositionOf(age + 1, c);
-                double d0 = isFirst ? 0 : (p2 - motion.PositionOf(age + 2, c)) / h0, d1 = (p1 - p2) / h1, d2 = (motion.PositionOf(age - 1, c) - p1) / h2;
+                double p1 = _positions[Components + c], p2 = _positions[2 * Components + c];
+                double d0 = (p2 - _positions[3 * Components + c]) / h0, d1 = (p1 - p2) / h1, d2 = (_positions[c] - p1) / h2;
                 var m1 = (d0 * h1 + d1 * h0) / (h0 + h1);
                 var m2 = (d1 * h2 + d2 * h1) / (h1 + h2);
                 var square = (3 * d1 - 2 * m1 - m2) / h1;

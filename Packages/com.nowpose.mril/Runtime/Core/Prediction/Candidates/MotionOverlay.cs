@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Candidates
 {
@@ -40,15 +39,17 @@ namespace Nowpose.Prediction.Candidates
         public double[] Offsets { get; }
 
         /// <summary>Sets the samples to compare with the history.</summary>
-        /// <param name="count">Number of newest samples of the motion.</param>
-        public void Take(MotionState motion, int count)
+        /// <param name="times">Times of the newest samples, newest first.</param>
+        /// <param name="positions">Their positions; the components of a position are adjacent.</param>
+        /// <param name="count">Number of newest samples.</param>
+        public void Take(double[] times, double[] positions, int count)
         {
             _count = 0;
             var (stride, n) = (1 + (count - 1) / ComparedSamples, _history.Components);
             for (var age = 0; age < count; age += age == 0 ? 1 : stride)
             {
-                _indices[_count] = _history.IndexOf(motion.TimeOf(age));
-                for (var c = 0; c < n; c++) _positions[_count * n + c] = motion.PositionOf(age, c);
+                _indices[_count] = _history.IndexOf(times[age]);
+                for (var c = 0; c < n; c++) _positions[_count * n + c] = positions[age * n + c];
                 _count++;
             }
         }

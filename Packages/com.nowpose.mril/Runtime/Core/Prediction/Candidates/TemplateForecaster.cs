@@ -23,6 +23,9 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         const double Window = 0.4;
 
+        /// <summary>Maximum number of samples in the window: more than it has at an interval of 20 ms.</summary>
+        const int MaxCompared = 24;
+
         /// <summary>
         /// Minimum number of sampling intervals before the history starts. Their running mean then determines the grid step. With 4 or 16, the errors
         /// change by at most 0.4 %.
@@ -65,15 +68,21 @@ namespace Nowpose.Prediction.Candidates
         readonly LagSearch _search;
         readonly MotionOverlay _overlay;
 
+        // The newest samples, newest first; the components of a position are adjacent.
+        readonly double[] _times = new double[MaxCompared];
+        readonly double[] _positions;
+        int _samples;
+
         readonly int[] _found = new int[LagSearch.Kept];
         readonly double[] _refined = new double[LagSearch.Kept];
         readonly double[] _lags = new double[LagSearch.Kept];
         readonly double[] _errors = new double[LagSearch.Kept];
         readonly double[] _weights = new double[LagSearch.Kept];
         readonly double[] _offsets;
-        MotionState _motion;
-        double _interval, _matchedAt;
-        int _samples, _matches, _refinedNext;
+        double _interval;
+        int _matches;
+        int _refinedNext;
+        double _matchedAt;
 
         /// <param name="components">Number of components of a position.</param>
         /// <param name="maximumGap">Maximum gap between two samples, in s; a longer gap restarts the history.</param>
@@ -88,29 +97,33 @@ namespace Nowpose.Prediction.Candidates
             _history = new MotionHistory(components);
             _overlay = new MotionOverlay(_history);
             _search = new LagSearch(_history);
+            _positions = new double[MaxCompared * components];
             _offsets = new double[LagSearch.Kept * components];
             Reset();
         }
 
         public override int RequiredSamples => 2;
 
-        /// <summary>More samples than the window has at an interval of 20 ms.</summary>
-        public override int MaxSamples => 24;
-
         /// <returns>False if the history contains no similar motion.</returns>
         public override bool Solve(MotionState motion)
         {
             var (time, meanInterval) = (motion.NewestTime, motion.Timing.MeanInterval);
-            // A single gap does not change the mean interval enough to restart.
-            var hasOtherInterval = _interval > 0 && (meanInterval > MaxIntervalRatio * _interval || meanInterval * MaxIntervalRatio < _interval);
-            if (hasOtherInterval || motion.Timing.Interval > _maximumGap) Reset();
+            if (_samples > 0 && time - _times[0] > _maximumGap) Reset();
             var before = _matches;
-            (_motion, _matches) = (motion, 0);
-            _samples++;
+            _matches = 0;
+            Keep(time, motion.Newest);
             if (_interval == 0) Begin(meanInterval);
+            else if (meanInterval > MaxIntervalRatio * _interval || meanInterval * MaxIntervalRatio < _interval)
+            {
+                // A single gap does not change the mean interval enough to restart.
+                Reset();
+                Keep(time, motion.Newest);
+            }
             else
             {
-                _history.Add(motion);
+                _history.Add(time, motion.Newest);
+                // A wrong sample would impair the comparisons of the next samples. At rest, what the history replaces may be noise.
+                if (motion.IsPreviousWrong) _history.Previous.CopyTo(_positions.AsSpan(_components));
                 _search.Update(MinLag);
                 var isSoon = time - _matchedAt < _matchInterval;
                 if (before > 0 && (isSoon || motion.StillSamples > MaxStill)) KeepMatches(before);
@@ -121,10 +134,10 @@ namespace Nowpose.Prediction.Candidates
 
         public override double At(double ahead, int component)
         {
-            var (index, position) = (_history.IndexOf(_motion.NewestTime + ahead), 0.0);
+            var (index, position) = (_history.IndexOf(_times[0] + ahead), 0.0);
             for (var i = 0; i < _matches; i++)
                 position += _weights[i] * (_history.At(index - _lags[i], component) + _offsets[i * _components + component]);
-            return position - _motion.Newest[component];
+            return position - _positions[component];
         }
 
         public override void Reset()
@@ -139,6 +152,15 @@ namespace Nowpose.Prediction.Candidates
         // At a smaller lag, the history does not cover the continuation.
         int MinLag => (int)Math.Ceiling(ForecastTable.Span / _history.Step) + MotionHistory.Margin;
 
+        void Keep(double time, ReadOnlySpan<double> position)
+        {
+            _samples = Math.Min(_samples + 1, MaxCompared);
+            Array.Copy(_times, 0, _times, 1, _samples - 1);
+            Array.Copy(_positions, 0, _positions, _components, (_samples - 1) * _components);
+            _times[0] = time;
+            position.CopyTo(_positions);
+        }
+
         // Keeps the matches between two searches and during a standstill.
         void KeepMatches(int matches)
         {
@@ -150,17 +172,17 @@ namespace Nowpose.Prediction.Candidates
         // The grid step is a multiple of the sampling interval, so that samples lie on grid points and need no interpolation.
         void Begin(double interval)
         {
-            if (Math.Min(_samples, _motion.Count) <= MinIntervals) return;
+            if (_samples <= MinIntervals) return;
             _interval = interval;
-            _history.Start(_interval * Math.Ceiling(MinStep / _interval - MotionHistory.Rounding), _motion.TimeOf(MinIntervals));
+            _history.Start(_interval * Math.Ceiling(MinStep / _interval - MotionHistory.Rounding));
             _search.Start();
-            _history.Add(_motion);
+            for (var i = MinIntervals; i >= 0; i--) _history.Add(_times[i], _positions.AsSpan(i * _components, _components));
         }
 
         void Match(double stillDistance)
         {
-            _matchedAt = _motion.NewestTime;
-            _overlay.Take(_motion, SamplesInWindow(stillDistance));
+            _matchedAt = _times[0];
+            _overlay.Take(_times, _positions, SamplesInWindow(stillDistance));
             _refinedNext = (_refinedNext + 1) % LagSearch.Kept;
             var min = double.PositiveInfinity;
             for (var i = 0; i < _search.Count; i++)
@@ -190,20 +212,20 @@ namespace Nowpose.Prediction.Candidates
             (_refined[place], _refined[i]) = (_refined[i], _refined[place]);
         }
 
-        bool HasContinuation(double lag) => _history.Covers(_history.IndexOf(_motion.NewestTime) - lag)
-            && _history.Covers(_history.IndexOf(_motion.NewestTime + ForecastTable.Span) - lag);
+        bool HasContinuation(double lag) => _history.Covers(_history.IndexOf(_times[0]) - lag)
+            && _history.Covers(_history.IndexOf(_times[0] + ForecastTable.Span) - lag);
 
         // In motion, only the samples since the start of the motion are compared, because the duration of the preceding rest varies.
         int SamplesInWindow(double stillDistance)
         {
             var full = 1;
-            while (full < _motion.Count && -_motion.Times[full] <= Window) full++;
+            while (full < _samples && _times[0] - _times[full] <= Window) full++;
             var moving = 0;
             while (moving + 1 < full && Displacement(moving) > stillDistance) moving++;
             return moving < MinMoving ? full : Math.Min(full, moving + 2);
         }
 
-        double Displacement(int age) => Vectors.Distance(_motion.Displacements, age * _components, _motion.Displacements, (age + 1) * _components, _components);
+        double Displacement(int age) => Vectors.Distance(_positions, age * _components, _positions, (age + 1) * _components, _components);
 
         void Weigh(double min)
         {

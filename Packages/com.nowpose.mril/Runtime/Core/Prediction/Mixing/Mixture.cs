@@ -96,8 +96,6 @@ namespace Nowpose.Prediction.Mixing
         {
             (_components, _limits, _parts, _forecasters, _candidates, _jumps) = (components, limits, parts, forecasters, candidates, jumps);
             _points = ForecastTable.PointsUpTo(limits.HorizonCap);
-            MaxSamples = forecasters.MaxSamples;
-            foreach (var candidate in candidates) MaxSamples = Math.Max(MaxSamples, candidate.MaxSamples);
             _changePoints = new ChangePointDetector(components);
             _scatter = new ScatterDetector(components);
             _weights = new MixtureWeights(forecasters.Prior(isReported: false));
@@ -108,7 +106,7 @@ namespace Nowpose.Prediction.Mixing
 
         public override int RequiredSamples => 2;
 
-        public override int MaxSamples { get; }
+        public override int MaxSamples => _forecasters.MaxSamples;
 
         public override double Span => ForecastTable.Span;
 

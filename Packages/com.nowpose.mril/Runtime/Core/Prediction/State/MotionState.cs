@@ -16,12 +16,6 @@ namespace Nowpose.Prediction.State
         /// </summary>
         const double StillRatio = 1e-3;
 
-        /// <summary>
-        /// Minimum height of a spike: the smaller of the displacements to the sample and back, relative to the displacement at the maximum speed.
-        /// When a joint reverses at its maximum speed, the ratio is at most 1; the margin allows for a slightly faster motion.
-        /// </summary>
-        const double SpikeRatio = 1.3;
-
         /// <summary>Maximum counted number of samples; more than any use needs.</summary>
         const int MaxCount = 1_000_000;
 
@@ -95,6 +89,9 @@ namespace Nowpose.Prediction.State
         /// <summary>Whether another motion of the same object has jumped at the newest sample, so that the object is elsewhere.</summary>
         public bool HasOtherMotionJumped { get; set; }
 
+        /// <summary>Whether the newest sample shows that the sample before it was wrong.</summary>
+        public bool IsPreviousWrong { get; set; }
+
         /// <summary>Number of newest samples at a standstill without noise: their displacement is at most <see cref="StillDistance"/>.</summary>
         public int StillSamples { get; private set; }
 
@@ -109,6 +106,7 @@ namespace Nowpose.Prediction.State
         {
             var history = buffer.History;
             IsNewest = buffer.IsNewest;
+            IsPreviousWrong = false;
             if (IsNewest)
             {
                 PreviousTime = NewestTime;
@@ -130,24 +128,6 @@ namespace Nowpose.Prediction.State
                 for (var c = 0; c < Components; c++) Displacements[at + c] = sample[_first + c] - Newest[c];
             }
             UpdateVelocity();
-        }
-
-        /// <summary>Returns the time of a sample, in s.</summary>
-        /// <param name="age">Number of newer samples.</param>
-        public double TimeOf(int age) => NewestTime + Times[age];
-
-        /// <summary>Returns a component of a sample; a spike, which a wrong sample causes, is replaced with the line between its neighbours.</summary>
-        /// <param name="age">Number of newer samples.</param>
-        public double PositionOf(int age, int component)
-        {
-            var at = age * Components + component;
-            var (position, max) = (Displacements[at], SpikeRatio * MaxDisplacement);
-            if (age == 0 || age + 1 >= Count) return Newest[component] + position;
-            double before = Displacements[at + Components], after = Displacements[at - Components];
-            double to = position - before, from = after - position;
-            if (to * from < 0 && max > 0 && Math.Min(Math.Abs(to), Math.Abs(from)) > max)
-                position = before + (after - before) * (Times[age] - Times[age + 1]) / (Times[age - 1] - Times[age + 1]);
-            return Newest[component] + position;
         }
 
         public void Reset()

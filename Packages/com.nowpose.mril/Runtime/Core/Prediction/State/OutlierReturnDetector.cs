@@ -41,7 +41,7 @@ namespace Nowpose.Prediction.State
                 IsUnconfirmed = !isReturn && motion.MaxSpeed > 0 && motion.Speed > MinSpeedRatio * motion.MaxSpeed;
                 (_before, _wrong) = (motion.Previous[0], 1);
             }
-            return isReturn;
+            return motion.IsPreviousWrong = isReturn;
         }
     }
 }

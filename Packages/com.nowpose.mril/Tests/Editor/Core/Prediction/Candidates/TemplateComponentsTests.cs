@@ -98,7 +98,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         sealed class Fed
         {
             readonly Func<double, double>[] _components;
-            readonly SampleBuffer<BodySample> _buffer = new SampleBuffer<BodySample>(24, PredictionParts.None, PredictionLimits.Unlimited);
+            readonly SampleBuffer<BodySample> _buffer = new SampleBuffer<BodySample>(8, PredictionParts.None, PredictionLimits.Unlimited);
             readonly TemplateForecaster _forecaster;
             readonly MotionState _motion;
             int _samples;
@@ -107,7 +107,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             {
                 _components = components;
                 _forecaster = new TemplateForecaster(components.Length, maximumGap: 1, matchInterval: 0);
-                _motion = new MotionState(components.Length, 0, 24, _buffer.Timing);
+                _motion = new MotionState(components.Length, 0, 8, _buffer.Timing);
             }
 
             public bool HasMatch { get; private set; }
