@@ -111,7 +111,7 @@ public class DemoVerbTests
         var status = await run.InterruptAsync();
 
         Assert.That(status, Is.EqualTo(130));
-        Assert.That(Result().GetProperty("seconds").GetDouble(), Is.InRange(3, 15));
+        Assert.That(Result().GetProperty("seconds").GetDouble(), Is.GreaterThan(0).And.LessThan(20));
         Assert.That(File.Exists(Path.Combine(_folder, "report.html")), Is.True);
     }
 
