@@ -44,7 +44,7 @@ namespace Nowpose.Frames
             if (_overtakenCount == 0 || pose.Stamp < _overtaken) _overtakenCount = 1;
             else if (pose.Stamp > _overtaken) _overtakenCount++;
             _overtaken = pose.Stamp;
-            return _overtakenCount < MinFarBehind || ClockTicks.Seconds(newest.Value - pose.Stamp) <= ArrivalOrder.MaxDelay;
+            return _overtakenCount < MinFarBehind || !ArrivalOrder.IsFarBehind(pose.Stamp, newest.Value);
         }
 
         /// <summary>Adds a pose. Discards the waiting poses in a third parent.</summary>

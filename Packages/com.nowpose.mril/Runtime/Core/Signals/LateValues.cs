@@ -48,17 +48,14 @@ namespace Nowpose.Signals
                 return false;
             }
             _oldestFirst[_count++] = (stamp, value);
-            return _count == Capacity || (_count >= MinFarBehind && IsFarBehind(stamp, newest));
+            return _count == Capacity || (_count >= MinFarBehind && ArrivalOrder.IsFarBehind(stamp, newest.Value));
         }
 
         /// <summary>Returns the newest late value, if it is too late to have been overtaken on the network; otherwise null.</summary>
         /// <inheritdoc cref="Add" path="/param[@name='newest']"/>
         public double? NewestFarBehind(ControlTime? newest) =>
-            _count > 0 && IsFarBehind(_oldestFirst[_count - 1].Stamp, newest) ? _oldestFirst[_count - 1].Value : (double?)null;
+            _count > 0 && newest is ControlTime time && ArrivalOrder.IsFarBehind(_oldestFirst[_count - 1].Stamp, time) ? _oldestFirst[_count - 1].Value : (double?)null;
 
         public void Clear() => _count = 0;
-
-        static bool IsFarBehind(ControlTime stamp, ControlTime? newest) =>
-            newest is ControlTime time && ClockTicks.Seconds(time - stamp) > ArrivalOrder.MaxDelay;
     }
 }

@@ -15,6 +15,9 @@ namespace Nowpose.Prediction.Samples
         /// default horizon cap is 0.3 s.
         /// </summary>
         public const double MaxDelay = 0.25;
+
+        /// <summary>Returns whether a stamp is older than the newest one by more than <see cref="MaxDelay"/>.</summary>
+        public static bool IsFarBehind(ControlTime stamp, ControlTime newest) => ClockTicks.Seconds(newest - stamp) > MaxDelay;
     }
 
     /// <summary>

@@ -63,7 +63,7 @@ namespace Nowpose.Session.Cell
 
         // The clock of the source went back if the pose is much older.
         static bool IsOvertaken(ControlTime stamp, ControlTime newest) =>
-            stamp <= newest && ClockTicks.Seconds(newest - stamp) <= ArrivalOrder.MaxDelay;
+            stamp <= newest && !ArrivalOrder.IsFarBehind(stamp, newest);
 
         // Removes the kept tracked frame with the oldest pose if its source has probably ended, because each new source may use new names.
         bool TryRemoveSilent(ControlTime? now)
