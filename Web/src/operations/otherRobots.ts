@@ -4,6 +4,7 @@ import type { Frames } from '../robot/frames';
 import { JointTracks } from '../robot/tracks';
 import type { Beside } from '../robot/view';
 import { JOINT_STATE, readJointState, type Rosbridge } from './rosbridge';
+import { namespaceOf } from './state';
 
 /** Maximum number of robots. The gateway's limit is the same. */
 const MAX_ROBOTS = 16;
@@ -38,7 +39,7 @@ export class OtherRobots implements Beside {
    * @param joints Names of all joints of the gateway. The name of a joint in a namespace begins with the namespace, for example arm1/elbow.
    */
   setJoints(joints: string[]): void {
-    const listed = new Set(joints.filter(joint => joint.indexOf('/') > 0).map(joint => joint.slice(0, joint.indexOf('/'))));
+    const listed = new Set(joints.map(namespaceOf).filter(name => name !== ''));
     for (const name of listed) {
       if (this.robots.has(name)) continue;
       if (this.robots.size >= MAX_ROBOTS) this.remove([...this.robots.keys()].find(known => !listed.has(known)));

@@ -9,7 +9,7 @@ import { setText } from './liveTable';
 import { LiveClock } from './liveClock';
 import { OtherRobots } from './otherRobots';
 import { JOINT_STATE, readJointState, type Rosbridge } from './rosbridge';
-import { type CellFrame, type Headset, type Joint, numberOf } from './state';
+import { type CellFrame, type Headset, type Joint, namespaceOf, numberOf } from './state';
 
 /**
  * BEHIND_S: age of the displayed state, in seconds. After this time, the following samples and the headset's report have arrived. KEEP_S: length of
@@ -22,9 +22,6 @@ const NUMBERS_MS = 500;
 
 /** Minimum interval between two pictures. The motion still looks smooth, and the work is half of that at the maximum frame rate. */
 const PICTURE_MS = 30;
-
-/** Returns the namespace in the cell-wide name of a joint; empty if it has none. */
-const namespaceOf = (joint: string) => joint.slice(0, Math.max(0, joint.indexOf('/')));
 
 const seconds = () => performance.now() / 1000;
 

@@ -175,3 +175,6 @@ export function textOf(words: Words, key: string): string {
   const value = words[key];
   return value == null ? '' : String(value);
 }
+
+/** Returns the namespace in the cell-wide name of a joint; empty if it has none. */
+export const namespaceOf = (joint: string) => joint.slice(0, Math.max(0, joint.indexOf('/')));
