@@ -36,6 +36,10 @@ sealed record PlantFile(string Path, string Name, string Summary)
     /// <summary>Warnings about valid entries of the file, each with the file and the line.</summary>
     public IReadOnlyList<string> Warnings { get; init; } = [];
 
+    /// <summary>Gets the warnings about the plants of one gateway: about the entries of each file, and about entries that do not fit together.</summary>
+    public static IEnumerable<string> WarningsOf(IReadOnlyCollection<PlantFile> plants) =>
+        plants.SelectMany(plant => plant.Warnings).Concat(PlantConflicts.Of(plants));
+
     /// <summary>
     /// Whether the plants of a gateway must send joint positions. False for a cell with objects or signals but without a robot.
     /// </summary>

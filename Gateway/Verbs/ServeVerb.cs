@@ -70,7 +70,7 @@ static class ServeVerb
             var read = await AdapterProcesses.CheckAsync(files, options, stop);
             options = options with { ExpectsSources = PlantFile.ExpectsJoints(read, description) };
             foreach (var one in read) Announcement.Log(one.Summary);
-            foreach (var warning in read.SelectMany(one => one.Warnings).Concat(PlantConflicts.Of(read))) Announcement.Log(DryRunMessages.WarningLog(warning));
+            foreach (var warning in PlantFile.WarningsOf(read)) Announcement.Log(DryRunMessages.WarningLog(warning));
             if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log(DryRunMessages.MissingJointsLog(missing));
             if (PlantFile.MissingParents(read, description, placed) is { Count: > 0 } parents)
                 Announcement.Log(DryRunMessages.MissingParentsLog(parents));
@@ -101,7 +101,7 @@ static class ServeVerb
         {
             var read = await AdapterProcesses.CheckAsync(plants, options, stop);
             foreach (var good in read) findings.Good("plant", good.Summary);
-            foreach (var warning in read.SelectMany(one => one.Warnings).Concat(PlantConflicts.Of(read))) findings.Good("warning", warning);
+            foreach (var warning in PlantFile.WarningsOf(read)) findings.Good("warning", warning);
             // Not an error, because another client may publish the missing joints.
             if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) findings.Good("missing_joints", DryRunMessages.MissingJoints(missing));
             // Not an error, because another client may publish the missing frames and robot descriptions.
