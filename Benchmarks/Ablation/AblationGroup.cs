@@ -34,7 +34,8 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
 
     public static IReadOnlyList<AblationGroup> All(string recordings)
     {
-        var groups = new List<AblationGroup> { Simulated("simulated", 0), Simulated("stamps ±5 ms", 0.005), Objects() };
+        var groups = new List<AblationGroup> { Simulated("simulated", 0), Simulated("stamps ±5 ms", 0.005),
+            Objects("objects", [.. ObjectMotions.All(Seeds[0])]), Objects("first turns", [.. TurningMotions.All(Seeds[0])]) };
         if (recordings != null) groups.Insert(0, Recorded(recordings));
         return groups;
     }
@@ -70,17 +71,22 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
                [new ReplayRun(path, recording, Replayed(condition), () => Joint(predictor, without)).Run().Rms]),
     ]);
 
-    static AblationGroup Objects() => new("objects",
+    static AblationGroup Objects(string name, ObjectMotion[] motions) => new(name,
     [
-        .. from motion in ObjectMotions.All(Seeds[0])
+        .. from motion in motions
+           let recording = motion.Record()
+           let changes = new[] { motion.Moves, motion.Turns }
            from condition in Conditions
            let label = Label(motion.Name, condition)
-           select new AblationRun([label + ", position", label + ", rotation"], (predictor, without) =>
+           select new AblationRun(OfThose(changes, label + ", position", label + ", rotation"), (predictor, without) =>
            {
-               var result = new BodyReplay(motion.Name, motion.Recording, Replayed(condition), () => Object(predictor, without)).Run();
-               return [result.Position.Rms, result.Rotation.Rms];
+               var result = new BodyReplay(motion.Name, recording, Replayed(condition), () => Object(predictor, without)).Run();
+               return OfThose(changes, result.Position.Rms, result.Rotation.Rms);
            }),
     ]);
+
+    // An error that is always 0 has no ratio.
+    static T[] OfThose<T>(bool[] changes, params T[] values) => [.. values.Where((_, i) => changes[i])];
 
     static ReplaySettings Replayed((double Interval, double Latency) condition) =>
         new() { SamplingInterval = condition.Interval, Latency = condition.Latency };
