@@ -36,12 +36,6 @@ namespace Nowpose.Prediction.Mixing
         const double MinEvidence = 0.05;
 
         /// <summary>
-        /// Minimum number of connected samples from which a forecast is scored. From two samples, all forecasts are the same line, whose large error
-        /// would hide the differences between the forecasters for seconds. With 2 or 5, the errors change by at most 0.6 %.
-        /// </summary>
-        const int MinScored = 3;
-
-        /// <summary>
         /// Maximum distance of a candidate's forecast from a sample that it explains, relative to the displacement of the sample. A fast motion that
         /// repeats is not a jump.
         /// </summary>
@@ -205,7 +199,7 @@ namespace Nowpose.Prediction.Mixing
             if (Uses(PredictionParts.ChangePoints)) samples = Math.Min(samples, _changePoints.SamplesSince);
             var speedFactor = motion.Count < 2 || IsVelocityUnknown ? 0 : samples == 1 && !_changePoints.SpeedIncreased ? SpeedRatioAfterStop : 1;
             _forecasters.Fill(motion, samples, speedFactor, _points);
-            if (motion.IsNewest && Math.Min(motion.Count, _jumps.SamplesSince) >= MinScored) Expect(motion);
+            if (motion.IsNewest) Expect(motion);
             FillTable(motion, speedFactor);
         }
 

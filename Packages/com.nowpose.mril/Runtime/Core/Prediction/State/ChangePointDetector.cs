@@ -7,8 +7,8 @@ namespace Nowpose.Prediction.State
     /// A window of samples across an emergency stop gives wrong forecasts. A change point is a change of velocity that is faster than all other
     /// changes in the last few seconds; their maximum has the time constant of the weights. If it increased the speed after noise, and the next sample
     /// confirms the new speed, all samples are used again: the samples of a joint at rest do not impair the forecast of its start. While the velocity is
-    /// constant to rounding, the samples before it are left out, and each large change is a change point, even if earlier ones were faster: without
-    /// noise, a conveyor or turntable that is switched on moves at full speed at once.
+    /// constant to rounding, each large change is a change point, even if earlier ones were faster: without noise, a conveyor or turntable that is
+    /// switched on moves at full speed at once.
     /// </remarks>
     sealed class ChangePointDetector
     {
@@ -53,7 +53,7 @@ namespace Nowpose.Prediction.State
         double _acceleration, _speed;
         bool _isUnconfirmed;
         double _maxAcceleration, _maxSpeed, _intervalBefore;
-        int _samples, _steadySamples;
+        int _samples;
         bool _wasSteady;
 
         /// <param name="components">Number of components of the motion.</param>
@@ -69,7 +69,7 @@ namespace Nowpose.Prediction.State
         public bool SpeedIncreased { get; private set; }
 
         /// <summary>Whether the velocity in the last two intervals is constant to rounding; true for a rest without noise.</summary>
-        public bool IsSteady => _steadySamples > 0;
+        public bool IsSteady { get; private set; }
 
         /// <summary>Adds the newest sample of a motion.</summary>
         /// <param name="forgettingFactor">Factor of the maxima since the previous sample, 0 to 1.</param>
@@ -85,9 +85,8 @@ namespace Nowpose.Prediction.State
             var (newest, before) = (motion.Speed, Vectors.Length(_before));
             var (change, product) = (Vectors.Distance(motion.Velocity, _before), Vectors.Dot(motion.Velocity, _before));
             // An abrupt change within an interval shows in the velocity of two intervals.
-            var isSteady = _steadySamples > 0 || _wasSteady;
-            _wasSteady = _steadySamples > 0;
-            _steadySamples = change <= SteadyRatio * motion.MaxSpeed ? Math.Min(_steadySamples, MaxCount) + 1 : 0;
+            var isSteady = IsSteady || _wasSteady;
+            (_wasSteady, IsSteady) = (IsSteady, change <= SteadyRatio * motion.MaxSpeed);
             if (_samples > 2)
             {
                 var acceleration = change / (0.5 * (interval + _intervalBefore));
@@ -101,7 +100,6 @@ namespace Nowpose.Prediction.State
                 _acceleration = acceleration;
             }
             (_speed, _isUnconfirmed) = (newest, isUnconfirmed);
-            if (_steadySamples > 0) SamplesSince = Math.Min(SamplesSince, _steadySamples + 2);
             _intervalBefore = interval;
             Array.Copy(motion.Velocity, _before, _before.Length);
             if (!isUnconfirmed) Array.Copy(motion.Velocity, _confirmed, _confirmed.Length);
@@ -120,8 +118,8 @@ namespace Nowpose.Prediction.State
             Array.Clear(_before, 0, _before.Length);
             Array.Clear(_confirmed, 0, _confirmed.Length);
             _acceleration = _speed = _maxAcceleration = _maxSpeed = _intervalBefore = 0;
-            SamplesSince = _samples = _steadySamples = 0;
-            SpeedIncreased = _wasSteady = _isUnconfirmed = false;
+            SamplesSince = _samples = 0;
+            SpeedIncreased = IsSteady = _wasSteady = _isUnconfirmed = false;
         }
 
         bool IsConfirmed(double newest, double before, double product) =>
