@@ -62,16 +62,6 @@ public class PaperRunTests
     }
 
     [Test]
-    public void MeasuredProfile_MeasuredAgainFromFewerPictures_Agrees()
-    {
-        LatencyProfile reference = PaperScene.MeasuredProfile(1), again = PaperScene.Calibrate(1);
-
-        var errorMs = Math.Sqrt(Math.Pow(StandardErrorMs(reference), 2) + Math.Pow(StandardErrorMs(again), 2));
-        Assert.That(VisuMs(again), Is.EqualTo(VisuMs(reference)).Within(3 * errorMs));
-        Assert.That(again.Range.Limit.TotalMilliseconds, Is.EqualTo(reference.Range.Limit.TotalMilliseconds).Within(1));
-    }
-
-    [Test]
     public void PaperRun_Exchanges_HaveAConstantInterval()
     {
         var run = PaperScene.Play(1);

@@ -17,8 +17,6 @@ static class PaperScene
 {
     public const double VisuMs = 40;
 
-    const int PicturesPerLoad = 3;
-
     static readonly YoubotSwing Swing = new(isCold: true);
 
     /// <summary>Creates a profile with a given L_visu in ms.</summary>
@@ -38,12 +36,6 @@ static class PaperScene
             Number(1), Number(2), "simulated headset", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, (int)Number(3), Number(4),
             RenderTimeSourceKind.DisplayGpuTime);
     }
-
-    /// <summary>
-    /// Measures the profile from pictures of the display, as <c>demo --paper</c> does, but from fewer of them. Its error is therefore larger.
-    /// </summary>
-    public static LatencyProfile Calibrate(int seed) =>
-        PaperCalibration.Of(PaperScenario.Of(Given(seed), Swing), PicturesPerLoad, CancellationToken.None).Profile;
 
     /// <summary>Runs the scenario.</summary>
     /// <param name="profile">Latency profile of the runtime; null for a profile with the true L_visu.</param>

@@ -26,6 +26,9 @@ public class PaperVerbTests
         var standardErrorMs = profile.GetProperty("visu_spread_ms").GetDouble() / Math.Sqrt(profile.GetProperty("measurements").GetInt32());
         Assert.That(standardErrorMs, Is.LessThan(0.2));
         Assert.That(profile.GetProperty("visu_ms").GetDouble(), Is.EqualTo(55).Within(3 * standardErrorMs), "measured in the pictures");
+        // The limit does not depend on L_visu, so the reference data of PaperScene must agree with this measurement.
+        var limitMs = PaperScene.MeasuredProfile(1).Range.Limit.TotalMilliseconds;
+        Assert.That(profile.GetProperty("limit_render_ms").GetDouble(), Is.EqualTo(limitMs).Within(1));
         var claims = Json("result.json").GetProperty("claims").EnumerateArray().ToList();
         Assert.That(claims.Select(claim => string.Join(' ', claim.EnumerateObject().Select(each => each.Name))), Is.All.EqualTo(
             "figure claim paper measured uncertainty unit holds not_measured verdict"));
