@@ -147,12 +147,20 @@ static class DemoVerb
         var settings = Settings(parsed);
         var output = DemoOutput.At(folder, isPaper: false, parsed.GetValue(Robot), parsed.GetValue(Recording), parsed.GetValue(Profile));
         var run = await DemoStage.PlayAsync(settings, output.SessionPath, cancel);
-        // An interrupted run writes its partial result. A complete run without a valid result has failed.
-        if (!cancel.IsCancellationRequested && run.Failure() is string failure) throw new DemoFailedException(failure);
+        return Finish(run, output, cancel.IsCancellationRequested);
+    }
+
+    /// <summary>Writes and prints the result of a run.</summary>
+    /// <param name="isInterrupted">Whether the user ended the run. Its partial result is then written, even if it is not valid.</param>
+    /// <returns>The exit status.</returns>
+    /// <exception cref="DemoFailedException">A complete run has no valid result.</exception>
+    internal static int Finish(DemoRun run, DemoOutput output, bool isInterrupted)
+    {
+        if (!isInterrupted && run.Failure() is string failure) throw new DemoFailedException(failure);
         var score = new DemoScore(run);
         var result = score.Result();
         output.Write(score, run, result);
         DemoTable.Print(run, score, result, output);
-        return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+        return isInterrupted ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 }

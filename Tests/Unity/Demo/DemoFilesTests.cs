@@ -1,0 +1,96 @@
+using System.Text.Json;
+using System.Text.RegularExpressions;
+using Nowpose.Cli.Demo;
+using Nowpose.Cli.Demo.Virtual;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests.Demo;
+
+/// <summary>Tests the exit status, the files and the text of runs in virtual time.</summary>
+public class DemoFilesTests
+{
+    TemporaryFolder _folder;
+
+    [SetUp]
+    public void MakeFolder() => _folder = new TemporaryFolder();
+
+    [TearDown]
+    public void RemoveFolder() => _folder.Dispose();
+
+    static DemoRun Play(double seconds) => VirtualStage.Play(
+        VirtualDemo.Settings(seconds, "lan", 1, "quadratic") with { VisualisationErrorMs = 3 }, hasScene: false);
+
+    Task<(int Status, string Output, string Errors)> FinishAsync(DemoRun run, bool isInterrupted = false) => CapturedConsole.OfAsync(
+        () => Task.FromResult(DemoVerb.Finish(run, DemoOutput.At(_folder.Path, isPaper: false), isInterrupted)));
+
+    string Written(string file) => File.ReadAllText(Path.Combine(_folder.Path, file));
+
+    [Test]
+    public async Task Finish_CompleteRun_WritesItsFilesWithTheExpectedFields()
+    {
+        var (status, output, _) = await FinishAsync(Play(5));
+
+        Assert.That(status, Is.EqualTo(0));
+        Assert.That(output, Does.Contain("report.html").And.Contain("uncompensated"));
+        AssertFields(JsonDocument.Parse(Written("result.json")).RootElement);
+        Assert.That(Written("report.html"), Does.Contain("Nowpose demo: youbot"));
+        if (Nowpose.Web.ReportPage.HasPlots) AssertPlayback(Written("report.html"));
+    }
+
+    [TestCase(false)]
+    [TestCase(true)]
+    public async Task Finish_ClockNeverSynchronised_FailsUnlessInterrupted(bool isInterrupted)
+    {
+        var run = Play(0.5);
+        Assert.That(run.Frames.Rows.Select(row => row.Clock.State), Has.None.EqualTo(ClockState.Synchronised), "precondition");
+
+        if (!isInterrupted) Assert.That(() => FinishAsync(run), Throws.TypeOf<DemoFailedException>());
+        else Assert.That((await FinishAsync(run, isInterrupted)).Status, Is.EqualTo(130));
+
+        Assert.That(File.Exists(Path.Combine(_folder.Path, "result.json")), Is.EqualTo(isInterrupted));
+    }
+
+    static void AssertFields(JsonElement result)
+    {
+        Assert.That(result.GetProperty("tool_error_mm").GetProperty("hold_rms").GetDouble(), Is.GreaterThan(5));
+        Assert.That(result.GetProperty("latency_ms").GetProperty("app_p50").GetDouble(), Is.GreaterThan(50));
+        Assert.That(result.GetProperty("frames").GetInt32(), Is.EqualTo(300));
+        Assert.That(result.GetProperty("network").GetString(), Is.EqualTo("lan"));
+        Assert.That(Names(result), Is.EqualTo("seconds frames samples dropped network latency_ms clock tool_error_mm frame hindcast range light_error_ms bodies"));
+        Assert.That(result.GetProperty("range").ValueKind, Is.EqualTo(JsonValueKind.Null), "no load");
+        Assert.That(Names(result.GetProperty("latency_ms")), Is.EqualTo("app_p50 app_p95 visu total_error_p95"));
+        Assert.That(
+            Names(result.GetProperty("clock")),
+            Is.EqualTo("offset_error_us_p50 offset_error_us_p95 offset_error_us_max skew_error_ppm converged_s"));
+        Assert.That(
+            Names(result.GetProperty("tool_error_mm")),
+            Is.EqualTo("hold_rms hold_max rms p95 max reduction reduction_first_cycle reduction_repeated"));
+        Assert.That(Names(result.GetProperty("frame")), Is.EqualTo("cpu_us_p50 cpu_us_p99 allocated_bytes_per_frame"));
+        Assert.That(Names(result.GetProperty("light_error_ms")), Is.EqualTo("p50 p95 max"));
+        Assert.That(Names(result.GetProperty("bodies")), Is.EqualTo("error_mm error_deg largest_slip_mm"));
+        foreach (var kind in new[] { "error_mm", "error_deg" })
+            Assert.That(Names(result.GetProperty("bodies").GetProperty(kind)), Is.EqualTo("hold_rms rms p95 reduction"));
+        Assert.That(Names(result.GetProperty("hindcast")), Is.EqualTo("reduction reduction_uncertainty rms_mm hold_rms_mm withheld"));
+        var repeated = result.GetProperty("tool_error_mm").GetProperty("reduction_repeated");
+        Assert.That(repeated.ValueKind, Is.EqualTo(JsonValueKind.Null), "five seconds contain no third cycle");
+    }
+
+    static string Names(JsonElement element) => string.Join(' ', element.EnumerateObject().Select(property => property.Name));
+
+    // Checks that the playback on the page starts at the same time as the error plot, and that its tracks have a value for each joint.
+    static void AssertPlayback(string report)
+    {
+        var json = Regex.Match(report, "id=\"report-data\">(.*?)</script>", RegexOptions.Singleline).Groups[1].Value;
+        var page = JsonDocument.Parse(json).RootElement;
+        var playback = page.GetProperty("playback");
+        double FirstOf(string part) => page.GetProperty(part).GetProperty("t")[0].GetDouble();
+        double[][] Track(string name) => playback.GetProperty(name).Deserialize<double[][]>();
+        var (truth, displayed, hold) = (Track("truth"), Track("displayed"), Track("hold"));
+        var names = playback.GetProperty("names").GetArrayLength();
+
+        Assert.That(playback.GetProperty("urdf").GetString(), Does.Contain("<robot"));
+        Assert.That(FirstOf("playback"), Is.EqualTo(FirstOf("error")).Within(0.001), "playback and plots begin at the same time");
+        Assert.That(playback.GetProperty("t").GetArrayLength(), Is.EqualTo(truth.Length).And.GreaterThan(0));
+        Assert.That(truth.Concat(displayed).Concat(hold), Has.All.Length.EqualTo(names));
+    }
+}
