@@ -34,12 +34,20 @@ public class StopwatchControlClockTests
     }
 
     [Test]
-    public void Now_WithResolution_IsRoundedDown()
+    public void AtCount_WithResolution_IsRoundedDown()
     {
-        var clock = new StopwatchControlClock(new ControlTime(new TimeSpan(-12_345)), 0) { Resolution = TimeSpan.FromMilliseconds(1) };
+        var clock = new StopwatchControlClock(new ControlTime(new TimeSpan(-12_345))) { Resolution = TimeSpan.FromMilliseconds(1) };
+        var (interceptNs, _) = clock.OverMonotonicCounter;
 
-        Assert.That(clock.AtCount(Stopwatch.GetTimestamp()).SinceEpoch.Ticks % TimeSpan.TicksPerMillisecond, Is.Zero);
-        Assert.That(clock.AtCount(0) <= clock.AtCount(1), Is.True);
+        // Times before and after zero, which are not multiples of the resolution.
+        for (var i = -20; i <= 20; i++)
+        {
+            var count = (long)((Int128)(i * 130_000L - interceptNs) * Stopwatch.Frequency / 1_000_000_000);
+            var exactNs = interceptNs + (decimal)count / Stopwatch.Frequency * 1_000_000_000;
+            var shownNs = clock.AtCount(count).Nanoseconds;
+            Assert.That(shownNs % 1_000_000, Is.Zero, $"{exactNs} ns");
+            Assert.That(exactNs - shownNs, Is.GreaterThanOrEqualTo(0).And.LessThan(1_000_000), $"{exactNs} ns");
+        }
     }
 
     [TestCase(0)]
