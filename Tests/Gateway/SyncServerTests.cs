@@ -118,12 +118,13 @@ public class SyncServerTests
     [Test]
     public async Task Gateway_StoppedWithOpenConnections_CanRestartOnTheSamePorts()
     {
-        var first = await Gateways.StartAsync();
+        using ReservedPort syncPort = new(), webSocketPort = new();
+        var options = new GatewayOptions { SyncPort = syncPort.Port, WebSocketPort = webSocketPort.Port };
+        var first = await Gateways.StartAsync(options);
         using var sync = await RawSyncClient.ConnectAsync(first);
         using var socket = await RawRosbridgeClient.ConnectAsync(first);
         await sync.ExchangeAsync(SyncFrame.Request(1, 2));
         await socket.RoundTripAsync();
-        var options = new GatewayOptions { SyncPort = first.SyncEndPoint.Port, WebSocketPort = first.WebSocketEndPoint.Port };
 
         await first.DisposeAsync().AsTask().Bounded();
         Assert.That(await sync.ReceiveAsync(), Is.Null);

@@ -11,6 +11,8 @@ namespace Nowpose.Headless.Tests.Gateway.Faults;
 /// <summary>Runs the headset's runtime without a display, and observes it during a fault.</summary>
 sealed class FaultHeadset : IDisposable
 {
+    static readonly TimeSpan ClockTolerance = TimeSpan.FromMilliseconds(40);
+
     readonly StopwatchHeadsetClock _clock = new();
 
     public FaultHeadset(int syncPort, int webSocketPort, CertificatePin pin = null, string token = null)
@@ -36,14 +38,14 @@ sealed class FaultHeadset : IDisposable
     /// <returns>Time until the condition was fulfilled.</returns>
     public Task<TimeSpan> BecomesAsync(Func<bool> condition, string what) => Soon.BecomesAsync(condition, () => $"{what}: {State}, {Links}");
 
-    /// <summary>Whether the headset's estimate of the control clock has an error below 5 ms.</summary>
+    /// <summary>Whether the error of the headset's estimate of the control clock is less than half of the smallest step in these tests.</summary>
     public bool IsClockCorrect(IControlClock control)
     {
         _ = State;
         var model = Session.Clock.ModelAt(_clock.Now);
         if (model.State != ClockState.Synchronised) return false;
         var (headset, truth) = (_clock.Now, control.Now);
-        return (model.ToControl(headset) - truth).Duration() < TimeSpan.FromMilliseconds(5);
+        return (model.ToControl(headset) - truth).Duration() < ClockTolerance;
     }
 
     public void Dispose() => Session.Dispose();
