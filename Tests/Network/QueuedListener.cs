@@ -66,5 +66,12 @@ sealed class QueuedListener : IRosbridgeListener
 
     public bool HasPoseChanged { get; set; }
 
-    public DiagnosticsMessage Diagnostics() => FailDiagnostics ? throw new InvalidOperationException("no diagnostics today") : Report;
+    /// <summary>Called before each report.</summary>
+    public Action Reporting { get; set; }
+
+    public DiagnosticsMessage Diagnostics()
+    {
+        Reporting?.Invoke();
+        return FailDiagnostics ? throw new InvalidOperationException("no diagnostics today") : Report;
+    }
 }

@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Diagnostics;
 using Nowpose.Network;
 using Nowpose.Protocol;
@@ -66,7 +67,7 @@ public class SyncClientTests
             await Soon.BecomesAsync(() => server.Connections >= 2, "a second connection");
 
             Assert.That(_faults[(SyncExchangeFault)fault], Is.GreaterThanOrEqualTo(ProtocolLimits.SyncDropsInARow));
-            Assert.That(_faults[(SyncExchangeFault)fault], Is.EqualTo(_faults.Total));
+            Assert.That(Enum.GetValues<SyncExchangeFault>().Where(each => _faults[each] > 0), Is.EqualTo(new[] { (SyncExchangeFault)fault }));
             Assert.That(clock.ModelAt(default).State, Is.EqualTo(ClockState.Unsynchronised));
         }
     }
@@ -111,17 +112,22 @@ public class SyncClientTests
     public async Task Exchange_OneInvalidReply_DoesNotReconnect()
     {
         var headset = new StopwatchHeadsetClock();
-        using var server = new FakeSyncServer(request =>
+        var invalid = new ConcurrentDictionary<int, int>();
+        FakeSyncServer server = null;
+        using var ending = server = new FakeSyncServer(request =>
         {
             var now = headset.Now.Nanoseconds;
-            return FakeSyncServer.Bytes(Reply(request, now, request.Sequence % 5 == 0 ? now - 1000 : now));
+            var isInvalid = request.Sequence % 5 == 0;
+            if (isInvalid) invalid.AddOrUpdate(server.Connections, 1, (_, count) => count + 1);
+            return FakeSyncServer.Bytes(Reply(request, now, isInvalid ? now - 1000 : now));
         });
         var (client, clock) = Connect(server.Port);
         using (client)
         {
-            await Soon.BecomesAsync(() => _faults.Total >= 5, "five bad replies");
+            // On a busy machine, a reply may be late, which ends the connection.
+            await Soon.BecomesAsync(() => invalid.Values.Any(count => count >= 5), "five invalid replies on one connection");
 
-            Assert.That(server.Connections, Is.EqualTo(1));
+            Assert.That(_faults.Total, Is.GreaterThanOrEqualTo(4));
             Assert.That(clock.ModelAt(headset.Now).IsKnown, Is.True);
         }
     }
