@@ -116,7 +116,7 @@ public class LimitTests
     {
         var log = new ConcurrentQueue<string>();
         var gateway = await GatewayServer.StartAsync(
-            Gateways.Options(), new Nowpose.Gateway.Clock.StopwatchControlClock(Gateways.Start), log.Enqueue);
+            Gateways.Options() with { Time = new SteppedTime() }, new Nowpose.Gateway.Clock.StopwatchControlClock(Gateways.Start), log.Enqueue);
         await using (gateway)
         {
             for (var i = 0; i < 200; i++)

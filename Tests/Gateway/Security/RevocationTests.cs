@@ -186,7 +186,13 @@ public class RevocationTests
         return Gateways.StartAsync(Gateways.Options() with { Tokens = TokenList.Read(TokensPath, _log.Enqueue) });
     }
 
-    void Write(params string[] lines) => File.WriteAllLines(TokensPath, lines);
+    // Replaces the file at once, so that the gateway never reads a part of it.
+    void Write(params string[] lines)
+    {
+        var next = TokensPath + ".next";
+        File.WriteAllLines(next, lines);
+        File.Move(next, TokensPath, overwrite: true);
+    }
 
     static Task<RawRosbridgeClient> ConnectAsync(GatewayServer gateway, string token) =>
         RawRosbridgeClient.ConnectAsync(gateway, options => options.SetRequestHeader("Authorization", "Bearer " + token));
