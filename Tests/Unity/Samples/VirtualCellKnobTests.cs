@@ -34,8 +34,9 @@ public class VirtualCellKnobTests
 
         Assert.That(Complaints(sample), Is.Empty);
         Assert.That(sample.States[^1], Is.EqualTo(PoseState.Current));
-        if (atTheEnd.Count > 30)
-            Assert.That(Rms(atTheEnd.Errors), Is.LessThan(Rms(atTheEnd.HoldErrors) + 0.001), "current poses are at least as accurate as held ones");
+        // Beyond the predictable range, the pose is current only until the last samples are too old.
+        Assert.That(atTheEnd.Count, Is.GreaterThan(10));
+        Assert.That(Rms(atTheEnd.Errors), Is.LessThan(0.5 * Rms(atTheEnd.HoldErrors)), "the error of current poses without compensation is larger");
     }
 
     [Test]
@@ -64,7 +65,7 @@ public class VirtualCellKnobTests
         sample.Run(2);
         sample.Run(5);
 
-        Assert.That(sample.States, Has.None.EqualTo(PoseState.Current));
+        Assert.That(sample.States, Is.Not.Empty.And.None.EqualTo(PoseState.Current));
     }
 
     [Test]
