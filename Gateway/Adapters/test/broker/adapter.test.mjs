@@ -54,7 +54,6 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
       publish(near, '/joint_states', state(start + i, names, names.map(() => Number(i))));
       if (i % 50n === 0n) await new Promise(resolve => setImmediate(resolve));
     }
-    const asked = performance.now();
     await until(() => Number(near.state?.lost) > 0, () => `lost messages: ${JSON.stringify(near.state)}`);
     // The bridge still responds to its gateway while the broker is stalled.
     const count = near.published('/nowpose/diagnostics').length;
@@ -65,7 +64,8 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
       publish(near, '/joint_states', state(sync.now(), names, names.map(() => 7777)));
       return far.jointStates.at(-1)?.position[0] === 7777;
     }, () => `the newest; ${publisher.err}`);
-    assert.ok(far.jointStates.length < 1000, `${far.jointStates.length} after ${performance.now() - asked} ms`);
+    const received = far.jointStates.filter(({ position }) => position[0] !== 7777);
+    assert.ok(received.length < 1000, `${received.length} of the messages during the stall`);
   });
 
   it('Bridges_BrokerRestarted_Reconnect', async t => {

@@ -77,7 +77,7 @@ signals:
 
     for (const key of ['frame/part', 'signal/open'])
       await until(() => bridge.state?.[key]?.startsWith('fault') && bridge.state[key].includes('the server'), () => `${key}: ${JSON.stringify(bridge.state)}`);
-    assert.equal(bridge.joint('a').state, 'live');
+    await until(() => bridge.joint('a').state === 'live', () => JSON.stringify(bridge.state));
     assert.equal(bridge.status.level, 2);
   });
 

@@ -145,7 +145,7 @@ describe('ros', { concurrency: 4 }, () => {
     const { reason } = await state('a', 'fault');
 
     assert.equal(reason, silenceMessages.tooLong(1000));
-    assert.equal(bridge.joint('b').state, 'live');
+    await state('b', 'live');
     assert.deepEqual([bridge.status.level, bridge.status.message.startsWith('a fault: ')], [2, true]);
     silent.clear();
     await state('a', 'live');
