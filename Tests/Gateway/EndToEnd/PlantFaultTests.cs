@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.Text.Json;
 using System.Text.RegularExpressions;
+using Nowpose.Gateway.Messages;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Gateway.EndToEnd.ShownStatus;
 
@@ -96,7 +97,8 @@ public class PlantFaultTests
         // On a busy machine the pose of the last frame may not be current, so any stretch with a current pose is sufficient. The headset started
         // during the fault, so all stretches are after the repair.
         Assert.That(recovered.GetProperty("stretches").EnumerateArray(), Is.Not.Empty, recovered.ToString());
-        var events = EventsAfter(lastEvent, end);
+        // A busy machine may delay the samples of any joint, which is then reported as stale.
+        var events = EventsAfter(lastEvent, end).Where(one => Text(one, "what") != EventTexts.Is("stale")).ToList();
         Assert.That(events.Select(one => Text(one, "which")), Is.All.EqualTo($"{Joint} (plc)"), string.Join("\n", events));
         Assert.That(events, Is.Not.Empty);
         Assert.That(
@@ -108,26 +110,34 @@ public class PlantFaultTests
     {
         using var headset = StartHeadset();
         await GoodEverywhereAsync(DateTimeOffset.UtcNow);
-        var states = new HashSet<string>();
-        var shown = await ReadAsync();
-        var (lastEvent, isGoodAtRest) = (LastEvent(shown), false);
 
-        // A busy machine may delay samples until the headset holds its pose, which the page also reports. Then the robot rests once more.
-        for (var since = Stopwatch.StartNew(); !isGoodAtRest && since.Elapsed < Soon.Limit;)
-            for (var rest = _plant.CommandAsync("rest", "3000"); !rest.IsCompletedSuccessfully || shown.AreAll("live") is false; await Task.Delay(ReadingIntervalMs))
-            {
-                if (rest.IsFaulted) await rest;
-                shown = await ReadAsync();
-                states.UnionWith(shown.Joints.Select(joint => Text(joint, "state")));
-                isGoodAtRest |= shown.AreAll("rest") && Places.All(shown.IsGood);
-                Assert.That(Places.Except(["page", "headset"]).Where(place => !shown.IsGood(place)), Is.Empty, shown.ToString());
-            }
+        // A busy machine may delay samples until joints are stale, or until the headset holds its pose. Then the robot rests once more.
+        var fault = "";
+        for (var since = Stopwatch.StartNew(); fault != null && since.Elapsed < Soon.Limit;) fault = await FaultOfRestAsync();
 
         var result = await ResultOfAsync(headset);
         TestContext.Out.WriteLine($"rest: pose current for {result.GetProperty("pose").GetProperty("current_share")} of the frames, {result.GetProperty("frames")} frames");
-        Assert.That(states, Is.EquivalentTo(new[] { "live", "rest" }));
-        Assert.That(EventsAfter(lastEvent, shown), Is.Empty, shown.ToString());
-        Assert.That(isGoodAtRest, shown.ToString());
+        Assert.That(fault, Is.Null);
+    }
+
+    /// <summary>Makes the robot rest and move again.</summary>
+    /// <returns>Null if all places report the rest, and none of them a fault; otherwise the state that shows the contrary.</returns>
+    async Task<string> FaultOfRestAsync()
+    {
+        var states = new HashSet<string>();
+        var shown = await ReadAsync();
+        var (lastEvent, isGoodAtRest, isFaultless) = (LastEvent(shown), false, true);
+        for (var rest = _plant.CommandAsync("rest", "3000"); !rest.IsCompletedSuccessfully || shown.AreAll("live") is false; await Task.Delay(ReadingIntervalMs))
+        {
+            if (rest.IsFaulted) await rest;
+            shown = await ReadAsync();
+            states.UnionWith(shown.Joints.Select(joint => Text(joint, "state")));
+            isGoodAtRest |= shown.AreAll("rest") && Places.All(shown.IsGood);
+            isFaultless &= Places.Except(["page", "headset"]).All(shown.IsGood);
+        }
+
+        var isReported = states.SetEquals(["live", "rest"]) && isGoodAtRest && isFaultless && EventsAfter(lastEvent, shown).Count == 0;
+        return isReported ? null : $"states {string.Join(", ", states)}; {shown}";
     }
 
     Task<ShownStatus> ReadAsync() => ShownStatus.ReadAsync(_http, _diagnostics);
