@@ -1,8 +1,10 @@
 using System.Diagnostics;
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Headset;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
@@ -29,13 +31,13 @@ public class HeadsetVerbTests
         using var cell = Simulate(gateway);
         using var recording = new TemporaryFile("", ".jsonl");
 
-        var (run, played) = await PlayAsync(240, gateway, recording.Path);
+        var (run, played) = await PlayAsync(gateway, AfterCurrentFrames(60), recording.Path);
 
-        Assert.That(run.HasFailed, Is.False, run.RecordingFault);
+        Assert.That(run.RecordingFault, Is.Null);
         using var document = JsonDocument.Parse(played.Json());
         var result = document.RootElement;
         Assert.That(result.GetProperty("robot").GetString(), Is.EqualTo(RobotFiles.Load("youbot").Name));
-        Assert.That(result.GetProperty("samples").GetInt64(), Is.GreaterThan(36));
+        Assert.That(result.GetProperty("samples").GetInt64(), Is.Positive);
         Assert.That(result.GetProperty("clock").GetProperty("state").GetString(), Is.EqualTo("synchronised").Or.EqualTo("coarse"), "on a busy machine");
         Assert.That(result.GetProperty("clock").GetProperty("error_bound_us").GetDouble(), Is.GreaterThan(1));
         // The cell's clock uses the same hardware counter as the headset's clock, so the true offset is known.
@@ -46,13 +48,13 @@ public class HeadsetVerbTests
             Math.Abs(clock.GetProperty("offset_ns").GetInt64() - trueOffset) / 1000.0,
             Is.LessThanOrEqualTo(clock.GetProperty("error_bound_us").GetDouble() + 1));
         Assert.That(clock.GetProperty("estimated_error_us").GetDouble(), Is.Positive);
-        Assert.That(result.GetProperty("latency_ms").GetProperty("app_p50").GetDouble(), Is.GreaterThan(20));
+        Assert.That(
+            result.GetProperty("latency_ms").GetProperty("app_p50").GetDouble(), Is.GreaterThan(20 - clock.GetProperty("error_bound_us").GetDouble() / 1000));
         Assert.That(result.GetProperty("pose").GetProperty("current_share").GetDouble(), Is.GreaterThan(0));
-        Assert.That(result.GetProperty("missing_joints").GetArrayLength(), Is.Zero);
         Assert.That(result.GetProperty("version_mismatch").ValueKind, Is.EqualTo(JsonValueKind.Null));
-        Assert.That(result.GetProperty("stretches")[0].GetProperty("tool_error_mm").GetProperty("hold_rms").GetDouble(), Is.GreaterThan(1));
+        Assert.That(result.GetProperty("stretches").EnumerateArray(), Is.Not.Empty);
         var frames = File.ReadLines(recording.Path).Where(line => line.Contains("\"kind\":\"frame\"")).Select(line => JsonDocument.Parse(line).RootElement).ToList();
-        Assert.That(frames, Has.Count.GreaterThan(180));
+        Assert.That(frames, Has.Count.GreaterThanOrEqualTo(60));
     }
 
     [Test]
@@ -71,9 +73,8 @@ public class HeadsetVerbTests
         await using var gateway = await Gateways.StartAsync();
         using var cell = Simulate(gateway);
 
-        var (run, _) = await PlayAsync(1, gateway, "/dev/full");
+        var (run, _) = await PlayAsync(gateway, AfterCurrentFrames(1), "/dev/full");
 
-        Assert.That(run.WhyFailed, Is.Null);
         Assert.That(run.RecordingFault, Does.Contain("/dev/full"));
         Assert.That(run.HasFailed, Is.True);
     }
@@ -85,14 +86,17 @@ public class HeadsetVerbTests
         using var cell = Simulate(gateway);
         using var recording = new TemporaryFile(new string('x', 1_000_000), ".jsonl");
 
-        var (run, _) = await PlayAsync(1, gateway, recording.Path);
+        var (run, _) = await PlayAsync(gateway, AfterCurrentFrames(1), recording.Path);
 
-        Assert.That(run.HasFailed, Is.False);
+        Assert.That(run.RecordingFault, Is.Null);
         Assert.That(File.ReadAllText(recording.Path), Does.Not.Contain("xx"));
     }
 
-    // Ends the run when the pose has been current in `count` frames instead of after a fixed time, because a busy machine synchronises later.
-    static async Task<(HeadsetRun, HeadsetResult)> PlayAsync(int count, GatewayServer gateway, string recordingPath)
+    static Func<string, bool> AfterCurrentFrames(int count) => status => status.Contains("pose current", StringComparison.Ordinal) && --count <= 0;
+
+    // Ends the run when the status of a frame shows that there is enough, instead of after a fixed time, because a busy machine synchronises later.
+    static async Task<(HeadsetRun, HeadsetResult)> PlayAsync(
+        GatewayServer gateway, Func<string, bool> isEnough, string recordingPath = null, string robot = null)
     {
         var settings = new HeadsetSettings
         {
@@ -103,17 +107,17 @@ public class HeadsetVerbTests
             Seconds = Soon.Limit.TotalSeconds,
             FramesPerSecond = 60,
             RecordingPath = recordingPath,
+            Robot = robot,
         };
         using var enough = new CancellationTokenSource();
         void Look(double seconds, Func<string> status)
         {
-            if (status().Contains("pose current", StringComparison.Ordinal) && --count == 0) enough.Cancel();
+            if (isEnough(status())) enough.Cancel();
         }
 
         var run = new HeadsetRun(settings, _ => { });
         var result = await Task.Factory.StartNew(
             () => run.Play(Look, enough.Token), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
-        Assert.That(run.WhyFailed, Is.Null);
         Assert.That(enough.IsCancellationRequested, Is.True, result.Json());
         return (run, result);
     }
@@ -127,43 +131,55 @@ public class HeadsetVerbTests
         using var cell = Simulate(gateway);
         using var token = new TemporaryFile(Gateways.ObserverToken + "\n", ".txt");
 
-        var run = await RunAsync(gateway, "--seconds", "6", "--pin", gateway.Pin.ToString(), "--token-file", token.Path);
+        using var run = new PeerProcess(
+            "Nowpose.Cli.dll", ["headset", .. Ports(gateway), "--seconds", "600", "--pin", gateway.Pin.ToString(), "--token-file", token.Path]);
 
-        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
-        Assert.That(run.Output, Does.Match("(synchronised|coarse), ±"));
-        Assert.That(run.Output + run.Errors, Does.Not.Contain(Gateways.ObserverToken));
+        await Soon.BecomesAsync(() => Regex.IsMatch(run.All, "clock (synchronised|coarse), .* [1-9][0-9]* samples"), () => run.All);
+        await run.InterruptAsync();
+        Assert.That(run.All, Does.Match("(synchronised|coarse), ±").And.Not.Contain(Gateways.ObserverToken));
     }
 
     [Test]
-    public async Task Headset_PlantSendsNothing_FailsWithTheReason()
+    public async Task Headset_PlantSendsNothing_Fails()
     {
         await using var gateway = await Gateways.StartAsync();
 
-        var run = await RunAsync(gateway, "--seconds", "5", "--robot", "youbot");
+        var run = await RunAsync(gateway, "--seconds", "1", "--robot", "youbot");
 
         Assert.That(run.ExitStatus, Is.EqualTo(1));
-        Assert.That(run.Errors, Does.Contain("no joint positions arrived: connected"));
+        Assert.That(CapturedConsole.Lines(run.Errors), Has.One.StartsWith("nowpose: "));
     }
 
     [Test]
-    public async Task Headset_JointNeverPublished_FailsAndNamesTheJoint()
+    public async Task Play_PlantSendsNothing_FailsWithTheReason()
+    {
+        await using var gateway = await Gateways.StartAsync();
+
+        var (run, _) = await PlayAsync(gateway, status => status.Contains("clock synchronised", StringComparison.Ordinal), robot: "youbot");
+
+        Assert.That(run.WhyFailed, Is.EqualTo(HeadsetMessages.NoJoints("connected")).Or.EqualTo(HeadsetMessages.NoJoints("connecting")));
+    }
+
+    [Test]
+    public async Task Play_JointNeverPublished_FailsAndNamesTheJoint()
     {
         await using var gateway = await Gateways.StartAsync();
         using var cell = Simulate(gateway);
         // In this description, the name of one joint differs from the name that the cell publishes.
         using var urdf = new TemporaryFile(RobotFiles.LoadText("youbot").Replace("\"arm_joint_3\"", "\"arm_joint_x\""), ".urdf");
 
-        var run = await RunAsync(gateway, "--seconds", "6", "--json", "--robot", urdf.Path);
+        var (run, played) = await PlayAsync(
+            gateway, status => Regex.IsMatch(status, "clock synchronised, .* [1-9][0-9]* samples"), robot: urdf.Path);
 
-        Assert.That(run.ExitStatus, Is.EqualTo(1));
         // On a busy machine, the newest samples of the other joints can be old at the end.
-        Assert.That(run.Errors, Does.Contain("nowpose: the pose was never current; joint").And.Contain("arm_joint_x: no value"));
-        var result = JsonDocument.Parse(run.Output).RootElement;
+        Assert.That(run.WhyFailed, Does.Contain("the pose was never current; joint").And.Contain("arm_joint_x: no value"));
+        using var document = JsonDocument.Parse(played.Json());
+        var result = document.RootElement;
         Assert.That(result.GetProperty("missing_joints").EnumerateArray().Select(joint => joint.GetString()), Does.Contain("arm_joint_x"));
         var never = result.GetProperty("joints").EnumerateArray().Single(joint => joint.GetProperty("name").GetString() == "arm_joint_x");
         Assert.That(never.GetProperty("state").GetString(), Is.EqualTo("missing"));
         Assert.That(result.GetProperty("pose").GetProperty("state").GetString(), Is.EqualTo("incomplete"));
-        Assert.That(result.GetProperty("pose").GetProperty("current_share_of_run").GetDouble(), Is.Zero);
+        Assert.That(result.GetProperty("pose").GetProperty("current_after_s").ValueKind, Is.EqualTo(JsonValueKind.Null));
     }
 
     [Test]
@@ -173,12 +189,11 @@ public class HeadsetVerbTests
         using var cell = Simulate(gateway);
         using var profile = Profile(63.5);
 
-        var run = await RunAsync(gateway, "--seconds", "3", "--json", "--estimator", "ransac", "--profile", profile.Path);
+        var run = await RunAsync(gateway, "--seconds", "1", "--json", "--estimator", "ransac", "--profile", profile.Path);
 
         var result = JsonDocument.Parse(run.Output).RootElement;
-        Assert.That(result.GetProperty("frames").GetInt32(), Is.EqualTo(180));
+        Assert.That(result.GetProperty("frames").GetInt32(), Is.EqualTo(60));
         Assert.That(result.GetProperty("latency_ms").GetProperty("visu").GetDouble(), Is.EqualTo(63.5));
-        Assert.That(result.GetProperty("samples").GetInt64(), Is.GreaterThan(0));
     }
 
     [TestCase("headset", "--visu-ms")]
@@ -231,8 +246,10 @@ public class HeadsetVerbTests
         Assert.That(run.Errors, Does.StartWith($"nowpose: --token-file: {path}: cannot be read"));
     }
 
-    static Task<CliRun> RunAsync(GatewayServer gateway, params string[] more) => CliRun.OfAsync(
-        ["headset", "--sync-port", Invariant($"{gateway.SyncEndPoint.Port}"), "--ws-port", Invariant($"{gateway.WebSocketEndPoint.Port}"), .. more]);
+    static Task<CliRun> RunAsync(GatewayServer gateway, params string[] more) => CliRun.OfAsync(["headset", .. Ports(gateway), .. more]);
+
+    static string[] Ports(GatewayServer gateway) =>
+        ["--sync-port", Invariant($"{gateway.SyncEndPoint.Port}"), "--ws-port", Invariant($"{gateway.WebSocketEndPoint.Port}")];
 
     static SimulatedCell Simulate(GatewayServer gateway)
     {
