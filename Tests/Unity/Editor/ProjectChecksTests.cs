@@ -18,7 +18,7 @@ public sealed class ProjectChecksTests : EditorFixture
     public void SetUp() => _reviewed = new ReviewedProject(this);
 
     static IEnumerable<string> SettingChecks => ProjectChecks.ForHoloLens()
-        .Where(c => c.FixLabel != null && c is not (PackageCheck or OpenXrLoaderCheck or GraphicsJobsCheck)).Select(c => c.Title);
+        .Where(c => ReviewedProject.ChangesSetting(c) && c != RenderingChecks.GraphicsJobs).Select(c => c.Title);
 
     [TestCaseSource(nameof(SettingChecks))]
     public void Check_Setting_FailsBeforeAndPassesAfterItsFix(string title)
@@ -41,7 +41,7 @@ public sealed class ProjectChecksTests : EditorFixture
 
         var changed = Enumerable.Range(0, before.Length).Where(i => before[i].State != _reviewed.Review.Results[i].State);
         // Excludes Graphics Jobs: Unity reports this setting only for the active build target, which another fix may change.
-        Assert.That(changed.Where(i => _reviewed.Review.Checks[i] is not GraphicsJobsCheck), Is.EqualTo(new[] { _reviewed.IndexOf(title) }));
+        Assert.That(changed.Where(i => _reviewed.Review.Checks[i] != RenderingChecks.GraphicsJobs), Is.EqualTo(new[] { _reviewed.IndexOf(title) }));
     }
 
     [Test]
@@ -63,7 +63,7 @@ public sealed class ProjectChecksTests : EditorFixture
     [Test]
     public void Checks_ForHoloLens_NameTheRequiredCapabilities()
     {
-        var capabilities = ProjectChecks.ForHoloLens().OfType<CapabilityCheck>().Select(c => c.Title);
+        var capabilities = ProjectChecks.ForHoloLens().Select(c => c.Title).Where(title => title.StartsWith("Capability ", StringComparison.Ordinal));
 
         Assert.That(capabilities, Is.EqualTo(new[]
         {
@@ -104,8 +104,8 @@ public sealed class ProjectChecksTests : EditorFixture
     {
         _reviewed.Settings = new UnityProjectSettings(HeadsetPlatform.AndroidHeadset);
         _reviewed.Review = new ProjectReview(ProjectChecks.For(HeadsetPlatform.AndroidHeadset), _reviewed.Settings);
-        foreach (var check in Enumerable.Range(0, _reviewed.Review.Checks.Count).Where(i => _reviewed.Review.Checks[i].FixLabel != null
-            && _reviewed.Review.Checks[i] is not (PackageCheck or OpenXrLoaderCheck)))
+        foreach (var check in Enumerable.Range(0, _reviewed.Review.Checks.Count)
+            .Where(i => ReviewedProject.ChangesSetting(_reviewed.Review.Checks[i])))
         {
             Assert.That(_reviewed.Review.Results[check].State, Is.Not.EqualTo(CheckState.Good), _reviewed.Review.Checks[check].Title);
             _reviewed.Review.Fix(check);

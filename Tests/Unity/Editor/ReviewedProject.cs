@@ -24,6 +24,13 @@ sealed class ReviewedProject
     public ProjectReview Review { get; set; }
     public Camera Camera { get; }
 
+    /// <summary>Returns whether the fix of a check adds a package.</summary>
+    public static bool AddsPackage(ProjectCheck check) => check.FixLabel?.StartsWith("Add ", StringComparison.Ordinal) == true;
+
+    /// <summary>Returns whether the fix of a check changes a setting itself.</summary>
+    public static bool ChangesSetting(ProjectCheck check) =>
+        check.FixLabel != null && !AddsPackage(check) && check.FixLabel != "Open Project Settings";
+
     public int IndexOf(string title) => IndexIn(Review, title);
 
     public static int IndexIn(ProjectReview review, string title) => review.Checks.Select(c => c.Title).ToList().IndexOf(title);

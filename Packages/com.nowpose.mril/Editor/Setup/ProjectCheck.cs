@@ -1,17 +1,37 @@
+using System;
+
 namespace Nowpose.Editor.Setup
 {
     /// <summary>Checks one requirement of a project for a headset.</summary>
-    abstract class ProjectCheck
+    sealed class ProjectCheck
     {
+        readonly Func<IProjectSettings, CheckResult> _look;
+        readonly Func<IProjectSettings, string> _fix;
+
+        /// <summary>Creates a check whose fix may need the user, or a check without a fix.</summary>
         /// <param name="title">The requirement in a few words.</param>
         /// <param name="why">Purpose of the requirement, and the consequence if it is not met.</param>
+        /// <param name="look">Checks the project. Does not change it.</param>
         /// <param name="fixLabel">Label of the button that calls <see cref="Fix"/>; null if only the user can make the change.</param>
-        protected ProjectCheck(string title, string why, string fixLabel)
+        /// <param name="fix">Changes the project. Returns null if the change succeeded; otherwise an instruction for the user.</param>
+        public ProjectCheck(
+            string title, string why, Func<IProjectSettings, CheckResult> look, string fixLabel = null, Func<IProjectSettings, string> fix = null)
         {
             Title = title;
             Why = why;
             FixLabel = fixLabel;
+            _look = look;
+            _fix = fix;
         }
+
+        /// <summary>Creates a check whose fix always succeeds.</summary>
+        public ProjectCheck(string title, string why, Func<IProjectSettings, CheckResult> look, string fixLabel, Action<IProjectSettings> fix)
+            : this(title, why, look, fixLabel, project =>
+            {
+                fix(project);
+                return null;
+            })
+        { }
 
         public string Title { get; }
 
@@ -22,14 +42,10 @@ namespace Nowpose.Editor.Setup
         public string FixLabel { get; }
 
         /// <summary>Checks the project. Does not change it.</summary>
-        public abstract CheckResult Look(IProjectSettings project);
+        public CheckResult Look(IProjectSettings project) => _look(project);
 
         /// <summary>Changes the project to meet the requirement. Called only when the user clicks the button.</summary>
         /// <returns>Null if the change succeeded; otherwise an instruction for the user.</returns>
-        public abstract string Fix(IProjectSettings project);
-
-        protected static CheckResult Good(string found) => new CheckResult(CheckState.Good, found);
-
-        protected static CheckResult Missing(string found) => new CheckResult(CheckState.Missing, found);
+        public string Fix(IProjectSettings project) => _fix?.Invoke(project);
     }
 }

@@ -13,86 +13,66 @@ namespace Nowpose.Editor.Setup
         public static IReadOnlyList<ProjectCheck> For(HeadsetPlatform platform) =>
             platform == HeadsetPlatform.HoloLens2 ? ForHoloLens() : ForAndroid();
 
-        public static IReadOnlyList<ProjectCheck> ForHoloLens() => new ProjectCheck[]
+        public static IReadOnlyList<ProjectCheck> ForHoloLens() => new[]
         {
-            new UnityVersionCheck(),
-            new BuildTargetCheck(HeadsetPlatform.HoloLens2),
-            new ScriptingBackendCheck(HeadsetPlatform.HoloLens2),
-            new ArchitectureCheck(),
-            new ApiLevelCheck(),
-            new GraphicsApiCheck(),
-            new GraphicsJobsCheck(),
-            new RenderPipelineCheck(),
-            new InputHandlingCheck(),
+            PlayerChecks.EditorVersion,
+            PlayerChecks.BuildTarget(HeadsetPlatform.HoloLens2),
+            PlayerChecks.ScriptingBackend(HeadsetPlatform.HoloLens2),
+            PlayerChecks.Architecture,
+            PlayerChecks.ApiLevel,
+            RenderingChecks.GraphicsApi,
+            RenderingChecks.GraphicsJobs,
+            RenderingChecks.Pipeline,
+            PlayerChecks.InputHandling,
             OpenXr,
-            new PackageCheck(
-                "Mixed Reality OpenXR", CheckReasons.MixedRealityOpenXr,
-                ProjectNeeds.MixedRealityOpenXr),
-            new PackageCheck(
-                "AR Foundation", CheckReasons.ArFoundation,
-                ProjectNeeds.ArFoundation, CheckState.Advice),
-            new OpenXrLoaderCheck(HeadsetPlatform.HoloLens2),
-            new OpenXrFeatureCheck(
-                "Mixed Reality Features", CheckReasons.MixedRealityFeatures, "com.microsoft.openxr.feature.hololens"),
-            new OpenXrFeatureCheck(
-                "Hand Tracking", CheckReasons.HandTracking, "com.microsoft.openxr.feature.handtracking",
-                CheckState.Advice),
-            new OpenXrFeatureCheck(CheckTitles.HandInteraction, CheckReasons.HandInteraction, "com.unity.openxr.feature.input.handtracking",
-                CheckState.Advice),
-            new OpenXrFeatureCheck(CheckTitles.EyeGaze, CheckReasons.EyeGaze, "com.unity.openxr.feature.input.eyetracking",
-                CheckState.Advice),
+            PackageChecks.Of("Mixed Reality OpenXR", CheckReasons.MixedRealityOpenXr, ProjectNeeds.MixedRealityOpenXr),
+            PackageChecks.Of("AR Foundation", CheckReasons.ArFoundation, ProjectNeeds.ArFoundation, CheckState.Advice),
+            OpenXrChecks.Loader(HeadsetPlatform.HoloLens2),
+            OpenXrChecks.Feature("Mixed Reality Features", CheckReasons.MixedRealityFeatures, "com.microsoft.openxr.feature.hololens"),
+            OpenXrChecks.Feature("Hand Tracking", CheckReasons.HandTracking, "com.microsoft.openxr.feature.handtracking", CheckState.Advice),
+            OpenXrChecks.Feature(
+                CheckTitles.HandInteraction, CheckReasons.HandInteraction, "com.unity.openxr.feature.input.handtracking", CheckState.Advice),
+            OpenXrChecks.Feature(CheckTitles.EyeGaze, CheckReasons.EyeGaze, "com.unity.openxr.feature.input.eyetracking", CheckState.Advice),
             RenderMode,
-            new OpenXrOptionCheck(
-                "Depth Submission Mode", CheckReasons.DepthSubmission,
-                "m_depthSubmissionMode", DepthModes, 1),
-            new CapabilityCheck(
-                PlayerSettings.WSACapability.InternetClient, CheckReasons.InternetClient),
-            new CapabilityCheck(
-                PlayerSettings.WSACapability.PrivateNetworkClientServer, CheckReasons.PrivateNetwork),
-            new CapabilityCheck(PlayerSettings.WSACapability.WebCam, CheckReasons.WebCam),
-            new CapabilityCheck(PlayerSettings.WSACapability.SpatialPerception, CheckReasons.SpatialPerception),
-            new CapabilityCheck(PlayerSettings.WSACapability.GazeInput, CheckReasons.EyeGaze, CheckState.Advice),
-            new CapabilityCheck(PlayerSettings.WSACapability.Microphone, CheckReasons.VoiceCapability, CheckState.Advice),
-            FrameTiming,
-            RunInBackground,
-            new CameraBackgroundCheck(),
-            new NearClipCheck(),
-            new MrtkGenerationCheck(),
-            new Mrtk3Check(),
+            OpenXrChecks.Option("Depth Submission Mode", CheckReasons.DepthSubmission, "m_depthSubmissionMode", DepthModes),
+            PlayerChecks.Capability(PlayerSettings.WSACapability.InternetClient, CheckReasons.InternetClient),
+            PlayerChecks.Capability(PlayerSettings.WSACapability.PrivateNetworkClientServer, CheckReasons.PrivateNetwork),
+            PlayerChecks.Capability(PlayerSettings.WSACapability.WebCam, CheckReasons.WebCam),
+            PlayerChecks.Capability(PlayerSettings.WSACapability.SpatialPerception, CheckReasons.SpatialPerception),
+            PlayerChecks.Capability(PlayerSettings.WSACapability.GazeInput, CheckReasons.EyeGaze, CheckState.Advice),
+            PlayerChecks.Capability(PlayerSettings.WSACapability.Microphone, CheckReasons.VoiceCapability, CheckState.Advice),
+            PlayerChecks.FrameTiming,
+            PlayerChecks.RunInBackground,
+            RenderingChecks.CameraBackground,
+            RenderingChecks.NearClip,
+            PackageChecks.MrtkGeneration,
+            PackageChecks.Mrtk3,
             NativeWebSocket,
         };
 
-        public static IReadOnlyList<ProjectCheck> ForAndroid() => new ProjectCheck[]
+        public static IReadOnlyList<ProjectCheck> ForAndroid() => new[]
         {
-            new UnityVersionCheck(),
-            new BuildTargetCheck(HeadsetPlatform.AndroidHeadset),
-            new ScriptingBackendCheck(HeadsetPlatform.AndroidHeadset),
-            new ApiLevelCheck(),
-            new RenderPipelineCheck(),
-            new InputHandlingCheck(),
+            PlayerChecks.EditorVersion,
+            PlayerChecks.BuildTarget(HeadsetPlatform.AndroidHeadset),
+            PlayerChecks.ScriptingBackend(HeadsetPlatform.AndroidHeadset),
+            PlayerChecks.ApiLevel,
+            RenderingChecks.Pipeline,
+            PlayerChecks.InputHandling,
             OpenXr,
-            new PackageCheck(
-                "Input System", CheckReasons.InputSystem, ProjectNeeds.InputSystem),
-            new OpenXrLoaderCheck(HeadsetPlatform.AndroidHeadset),
+            PackageChecks.Of("Input System", CheckReasons.InputSystem, ProjectNeeds.InputSystem),
+            OpenXrChecks.Loader(HeadsetPlatform.AndroidHeadset),
             RenderMode,
-            new InternetAccessCheck(),
-            FrameTiming,
-            RunInBackground,
+            PlayerChecks.InternetAccess,
+            PlayerChecks.FrameTiming,
+            PlayerChecks.RunInBackground,
             NativeWebSocket,
         };
 
-        static ProjectCheck OpenXr => new PackageCheck(
-            "OpenXR", CheckReasons.OpenXr, ProjectNeeds.OpenXr);
+        static ProjectCheck OpenXr => PackageChecks.Of("OpenXR", CheckReasons.OpenXr, ProjectNeeds.OpenXr);
 
-        static ProjectCheck RenderMode => new OpenXrOptionCheck(
-            "Render Mode", CheckReasons.RenderMode, "m_renderMode", RenderModes, 1);
+        static ProjectCheck RenderMode => OpenXrChecks.Option("Render Mode", CheckReasons.RenderMode, "m_renderMode", RenderModes);
 
-        static ProjectCheck FrameTiming => new FrameTimingCheck();
-
-        static ProjectCheck RunInBackground => new RunInBackgroundCheck();
-
-        static ProjectCheck NativeWebSocket => new PackageCheck(
-            "NativeWebSocket (optional)", CheckReasons.NativeWebSocket, ProjectNeeds.NativeWebSocket,
-            CheckState.Advice);
+        static ProjectCheck NativeWebSocket =>
+            PackageChecks.Of("NativeWebSocket (optional)", CheckReasons.NativeWebSocket, ProjectNeeds.NativeWebSocket, CheckState.Advice);
     }
 }

@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Unity.Setup
         public void GraphicsApi_List_IsCheckedAndSetToDirect3D11(bool isAutomatic, string state, params GraphicsDeviceType[] apis)
         {
             var project = new FakeProject { IsGraphicsApiAutomatic = isAutomatic, GraphicsApis = apis };
-            var check = new GraphicsApiCheck();
+            var check = RenderingChecks.GraphicsApi;
             Assert.That(State(check, project), Is.EqualTo(state));
 
             Assert.That(check.Fix(project), Is.Null);
@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Unity.Setup
         public void GraphicsJobs_Choice_IsCheckedAndTurnedOff(bool isOn, string state)
         {
             _project.UsesGraphicsJobs = isOn;
-            var check = new GraphicsJobsCheck();
+            var check = RenderingChecks.GraphicsJobs;
             Assert.That(State(check, _project), Is.EqualTo(state));
 
             Assert.That(check.Fix(_project), Is.Null);
@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Unity.Setup
         public void GraphicsJobs_OtherTargetActive_AreUnknownAndUnchanged()
         {
             _project.UsesGraphicsJobs = null;
-            var check = new GraphicsJobsCheck();
+            var check = RenderingChecks.GraphicsJobs;
 
             Assert.That(State(check, _project), Is.EqualTo("Unknown"));
             Assert.That(check.Fix(_project), Does.Contain("build target"));
@@ -64,7 +64,7 @@ namespace Nowpose.Tests.Unity.Setup
         public void InputHandling_HoloLens_IsCheckedAndSet(int value, string state)
         {
             _project.InputHandling = value;
-            var check = new InputHandlingCheck();
+            var check = PlayerChecks.InputHandling;
             Assert.That(State(check, _project), Is.EqualTo(state));
 
             Assert.That(check.Fix(_project), Is.Null);
@@ -78,7 +78,7 @@ namespace Nowpose.Tests.Unity.Setup
         {
             var android = new FakeProject(HeadsetPlatform.AndroidHeadset) { InputHandling = 2 };
 
-            Assert.That(State(new InputHandlingCheck(), android), Is.EqualTo("Advice"));
+            Assert.That(State(PlayerChecks.InputHandling, android), Is.EqualTo("Advice"));
         }
 
         [Test]
@@ -86,7 +86,7 @@ namespace Nowpose.Tests.Unity.Setup
         {
             _project.InputHandling = null;
             _project.IsInputHandlingWritable = false;
-            var check = new InputHandlingCheck();
+            var check = PlayerChecks.InputHandling;
 
             Assert.That(State(check, _project), Is.EqualTo("Unknown"));
             Assert.That(check.Fix(_project), Does.Contain("Active Input Handling"));
@@ -100,7 +100,7 @@ namespace Nowpose.Tests.Unity.Setup
         public void RenderPipeline_Asset_ReportsPipelineAndShaderSupport(string asset, string state, string words)
         {
             _project.RenderPipeline = asset;
-            var check = new RenderPipelineCheck();
+            var check = RenderingChecks.Pipeline;
 
             Assert.That(State(check, _project), Is.EqualTo(state));
             Assert.That(check.Look(_project).Found, Does.Contain(words).And.Contain("shaders"));
@@ -112,7 +112,7 @@ namespace Nowpose.Tests.Unity.Setup
         public void Background_MainCamera_IsCheckedAndSetToTransparentBlack(bool isClear, string state)
         {
             _project.ClearsToTransparentBlack = isClear;
-            var check = new CameraBackgroundCheck();
+            var check = RenderingChecks.CameraBackground;
             Assert.That(State(check, _project), Is.EqualTo(state));
 
             Assert.That(check.Fix(_project), Is.Null);
@@ -127,7 +127,7 @@ namespace Nowpose.Tests.Unity.Setup
         public void NearClip_MainCamera_IsCheckedAgainstTheDepthResolutionAndFixed(float near, string state, string found)
         {
             _project.NearClipMetres = near;
-            var check = new NearClipCheck();
+            var check = RenderingChecks.NearClip;
             Assert.That(State(check, _project), Is.EqualTo(state));
             Assert.That(check.Look(_project).Found, Is.EqualTo(found));
 
@@ -140,7 +140,7 @@ namespace Nowpose.Tests.Unity.Setup
         [Test]
         public void Camera_Missing_IsUnknownAndUnchanged()
         {
-            foreach (var check in new ProjectCheck[] { new CameraBackgroundCheck(), new NearClipCheck() })
+            foreach (var check in new[] { RenderingChecks.CameraBackground, RenderingChecks.NearClip })
             {
                 Assert.That(State(check, _project), Is.EqualTo("Unknown"));
                 Assert.That(check.Fix(_project), Does.Contain("Open a scene"));

@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase("dev build", "Unknown")]
         public void UnityVersion_ForAHoloLens_IsCheckedWithMicrosoftsPlugIn(string version, string state)
         {
-            Assert.That(State(new UnityVersionCheck(), new FakeProject { EditorVersion = version }), Is.EqualTo(state));
+            Assert.That(State(PlayerChecks.EditorVersion, new FakeProject { EditorVersion = version }), Is.EqualTo(state));
         }
 
         [Test]
@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Unity.Setup
         {
             var android = new FakeProject(HeadsetPlatform.AndroidHeadset) { EditorVersion = "6000.3.2f1" };
 
-            Assert.That(State(new UnityVersionCheck(), android), Is.EqualTo("Advice"));
+            Assert.That(State(PlayerChecks.EditorVersion, android), Is.EqualTo("Advice"));
         }
 
         [TestCase(null, null, "Good")]
@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Unity.Setup
             if (mrtk != null) project.Installed[Core] = mrtk;
             if (interaction != null) project.Installed[Interaction] = interaction;
 
-            Assert.That(State(new MrtkGenerationCheck(), project), Is.EqualTo(state));
+            Assert.That(State(PackageChecks.MrtkGeneration, project), Is.EqualTo(state));
         }
 
         [Test]
@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Unity.Setup
             project.Installed[Core] = "4.0.0-pre.2";
             project.Installed[Interaction] = "3.0.4";
 
-            var found = new MrtkGenerationCheck().Look(project).Found;
+            var found = PackageChecks.MrtkGeneration.Look(project).Found;
 
             Assert.That(found, Does.StartWith(Core + " 4.0.0-pre.2, " + Interaction + " 3.0.4 are not supported"));
             Assert.That(found, Does.Contain("nowpose unity PATH --mrtk3 --on-conflict replace"));
@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Unity.Setup
             var project = new FakeProject();
             foreach (var package in ProjectNeeds.Mrtk3) project.Installed[package.Name] = PackageVersion.Read(package.Reference).ToString();
 
-            Assert.That(State(new Mrtk3Check(), project), Is.EqualTo("Good"));
+            Assert.That(State(PackageChecks.Mrtk3, project), Is.EqualTo("Good"));
         }
 
         [TestCase("1.2.3", "1.2.3")]

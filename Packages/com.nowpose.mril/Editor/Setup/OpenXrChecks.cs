@@ -1,0 +1,61 @@
+using System;
+using Nowpose.Editor.Messages;
+
+namespace Nowpose.Editor.Setup
+{
+    /// <summary>Checks of the XR plug-in and its settings.</summary>
+    static class OpenXrChecks
+    {
+        // The fix only opens the Project Settings, because another package owns the setting, and this assembly does not reference that package.
+        public static ProjectCheck Loader(HeadsetPlatform platform) => new ProjectCheck(
+            CheckTitles.OpenXrLoader(platform.ShortPlayer), CheckReasons.OpenXrLoader,
+            project => project.UsesOpenXr switch
+            {
+                true => CheckResult.Good("OpenXR is ticked"),
+                false => CheckResult.Missing(CheckResults.NoLoader),
+                null => CheckResult.Missing(CheckResults.NoXrSettings),
+            },
+            "Open Project Settings", project => OpenSettings(project, CheckFixes.OpenXrLoader(project.Platform.Player)));
+
+        /// <summary>Checks whether an OpenXR feature is enabled for the player.</summary>
+        /// <param name="name">Name of the feature in the settings window.</param>
+        /// <param name="why">Purpose of the feature.</param>
+        /// <param name="id">Id of the feature in OpenXR's settings.</param>
+        /// <param name="without">State of a project in which the feature is not enabled.</param>
+        public static ProjectCheck Feature(string name, string why, string id, CheckState without = CheckState.Missing) => new ProjectCheck(
+            "OpenXR feature " + name, why,
+            project => project.IsFeatureOn(id) switch
+            {
+                true => CheckResult.Good("ticked"),
+                false => new CheckResult(without, "not ticked"),
+                null => new CheckResult(without, CheckResults.NoFeature),
+            },
+            "Tick " + name, project => project.TurnFeatureOn(id) ? null : OpenSettings(project, CheckFixes.Feature(name)));
+
+        /// <summary>Checks whether an enumeration setting of OpenXR has its value 1.</summary>
+        /// <param name="title">Title of the setting in the settings window.</param>
+        /// <param name="why">Purpose of the requirement.</param>
+        /// <param name="field">Serialised name of the setting.</param>
+        /// <param name="names">Names of all values, indexed by their number.</param>
+        public static ProjectCheck Option(string title, string why, string field, string[] names)
+        {
+            const int wanted = 1;
+            return new ProjectCheck("OpenXR " + title + " is " + names[wanted], why,
+                project =>
+                {
+                    if (!(project.OpenXrOption(field) is int value)) return CheckResult.Missing(CheckResults.NoOpenXrSettings);
+                    var name = value >= 0 && value < names.Length ? names[value] : FormattableString.Invariant($"unknown value {value}");
+                    return value == wanted ? CheckResult.Good(name) : CheckResult.Missing(name + " is chosen");
+                },
+                "Use " + names[wanted],
+                project => project.ChooseOpenXrOption(field, wanted)
+                    ? null : OpenSettings(project, CheckFixes.OpenXrOption(title, names[wanted])));
+        }
+
+        static string OpenSettings(IProjectSettings project, string instruction)
+        {
+            project.OpenProjectSettings();
+            return instruction;
+        }
+    }
+}

@@ -1,0 +1,87 @@
+using System;
+using Nowpose.Editor.Messages;
+using UnityEditor;
+
+namespace Nowpose.Editor.Setup
+{
+    /// <summary>Checks of the editor's version and the player settings.</summary>
+    static class PlayerChecks
+    {
+        const string Arm64 = "ARM64";
+
+        /// <summary>Names of the values of Active Input Handling, indexed by the numbers in the project's settings.</summary>
+        static readonly string[] InputNames = { "Input Manager (Old)", CheckTitles.InputSystem, "Both" };
+
+        const int InputSystem = 1, BothInputs = 2;
+
+        public static ProjectCheck EditorVersion { get; } = new ProjectCheck(CheckTitles.UnityVersion, CheckReasons.UnityVersion, project =>
+            UnityVersion.TryParse(project.EditorVersion) is UnityVersion version
+                ? UnityBounds.Judge(version, project.Platform == HeadsetPlatform.HoloLens2)
+                : CheckResult.Unknown(CheckResults.UnityVersion(project.EditorVersion)));
+
+        public static ProjectCheck Architecture { get; } = new ProjectCheck(
+            "Architecture is ARM64", CheckReasons.Architecture,
+            project => project.Architecture == Arm64
+                ? CheckResult.Good(Arm64) : CheckResult.Missing(CheckResults.Architecture(project.Architecture)),
+            "Use ARM64", project => project.Architecture = Arm64);
+
+        public static ProjectCheck ApiLevel { get; } = new ProjectCheck(
+            CheckTitles.ApiLevel, CheckReasons.ApiLevel,
+            project => project.UsesNetStandard ? CheckResult.Good(".NET Standard 2.1") : CheckResult.Advice(".NET Framework"),
+            "Use .NET Standard 2.1", project => project.UsesNetStandard = true);
+
+        public static ProjectCheck InternetAccess { get; } = new ProjectCheck(
+            CheckTitles.InternetAccess, CheckReasons.InternetAccess,
+            project => project.AsksForInternet ? CheckResult.Good(CheckResults.InternetAccess) : CheckResult.Missing("left to Unity"),
+            "Require internet access", project => project.AsksForInternet = true);
+
+        public static ProjectCheck FrameTiming { get; } = new ProjectCheck(
+            CheckTitles.FrameTiming, CheckReasons.FrameTiming,
+            project => project.FrameTimingStats ? CheckResult.Good("on") : CheckResult.Missing("off"),
+            CheckTitles.TurnFrameTimingOn, project => project.FrameTimingStats = true);
+
+        public static ProjectCheck RunInBackground { get; } = new ProjectCheck(
+            CheckTitles.RunInBackground, CheckReasons.RunInBackground,
+            project => project.RunsInBackground ? CheckResult.Good("on") : CheckResult.Advice("off"),
+            CheckTitles.TurnRunInBackgroundOn, project => project.RunsInBackground = true);
+
+        /// <summary>Checks whether the Input System is active. Installing its package does not activate it.</summary>
+        public static ProjectCheck InputHandling { get; } = new ProjectCheck(
+            CheckTitles.InputHandling, CheckReasons.InputHandling, LookAtInput, CheckTitles.UseInputSystem, project =>
+            {
+                if (project.ChooseInputHandling(InputSystem)) return null;
+                project.OpenProjectSettings();
+                return CheckFixes.InputHandling(InputNames[InputSystem]);
+            });
+
+        public static ProjectCheck BuildTarget(HeadsetPlatform platform) => new ProjectCheck(
+            "Build target is " + platform.Player, CheckReasons.BuildTarget(platform.Headset),
+            project => project.OtherTarget == null
+                ? CheckResult.Good(project.Platform.Player) : CheckResult.Missing(CheckResults.BuildTarget(project.OtherTarget)),
+            "Switch to " + platform.ShortPlayer,
+            project => project.SwitchToPlatform() ? null : CheckFixes.BuildSupport(project.Platform.Player));
+
+        public static ProjectCheck ScriptingBackend(HeadsetPlatform platform) => new ProjectCheck(
+            CheckTitles.ScriptingBackend, CheckReasons.ScriptingBackend(platform.Headset),
+            project => project.UsesIl2Cpp ? CheckResult.Good("IL2CPP") : CheckResult.Missing(CheckResults.ScriptingBackend),
+            "Use IL2CPP", project => project.UsesIl2Cpp = true);
+
+        /// <summary>Checks whether the app declares a capability. Without it, Windows refuses access and does not report an error.</summary>
+        /// <param name="why">Purpose of the capability.</param>
+        /// <param name="without">State of a project that does not declare the capability.</param>
+        public static ProjectCheck Capability(PlayerSettings.WSACapability capability, string why, CheckState without = CheckState.Missing) =>
+            new ProjectCheck(
+                "Capability " + capability, why,
+                project => project.IsAllowed(capability) ? CheckResult.Good("declared") : new CheckResult(without, "not declared"),
+                "Declare " + capability, project => project.Allow(capability));
+
+        static CheckResult LookAtInput(IProjectSettings project)
+        {
+            if (!(project.InputHandling is int value)) return CheckResult.Unknown(CheckResults.NoInputHandling);
+            var name = value >= 0 && value < InputNames.Length ? InputNames[value] : FormattableString.Invariant($"unknown value {value}");
+            if (value == BothInputs && project.Platform == HeadsetPlatform.AndroidHeadset)
+                return CheckResult.Advice(CheckResults.InputHandlingOnAndroid(name));
+            return value == InputSystem || value == BothInputs ? CheckResult.Good(name) : CheckResult.Missing(name);
+        }
+    }
+}
