@@ -102,6 +102,4 @@ sealed class RecordingTraits
         var scale = Math.Pow(10, Math.Floor(Math.Log10(value)) - 3);
         return Math.Round(value / scale) * scale;
     }
-
-    static string Text(FormattableString text) => FormattableString.Invariant(text);
 }

@@ -25,7 +25,6 @@ sealed class RecordedSession
     readonly Dictionary<string, int> _indices = [];
     readonly List<Event> _events = [];
     readonly List<Value> _values = [];
-    readonly List<double> _displayed = [];
     readonly List<PlannedMotion> _plans = [];
     readonly List<PoseLine> _poses = [];
     readonly Dictionary<string, (double Value, int Changes)> _signals = [];
@@ -71,10 +70,6 @@ sealed class RecordedSession
     public ReadOnlySpan<Value> ValuesOf(in Event sample) =>
         System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_values).Slice(sample.First, sample.Count);
 
-    /// <summary>Gets the joint positions that a frame event displayed, in the order of the header.</summary>
-    public ReadOnlySpan<double> DisplayedBy(in Event frame) =>
-        System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_displayed).Slice(frame.First, frame.Count);
-
     void Add(SessionLine line)
     {
         switch (line)
@@ -90,7 +85,7 @@ sealed class RecordedSession
             case ClockChangeLine { IsNewStart: true }: StartTimeLine(); break;
             case LostLine lost: Lost += lost.Count; break;
         }
-        if (_values.Count + _displayed.Count + _planned + NumbersPerPose * (long)_poses.Count > MaxNumbers)
+        if (_values.Count + _planned + NumbersPerPose * (long)_poses.Count > MaxNumbers)
             throw new InputException(ReplayMessages.TooLong(_path, MaxNumbers));
     }
 
@@ -136,8 +131,7 @@ sealed class RecordedSession
         if (next + Header.Prediction.MaximumGap < arrival) next = arrival;
         for (; next < arrival; next += FrameInterval)
         {
-            Frames++;
-            _events.Add(new Event(EventKind.Frame, next, true, _timeLine, _displayed.Count, 0));
+            _events.Add(new Event(EventKind.Frame, next, true, _timeLine, Frames++, 1));
         }
         _nextFrame = next;
     }
@@ -173,9 +167,7 @@ sealed class RecordedSession
     {
         if (frame.Joints.Length != Header.RobotJoints)
             throw new InputException(ReplayMessages.JointCount(_path, _line, frame.Joints.Length, Header.RobotJoints));
-        Frames++;
-        _events.Add(new Event(EventKind.Frame, frame.Light ?? default, frame.Light.HasValue, _timeLine, _displayed.Count, frame.Joints.Length));
-        _displayed.AddRange(frame.Joints);
+        _events.Add(new Event(EventKind.Frame, frame.Light ?? default, frame.Light.HasValue, _timeLine, Frames++, 1));
     }
 
     public enum EventKind
@@ -192,8 +184,8 @@ sealed class RecordedSession
     /// <param name="TimeLine">
     /// Number of the time line, which increases when the session discards all samples. Times of different lines are not comparable.
     /// </param>
-    /// <param name="First">Index of the first joint value; for a plan or pose, its index in the list of plans or poses.</param>
-    /// <param name="Count">Number of joint values of a sample or frame, number of joints of a plan, or 1 for a pose.</param>
+    /// <param name="First">Index of the first joint value; for a plan, pose or frame, its index among the plans, poses or frames.</param>
+    /// <param name="Count">Number of joint values of a sample, number of joints of a plan, or 1 for a pose or frame.</param>
     public readonly record struct Event(EventKind Kind, ControlTime At, bool IsTimed, int TimeLine, int First, int Count);
 
     /// <param name="Joint">Index of the joint in the header.</param>

@@ -17,7 +17,7 @@ readonly struct LineFields(string place, JsonElement fields)
 
     public string Text(string name) => StringOf(Required(name)) ?? throw Wrong(name, SessionFileMessages.NotAString);
 
-    public string TextOr(string name, string otherwise) => Has(name) ? Text(name) : otherwise;
+    public string TextOrNull(string name) => Has(name) ? Text(name) : null;
 
     public bool FlagOr(string name, bool otherwise)
     {

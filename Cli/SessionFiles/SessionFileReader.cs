@@ -74,7 +74,7 @@ sealed class SessionFileReader : IDisposable
         {
             using var json = JsonDocument.Parse(text);
             var fields = Fields(json);
-            if (fields.TextOr("format", null) != SessionFormat.Name)
+            if (fields.TextOrNull("format") != SessionFormat.Name)
                 throw new InputException(SessionFileMessages.OtherFormat(Place, SessionFormat.Name));
             var version = fields.Whole("version");
             if (version is < 1 or > SessionFormat.Version)

@@ -49,7 +49,7 @@ static class SessionLines
         "plan" => ReadPlan(line),
         "pose" => ReadPose(line),
         "signal" => new SignalLine(
-            ControlTime.FromNanoseconds(line.Whole("stamp_ns")), Name(line, "name"), line.Number("value"), line.TextOr("dropped", null)),
+            ControlTime.FromNanoseconds(line.Whole("stamp_ns")), Name(line, "name"), line.Number("value"), line.TextOrNull("dropped")),
         "frame" => new FrameLine(
             HeadsetTime.FromNanoseconds(line.Whole("start_ns")),
             line.Has("light_ns") ? ControlTime.FromNanoseconds(line.Whole("light_ns")) : null,
@@ -105,7 +105,7 @@ static class SessionLines
         return new SampleLine(
             HeadsetTime.FromNanoseconds(line.Whole("arrival_ns")), ControlTime.FromNanoseconds(line.Whole("stamp_ns")), names,
             line.Numbers("position", names.Length), Optional(line, "velocity", names.Length),
-            Optional(line, "acceleration", names.Length), line.TextOr("dropped", null),
+            Optional(line, "acceleration", names.Length), line.TextOrNull("dropped"),
             ControlArrivalIn(line));
     }
 
@@ -124,7 +124,7 @@ static class SessionLines
         }
         var message = new JointTrajectoryMessage(ControlTime.FromNanoseconds(line.Whole("stamp_ns")), names, points);
         return new PlanLine(
-            new PlanArrival(message, HeadsetTime.FromNanoseconds(line.Whole("arrival_ns"))), line.TextOr("dropped", null));
+            new PlanArrival(message, HeadsetTime.FromNanoseconds(line.Whole("arrival_ns"))), line.TextOrNull("dropped"));
     }
 
     static PoseLine ReadPose(LineFields line)
@@ -138,7 +138,7 @@ static class SessionLines
         if (frame == parent) throw line.Wrong("parent", SessionFileMessages.OwnParent);
         return new PoseLine(
             ControlTime.FromNanoseconds(line.Whole("stamp_ns")), frame, parent,
-            new Vector3D(position[0], position[1], position[2]), turned, line.FlagOr("stationary", false), line.TextOr("dropped", null),
+            new Vector3D(position[0], position[1], position[2]), turned, line.FlagOr("stationary", false), line.TextOrNull("dropped"),
             ControlArrivalIn(line));
     }
 

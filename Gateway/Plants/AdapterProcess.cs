@@ -22,7 +22,6 @@ sealed class AdapterProcess : IAsyncDisposable
     volatile Process _process;
     volatile string _end;
     long _startedAt;
-    int _starts;
 
     /// <summary>Starts the program immediately.</summary>
     /// <param name="log">Receives the lines that the program prints, and its restarts.</param>
@@ -34,9 +33,6 @@ sealed class AdapterProcess : IAsyncDisposable
         _log = log;
         _running = Task.Run(RunAsync);
     }
-
-    /// <summary>Number of times the program has been started.</summary>
-    public int Starts => Volatile.Read(ref _starts);
 
     public AdapterState State =>
         new(_plant.Name, _process == null ? null : _time.GetElapsedTime(Interlocked.Read(ref _startedAt)), _end);
@@ -74,7 +70,6 @@ sealed class AdapterProcess : IAsyncDisposable
         try
         {
             using var process = AdapterProgram.Start(_plant.Path, [], _access);
-            Interlocked.Increment(ref _starts);
             Interlocked.Exchange(ref _startedAt, _time.GetTimestamp());
             _process = process;
             process.OutputDataReceived += (_, line) => Log(line.Data);

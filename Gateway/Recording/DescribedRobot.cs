@@ -6,8 +6,6 @@ namespace Nowpose.Gateway.Recording;
 /// <summary>A robot description and the model parsed from it. Thread-safe.</summary>
 sealed class DescribedRobot(string urdf)
 {
-    public static readonly DescribedRobot None = new(null);
-
     readonly Lazy<RobotModel> _model = new(() => ModelOf(urdf));
 
     /// <summary>The text of the description; null if there is none.</summary>

@@ -35,9 +35,10 @@ public class AdapterProcessTests : PlantFileFixture
         gateway.Expect([() => adapter.State]);
         await Soon.BecomesAsync(() => adapter.ProcessId != null && gateway.WebSocketConnections.Open == 1, "it is connected");
 
-        using (var process = Process.GetProcessById(adapter.ProcessId.Value)) process.Kill();
+        var first = adapter.ProcessId;
+        using (var process = Process.GetProcessById(first.Value)) process.Kill();
 
-        var recovery = await Soon.BecomesAsync(() => adapter.Starts == 2 && gateway.WebSocketConnections.Accepted == 2, "the adapter is connected again");
+        var recovery = await Soon.BecomesAsync(() => adapter.ProcessId is { } second && second != first && gateway.WebSocketConnections.Accepted == 2, "the adapter is connected again");
         TestContext.Out.WriteLine($"there again after {recovery.TotalSeconds:0.0} s");
         Assert.That(lines, Has.Some.Contains("its adapter ended (status 137) and starts again in 0.5 s"));
         await Soon.BecomesAsync(() => EventOf(gateway) is { Until: not null }, "it reports again");

@@ -202,13 +202,13 @@ namespace Nowpose.Anchoring
         /// <returns>Whether the marker is being moved by hand.</returns>
         bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head)
         {
-            if (sighting.Tracking == MarkerTracking.Placed) return TakePlaced(sighting, now);
+            if (sighting.Tracking == MarkerTracking.Placed) return TakePlaced(sighting);
             _lastReport = now;
             _hasNewSightings |= _markers.Take(sighting, now, head, IsWatching ? Base : null);
             return false;
         }
 
-        bool TakePlaced(in MarkerSighting sighting, HeadsetTime now)
+        bool TakePlaced(in MarkerSighting sighting)
         {
             if (!sighting.Pose.IsPose() || (_lastPlaced is HeadsetTime last && sighting.LastSeen <= last)) return false;
             if (!(_markers.PoseInBase(sighting.Payload) is RigidTransform placed)) return false;

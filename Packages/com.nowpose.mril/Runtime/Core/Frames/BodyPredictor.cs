@@ -43,9 +43,6 @@ namespace Nowpose.Frames
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first sample.</summary>
         public double NewestTime => _pipeline.NewestStamp;
 
-        /// <summary>Mean time from the newest sample to the display time, in s.</summary>
-        public double Horizon => _pipeline.Timing.Horizon;
-
         /// <inheritdoc cref="JointPredictor.Restarts"/>
         public int Restarts => _pipeline.Restarts;
 
