@@ -1,18 +1,20 @@
-using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 
 namespace Nowpose.Cli;
 
-/// <summary>Creates the JSON text that commands print: numbers with all digits, names without escape sequences.</summary>
+/// <summary>
+/// Creates the JSON text that commands print: the properties of a value in snake case, numbers with all digits, names without escape sequences.
+/// </summary>
 static class JsonText
 {
-    /// <param name="write">Writes one JSON value.</param>
-    public static string Of(bool isIndented, Action<Utf8JsonWriter> write)
+    static readonly JsonSerializerOptions Indented = new()
     {
-        using var bytes = new MemoryStream();
-        var options = new JsonWriterOptions { Indented = isIndented, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
-        using (var json = new Utf8JsonWriter(bytes, options)) write(json);
-        return Encoding.UTF8.GetString(bytes.ToArray());
-    }
+        PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower, WriteIndented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
+    };
+
+    static readonly JsonSerializerOptions OneLine = new(Indented) { WriteIndented = false };
+
+    /// <exception cref="ArgumentException">A number is not finite. JSON has no NaN, and valid results have only finite numbers.</exception>
+    public static string Of(object value, bool isIndented = true) => JsonSerializer.Serialize(value, isIndented ? Indented : OneLine);
 }

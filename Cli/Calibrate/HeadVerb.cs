@@ -53,7 +53,7 @@ static class HeadVerb
         if (ResultOf(read, arguments[0], cancel) is not { } result) return ExitStatus.Interrupted;
         var profile = earlier.With(new HeadMotionLatency(result.LatencyMs, result.UncertaintyMs));
         var page = earlier.WithWarnings(HeadPage.Of(result, profile, earlier.Conditions));
-        Shared.Finish(parsed, output, profile, page, () => HeadJson.Of(result));
+        Shared.Finish(parsed, output, profile, page, result.Json);
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 

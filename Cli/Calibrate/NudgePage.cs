@@ -25,14 +25,9 @@ static class NudgePage
         };
     }
 
-    public static string Json(NudgeResult result) => JsonText.Of(isIndented: true, json =>
+    public static string Json(NudgeResult result) => JsonText.Of(new
     {
-        json.WriteStartObject();
-        json.WriteNumber("visu_ms", result.Visualisation.Length.TotalMilliseconds);
-        json.WriteNumber("visu_spread_ms", result.Spread.TotalMilliseconds);
-        json.WriteNumber("offset_mm", result.OffsetMm);
-        json.WriteNumber("measurements", result.Count);
-        json.WriteEndObject();
+        VisuMs = result.Visualisation.Length.TotalMilliseconds, VisuSpreadMs = result.Spread.TotalMilliseconds, result.OffsetMm, Measurements = result.Count,
     });
 
     public static CalibrationSection Section(NudgeMarks marks, NudgeResult result)

@@ -36,7 +36,7 @@ static class RangeVerb
         var output = Shared.Output(parsed);
         var profile = RangeProfile.Of(fit, conditions, kind);
         var page = RangeProfile.Page("Constant-latency range", profile, fit, pictures, [["Pairs of", file]]);
-        Shared.Finish(parsed, output, profile, page, () => RangeJson.Of(fit));
+        Shared.Finish(parsed, output, profile, page, fit.Json);
         return ExitStatus.Done;
     }
 

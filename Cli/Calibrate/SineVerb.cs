@@ -62,7 +62,7 @@ static class SineVerb
         var output = Shared.Output(parsed);
         var profile = result.VisuMs is double visuMs ? earlier.With(visuMs, result.DeviationMs, CalibrationMethod.Sine, measurements: 1) : null;
         var page = earlier.WithWarnings(SinePage.Of(result, profile, path));
-        Shared.Finish(parsed, output, profile, page, () => SineJson.Of(result));
+        Shared.Finish(parsed, output, profile, page, result.Json);
         return ExitStatus.Done;
     }
 

@@ -52,7 +52,7 @@ sealed class DemoOutput
     /// <param name="figures">The paper's figures from this run; null without <c>--paper</c>.</param>
     public void Write(DemoScore score, DemoRun run, DemoResult result, IReadOnlyList<Figure> figures = null)
     {
-        File.WriteAllText(ResultPath, DemoResultJson.Of(result));
+        File.WriteAllText(ResultPath, JsonText.Of(result));
         File.WriteAllText(ReportPath, ReportPage.Render(DemoReport.Of(score, run, result, figures)));
     }
 }

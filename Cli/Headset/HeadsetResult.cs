@@ -1,4 +1,3 @@
-using System.Text.Json;
 using Nowpose.Protocol;
 using Nowpose.Session;
 
@@ -13,8 +12,6 @@ sealed record HeadsetResult(
     IReadOnlyList<string> MissingJoints, IReadOnlyList<HeadsetResult.JointResult> Joints, IReadOnlyList<HeadsetResult.StretchResult> Stretches,
     IReadOnlyList<HeadsetResult.OutageResult> Outages, string VersionMismatch)
 {
-    static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower, WriteIndented = true };
-
     /// <param name="CoarseAfterS">Time from the start to the first coarse or synchronised state.</param>
     /// <param name="SynchronisedAfterS">Time from the start to the first synchronised state.</param>
     /// <param name="OffsetNs">Estimated Φ = C2 − C1 at <paramref name="AtNs"/>; C2 is this machine's monotonic counter.</param>
@@ -65,5 +62,5 @@ sealed record HeadsetResult(
     /// <param name="Reason">The first reasons in the order in which they occurred, separated by "; then "; empty if unknown.</param>
     public sealed record OutageResult(double FromS, double? ToS, string Pose, IReadOnlyList<string> Joints, string Reason);
 
-    public string Json() => JsonSerializer.Serialize(this, Options);
+    public string Json() => JsonText.Of(this);
 }

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using System.Text.Json;
 using Nowpose.Cli.Messages;
 using Nowpose.Kinematics;
 
@@ -9,15 +8,8 @@ namespace Nowpose.Cli.Kinematics;
 /// <summary>Formats link poses as text or JSON. The poses are row-major 4×4 matrices in the order of the model's links.</summary>
 static class PoseOutput
 {
-    public static string Json(RobotModel model, double[][] poses) => JsonText.Of(isIndented: false, json =>
-    {
-        json.WriteStartObject();
-        json.WriteString("root", model.Root.Name);
-        json.WriteStartObject("links");
-        for (var i = 0; i < poses.Length; i++) WritePose(json, model.Links[i].Name, poses[i]);
-        json.WriteEndObject();
-        json.WriteEndObject();
-    }) + "\n";
+    public static string Json(RobotModel model, double[][] poses) => JsonText.Of(
+        new { Root = model.Root.Name, Links = model.Links.Zip(poses).ToDictionary(link => link.First.Name, link => link.Second) }, isIndented: false) + "\n";
 
     public static string Matrices(RobotModel model, double[][] poses)
     {
@@ -28,14 +20,6 @@ static class PoseOutput
             for (var row = 0; row < 4; row++) AppendRow(text, poses[i].AsSpan(4 * row, 4));
         }
         return text.ToString();
-    }
-
-    static void WritePose(Utf8JsonWriter json, string link, double[] pose)
-    {
-        json.WriteStartArray(link);
-        // The writer uses the shortest text that reads back as the same number.
-        foreach (var number in pose) json.WriteNumberValue(number);
-        json.WriteEndArray();
     }
 
     static void AppendRow(StringBuilder text, ReadOnlySpan<double> row)

@@ -1,82 +1,47 @@
-using System.Text.Json;
-
 namespace Nowpose.Cli.Recommend;
 
 /// <summary>Formats the recommendation as JSON, with all digits of the numbers.</summary>
 static class RecommendJson
 {
-    public static string Of(string path, RecordingTraits traits, IReadOnlyList<(Recommendation Recommendation, BlendCost Blend)> results) => JsonText.Of(isIndented: true, json =>
+    public static string Of(string path, RecordingTraits traits, IReadOnlyList<(Recommendation Recommendation, BlendCost Blend)> results) => JsonText.Of(new
     {
-        json.WriteStartObject();
-        json.WriteString("file", path);
-        Write(json, traits);
-        json.WriteStartArray("conditions");
-        foreach (var (recommendation, blend) in results) Write(json, recommendation, blend);
-        json.WriteEndArray();
-        json.WriteEndObject();
+        File = path,
+        Seconds = traits.Duration,
+        IntervalMs = new { Median = 1e3 * traits.Interval, P5 = 1e3 * traits.IntervalP5, P95 = 1e3 * traits.IntervalP95 },
+        Repeated = traits.Repeats,
+        Rounding = traits.RoundingSteps.ToDictionary(joint => joint.Name, joint => joint.Step),
+        Warnings = traits.Warnings(),
+        Conditions = results.Select(result => Condition(result.Recommendation, result.Blend)),
     });
 
-    static void Write(Utf8JsonWriter json, RecordingTraits traits)
+    static object Condition(Recommendation recommendation, BlendCost blend) => new
     {
-        json.WriteNumber("seconds", traits.Duration);
-        json.WriteStartObject("interval_ms");
-        json.WriteNumber("median", 1e3 * traits.Interval);
-        json.WriteNumber("p5", 1e3 * traits.IntervalP5);
-        json.WriteNumber("p95", 1e3 * traits.IntervalP95);
-        json.WriteEndObject();
-        json.WriteNumber("repeated", traits.Repeats);
-        json.WriteStartObject("rounding");
-        foreach (var (name, step) in traits.RoundingSteps) json.WriteNumber(name, step);
-        json.WriteEndObject();
-        json.WriteStartArray("warnings");
-        foreach (var warning in traits.Warnings()) json.WriteStringValue(warning);
-        json.WriteEndArray();
-    }
+        recommendation.Subject.SamplingMs,
+        recommendation.Subject.LatencyMs,
+        Recommended = recommendation.Recommended.Predictor,
+        recommendation.Reason,
+        recommendation.Recommended.Reduction,
+        GainOverDefault = recommendation.Recommended.GainOver(recommendation.Default),
+        BlendMs = blend.RecommendedMs,
+        BlendCost = blend.Share,
+        Candidates = recommendation.Trials.Select(trial => Candidate(recommendation, trial)),
+    };
 
-    static void Write(Utf8JsonWriter json, Recommendation recommendation, BlendCost blend)
+    static object Candidate(Recommendation recommendation, Trial trial) => new
     {
-        json.WriteStartObject();
-        WriteNumber(json, "sampling_ms", recommendation.Subject.SamplingMs);
-        WriteNumber(json, "latency_ms", recommendation.Subject.LatencyMs);
-        json.WriteString("recommended", recommendation.Recommended.Predictor);
-        json.WriteString("reason", recommendation.Reason);
-        WriteNumber(json, "reduction", recommendation.Recommended.Reduction);
-        WriteNumber(json, "gain_over_default", recommendation.Recommended.GainOver(recommendation.Default));
-        json.WriteNumber("blend_ms", blend.RecommendedMs);
-        WriteNumber(json, "blend_cost", blend.Share);
-        json.WriteStartArray("candidates");
-        foreach (var trial in recommendation.Trials) Write(json, recommendation, trial);
-        json.WriteEndArray();
-        json.WriteEndObject();
-    }
-
-    static void Write(Utf8JsonWriter json, Recommendation recommendation, Trial trial)
-    {
-        json.WriteStartObject();
-        json.WriteString("predictor", trial.Predictor);
-        json.WriteNumber("rms", trial.Rms);
-        json.WriteNumber("rms_hold", trial.RmsHold);
-        WriteNumber(json, "reduction", trial.Reduction);
-        WriteNumber(json, "gain_over_default", trial.GainOver(recommendation.Default));
-        json.WriteBoolean("tie", recommendation.IsTie(trial));
-        json.WriteStartArray("halves");
-        foreach (var half in Enum.GetValues<Half>())
+        trial.Predictor,
+        trial.Rms,
+        trial.RmsHold,
+        trial.Reduction,
+        GainOverDefault = trial.GainOver(recommendation.Default),
+        Tie = recommendation.IsTie(trial),
+        Halves = Enum.GetValues<Half>().Select(half => new
         {
-            json.WriteStartObject();
-            json.WriteNumber("frames", trial.On(half).Frames);
-            json.WriteNumber("rms", trial.On(half).Rms);
-            json.WriteNumber("rms_hold", trial.On(half).RmsHold);
-            WriteNumber(json, "reduction", trial.On(half).Reduction);
-            WriteNumber(json, "gain_over_default", trial.GainOver(recommendation.Default, half));
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
-        json.WriteEndObject();
-    }
-
-    static void WriteNumber(Utf8JsonWriter json, string name, double? value)
-    {
-        if (value is double number) json.WriteNumber(name, number);
-        else json.WriteNull(name);
-    }
+            trial.On(half).Frames,
+            trial.On(half).Rms,
+            trial.On(half).RmsHold,
+            trial.On(half).Reduction,
+            GainOverDefault = trial.GainOver(recommendation.Default, half),
+        }),
+    };
 }

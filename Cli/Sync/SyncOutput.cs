@@ -1,5 +1,3 @@
-using System.Text.Json;
-
 namespace Nowpose.Cli.Sync;
 
 /// <summary>Prints estimates as CSV or JSON. The columns are specified in cli.md.</summary>
@@ -18,28 +16,14 @@ static class SyncOutput
     }
 
     public static void WriteJson(IEnumerable<SyncEstimate> estimates, bool atInstants, TextWriter output) =>
-        output.WriteLine(JsonText.Of(isIndented: true, json => WriteArray(json, estimates, atInstants)));
+        output.WriteLine(JsonText.Of(estimates.Select(estimate => atInstants ? AtInstant(estimate) : AtExchange(estimate))));
 
-    static void WriteArray(Utf8JsonWriter json, IEnumerable<SyncEstimate> estimates, bool atInstants)
-    {
-        json.WriteStartArray();
-        foreach (var estimate in estimates)
-        {
-            json.WriteStartObject();
-            json.WriteNumber(atInstants ? "t_ns" : "t4_ns", estimate.Nanoseconds);
-            WriteNumber(json, "offset_ns", SyncEstimate.Text(estimate.OffsetNanoseconds));
-            if (!atInstants) WriteNumber(json, "skew_ppm", SyncEstimate.Text(estimate.SkewPpm));
-            WriteNumber(json, "error_bound_ns", SyncEstimate.Text(estimate.ErrorBoundNanoseconds));
-            json.WriteString("state", estimate.State);
-            if (!atInstants) WriteNumber(json, "estimated_error_ns", SyncEstimate.Text(estimate.EstimatedErrorNanoseconds));
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
-    }
+    static object AtInstant(SyncEstimate estimate) =>
+        new { TNs = estimate.Nanoseconds, OffsetNs = estimate.OffsetNanoseconds, ErrorBoundNs = estimate.ErrorBoundNanoseconds, estimate.State };
 
-    static void WriteNumber(Utf8JsonWriter json, string name, string number)
+    static object AtExchange(SyncEstimate estimate) => new
     {
-        json.WritePropertyName(name);
-        json.WriteRawValue(number.Length == 0 ? "null" : number);
-    }
+        t4_ns = estimate.Nanoseconds, OffsetNs = estimate.OffsetNanoseconds, estimate.SkewPpm, ErrorBoundNs = estimate.ErrorBoundNanoseconds, estimate.State,
+        EstimatedErrorNs = estimate.EstimatedErrorNanoseconds,
+    };
 }

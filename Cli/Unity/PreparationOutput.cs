@@ -1,5 +1,4 @@
 using System.Text;
-using System.Text.Json;
 using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Unity;
@@ -17,25 +16,16 @@ static class PreparationOutput
         return text.ToString();
     }
 
-    public static string Json(Preparation preparation, bool isCheck, string backup) => JsonText.Of(isIndented: true, json =>
+    public static string Json(Preparation preparation, bool isCheck, string backup) => JsonText.Of(new
     {
-        json.WriteStartObject();
-        json.WriteString("project", preparation.Project.Root);
-        json.WriteString("unity", preparation.Project.Version.Text);
-        json.WriteBoolean("applied", !isCheck && preparation.Changes.Count > 0);
-        WriteList(json, "changes", preparation.Changes);
-        WriteList(json, "notes", preparation.Notes);
-        WriteList(json, "next", preparation.NextSteps);
-        json.WriteString("backup", backup);
-        json.WriteEndObject();
+        Project = preparation.Project.Root,
+        Unity = preparation.Project.Version.Text,
+        Applied = !isCheck && preparation.Changes.Count > 0,
+        preparation.Changes,
+        preparation.Notes,
+        Next = preparation.NextSteps,
+        Backup = backup,
     }) + "\n";
-
-    static void WriteList(Utf8JsonWriter json, string name, IReadOnlyList<string> values)
-    {
-        json.WriteStartArray(name);
-        foreach (var value in values) json.WriteStringValue(value);
-        json.WriteEndArray();
-    }
 
     static string Summary(int changes, bool isCheck)
     {

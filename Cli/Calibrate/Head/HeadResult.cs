@@ -33,4 +33,10 @@ sealed class HeadResult
 
     /// <summary>The pictures used in the fit.</summary>
     public IReadOnlyList<HeadPicture> Used { get; }
+
+    public string Json() => JsonText.Of(new
+    {
+        HeadLatencyMs = LatencyMs, HeadLatencyUncertaintyMs = UncertaintyMs, VisuMs, Pictures = Pictures.Pictures.Count, Pictures.Rejected, Used = Used.Count,
+        speed_px_s = SpeedPx,
+    });
 }

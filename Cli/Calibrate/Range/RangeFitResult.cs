@@ -41,4 +41,6 @@ sealed class RangeFitResult
     /// this value. Null without a limit, or if the gap is smaller than 5 %.
     /// </summary>
     public double? OpenToRenderMs { get; }
+
+    public string Json() => JsonText.Of(new { VisuMs, VisuSpreadMs = SpreadMs, LimitRenderMs, ValidToRenderMs, Pairs, Rejected });
 }

@@ -16,4 +16,6 @@ sealed record SineResult(SineTracks Tracks, LagEstimate Lag, SineWay Way)
 
     /// <summary>L_visu, ms; null if it was not requested.</summary>
     public double? VisuMs => TotalMs - Way.KnownMs;
+
+    public string Json() => JsonText.Of(new { TotalMs, TotalSdMs = DeviationMs, VisuMs, Lag.Correlation, Pictures = Tracks.Shown.Length });
 }

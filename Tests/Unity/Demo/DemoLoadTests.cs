@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Cli;
 using Nowpose.Cli.Demo;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
@@ -21,7 +22,7 @@ public class DemoLoadTests
         var range = result.Range;
         Assert.That(run.Failure(), Is.Null);
         Assert.That(
-            JsonDocument.Parse(DemoResultJson.Of(result)).RootElement.GetProperty("range").EnumerateObject().Select(property => property.Name),
+            JsonDocument.Parse(JsonText.Of(result)).RootElement.GetProperty("range").EnumerateObject().Select(property => property.Name),
             Is.EqualTo(new[] { "limit_render_ms", "left_s", "found_s", "frames_outside", "alarms" }));
         Assert.That(
             string.Join('\n', new DemoRangeRows(run.Settings, result, score.Range).Rows.Select(row => row.Value)),

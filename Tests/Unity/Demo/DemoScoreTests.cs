@@ -1,3 +1,4 @@
+using Nowpose.Cli;
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Messages;
 using Nowpose.Kinematics;
@@ -143,7 +144,7 @@ public class DemoScoreTests
 
         Assert.That(result.ToolErrorMm.Reduction, Is.Null);
         Assert.That(result.Clock.ConvergedS, Is.Null);
-        Assert.That(DemoResultJson.Of(result), Does.Contain("\"reduction\": null"));
+        Assert.That(JsonText.Of(result), Does.Contain("\"reduction\": null"));
     }
 
     [Test]
