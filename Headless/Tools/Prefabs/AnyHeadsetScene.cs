@@ -32,9 +32,7 @@ static class AnyHeadsetScene
     /// <summary>Adds the handle whose pose is the robot's base frame. It is a cube of 6 cm, with a nose along the robot's x axis.</summary>
     static void AddHandle(PackageAssets assets, Transform cell, Transform rig)
     {
-        var handle = new GameObject("Base Handle");
-        handle.transform.SetParent(cell, worldPositionStays: false);
-        handle.transform.localPosition = BasePlace;
+        var handle = Children.Add("Base Handle", cell, BasePlace);
         AddShape(assets, handle.transform);
         handle.AddComponent<HandPlacedMarker>();
         Fields.Set(handle.AddComponent<CarriedMarker>(), "_trackingOrigin", rig);
@@ -60,8 +58,7 @@ static class AnyHeadsetScene
     static void AddButtons(PackageAssets assets, MrilSession session)
     {
         var actions = CellObjects.AddActions(assets, session);
-        var buttons = new GameObject("Buttons");
-        buttons.transform.SetParent(session.transform, worldPositionStays: false);
+        var buttons = Children.Add("Buttons", session.transform);
         Button(actions, buttons, nameof(CellActions.ToggleConnected), Right + "{PrimaryButton}", "<Keyboard>/c");
         Button(actions, buttons, nameof(CellActions.TogglePanel), Right + "{SecondaryButton}", "<Keyboard>/p");
         Button(actions, buttons, nameof(CellActions.LockBase), Right + "{Primary2DAxisClick}", "<Keyboard>/l");

@@ -24,7 +24,7 @@ static class CalibrationObjects
 
     public static void Add(PackageAssets assets, MrilSession session)
     {
-        var calibration = Child("Calibration", session.transform, Vector3.zero);
+        var calibration = Children.Add("Calibration", session.transform);
         var follow = calibration.AddComponent<BodyFollow>();
         Fields.Set(follow, "_distanceMetres", DistanceMetres);
         Fields.Set(follow, "_degreesBelow", DegreesBelow);
@@ -34,7 +34,7 @@ static class CalibrationObjects
 
     static void AddDisplay(PackageAssets assets, MrilSession session, Transform parent)
     {
-        var display = Child("Timestamp Display", parent, Vector3.zero).AddComponent<TimestampDisplay>();
+        var display = Children.Add("Timestamp Display", parent).AddComponent<TimestampDisplay>();
         var cell = Texts.Add(assets, "Cell", display.transform, TextAnchor.MiddleCenter, TextAlignment.Center);
         cell.gameObject.SetActive(false);
         Fields.Set(display, "_session", session);
@@ -44,7 +44,7 @@ static class CalibrationObjects
 
     static void AddSweep(PackageAssets assets, MrilSession session, GameObject calibration)
     {
-        var load = Child("Load", calibration.transform, new Vector3(0, 0, LoadBehindMetres)).AddComponent<LoadGenerator>();
+        var load = Children.Add("Load", calibration.transform, new Vector3(0, 0, LoadBehindMetres)).AddComponent<LoadGenerator>();
         Fields.Set(load, "_material", assets.Load<Material>(PackagePaths.Panel));
         var words = Texts.Add(assets, "Words", calibration.transform, TextAnchor.LowerCenter, TextAlignment.Center);
         words.transform.localPosition = Vector3.up * WordsAboveMetres;
@@ -54,13 +54,5 @@ static class CalibrationObjects
         Fields.Set(sweep, "_renderTime", session.GetComponent<RenderTimeSource>());
         Fields.Set(sweep, "_startOnEnable", true);
         Fields.Set(sweep, "_text", words);
-    }
-
-    static GameObject Child(string name, Transform parent, Vector3 place)
-    {
-        var child = new GameObject(name);
-        child.transform.SetParent(parent, worldPositionStays: false);
-        child.transform.localPosition = place;
-        return child;
     }
 }

@@ -33,7 +33,7 @@ sealed class CellPrefab
         var loader = _session.gameObject.AddComponent<LatencyProfileLoader>();
         Fields.Set(loader, "_session", _session);
 
-        var anchor = Child("Base Anchor");
+        var anchor = Children.Add("Base Anchor", _session.transform);
         anchor.AddComponent<BaseAnchor>();
         var displayed = new RobotObjects(_assets, _robot, _session).AddTo(anchor.transform);
         AddNudge(displayed, loader);
@@ -53,7 +53,7 @@ sealed class CellPrefab
 
     void AddPanel()
     {
-        var panel = Child("Status Panel");
+        var panel = Children.Add("Status Panel", _session.transform);
         panel.AddComponent<BodyFollow>();
         var cell = Texts.Add(_assets, "Cell", panel.transform, TextAnchor.UpperLeft, TextAlignment.Left);
         cell.gameObject.SetActive(false);
@@ -61,12 +61,5 @@ sealed class CellPrefab
         Fields.Set(status, "_session", _session);
         Fields.Set(status, "_cell", cell);
         Fields.Set(status, "_ground", _assets.Load<Material>(PackagePaths.Panel));
-    }
-
-    GameObject Child(string name)
-    {
-        var child = new GameObject(name);
-        child.transform.SetParent(_session.transform, worldPositionStays: false);
-        return child;
     }
 }

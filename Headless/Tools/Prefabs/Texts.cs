@@ -14,8 +14,7 @@ static class Texts
 
     public static TextMesh Add(PackageAssets assets, string name, Transform parent, TextAnchor anchor, TextAlignment alignment)
     {
-        var made = new GameObject(name);
-        made.transform.SetParent(parent, worldPositionStays: false);
+        var made = Children.Add(name, parent);
         made.transform.localScale = new Vector3(Scale, Scale, Scale);
         var renderer = made.AddComponent<MeshRenderer>();
         renderer.sharedMaterial = assets.Load<Material>(PackagePaths.Text);

@@ -121,8 +121,7 @@ sealed class VirtualScenes
 
     void AddPlannedPath(RobotRig displayed)
     {
-        var path = new GameObject("Planned Path");
-        path.transform.SetParent(displayed.transform, worldPositionStays: false);
+        var path = Children.Add("Planned Path", displayed.transform);
         Fields.Set(path.AddComponent<PlannedPath>(), "_rig", displayed);
         path.GetComponent<LineRenderer>().sharedMaterial = _assets.Load<Material>(PackagePaths.Ghost);
     }

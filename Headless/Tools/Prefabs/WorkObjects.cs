@@ -59,8 +59,7 @@ static class WorkObjects
     static GameObject Shown<T>(string name, string frame, GameObject parent, MrilSession session, Material substitute)
         where T : Component
     {
-        var made = new GameObject(name);
-        made.transform.SetParent(parent.transform, worldPositionStays: false);
+        var made = Children.Add(name, parent.transform);
         var shown = made.AddComponent<T>();
         Fields.Set(shown, "_session", session);
         if (frame != name) Fields.Set(shown, "_frame", frame);
@@ -117,7 +116,7 @@ static class WorkObjects
     // The lit lamp is slightly larger and hides the dark lamp, so that a single call switches between both.
     static void AddLamp(GameObject light, string signal, float height, MrilSession session, Material off, Material on)
     {
-        var lamp = Child(signal, light, new Vector3(0, height, 0), Quaternion.identity);
+        var lamp = Children.Add(signal, light.transform, new Vector3(0, height, 0));
         AddCube(lamp, "Dark", RigidTransform.Identity, Vector3.one * LampSize, off);
         var lit = AddCube(lamp, "Lit", RigidTransform.Identity, Vector3.one * (1.1f * LampSize), on);
         lit.SetActive(false);
@@ -143,15 +142,8 @@ static class WorkObjects
     static GameObject AtBeltEnd(string name, GameObject conveyor, CellWork work, int robot, in RigidTransform offset)
     {
         var place = UnityPoses.ToWorld(work.ConveyorPose.Inverse * BeltEnd(work, robot) * offset);
-        return Child(NameOf(work, robot, name), conveyor, place.position, place.rotation);
-    }
-
-    static GameObject Child(string name, GameObject parent, Vector3 position, Quaternion rotation)
-    {
-        var made = new GameObject(name);
-        made.transform.SetParent(parent.transform, worldPositionStays: false);
-        made.transform.localPosition = position;
-        made.transform.localRotation = rotation;
+        var made = Children.Add(NameOf(work, robot, name), conveyor.transform, place.position);
+        made.transform.localRotation = place.rotation;
         return made;
     }
 

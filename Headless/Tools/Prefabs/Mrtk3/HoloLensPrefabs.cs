@@ -62,9 +62,9 @@ static class HoloLensPrefabs
     static Transform AddBar(
         PackageAssets assets, Transform panel, out ObjectManipulator handle, out PressableButton pin, out PressableButton close)
     {
-        var bar = Child("Bar Place", panel, new Vector3(0, PanelCells.LowerEdge * BarSize, 0)).transform;
+        var bar = Children.Add("Bar Place", panel, new Vector3(0, PanelCells.LowerEdge * BarSize, 0)).transform;
         bar.localScale = Vector3.one * BarSize;
-        var content = Child("Bar", bar, new Vector3(0, -BarHeight / 2 - 0.15f, -0.3f));
+        var content = Children.Add("Bar", bar, new Vector3(0, -BarHeight / 2 - 0.15f, -0.3f));
         var canvas = Canvases.Add(content.transform, Vector3.zero);
         canvas.localScale = Vector3.one * BarUnit;
         Canvases.AddGround(assets, canvas, new Vector3(0, 0, 4), new Vector2(BarWidth / BarUnit, BarHeight / BarUnit));
@@ -94,7 +94,7 @@ static class HoloLensPrefabs
         var root = new GameObject("Consent Prompt");
         Fields.Set(root.AddComponent<BodyFollow>(), "_distanceMetres", 0.6f);
         var prompt = root.AddComponent<ConsentPrompt>();
-        var content = Child("Content", root.transform, Vector3.zero);
+        var content = Children.Add("Content", root.transform);
         var canvas = Canvases.Add(content.transform, Vector3.zero);
         Canvases.AddGround(assets, canvas, new Vector3(0, 0, 4), new Vector2(400, 180));
         var question = Canvases.AddText(assets, "Question", canvas, new Vector3(0, 40, 0));
@@ -110,13 +110,5 @@ static class HoloLensPrefabs
         Calls.Add(refuse, "<OnClicked>k__BackingField", prompt, nameof(ConsentPrompt.Refuse));
         content.SetActive(false);
         return assets.Prefab(root);
-    }
-
-    static GameObject Child(string name, Transform parent, Vector3 place)
-    {
-        var child = new GameObject(name);
-        child.transform.SetParent(parent, worldPositionStays: false);
-        child.transform.localPosition = place;
-        return child;
     }
 }
