@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Protocol;
-using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Signals
 {
@@ -31,40 +30,19 @@ namespace Nowpose.Signals
 
         public int Count => _signals.Count;
 
-        public SignalTrack this[int index] => _signals[index];
+        /// <summary>Returns a signal; null if the table does not have it.</summary>
+        public SignalTrack Find(string name) => _indices.TryGetValue(name, out var index) ? _signals[index] : null;
 
-        /// <summary>Returns the index of a signal, valid until the next value is added; −1 if the table does not have the signal.</summary>
-        public int IndexOf(string name) => _indices.TryGetValue(name, out var index) ? index : -1;
-
-        /// <summary>Adds a received value.</summary>
-        /// <param name="stamp">Control time from which the signal has the value.</param>
-        /// <param name="arrival">Control time of the arrival; null if unknown.</param>
-        /// <param name="isOfNewSource">See <see cref="SignalTrack.Add"/>.</param>
-        /// <returns>Drop reason; <see cref="DropReason.None"/> if the value was used.</returns>
-        public DropReason Add(ControlTime stamp, in SignalValue value, ControlTime? arrival = null, bool isOfNewSource = false)
+        /// <summary>Returns a signal, which is added if the table does not have it; null if the table is full.</summary>
+        public SignalTrack FindOrAdd(string name)
         {
-            var index = IndexOfNew(value.Name);
-            return index < 0 ? DropReason.TooManySignals : _signals[index].Add(stamp, value.Value, arrival, isOfNewSource);
-        }
-
-        /// <summary>Keeps a received value whose stamp is in the future; see <see cref="SignalTrack.Unplaced"/>.</summary>
-        public void AddFuture(in SignalValue value)
-        {
-            var index = IndexOfNew(value.Name);
-            if (index >= 0) _signals[index].AddFuture(value.Value);
-        }
-
-        /// <summary>Returns the index of a signal, which is added if the table does not have it; −1 if the table is full.</summary>
-        int IndexOfNew(string name)
-        {
-            var index = IndexOf(name);
-            if (index >= 0) return index;
-            index = FreeIndex();
-            if (index < 0) return index;
+            if (Find(name) is SignalTrack known) return known;
+            var index = FreeIndex();
+            if (index < 0) return null;
             _indices.Add(name, index);
-            _signals[index] = new SignalTrack(name);
-            _signals[index].Restarted += signal => Restarted?.Invoke(signal);
-            return index;
+            var signal = _signals[index] = new SignalTrack(name);
+            signal.Restarted += restarted => Restarted?.Invoke(restarted);
+            return signal;
         }
 
         int FreeIndex()

@@ -48,13 +48,15 @@ namespace Nowpose.Unity.Cell
         public string Fault => CurrentFault ?? Problem;
 
         /// <summary>Reason why the value is not current, in one line; null if it is current.</summary>
-        public string CurrentFault => FaultOf(_source.Session == null ? null : _session, _name);
+        public string CurrentFault => _session == null || _source.Session == null ? StatusMessages.NoSession : SessionFault.Reason;
 
         string IShownPart.Title => _title;
 
         bool IShownPart.IsFaultCommon => Fault == SignalMessages.ClockUnsynchronised;
 
-        ControlTime? IShownPart.FaultSince => _session?.Signals.FaultSince(_name, _session.CanReceiveSignals);
+        ControlTime? IShownPart.FaultSince => _session == null ? null : SessionFault.Since;
+
+        (string Reason, ControlTime? Since) SessionFault => _session.Signals.FaultOf(_name, _session.CanReceiveSignals);
 
         /// <summary>Starts to follow a signal in the session of a component.</summary>
         /// <param name="kind">Kind of the component, for the text of the warning that is logged if it has no session.</param>
@@ -71,11 +73,6 @@ namespace Nowpose.Unity.Cell
             var source = component.RequiredSession(assigned, kind);
             return source == null ? null : new SignalFollower(source, name, changed, restarted, judged);
         }
-
-        /// <summary>Returns the reason why a signal's value is not current, in one line; null if the value is current.</summary>
-        /// <param name="session">The session that receives the signal; may be null.</param>
-        public static string FaultOf(CompensationSession session, string name) =>
-            session == null ? StatusMessages.NoSession : session.Signals.FaultOf(name, session.CanReceiveSignals);
 
         /// <summary>Stops following the signal.</summary>
         public void Leave()
@@ -119,8 +116,7 @@ namespace Nowpose.Unity.Cell
             session.Signals.Need();
             session.Signals.Table.Changed += Take;
             session.Signals.Table.Restarted += Restart;
-            var known = session.Signals.Table.IndexOf(_name);
-            if (known >= 0 && session.Signals.Table[known].IsKnown) Take(session.Signals.Table[known]);
+            if (session.Signals.Table.Find(_name) is SignalTrack known && known.IsKnown) Take(known);
         }
 
         void Take(SignalTrack signal)

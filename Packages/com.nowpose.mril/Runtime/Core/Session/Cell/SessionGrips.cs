@@ -25,8 +25,7 @@ namespace Nowpose.Session.Cell
         {
             _signals.Need();
             _grips.Add((grip, signal));
-            var known = _signals.Table.IndexOf(signal);
-            if (known >= 0 && _signals.Table[known].IsKnown) Change(grip, _signals.Table[known]);
+            if (_signals.Table.Find(signal) is SignalTrack known && known.IsKnown) Change(grip, known);
             Judge(grip, signal);
         }
 
@@ -71,7 +70,11 @@ namespace Nowpose.Session.Cell
                 if (name == signal.Name) grip.Restart(isOfSource: signal.Newest.HasValue);
         }
 
-        void Judge(ReachGrip grip, string signal) => grip.Judge(_signals.FaultOf(signal, _canReceive), _signals.FaultSince(signal, _canReceive));
+        void Judge(ReachGrip grip, string signal)
+        {
+            var (reason, since) = _signals.FaultOf(signal, _canReceive);
+            grip.Judge(reason, since);
+        }
 
         static void Change(ReachGrip grip, SignalTrack signal) => grip.Change(signal.Value >= 0.5, signal.Since);
     }

@@ -78,35 +78,29 @@ namespace Nowpose.Session.Cell
             _ended = ended;
         }
 
-        /// <summary>Returns the reason why a signal's value is not current, in one line; null if the value is current.</summary>
-        /// <param name="isConnected">Whether messages can arrive.</param>
-        public string FaultOf(string signal, bool isConnected)
-        {
-            if (!isConnected) return SignalMessages.NoConnection;
-            if (_ended.TryGetValue(signal, out var report)) return report.Reason;
-            var index = Table.IndexOf(signal);
-            if (index >= 0 && Table[index].Unplaced.HasValue) return SignalMessages.StampMismatch;
-            if (index < 0 || !Table[index].IsKnown)
-            {
-                if (!_isWaitingForClock) return SignalMessages.NoValue;
-            }
-            // The gateway sends each value again at once, unless it has restarted and has no value from the signal's source.
-            else if (IsOlderThanConnection(Table[index])) return SignalMessages.OlderThanConnection;
-            return _isTimeKnown ? null : SignalMessages.ClockUnsynchronised;
-        }
-
         /// <summary>
-        /// Returns the time since which a signal's value has not been current: the end of the connection or of the signal's source, or the start of the
-        /// newest connection if the value is older. Returns null for another fault, and if the value is current.
+        /// Returns the reason why a signal's value is not current, in one line, and the time since which it has not been current: the end of the
+        /// connection or of the signal's source, or the start of the newest connection if the value is older. The time is null for another fault. Both are
+        /// null if the value is current.
         /// </summary>
         /// <param name="isConnected">Whether messages can arrive.</param>
-        public ControlTime? FaultSince(string signal, bool isConnected)
+        public (string Reason, ControlTime? Since) FaultOf(string name, bool isConnected)
         {
-            if (!isConnected) return _disconnectedSince;
-            if (_ended.TryGetValue(signal, out var report)) return report.Since;
-            var index = Table.IndexOf(signal);
-            return index >= 0 && Table[index].IsKnown && IsOlderThanConnection(Table[index]) && _clock.IsKnown && _connection.Newest is HeadsetTime start
-                ? _clock.ToControl(start) : (ControlTime?)null;
+            if (!isConnected) return (SignalMessages.NoConnection, _disconnectedSince);
+            if (_ended.TryGetValue(name, out var report)) return (report.Reason, report.Since);
+            var signal = Table.Find(name);
+            if (signal?.Unplaced != null) return (SignalMessages.StampMismatch, null);
+            if (signal?.IsKnown != true)
+            {
+                if (!_isWaitingForClock) return (SignalMessages.NoValue, null);
+            }
+            // The gateway sends each value again at once, unless it has restarted and has no value from the signal's source.
+            else if (IsOlderThanConnection(signal))
+            {
+                return (SignalMessages.OlderThanConnection,
+                    _clock.IsKnown && _connection.Newest is HeadsetTime start ? _clock.ToControl(start) : (ControlTime?)null);
+            }
+            return (_isTimeKnown ? null : SignalMessages.ClockUnsynchronised, null);
         }
 
         bool IsOlderThanConnection(SignalTrack signal) => !(signal.Received is HeadsetTime arrival) || !_connection.Includes(arrival);
@@ -145,24 +139,22 @@ namespace Nowpose.Session.Cell
             || (signal.Received is HeadsetTime arrival && !_connection.Includes(arrival));
 
         // Over a new connection, the gateway first sends the value that it regards as the newest.
-        bool IsOfNewSource(in ArrivedSignal signal)
-        {
-            var index = Table.IndexOf(signal.Value.Name);
-            return index >= 0 && Table[index].Received is HeadsetTime former
-                && (!_connection.Includes(former) || _ends.IsBetween(former, signal.Arrival, signal.Value.Name));
-        }
+        bool IsOfNewSource(SignalTrack signal, HeadsetTime arrival) => signal.Received is HeadsetTime former
+            && (!_connection.Includes(former) || _ends.IsBetween(former, arrival, signal.Name));
 
-        void Take(in ArrivedSignal signal, in ClockModel clock)
+        void Take(in ArrivedSignal arrived, in ClockModel clock)
         {
-            var arrival = clock.ToControl(signal.Arrival);
-            var isInFuture = StampRule.IsInFuture(signal.Stamp, arrival, clock.ErrorBound);
-            var reason = isInFuture ? DropReason.StampInFuture : Table.Add(signal.Stamp, signal.Value, arrival, IsOfNewSource(signal));
-            if (isInFuture) Table.AddFuture(signal.Value);
-            var index = Table.IndexOf(signal.Value.Name);
+            var arrival = clock.ToControl(arrived.Arrival);
+            var isInFuture = StampRule.IsInFuture(arrived.Stamp, arrival, clock.ErrorBound);
+            var signal = Table.FindOrAdd(arrived.Value.Name);
+            var reason = isInFuture ? DropReason.StampInFuture
+                : signal == null ? DropReason.TooManySignals
+                : signal.Add(arrived.Stamp, arrived.Value.Value, arrival, IsOfNewSource(signal, arrived.Arrival));
+            if (isInFuture) signal?.AddFuture(arrived.Value.Value);
             var isUsed = reason == DropReason.None || reason == DropReason.DuplicateSample;
-            if (index >= 0 && (isUsed || Table[index].Unplaced.HasValue)) Table[index].Received = signal.Arrival;
+            if (signal != null && (isUsed || signal.Unplaced.HasValue)) signal.Received = arrived.Arrival;
             _drops.Count(reason);
-            Judged?.Invoke(signal.Value, signal.Stamp, signal.Arrival, reason);
+            Judged?.Invoke(arrived.Value, arrived.Stamp, arrived.Arrival, reason);
         }
     }
 }

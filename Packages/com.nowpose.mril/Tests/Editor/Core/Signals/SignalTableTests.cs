@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using NUnit.Framework;
 using Nowpose.Protocol;
-using Nowpose.Protocol.Cell;
 using Nowpose.Signals;
 
 namespace Nowpose.Tests.Core.Signals
@@ -31,7 +30,7 @@ namespace Nowpose.Tests.Core.Signals
             for (var frame = 0; frame < 150; frame++)
             {
                 var now = frame * FrameSeconds;
-                for (; sent < stamps.Length && stamps[sent] + latency <= now; sent++) table.Add(At(stamps[sent]), new SignalValue("grip", (sent + 1) % 2));
+                for (; sent < stamps.Length && stamps[sent] + latency <= now; sent++) table.FindOrAdd("grip").Add(At(stamps[sent]), (sent + 1) % 2);
                 light = now + Visu;
                 table.Evaluate(At(light));
             }
@@ -51,10 +50,10 @@ namespace Nowpose.Tests.Core.Signals
         {
             var table = new SignalTable();
             for (var i = 0; i < ProtocolLimits.Signals; i++)
-                Assert.That(table.Add(At(0), new SignalValue("s" + i, i)), Is.EqualTo(DropReason.None));
+                Assert.That(table.FindOrAdd("s" + i).Add(At(0), i), Is.EqualTo(DropReason.None));
 
-            Assert.That(table.Add(At(0), new SignalValue("one more", 1)), Is.EqualTo(DropReason.TooManySignals));
-            Assert.That(table.Add(At(1), new SignalValue("s7", 1)), Is.EqualTo(DropReason.None), "a known signal is still accepted");
+            Assert.That(table.FindOrAdd("one more"), Is.Null);
+            Assert.That(table.FindOrAdd("s7").Add(At(1), 1), Is.EqualTo(DropReason.None), "a known signal is still accepted");
             Assert.That(table.Count, Is.EqualTo(ProtocolLimits.Signals));
         }
 
@@ -62,15 +61,15 @@ namespace Nowpose.Tests.Core.Signals
         public void Restart_SourceWithEarlierStamps_KeepsTheValueUntilTheNextValue()
         {
             var table = new SignalTable();
-            table.Add(At(1000), new SignalValue("grip", 1));
+            table.FindOrAdd("grip").Add(At(1000), 1);
             table.Evaluate(At(1000));
 
             table.Restart();
             table.Evaluate(At(3));
 
-            var grip = table[table.IndexOf("grip")];
+            var grip = table.Find("grip");
             Assert.That((grip.Value, grip.Since), Is.EqualTo((1.0, (ControlTime?)null)));
-            table.Add(At(5), new SignalValue("grip", 0));
+            table.FindOrAdd("grip").Add(At(5), 0);
             table.Evaluate(At(4));
             Assert.That(grip.Value, Is.EqualTo(1));
             table.Evaluate(At(5));
@@ -83,9 +82,9 @@ namespace Nowpose.Tests.Core.Signals
             var table = new SignalTable();
             var seen = new List<double>();
             table.Changed += signal => seen.Add(signal.Value);
-            table.Add(At(1000), new SignalValue("grip", 1));
+            table.FindOrAdd("grip").Add(At(1000), 1);
             table.Evaluate(At(1000));
-            table.Add(At(1010), new SignalValue("grip", 0));
+            table.FindOrAdd("grip").Add(At(1010), 0);
 
             table.Restart();
             table.Evaluate(At(3));
@@ -99,7 +98,7 @@ namespace Nowpose.Tests.Core.Signals
             var table = new SignalTable();
             var seen = new List<(double Value, ControlTime? Since)>();
             table.Restarted += signal => seen.Add((signal.Value, signal.Since));
-            table.Add(At(1000), new SignalValue("grip", 1));
+            table.FindOrAdd("grip").Add(At(1000), 1);
             table.Evaluate(At(1000));
 
             table.Restart();

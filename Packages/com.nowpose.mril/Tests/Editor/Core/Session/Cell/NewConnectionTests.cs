@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Session.Cell
     {
         static readonly RigidTransform Place = RigidTransform.FromXyzRpy(0.5, 0, 0, 0, 0, 0);
 
-        static string FaultOf(CellSession cell, string signal) => cell.Session.Signals.FaultOf(signal, isConnected: true);
+        static string FaultOf(CellSession cell, string signal) => cell.Session.Signals.FaultOf(signal, isConnected: true).Reason;
 
         static PoseState StateOf(CellSession cell, string frame) => cell.Session.Frames.StateOf(cell.Session.Frames.Find(frame));
 

@@ -109,9 +109,9 @@ namespace Nowpose.Tests.Core.Session.Cell
             cell.Run(0.1);
 
             Assert.That((ValueOf(cell, "new0"), ValueOf(cell, "new1"), ValueOf(cell, "old0"), ValueOf(cell, "old8")), Is.EqualTo((0.5, 1.5, 0.0, 8.0)));
-            Assert.That(cell.Session.Signals.Table.IndexOf("old7"), Is.EqualTo(-1));
-            Assert.That(cell.Session.Signals.FaultOf("old7", isConnected: true), Is.EqualTo("its source has ended"));
-            Assert.That(cell.Session.Signals.FaultOf("new1", isConnected: true), Is.Null);
+            Assert.That(cell.Session.Signals.Table.Find("old7"), Is.Null);
+            Assert.That(cell.Session.Signals.FaultOf("old7", isConnected: true).Reason, Is.EqualTo("its source has ended"));
+            Assert.That(cell.Session.Signals.FaultOf("new1", isConnected: true).Reason, Is.Null);
             Assert.That(cell.Session.Drops[DropReason.TooManySignals], Is.EqualTo(1));
         }
 
@@ -170,7 +170,7 @@ namespace Nowpose.Tests.Core.Session.Cell
                 new SignalsMessage(ControlTime.FromSeconds(19.9 - older), new SignalValue("grip", 0)), HeadsetTime.FromSeconds(cell.Now));
             cell.Run(0.1);
 
-            Assert.That((ValueOf(cell, "grip"), cell.Session.Signals.FaultOf("grip", isConnected: true)), Is.EqualTo((0.0, (string)null)));
+            Assert.That((ValueOf(cell, "grip"), cell.Session.Signals.FaultOf("grip", isConnected: true).Reason), Is.EqualTo((0.0, (string)null)));
         }
 
         [Test]
@@ -191,32 +191,32 @@ namespace Nowpose.Tests.Core.Session.Cell
         public void FaultOf_EachState_IsNamed()
         {
             var cell = new CellSession();
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo(SignalMessages.NoValue));
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true).Reason, Is.EqualTo(SignalMessages.NoValue));
             cell.Send("grip", 19.5, 1);
             cell.Run(0.1);
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: false), Is.EqualTo(SignalMessages.NoConnection));
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true).Reason, Is.Null);
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: false).Reason, Is.EqualTo(SignalMessages.NoConnection));
             cell.Session.Signals.Show(new DisplayMoment(), isConnected: true);
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo(SignalMessages.ClockUnsynchronised));
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true).Reason, Is.EqualTo(SignalMessages.ClockUnsynchronised));
             cell.Run(0.2);
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true).Reason, Is.Null);
 
             var end = ControlTime.FromSeconds(12);
             cell.Session.Listener.SignalStatusReceived(
                 new JointStatusMessage(new[] { new JointReport("grip", JointDataState.Stale, end, "its source has ended") }), default);
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo("its source has ended"));
-            Assert.That((cell.Session.Signals.FaultSince("grip", isConnected: true), cell.Session.Signals.FaultSince("door", isConnected: true)),
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true).Reason, Is.EqualTo("its source has ended"));
+            Assert.That((cell.Session.Signals.FaultOf("grip", isConnected: true).Since, cell.Session.Signals.FaultOf("door", isConnected: true).Since),
                 Is.EqualTo(((ControlTime?)end, (ControlTime?)null)));
 
             cell.Session.Listener.SignalStatusReceived(new JointStatusMessage(Array.Empty<JointReport>()), default);
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true).Reason, Is.Null);
         }
 
         [Test]
-        public void FaultSince_NoConnectionThenValueOlderThanTheConnection_IsTheFirstFrameThenTheStartOfTheConnection()
+        public void FaultOf_NoConnectionThenValueOlderThanTheConnection_IsTheFirstFrameThenTheStartOfTheConnection()
         {
             var cell = new CellSession();
-            double Since(bool isConnected) => cell.Session.Signals.FaultSince("grip", isConnected)?.SinceEpoch.TotalSeconds ?? double.NaN;
+            double Since(bool isConnected) => cell.Session.Signals.FaultOf("grip", isConnected).Since?.SinceEpoch.TotalSeconds ?? double.NaN;
             cell.Run(1);
             Assert.That(cell.Session.CanReceiveSignals, Is.False);
             Assert.That(Since(isConnected: false), Is.EqualTo(20 + CellSession.Visu).Within(1e-3));
@@ -237,11 +237,11 @@ namespace Nowpose.Tests.Core.Session.Cell
         {
             var cell = new CellSession(isClockKnown: false);
             cell.Run(0.1);
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo(SignalMessages.ClockUnsynchronised));
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true).Reason, Is.EqualTo(SignalMessages.ClockUnsynchronised));
 
             cell.Synchronise();
             cell.Run(0.1);
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo(SignalMessages.NoValue));
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true).Reason, Is.EqualTo(SignalMessages.NoValue));
         }
 
         [Test]
@@ -259,6 +259,6 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(cell.Session.CanReceiveSignals, Is.False);
         }
 
-        static double ValueOf(CellSession cell, string signal) => cell.Session.Signals.Table[cell.Session.Signals.Table.IndexOf(signal)].Value;
+        static double ValueOf(CellSession cell, string signal) => cell.Session.Signals.Table.Find(signal).Value;
     }
 }

@@ -21,12 +21,12 @@ namespace Nowpose.Tests.Core.Session.Cell
 
             SendNow(cell, "grip", 1);
             cell.Session.Tick(HeadsetTime.FromSeconds(cell.Now));
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo(SignalMessages.StampMismatch));
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true).Reason, Is.EqualTo(SignalMessages.StampMismatch));
             cell.Run(8);
 
             Assert.That(cell.Session.Clock.Steps, Is.EqualTo(1));
             Assert.That(ValueOf(cell, "grip"), Is.EqualTo(1));
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true).Reason, Is.Null);
         }
 
         [Test]
@@ -37,18 +37,18 @@ namespace Nowpose.Tests.Core.Session.Cell
             SendNow(cell, "grip", 1);
             cell.ClockStep = 0;
             cell.Run(0.1);
-            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo(SignalMessages.StampMismatch));
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true).Reason, Is.EqualTo(SignalMessages.StampMismatch));
 
             SendNow(cell, "grip", 0.5);
             cell.Run(0.2);
 
-            Assert.That((ValueOf(cell, "grip"), cell.Session.Signals.FaultOf("grip", isConnected: true)), Is.EqualTo((0.5, (string)null)));
+            Assert.That((ValueOf(cell, "grip"), cell.Session.Signals.FaultOf("grip", isConnected: true).Reason), Is.EqualTo((0.5, (string)null)));
         }
 
         /// <summary>Sends a value with the current control time.</summary>
         static void SendNow(CellSession cell, string signal, double value) => cell.Session.Listener.SignalsReceived(
             new SignalsMessage(ControlTime.FromSeconds(cell.Now + cell.ClockStep), new SignalValue(signal, value)), HeadsetTime.FromSeconds(cell.Now));
 
-        static double ValueOf(CellSession cell, string signal) => cell.Session.Signals.Table[cell.Session.Signals.Table.IndexOf(signal)].Value;
+        static double ValueOf(CellSession cell, string signal) => cell.Session.Signals.Table.Find(signal).Value;
     }
 }
