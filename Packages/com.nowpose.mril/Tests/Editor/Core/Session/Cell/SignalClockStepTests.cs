@@ -45,6 +45,23 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That((ValueOf(cell, "grip"), cell.Session.Signals.FaultOf("grip", isConnected: true).Reason), Is.EqualTo((0.5, (string)null)));
         }
 
+        [Test]
+        public void FaultOf_ValueInTheFutureThenANewConnection_HasNoStart()
+        {
+            var cell = new CellSession();
+            cell.Send("grip", 19.5, 1);
+            cell.Run(0.5);
+            cell.ClockStep = 60;
+            SendNow(cell, "grip", 0);
+            cell.ClockStep = 0;
+            cell.Run(0.1);
+
+            cell.Reconnect();
+            cell.Run(0.1);
+
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo((SignalMessages.StampMismatch, (ControlTime?)null)));
+        }
+
         /// <summary>Sends a value with the current control time.</summary>
         static void SendNow(CellSession cell, string signal, double value) => cell.Session.Listener.SignalsReceived(
             new SignalsMessage(ControlTime.FromSeconds(cell.Now + cell.ClockStep), new SignalValue(signal, value)), HeadsetTime.FromSeconds(cell.Now));
