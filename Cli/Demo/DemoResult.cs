@@ -50,6 +50,7 @@ sealed record DemoResult(
         [JsonIgnore]
         public string ReductionText => Withheld != null ? "withheld: " + Withheld
             : Reduction == null ? "–"
+            : ReductionUncertainty == null ? FormattableString.Invariant($"{100 * Reduction:0.0} % ± –")
             : FormattableString.Invariant($"{100 * Reduction:0.0} ± {100 * ReductionUncertainty:0.0} %");
     }
 

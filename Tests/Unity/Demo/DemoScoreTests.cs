@@ -189,4 +189,10 @@ public class DemoScoreTests
 
         public int CycleAt(ControlTime t) => (int)(MotionSecondsAt(t) / CycleSeconds);
     }
+
+    [TestCase(0.826, 0.013, "82.6 ± 1.3 %")]
+    [TestCase(0.826, null, "82.6 % ± –")]
+    [TestCase(null, null, "–")]
+    public void ReductionText_UnknownNumber_IsADash(double? reduction, double? uncertainty, string text) =>
+        Assert.That(new DemoResult.Hindcasts(reduction, uncertainty, null, null, null).ReductionText, Is.EqualTo(text));
 }
