@@ -23,27 +23,27 @@ namespace Nowpose.Editor.Setup
             "Architecture is ARM64", CheckReasons.Architecture,
             project => project.Architecture == Arm64
                 ? CheckResult.Good(Arm64) : CheckResult.Missing(CheckResults.Architecture(project.Architecture)),
-            "Use ARM64", project => project.Architecture = Arm64);
+            "Use ARM64", ProjectCheck.Always(project => project.Architecture = Arm64));
 
         public static ProjectCheck ApiLevel { get; } = new ProjectCheck(
             CheckTitles.ApiLevel, CheckReasons.ApiLevel,
             project => project.UsesNetStandard ? CheckResult.Good(".NET Standard 2.1") : CheckResult.Advice(".NET Framework"),
-            "Use .NET Standard 2.1", project => project.UsesNetStandard = true);
+            "Use .NET Standard 2.1", ProjectCheck.Always(project => project.UsesNetStandard = true));
 
         public static ProjectCheck InternetAccess { get; } = new ProjectCheck(
             CheckTitles.InternetAccess, CheckReasons.InternetAccess,
             project => project.AsksForInternet ? CheckResult.Good(CheckResults.InternetAccess) : CheckResult.Missing("left to Unity"),
-            "Require internet access", project => project.AsksForInternet = true);
+            "Require internet access", ProjectCheck.Always(project => project.AsksForInternet = true));
 
         public static ProjectCheck FrameTiming { get; } = new ProjectCheck(
             CheckTitles.FrameTiming, CheckReasons.FrameTiming,
             project => project.FrameTimingStats ? CheckResult.Good("on") : CheckResult.Missing("off"),
-            CheckTitles.TurnFrameTimingOn, project => project.FrameTimingStats = true);
+            CheckTitles.TurnFrameTimingOn, ProjectCheck.Always(project => project.FrameTimingStats = true));
 
         public static ProjectCheck RunInBackground { get; } = new ProjectCheck(
             CheckTitles.RunInBackground, CheckReasons.RunInBackground,
             project => project.RunsInBackground ? CheckResult.Good("on") : CheckResult.Advice("off"),
-            CheckTitles.TurnRunInBackgroundOn, project => project.RunsInBackground = true);
+            CheckTitles.TurnRunInBackgroundOn, ProjectCheck.Always(project => project.RunsInBackground = true));
 
         /// <summary>Checks whether the Input System is active. Installing its package does not activate it.</summary>
         public static ProjectCheck InputHandling { get; } = new ProjectCheck(
@@ -64,7 +64,7 @@ namespace Nowpose.Editor.Setup
         public static ProjectCheck ScriptingBackend(HeadsetPlatform platform) => new ProjectCheck(
             CheckTitles.ScriptingBackend, CheckReasons.ScriptingBackend(platform.Headset),
             project => project.UsesIl2Cpp ? CheckResult.Good("IL2CPP") : CheckResult.Missing(CheckResults.ScriptingBackend),
-            "Use IL2CPP", project => project.UsesIl2Cpp = true);
+            "Use IL2CPP", ProjectCheck.Always(project => project.UsesIl2Cpp = true));
 
         /// <summary>Checks whether the app declares a capability. Without it, Windows refuses access and does not report an error.</summary>
         /// <param name="why">Purpose of the capability.</param>
@@ -73,7 +73,7 @@ namespace Nowpose.Editor.Setup
             new ProjectCheck(
                 "Capability " + capability, why,
                 project => project.IsAllowed(capability) ? CheckResult.Good("declared") : new CheckResult(without, "not declared"),
-                "Declare " + capability, project => project.Allow(capability));
+                "Declare " + capability, ProjectCheck.Always(project => project.Allow(capability)));
 
         static CheckResult LookAtInput(IProjectSettings project)
         {

@@ -24,15 +24,6 @@ namespace Nowpose.Editor.Setup
             _fix = fix;
         }
 
-        /// <summary>Creates a check whose fix always succeeds.</summary>
-        public ProjectCheck(string title, string why, Func<IProjectSettings, CheckResult> look, string fixLabel, Action<IProjectSettings> fix)
-            : this(title, why, look, fixLabel, project =>
-            {
-                fix(project);
-                return null;
-            })
-        { }
-
         public string Title { get; }
 
         /// <summary>Purpose of the requirement, and the consequence if it is not met.</summary>
@@ -43,6 +34,16 @@ namespace Nowpose.Editor.Setup
 
         /// <summary>Checks the project. Does not change it.</summary>
         public CheckResult Look(IProjectSettings project) => _look(project);
+
+        /// <summary>Returns a fix that always succeeds.</summary>
+        /// <remarks>
+        /// A second constructor would be ambiguous: an assignment of a text is also a function that returns the text, which would then be an instruction.
+        /// </remarks>
+        public static Func<IProjectSettings, string> Always(Action<IProjectSettings> fix) => project =>
+        {
+            fix(project);
+            return null;
+        };
 
         /// <summary>Changes the project to meet the requirement. Called only when the user clicks the button.</summary>
         /// <returns>Null if the change succeeded; otherwise an instruction for the user.</returns>
