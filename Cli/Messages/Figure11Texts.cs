@@ -40,4 +40,6 @@ static class Figure11Texts
     public const string NoScatterWithin = "no scatter within the range";
 
     public static string Measured(string togetherMs, string withinMs) => $"{togetherMs} ms; within the range {withinMs} ms";
+    public static string Step(string fromMs) => $"{fromMs} ms and more";
+    public static string IndividuallyTooSmall(string measured, string groups) => $"{measured}; individually too small: {groups}";
 }

@@ -30,6 +30,10 @@ static class Figure13Texts
     public static string BestIsCurved(string where) => $"The best of the three is the quadratic or the cubic {where}.";
     public static string LineBetter(string values) => $"the line is better than both at {values}";
 
+    public const string IsSo = "it is";
+
+    public static string WorseAt(string values) => $"worse at {values}";
+
     public const string CubicBeatsLine = "The cubic is also better than the line at each latency.";
 
     public static string Reacts(string predictor, string factor) =>

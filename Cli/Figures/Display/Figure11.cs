@@ -81,7 +81,7 @@ static class Figure11
                 Math.Abs((otherLimitMs - limitMs) / limitMs ?? double.PositiveInfinity) <= LimitShare, $"{Limit(limitMs)} and {Limit(otherLimitMs)}"),
             new(Figure11Texts.Stored(Sufficient), stored >= 0.95, Percent(stored)),
             .. SpreadCriteria.Of(Figure11Texts.AtRenderTimes, inside,
-                [.. steps.Select(step => new SpreadGroup($"{Text(limitMs.Value + step.Key)} ms and more", step.Select(each => each.VisuMs)))]),
+                [.. steps.Select(step => new SpreadGroup(Figure11Texts.Step(Text(limitMs.Value + step.Key)), step.Select(each => each.VisuMs)))]),
         ];
     }
 

@@ -37,6 +37,6 @@ static class SpreadCriteria
         var measured = Figure11Texts.Measured(Text(together), Text(measure(within)));
         var alone = beyond.Select(group => (group.Name, Ms: measure(Spread.Of(group.VisuMs)))).Where(group => group.Ms < minMs).ToArray();
         return new(statement, together >= minMs, alone.Length == 0 || beyond.Count == 1 ? measured
-            : $"{measured}; individually too small: {string.Join(", ", alone.Select(group => $"{group.Name} ({Text(group.Ms)} ms)"))}");
+            : Figure11Texts.IndividuallyTooSmall(measured, string.Join(", ", alone.Select(group => $"{group.Name} ({Text(group.Ms)} ms)"))));
     }
 }

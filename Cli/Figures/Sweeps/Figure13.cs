@@ -69,14 +69,14 @@ static class Figure13
     {
         var linear = data.Where(i => over.Contains(data.Values[i]) && data.Best(i, Polynomials) == "linear");
         return new(Figure13Texts.BestIsCurved(where), linear.Length == 0,
-            linear.Length == 0 ? "it is" : Figure13Texts.LineBetter(SweepData.List(linear)));
+            linear.Length == 0 ? Figure13Texts.IsSo : Figure13Texts.LineBetter(SweepData.List(linear)));
     }
 
     static Criterion CubicBeatsLine(SweepData data)
     {
         var worse = data.Where(i => data.RmsMm("cubic")[i] > data.RmsMm("linear")[i]);
         return new(Figure13Texts.CubicBeatsLine, worse.Length == 0,
-            worse.Length == 0 ? "it is" : $"worse at {SweepData.List(worse)}");
+            worse.Length == 0 ? Figure13Texts.IsSo : Figure13Texts.WorseAt(SweepData.List(worse)));
     }
 
     static Criterion Reacts(SweepData data, string predictor, double factor)

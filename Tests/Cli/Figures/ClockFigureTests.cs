@@ -98,7 +98,7 @@ public class ClockFigureTests
         var plot = SyncFigure.Of(steps, SyncClaims.Of(steps), "").Plots[0];
 
         Assert.That(plot.YRange.HasValue, Is.EqualTo(isLimited));
-        Assert.That(plot.Title.EndsWith("(1 of 600 values beyond the axis)", StringComparison.Ordinal), Is.EqualTo(isLimited), plot.Title);
+        Assert.That(plot.Title.EndsWith(Figure08Texts.BeyondAxis("", 1, 600), StringComparison.Ordinal), Is.EqualTo(isLimited), plot.Title);
         if (plot.YRange is var (from, to))
             Assert.That(new[] { from, to }, Is.EqualTo(new[] { -2.4, 2.4 }).Within(1e-9), "three times the range of the settled values");
     }
@@ -106,24 +106,24 @@ public class ClockFigureTests
     static double P95(Figure figure, string estimator) => double.Parse(
         figure.Summary.Rows.Single(row => row[0] == estimator)[2], System.Globalization.CultureInfo.InvariantCulture);
 
-    [TestCase(0.96, 312, 88, 7, 280, 12_300, "holds")]
-    [TestCase(0.94, 312, 88, 7, 280, 12_300, "holds partly")]
-    [TestCase(0.96, 1312, 88, 7, 280, 12_300, "holds partly")]
-    [TestCase(0.94, 1312, 88, 50, 280, 400, "does not hold")]
+    [TestCase(0.96, 312, 88, 7, 280, 12_300, Verdict.Holds)]
+    [TestCase(0.94, 312, 88, 7, 280, 12_300, Verdict.HoldsPartly)]
+    [TestCase(0.96, 1312, 88, 7, 280, 12_300, Verdict.HoldsPartly)]
+    [TestCase(0.94, 1312, 88, 50, 280, 400, Verdict.DoesNotHold)]
     public void Figure8_MeasuredValues_DecideTheVerdict(
-        double fitShare, double maxUs, double early, double late, double shortUs, double longUs, string verdict)
+        double fitShare, double maxUs, double early, double late, double shortUs, double longUs, object verdict)
     {
         var criteria = Figure08.Criteria(fitShare, new ClockErrors(50, 200, maxUs, early, late), new RoundTrips(shortUs, longUs));
 
-        Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
+        Assert.That(Criterion.Judge(criteria), Is.EqualTo(verdict));
     }
 
-    [TestCase(30.2, "holds")]
-    [TestCase(31, "holds partly")]
-    [TestCase(3, "does not hold")]
-    public void Figure4_ErrorOfHold_DecidesTheVerdict(double freshMm, string verdict)
+    [TestCase(30.2, Verdict.Holds)]
+    [TestCase(31, Verdict.HoldsPartly)]
+    [TestCase(3, Verdict.DoesNotHold)]
+    public void Figure4_ErrorOfHold_DecidesTheVerdict(double freshMm, object verdict)
     {
-        Assert.That(Criterion.Judge(Figure04.Criteria([new FieldPoint(1000, 30, freshMm, 55, [])])).Words(), Is.EqualTo(verdict));
+        Assert.That(Criterion.Judge(Figure04.Criteria([new FieldPoint(1000, 30, freshMm, 55, [])])), Is.EqualTo(verdict));
     }
 
     static SyncStep[] Steps(double shortMs, double longMs, double earlyPpm, double latePpm) => [.. Enumerable.Range(0, 300).Select(i =>
@@ -177,6 +177,6 @@ public class ClockFigureTests
         var claims = SyncClaims.Of(Steps(0.05, 0.8, 3, 0.5)[..60]);
 
         Assert.That(claims.Select(claim => claim.IsMet), Is.All.Null);
-        Assert.That(claims.Select(claim => claim.Measured), Is.All.Contain("10 usable exchanges after 10 s"));
+        Assert.That(claims.Select(claim => claim.Measured), Is.All.EqualTo(Figure08Texts.TooFewExchanges(10, 20)));
     }
 }

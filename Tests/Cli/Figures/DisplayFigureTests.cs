@@ -3,8 +3,8 @@ using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Display;
 using Nowpose.Cli.Figures.Model;
-using NUnit.Framework;
 using Nowpose.Cli.Messages;
+using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
@@ -94,16 +94,16 @@ public class DisplayFigureTests
     static IEnumerable<MeasuredPicture> Pictures(double millions, double renderMs, double visuMs, double halfWidthMs) => Enumerable.Range(0, 100)
         .Select(i => new MeasuredPicture(null, (int)(1e6 * millions), renderMs, visuMs + halfWidthMs * (i * 37 % 100 - 49.5) / 50));
 
-    [TestCase(Still, Refresh, "holds")]
-    [TestCase(Still, Between, "holds partly")]
-    [TestCase(Between, Refresh, "holds partly")]
-    [TestCase(Between, Between, "does not hold")]
-    [TestCase(Between, 0, "does not hold")]
-    public void Figure10_Scatter_DecidesTheVerdict(double normalMs, double highMs, string verdict)
+    [TestCase(Still, Refresh, Verdict.Holds)]
+    [TestCase(Still, Between, Verdict.HoldsPartly)]
+    [TestCase(Between, Refresh, Verdict.HoldsPartly)]
+    [TestCase(Between, Between, Verdict.DoesNotHold)]
+    [TestCase(Between, 0, Verdict.DoesNotHold)]
+    public void Figure10_Scatter_DecidesTheVerdict(double normalMs, double highMs, object verdict)
     {
         var criteria = Figure10.Criteria([.. Pictures(0.3, 6.5, 40, normalMs)], [.. Pictures(1.5, 17, 65, highMs)]);
 
-        Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
+        Assert.That(Criterion.Judge(criteria), Is.EqualTo(verdict));
     }
 
     // On a display that starts every frame at a refresh, L_visu is longer at the high load but still constant.
@@ -142,17 +142,17 @@ public class DisplayFigureTests
         .. Pictures(1.6, 17.6, 66, beyondMs), .. Pictures(2, 21, 72, lastMs),
     ];
 
-    [TestCase(Still, 40.5, Refresh, "holds")]
-    [TestCase(Still, 42, Refresh, "holds partly", TestName = "Figure11a_MedianMoves_HoldsPartly")]
-    [TestCase(Still, 40.5, Between, "holds partly", TestName = "Figure11a_ScatterBelowARefreshPeriod_HoldsPartly")]
-    [TestCase(Still, 40.5, Still, "holds partly", TestName = "Figure11a_LatencyConstantBeyondTheLimit_HoldsPartly")]
-    [TestCase(Between, 42, Between, "does not hold")]
-    [TestCase(Still, 42, Still, "does not hold")]
-    public void Figure11a_MeasuredValues_DecideTheVerdict(double insideMs, double secondMs, double beyondMs, string verdict)
+    [TestCase(Still, 40.5, Refresh, Verdict.Holds)]
+    [TestCase(Still, 42, Refresh, Verdict.HoldsPartly, TestName = "Figure11a_MedianMoves_HoldsPartly")]
+    [TestCase(Still, 40.5, Between, Verdict.HoldsPartly, TestName = "Figure11a_ScatterBelowARefreshPeriod_HoldsPartly")]
+    [TestCase(Still, 40.5, Still, Verdict.HoldsPartly, TestName = "Figure11a_LatencyConstantBeyondTheLimit_HoldsPartly")]
+    [TestCase(Between, 42, Between, Verdict.DoesNotHold)]
+    [TestCase(Still, 42, Still, Verdict.DoesNotHold)]
+    public void Figure11a_MeasuredValues_DecideTheVerdict(double insideMs, double secondMs, double beyondMs, object verdict)
     {
         var criteria = Figure11.LoadCriteria(Sweep(insideMs, secondMs, beyondMs, beyondMs, beyondMs), StoredMs);
 
-        Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
+        Assert.That(Criterion.Judge(criteria), Is.EqualTo(verdict));
     }
 
     // Of the three groups beyond the limit, two scatter. Together they meet the criteria, and the result names the third group.
@@ -164,9 +164,9 @@ public class DisplayFigureTests
         var (loads, steps) = (Figure11.LoadCriteria(sweep, StoredMs), Figure11.RangeCriteria(sweep, StoredMs, LimitMs, LimitMs));
 
         foreach (var criterion in loads.Skip(1))
-            Assert.That((criterion.IsMet, criterion.Measured.Contains("individually too small: 1.4 million (")), Is.EqualTo((true, true)));
+            Assert.That((criterion.IsMet, criterion.Measured.Contains(Figure11Texts.IndividuallyTooSmall("", "1.4 million ("))), Is.EqualTo((true, true)));
         foreach (var criterion in steps.Skip(2))
-            Assert.That((criterion.IsMet, criterion.Measured.Contains("individually too small: 15.2 ms and more (")), Is.EqualTo((true, true)));
+            Assert.That((criterion.IsMet, criterion.Measured.Contains(Figure11Texts.IndividuallyTooSmall("", Figure11Texts.Step("15.2") + " ("))), Is.EqualTo((true, true)));
     }
 
     [TestCase(4, true)]
@@ -178,17 +178,17 @@ public class DisplayFigureTests
         Assert.That(criteria.Select(c => c.IsMet), Is.EqualTo(new[] { isConstant, false, false }));
     }
 
-    [TestCase(Still, Refresh, 15.0, "holds")]
-    [TestCase(Still, Between, 15.0, "holds partly", TestName = "Figure11b_ScatterBelowARefreshPeriod_HoldsPartly")]
-    [TestCase(Still, Refresh, 13.0, "holds partly", TestName = "Figure11b_LimitDependsOnTheScene_HoldsPartly")]
-    [TestCase(Between, Refresh, 15.0, "holds partly", TestName = "Figure11b_LatencyScattersWithinTheRange_HoldsPartly")]
-    [TestCase(Still, Still, 15.0, "holds partly", TestName = "Figure11b_LatencyConstantOutsideTheRange_HoldsPartly")]
-    [TestCase(Between, Still, 13.0, "does not hold")]
-    public void Figure11b_MeasuredValues_DecideTheVerdict(double insideMs, double beyondMs, double otherLimitMs, string verdict)
+    [TestCase(Still, Refresh, 15.0, Verdict.Holds)]
+    [TestCase(Still, Between, 15.0, Verdict.HoldsPartly, TestName = "Figure11b_ScatterBelowARefreshPeriod_HoldsPartly")]
+    [TestCase(Still, Refresh, 13.0, Verdict.HoldsPartly, TestName = "Figure11b_LimitDependsOnTheScene_HoldsPartly")]
+    [TestCase(Between, Refresh, 15.0, Verdict.HoldsPartly, TestName = "Figure11b_LatencyScattersWithinTheRange_HoldsPartly")]
+    [TestCase(Still, Still, 15.0, Verdict.HoldsPartly, TestName = "Figure11b_LatencyConstantOutsideTheRange_HoldsPartly")]
+    [TestCase(Between, Still, 13.0, Verdict.DoesNotHold)]
+    public void Figure11b_MeasuredValues_DecideTheVerdict(double insideMs, double beyondMs, double otherLimitMs, object verdict)
     {
         var criteria = Figure11.RangeCriteria([.. Sweep(insideMs, StoredMs, beyondMs, beyondMs, beyondMs)], StoredMs, LimitMs, otherLimitMs);
 
-        Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
+        Assert.That(Criterion.Judge(criteria), Is.EqualTo(verdict));
     }
 
     // Three plateaus of L_visu, 9 and 6 ms apart: in all, L_visu varies by about a refresh interval, but at each render time it is constant.

@@ -1,4 +1,5 @@
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
@@ -40,6 +41,6 @@ public class FigureTableTests
     [Test]
     public void Add_WrongNumberOfValues_Throws()
     {
-        Assert.That(() => new FigureTable(new FigureColumn("time", "ms")).Add(1, 2), Throws.ArgumentException.With.Message.Contains("2 values were passed for 1 columns"));
+        Assert.That(() => new FigureTable(new FigureColumn("time", "ms")).Add(1, 2), Throws.ArgumentException.With.Message.StartsWith(FigureErrors.ValueCount(2, 1)));
     }
 }

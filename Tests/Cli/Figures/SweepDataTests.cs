@@ -1,4 +1,5 @@
 using Nowpose.Cli.Figures.Sweeps;
+using Nowpose.Cli.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
@@ -37,7 +38,7 @@ public class SweepDataTests
     [Test]
     public void RmsAt_ValueNotInTheSweep_Throws()
     {
-        Assert.That(() => Data.RmsAt("a", 15), Throws.ArgumentException.With.Message.Contains("15 ms is not a value of the sweep"));
+        Assert.That(() => Data.RmsAt("a", 15), Throws.ArgumentException.With.Message.StartsWith(FigureErrors.NotAValue(15)));
     }
 
     [TestCase(new double[0], "none")]

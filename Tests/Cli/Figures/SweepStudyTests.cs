@@ -1,8 +1,8 @@
 using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Figures.Sweeps;
-using NUnit.Framework;
 using Nowpose.Cli.Messages;
+using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
@@ -61,17 +61,17 @@ public class SweepStudyTests
         Assert.That(Ratio(number, at, "quadratic-h4"), Is.EqualTo(h4).Within(Tolerance), Seed);
     }
 
-    [TestCase("13a", "holds partly")]
-    [TestCase("13b", "holds partly")]
-    [TestCase("13c", "holds partly")]
-    [TestCase("13d", "holds")]
-    [TestCase("14a", "holds")]
-    [TestCase("14b", "holds")]
-    [TestCase("14c", "holds")]
-    [TestCase("14d", "holds")]
-    public void Verdict_EachSweepFigure_EqualsTheRecordedVerdict(string number, string verdict)
+    [TestCase("13a", Verdict.HoldsPartly)]
+    [TestCase("13b", Verdict.HoldsPartly)]
+    [TestCase("13c", Verdict.HoldsPartly)]
+    [TestCase("13d", Verdict.Holds)]
+    [TestCase("14a", Verdict.Holds)]
+    [TestCase("14b", Verdict.Holds)]
+    [TestCase("14c", Verdict.Holds)]
+    [TestCase("14d", Verdict.Holds)]
+    public void Verdict_EachSweepFigure_EqualsTheRecordedVerdict(string number, object verdict)
     {
-        Assert.That(Figures[number].Verdict.Words(), Is.EqualTo(verdict), Seed);
+        Assert.That(Figures[number].Verdict, Is.EqualTo(verdict), Seed);
     }
 
     [Test]

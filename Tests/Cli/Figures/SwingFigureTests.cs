@@ -169,29 +169,29 @@ public class SwingFigureTests
                 .And.Contain($"compensated: {Numbers.Mm(figure.Table.Rows[i][3].Value)} off"));
     }
 
-    [TestCase(0.2, 126, 10, "holds")]
-    [TestCase(0.3, 126, 10, "holds partly")]
-    [TestCase(0.3, 126, 60, "does not hold")]
-    public void Figure18_MeasuredValues_DecideTheVerdict(double ratio, double heldMs, double predictedMs, string verdict)
+    [TestCase(0.2, 126, 10, Verdict.Holds)]
+    [TestCase(0.3, 126, 10, Verdict.HoldsPartly)]
+    [TestCase(0.3, 126, 60, Verdict.DoesNotHold)]
+    public void Figure18_MeasuredValues_DecideTheVerdict(double ratio, double heldMs, double predictedMs, object verdict)
     {
-        Assert.That(Criterion.Judge(Figure18.Criteria(ratio, heldMs, predictedMs)).Words(), Is.EqualTo(verdict));
+        Assert.That(Criterion.Judge(Figure18.Criteria(ratio, heldMs, predictedMs)), Is.EqualTo(verdict));
     }
 
-    [TestCase(0.2, 2, 9, "holds")]
-    [TestCase(0.2, 9, 9, "holds partly")]
-    [TestCase(0.6, 9, 9, "does not hold")]
-    public void Figure16_MeasuredValues_DecideTheVerdict(double ratio, double steady, double curved, string verdict)
+    [TestCase(0.2, 2, 9, Verdict.Holds)]
+    [TestCase(0.2, 9, 9, Verdict.HoldsPartly)]
+    [TestCase(0.6, 9, 9, Verdict.DoesNotHold)]
+    public void Figure16_MeasuredValues_DecideTheVerdict(double ratio, double steady, double curved, object verdict)
     {
-        Assert.That(Criterion.Judge(Figure16.Criteria(ratio, steady, curved)).Words(), Is.EqualTo(verdict));
+        Assert.That(Criterion.Judge(Figure16.Criteria(ratio, steady, curved)), Is.EqualTo(verdict));
     }
 
-    [TestCase(new[] { 0.45, 0.2, 0.3 }, "holds")]
-    [TestCase(new[] { 0.45, 0.55, 0.3 }, "holds partly")]
-    [TestCase(new[] { 0.55, 0.6, 0.7 }, "does not hold")]
-    public void Figure17_GapRatios_DecideTheVerdict(double[] ratios, string verdict)
+    [TestCase(new[] { 0.45, 0.2, 0.3 }, Verdict.Holds)]
+    [TestCase(new[] { 0.45, 0.55, 0.3 }, Verdict.HoldsPartly)]
+    [TestCase(new[] { 0.55, 0.6, 0.7 }, Verdict.DoesNotHold)]
+    public void Figure17_GapRatios_DecideTheVerdict(double[] ratios, object verdict)
     {
         var criteria = ratios.Select((ratio, i) => Figure17.Criterion("ABC"[i].ToString(), ratio)).ToList();
 
-        Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
+        Assert.That(Criterion.Judge(criteria), Is.EqualTo(verdict));
     }
 }
