@@ -1,5 +1,8 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.SessionFiles;
 using Nowpose.Headless.Tests.Cli;
+using Nowpose.Messages;
+using Nowpose.Prediction;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.SessionFiles;
@@ -51,15 +54,20 @@ public class SessionFileReaderTests
         Assert.That(Read(Header + "\n" + Sample + "\n" + Sample[..30]), Has.Count.EqualTo(1));
 
         var torn = Assert.Throws<InputException>(() => Read(Header + "\n" + Sample[..30] + "\n" + Sample + "\n"));
-        Assert.That(torn.Message, Does.Contain(".jsonl:2: is not a JSON object"));
+        Assert.That(torn.Message, Does.Contain(SessionFileMessages.NotJson(".jsonl:2", "")));
     }
 
-    [TestCase("", "is empty")]
-    [TestCase("t,a\n0,1\n", ":1: is not a JSON object")]
-    [TestCase("[]", ":1: is not a JSON object")]
-    [TestCase("{\"kind\":\"session\"}", ":1: field 'format' is not 'nowpose-session'")]
-    [TestCase("{\"kind\":\"session\",\"format\":\"nowpose-session\",\"version\":2}", ":1: field 'version': the file has version 2")]
-    [TestCase("{\"kind\":\"session\",\"format\":\"nowpose-session\",\"version\":1}", ":1: field 'robot' is missing")]
+    static readonly string[][] OtherFiles =
+    [
+        ["", SessionFileMessages.Empty(".jsonl")],
+        ["t,a\n0,1\n", SessionFileMessages.NotJson(".jsonl:1", "")],
+        ["[]", SessionFileMessages.LineNotAnObject(".jsonl:1")],
+        ["""{"kind":"session"}""", SessionFileMessages.OtherFormat(".jsonl:1", "nowpose-session")],
+        ["""{"kind":"session","format":"nowpose-session","version":2}""", SessionFileMessages.NewerVersion(".jsonl:1", 2, 1)],
+        ["""{"kind":"session","format":"nowpose-session","version":1}""", Field(1, "robot", SessionFileMessages.Missing)],
+    ];
+
+    [TestCaseSource(nameof(OtherFiles))]
     public void File_NotASession_ThrowsWithAOneLineMessage(string text, string expected)
     {
         var fault = Assert.Throws<InputException>(() => Read(text));
@@ -67,36 +75,61 @@ public class SessionFileReaderTests
         Assert.That(fault.Message, Does.Contain(expected).And.Not.Contain("\n"));
     }
 
-    [TestCase("\"linear\"", "\"quartic\"", "field 'settings' predictor 'quartic' is unknown")]
-    [TestCase("300", "-1", "field 'settings' horizon cap: -1 ms is out of range")]
-    [TestCase("300", "\"x\"", "field 'horizon_cap_ms'")]
-    [TestCase("\"upper\":2", "\"upper\":2,\"lower\":3", "field 'lower' is 3; it must not exceed the upper limit 2")]
-    [TestCase("\"upper\":2", "\"velocity\":0", "field 'velocity' is 0; a limit must be more than 0")]
-    [TestCase("\"b\"", "\"a\"", "field 'joints' has joint 'a' twice")]
-    public void Header_Invalid_NamesTheField(string right, string wrong, string expected)
+    static readonly string[][] InvalidHeaders =
+    [
+        ["\"linear\"", "\"quartic\"", "settings", PredictionMessages.UnknownPredictor("quartic", string.Join(", ", Predictors.Names))],
+        ["300", "-1", "settings", SettingMessages.OutOfRange("horizon cap", -1, " ms", 0, 5000)],
+        ["300", "\"x\"", "horizon_cap_ms", SessionFileMessages.NotFinite("\"x\"")],
+        ["\"upper\":2", "\"upper\":2,\"lower\":3", "lower", SessionFileMessages.LimitOrder(3, 2)],
+        ["\"upper\":2", "\"velocity\":0", "velocity", SessionFileMessages.Limit(0)],
+        ["\"b\"", "\"a\"", "joints", SessionFileMessages.JointTwice("a")],
+    ];
+
+    [TestCaseSource(nameof(InvalidHeaders))]
+    public void Header_Invalid_NamesTheField(string right, string wrong, string field, string expected)
     {
         var fault = Assert.Throws<InputException>(() => Read(Header.Replace(right, wrong)));
 
-        Assert.That(fault.Message, Does.Contain(".jsonl:1: " + expected));
+        Assert.That(fault.Message, Does.EndWith(Field(1, field, expected)));
     }
 
-    [TestCase("{\"stamp_ns\":1}", "field 'kind' is missing")]
-    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'stamp_ns' is missing")]
-    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1.5,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'arrival_ns' is 1.5; it must be a whole number")]
-    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[null]}", "field 'position' has null as element 1; it must be a finite number")]
-    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1,2]}", "field 'position' has 2 numbers; it must have 1")]
-    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":\"a\",\"position\":[1]}", "field 'names' must be an array")]
-    [TestCase("{\"kind\":\"frame\",\"start_ns\":1,\"joints\":7}", "field 'joints' must be an array")]
-    [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":99999999999999999999,\"t3_ns\":1,\"t4_ns\":1}", "field 't2_ns' is 99999999999999999999; it must be a whole number (64 bits)")]
-    [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":1,\"t3_ns\":1,\"t4_ns\":1,\"server_bound_ns\":-1}", "field 'server_bound_ns' is -1 ns; it must be from 0 to 4294967295000 ns")]
-    [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":1,\"t3_ns\":1,\"t4_ns\":1,\"resolution_ns\":5000000000}", "field 'resolution_ns' is 5000000000 ns; it must be from 0 to 4294967295 ns")]
-    [TestCase("{\"kind\":\"\\ud800\"}", "field 'kind' must be a string of valid Unicode")]
-    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\",\"\\ud800\"],\"position\":[1,2]}", "field 'names' has \"\\ud800\" as element 2")]
-    public void Line_Invalid_NamesTheField(string line, string expected)
+    static readonly string[][] InvalidLines =
+    [
+        ["""{"stamp_ns":1}""", "kind", SessionFileMessages.Missing],
+        ["""{"kind":"sample","arrival_ns":1,"names":["a"],"position":[1]}""", "stamp_ns", SessionFileMessages.Missing],
+        ["""{"kind":"sample","arrival_ns":1.5,"stamp_ns":1,"names":["a"],"position":[1]}""", "arrival_ns", SessionFileMessages.NotWhole("1.5")],
+        [
+            """{"kind":"sample","arrival_ns":1,"stamp_ns":1,"names":["a"],"position":[null]}""", "position",
+            SessionFileMessages.ElementNotFinite(1, "null"),
+        ],
+        ["""{"kind":"sample","arrival_ns":1,"stamp_ns":1,"names":["a"],"position":[1,2]}""", "position", SessionFileMessages.Count(2, 1)],
+        ["""{"kind":"sample","arrival_ns":1,"stamp_ns":1,"names":"a","position":[1]}""", "names", SessionFileMessages.NotAnArray],
+        ["""{"kind":"frame","start_ns":1,"joints":7}""", "joints", SessionFileMessages.NotAnArray],
+        [
+            """{"kind":"sync","t1_ns":1,"t2_ns":99999999999999999999,"t3_ns":1,"t4_ns":1}""", "t2_ns",
+            SessionFileMessages.NotWhole("99999999999999999999"),
+        ],
+        [
+            """{"kind":"sync","t1_ns":1,"t2_ns":1,"t3_ns":1,"t4_ns":1,"server_bound_ns":-1}""", "server_bound_ns",
+            SessionFileMessages.Nanoseconds(-1, 4294967295000),
+        ],
+        [
+            """{"kind":"sync","t1_ns":1,"t2_ns":1,"t3_ns":1,"t4_ns":1,"resolution_ns":5000000000}""", "resolution_ns",
+            SessionFileMessages.Nanoseconds(5_000_000_000, 4294967295),
+        ],
+        ["""{"kind":"\ud800"}""", "kind", SessionFileMessages.NotAString],
+        [
+            """{"kind":"sample","arrival_ns":1,"stamp_ns":1,"names":["a","\ud800"],"position":[1,2]}""", "names",
+            SessionFileMessages.ElementNotAString(2, "\"\\ud800\""),
+        ],
+    ];
+
+    [TestCaseSource(nameof(InvalidLines))]
+    public void Line_Invalid_NamesTheField(string line, string field, string expected)
     {
         var fault = Assert.Throws<InputException>(() => Read(Header + "\n" + Sample + "\n" + line + "\n" + Sample + "\n"));
 
-        Assert.That(fault.Message, Does.Contain(".jsonl:3: " + expected));
+        Assert.That(fault.Message, Does.EndWith(Field(3, field, expected)));
     }
 
     [Test]
@@ -115,15 +148,20 @@ public class SessionFileReaderTests
         Assert.That(line.Dropped, Is.Null);
     }
 
-    [TestCase("500000000", "0", "field 'time_from_start_ns' of point 2 is negative, or not later than that of the previous point")]
-    [TestCase("[0.5,0.75]", "[0.5]", "field 'position' has 1 numbers; it must have 2")]
-    [TestCase("\"points\":[", "\"points\":[7,", "field 'points' is 7; it must be an object")]
-    [TestCase("\"points\"", "\"dots\"", "field 'points' is missing")]
-    public void Plan_Invalid_NamesTheField(string right, string wrong, string expected)
+    static readonly string[][] InvalidPlans =
+    [
+        ["500000000", "0", "time_from_start_ns", SessionFileMessages.PointOrder(2)],
+        ["[0.5,0.75]", "[0.5]", "position", SessionFileMessages.Count(1, 2)],
+        ["\"points\":[", "\"points\":[7,", "points", SessionFileMessages.ValueNotAnObject("7")],
+        ["\"points\"", "\"dots\"", "points", SessionFileMessages.Missing],
+    ];
+
+    [TestCaseSource(nameof(InvalidPlans))]
+    public void Plan_Invalid_NamesTheField(string right, string wrong, string field, string expected)
     {
         var fault = Assert.Throws<InputException>(() => Read(Header + "\n" + Plan.Replace(right, wrong) + "\n" + Sample + "\n"));
 
-        Assert.That(fault.Message, Does.Contain(".jsonl:2: " + expected));
+        Assert.That(fault.Message, Does.EndWith(Field(2, field, expected)));
     }
 
     [TestCase("a.jsonl", true)]
@@ -135,4 +173,6 @@ public class SessionFileReaderTests
     {
         Assert.That(SessionFileReader.IsSession(path), Is.EqualTo(expected));
     }
+
+    static string Field(int line, string field, string message) => $".jsonl:{line}: field '{field}' {message}";
 }
