@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Text.Json;
 using System.Text.RegularExpressions;
+using Nowpose.Cli.Messages;
 using NUnit.Framework;
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Headset;
@@ -172,7 +173,7 @@ public class HeadsetVerbTests
             gateway, status => Regex.IsMatch(status, "clock synchronised, .* [1-9][0-9]* samples"), robot: urdf.Path);
 
         // On a busy machine, the newest samples of the other joints can be old at the end.
-        Assert.That(run.WhyFailed, Does.Contain("the pose was never current; joint").And.Contain("arm_joint_x: no value"));
+        Assert.That(run.WhyFailed, Does.Contain(HeadsetMessages.NeverCurrent("joint")).And.Contain("arm_joint_x: no value"));
         using var document = JsonDocument.Parse(played.Json());
         var result = document.RootElement;
         Assert.That(result.GetProperty("missing_joints").EnumerateArray().Select(joint => joint.GetString()), Does.Contain("arm_joint_x"));
@@ -205,7 +206,7 @@ public class HeadsetVerbTests
         var run = await CliRun.OfAsync(verb, "--profile", profile.Path, option, "10");
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors.TrimEnd(), Is.EqualTo($"nowpose: --profile and {option} both set the display latency; use one of them"));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo(ConsoleMessages.Line(OptionValueMessages.TwoLatencies(option))));
     }
 
     [TestCase("headset")]

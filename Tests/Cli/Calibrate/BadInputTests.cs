@@ -1,5 +1,6 @@
 using System.Text.Json;
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 using Nowpose.Latency.Sweep;
@@ -98,19 +99,21 @@ public sealed class BadInputTests : CalibrationFolder
 
     [Test]
     public async Task Vlc_PictureWithoutCode_ReportsThatNoCodeWasFound() =>
-        await RejectedWith("wall.png: no code found", "vlc", Picture("wall.png", WithoutCodes));
+        await RejectedWith("wall.png: " + PictureFaults.NoCode, "vlc", Picture("wall.png", WithoutCodes));
 
     [Test]
     public async Task Vlc_AllPicturesWithoutCode_ReportsTheirCount() => await RejectedWith(
-        "none of 2 pictures could be read; 2 of them: no code found", "vlc", Picture("a.png", WithoutCodes), Picture("b.png", WithoutCodes));
+        VlcMessages.NothingRead(2, 2, PictureFaults.NoCode), "vlc", Picture("a.png", WithoutCodes), Picture("b.png", WithoutCodes));
 
-    [TestCase(CodeKind.Control, "two.png: two control codes")]
-    [TestCase(CodeKind.Headset, "two.png: two headset codes")]
-    public async Task Vlc_TwoCodesOfTheSameKind_RejectsThePicture(object kind, string message) =>
-        await RejectedWith(message, "vlc", Picture("two.png", shot => Doubled(shot, (CodeKind)kind)));
+    static readonly object[][] TwoCodes =
+        [[CodeKind.Control, PictureFaults.ControlCodes("two")], [CodeKind.Headset, PictureFaults.HeadsetCodes("two")]];
+
+    [TestCaseSource(nameof(TwoCodes))]
+    public async Task Vlc_TwoCodesOfTheSameKind_RejectsThePicture(object kind, string fault) =>
+        await RejectedWith("two.png: " + fault, "vlc", Picture("two.png", shot => Doubled(shot, (CodeKind)kind)));
 
     [Test]
-    public async Task Vlc_MirroredPicture_ReportsMirroring() => await RejectedWith("mirror.png: mirrored", "vlc", Picture("mirror.png", Mirrored));
+    public async Task Vlc_MirroredPicture_ReportsMirroring() => await RejectedWith("mirror.png: " + PictureFaults.Mirrored, "vlc", Picture("mirror.png", Mirrored));
 
     [Test]
     public async Task Vlc_TwoUnusablePictures_ListsBothWithTheirReasons()
@@ -128,7 +131,7 @@ public sealed class BadInputTests : CalibrationFolder
         var rejected = json.RootElement.GetProperty("rejected_pictures").EnumerateArray()
             .ToDictionary(each => Path.GetFileName(each.GetProperty("file").GetString()), each => each.GetProperty("reason").GetString());
         Assert.That(rejected.Keys, Is.EquivalentTo(new[] { "two.png", "z.HEIC" }));
-        Assert.That(rejected["two.png"], Does.StartWith("two control codes"));
+        Assert.That(rejected["two.png"], Is.EqualTo(PictureFaults.ControlCodes("two")));
         Assert.That(rejected["z.HEIC"], Does.Contain("HEIC").And.Contain("set the camera to JPEG"));
         Assert.That(await File.ReadAllTextAsync(Path.Combine(Out, "calibration.html")), Does.Contain("two.png").And.Contain("z.HEIC"));
     }
@@ -176,8 +179,8 @@ public sealed class BadInputTests : CalibrationFolder
     static Shot Mirrored(Shot shot) =>
         shot with { Codes = [.. shot.Codes.Select(code => code with { Corners = [code.Corners[1], code.Corners[0], code.Corners[3], code.Corners[2]] })] };
 
-    [TestCase(CodeKind.Control, "half.png: control code partly outside the picture")]
-    [TestCase(CodeKind.Headset, "half.png: no headset code found")]
+    [TestCase(CodeKind.Control, "half.png: " + PictureFaults.ControlCodeCutOff)]
+    [TestCase(CodeKind.Headset, "half.png: " + PictureFaults.NoHeadsetCode)]
     public async Task Vlc_CodeHalfOutsideThePicture_NamesTheCode(object half, string message) =>
         await RejectedWith(message, "vlc", Picture("half.png", shot => Halved(shot, (CodeKind)half)));
 

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Sweep;
 using Nowpose.Simulation;
@@ -111,7 +112,7 @@ public class FilmedCodesTests : VideoFolder
         UninstallFfmpeg();
 
         Assert.That(await RefusalOf("vlc", _video, "--sweep", _sweep),
-            Is.EqualTo("nowpose: ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or pass pictures instead"));
+            Is.EqualTo(ConsoleMessages.Line(PictureMessages.FfmpegNeeded)));
         Assert.That(await File.ReadAllTextAsync(ProfilePath), Is.EqualTo("good"));
     }
 
@@ -120,7 +121,7 @@ public class FilmedCodesTests : VideoFolder
     {
         Script("ffmpeg", "echo 'moov atom not found' >&2; exit 1");
 
-        Assert.That(await RefusalOf("vlc", _video), Does.Contain(_video).And.Contain("finds no frames in it: moov atom not found; film again"));
+        Assert.That(await RefusalOf("vlc", _video), Is.EqualTo(ConsoleMessages.Line(PictureMessages.NoFramesByFfmpeg(_video, "moov atom not found"))));
     }
 
     [Test]
@@ -133,10 +134,10 @@ public class FilmedCodesTests : VideoFolder
 
         Assert.That(run.ExitStatus, Is.Zero, run.Errors);
         Assert.That(JsonDocument.Parse(run.Output).RootElement.GetProperty("pictures").GetInt32(), Is.EqualTo(Whole));
-        Assert.That(run.Errors, Does.Contain($"nowpose: {_video}: {Whole} pictures were read, but ffmpeg reports: partial file"));
+        Assert.That(run.Errors, Does.Contain(ConsoleMessages.FfmpegReports(_video, Whole, "partial file")));
     }
 
     [Test]
     public async Task Vlc_VideoTogetherWithPictures_Fails() =>
-        Assert.That(await RefusalOf("vlc", _video, Write("a.jpg", [])), Does.Contain("sweep.mp4: a video must be the only file"));
+        Assert.That(await RefusalOf("vlc", _video, Write("a.jpg", [])), Is.EqualTo(ConsoleMessages.Line(PictureMessages.VideoNotAlone(_video))));
 }

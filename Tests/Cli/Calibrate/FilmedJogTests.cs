@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
@@ -82,12 +83,12 @@ public class FilmedJogTests : VideoFolder
     {
         var video = Video();
 
-        Assert.That(await RefusalOf("sine", video), Does.Contain("--robot-box is missing"));
+        Assert.That(await RefusalOf("sine", video), Is.EqualTo(ConsoleMessages.Line(SineMessages.NoBox("--robot-box"))));
         Assert.That(await RefusalOf("sine", video, "--robot-box", "300,20,32,32", "--hologram-box", "10,10,32,32"),
-            Does.Contain("--robot-box: 300,20,32,32 px is not inside the picture of 320x160 px"));
+            Is.EqualTo(ConsoleMessages.Line(SineMessages.BoxOutside("--robot-box", 300, 20, 32, 32, 320, 160))));
         Assert.That(
             await RefusalOf("sine", video, "--robot-box", "1,2,3", "--hologram-box", "10,10,32,32"),
-            Does.Contain("--robot-box: '1,2,3' is not a box"));
+            Does.Contain(OptionValueMessages.NotABox("--robot-box", "1,2,3", 8, 10_000)));
     }
 
     [Test]
@@ -104,8 +105,10 @@ public class FilmedJogTests : VideoFolder
             raw.Write(noise);
         }
 
-        Assert.That(await RefusalOf("sine", video, "--robot-box", Box(RobotAt(0.002)), "--hologram-box", Box(HologramAt(0.002))),
-            Does.Contain("picture 101: the robot's patch is lost"));
+        var refusal = await RefusalOf("sine", video, "--robot-box", Box(RobotAt(0.002)), "--hologram-box", Box(HologramAt(0.002)));
+        var numbers = MessageNumbers.In(refusal, SineMessages.PatchLost("", 0, isRobot: true, 0, 0));
+        Assert.That(numbers[0], Is.EqualTo(101));
+        Assert.That(numbers[1], Is.LessThan(numbers[2]), "the match is below the required one");
     }
 
     [Test]
@@ -114,6 +117,6 @@ public class FilmedJogTests : VideoFolder
         var video = Video();
         UninstallFfmpeg();
 
-        Assert.That(await RefusalOf("sine", video, "--robot-box", "10,10,32,32", "--hologram-box", "50,10,32,32"), Does.Contain("install ffmpeg"));
+        Assert.That(await RefusalOf("sine", video, "--robot-box", "10,10,32,32", "--hologram-box", "50,10,32,32"), Is.EqualTo(ConsoleMessages.Line(PictureMessages.FfmpegNeeded)));
     }
 }

@@ -1,6 +1,9 @@
 using System.Text.Json;
+using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
@@ -22,7 +25,7 @@ public class NudgeVerbTests : CalibrationFolder
         Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(46).Within(1e-3));
         Assert.That(profile.Method, Is.EqualTo(CalibrationMethod.Nudge));
         Assert.That(profile.Measurements, Is.EqualTo(4));
-        Assert.That(await File.ReadAllTextAsync(Path.Combine(Out, "calibration.html")), Does.Contain("Offset as a function of the velocity"));
+        Assert.That(await File.ReadAllTextAsync(Path.Combine(Out, "calibration.html")), Does.Contain(NudgePageTexts.OffsetOverVelocity));
     }
 
     [Test]
@@ -42,7 +45,7 @@ public class NudgeVerbTests : CalibrationFolder
         var run = await CliRun.OfAsync("calibrate", "nudge");
 
         Assert.That(run.ExitStatus, Is.Zero);
-        Assert.That(run.Output, Does.Contain("--forward-mm").And.Contain("half the difference"));
+        Assert.That(run.Output, Is.EqualTo(NudgeGuide.Text));
     }
 
     [Test]
@@ -58,7 +61,7 @@ public class NudgeVerbTests : CalibrationFolder
         var with = await CliRun.OfAsync([.. nudge, "--profile", ProfilePath]);
 
         Assert.That(without.ExitStatus, Is.Zero);
-        Assert.That(without.Errors, Does.Contain("has a render time limit of 15.10 ms and was kept").And.Contain("--profile " + ProfilePath));
+        Assert.That(without.Errors, Does.Contain(ConsoleMessages.ProfileKept(ProfilePath, 15.1)));
         Assert.That(without.Output, Does.Contain(beside));
         Assert.That((stays.Method, stays.Visualisation.Length.TotalMilliseconds), Is.EqualTo((CalibrationMethod.VisibleLight, 40.0)));
         Assert.That(LatencyProfileFile.Load(beside).Range, Is.Null);
@@ -81,15 +84,25 @@ public class NudgeVerbTests : CalibrationFolder
         Assert.That(LatencyProfileFile.Load(ProfilePath).Method, Is.EqualTo(CalibrationMethod.Nudge));
     }
 
-    [TestCase("--speed-mm-s 250 --forward-mm 2", "backward direction has no mark")]
-    [TestCase("--forward-mm 2 --backward-mm -2", "--speed-mm-s is missing")]
-    [TestCase("--json", "--speed-mm-s is missing")]
-    [TestCase("--speed-mm-s 0 --forward-mm 2 --backward-mm -2", "--speed-mm-s: 0 mm/s is out of range")]
-    [TestCase("--speed-mm-s 250 --forward-mm 2000 --backward-mm -2", "--forward-mm: 2000 mm is out of range")]
-    [TestCase("--speed-mm-s 250 --forward-mm 2 --backward-mm two", "--backward-mm: 'two' is not a number; allowed: -1000 to 1000 mm")]
-    [TestCase("--speed-mm-s 250 --forward-mm 1.5 1,5 --backward-mm -2", "--forward-mm: '1,5' is not a number")]
-    [TestCase("--speed-mm-s 250 --visu-ms 40 --told-ms 40 --forward-mm 2 --backward-mm -2", "--told-ms is the former name of --visu-ms")]
-    [TestCase("--speed-mm-s 10 --forward-mm -20 --backward-mm 20", "visualisation latency: -1960 ms is out of range")]
+    static readonly string[][] InvalidMarks =
+    [
+        ["--speed-mm-s 250 --forward-mm 2", NudgeMessages.NoMark(isForward: false)],
+        ["--forward-mm 2 --backward-mm -2", CalibrationMessages.NoSpeed],
+        ["--json", CalibrationMessages.NoSpeed],
+        ["--speed-mm-s 0 --forward-mm 2 --backward-mm -2", OptionMessages.OutOfRange("--speed-mm-s", "0", " mm/s", "allowed: 1 to 10000 mm/s.")],
+        ["--speed-mm-s 250 --forward-mm 2000 --backward-mm -2", OptionMessages.OutOfRange("--forward-mm", "2000", " mm", Shifts)],
+        ["--speed-mm-s 250 --forward-mm 2 --backward-mm two", OptionMessages.NotANumber("--backward-mm", "two", Shifts)],
+        ["--speed-mm-s 250 --forward-mm 1.5 1,5 --backward-mm -2", OptionMessages.NotANumber("--forward-mm", "1,5", Shifts)],
+        [
+            "--speed-mm-s 250 --visu-ms 40 --told-ms 40 --forward-mm 2 --backward-mm -2",
+            CalibrationMessages.BothNames("--told-ms", "--visu-ms"),
+        ],
+        ["--speed-mm-s 10 --forward-mm -20 --backward-mm 20", SettingMessages.OutOfRange("visualisation latency", -1960, " ms", 0, 500)],
+    ];
+
+    const string Shifts = "allowed: -1000 to 1000 mm.";
+
+    [TestCaseSource(nameof(InvalidMarks))]
     public async Task Nudge_InvalidMarks_StatesTheReason(string options, string named) =>
         Assert.That(await RefusalOf(["nudge", .. options.Split(' ')]), Does.Contain(named));
 }

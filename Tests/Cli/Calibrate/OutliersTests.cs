@@ -1,4 +1,5 @@
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
@@ -11,11 +12,11 @@ public sealed class OutliersTests
     [Test]
     public void Rejected_OneOutlier_RejectsItWithTheReason()
     {
-        var checkedOnes = Outliers.Rejected([PictureResult.Not("blurred", "no code found"), .. Series(30, 426)]);
+        var checkedOnes = Outliers.Rejected([PictureResult.Not("blurred", PictureFaults.NoCode), .. Series(30, 426)]);
 
         Assert.That(checkedOnes.Single(picture => picture.File == "outlier").Fault, Is.EqualTo(Outliers.Fault));
         Assert.That(checkedOnes.Count(picture => picture.IsRead), Is.EqualTo(30));
-        Assert.That(checkedOnes[0].Fault, Is.EqualTo("no code found"));
+        Assert.That(checkedOnes[0].Fault, Is.EqualTo(PictureFaults.NoCode));
     }
 
     [Test]

@@ -23,8 +23,9 @@ public sealed class PictureReaderTests
         Assert.That(result.HeadsetMs, Is.EqualTo(headset));
     }
 
-    [TestCase(0, 501, "codes more than 500 ms apart; check that both show the same clock")]
-    [TestCase(1000, 900, "headset code more than 50 ms ahead of the control code: if the control code is displayed late, state the delay with --control-delay-ms")]
+    static readonly object[][] Implausible = [[0, 501, PictureFaults.FarApart(500)], [1000, 900, PictureFaults.HeadsetAhead(50)]];
+
+    [TestCaseSource(nameof(Implausible))]
     public void Read_ImplausibleDifferenceBetweenTheCodes_IsRejected(int headset, int control, string fault)
     {
         var result = Read(new PictureReader(0, 0), CodeLevels.Run(control, 1), CodeLevels.Of(CodeKind.Headset, headset));
@@ -32,13 +33,18 @@ public sealed class PictureReaderTests
         Assert.That(result.Fault, Is.EqualTo(fault));
     }
 
-    [TestCase(2, 1, "two control codes: show only one")]
-    [TestCase(1, 2, "two headset codes: show only one")]
-    [TestCase(3, 1, "3 control codes: show only one")]
-    [TestCase(0, 2, "two headset codes: show only one")]
-    [TestCase(1, 0, PictureFaults.NoHeadsetCode)]
-    [TestCase(0, 1, PictureFaults.NoControlCode)]
-    [TestCase(0, 0, PictureFaults.NoCode)]
+    static readonly object[][] OtherCounts =
+    [
+        [2, 1, PictureFaults.ControlCodes("two")],
+        [1, 2, PictureFaults.HeadsetCodes("two")],
+        [3, 1, PictureFaults.ControlCodes("3")],
+        [0, 2, PictureFaults.HeadsetCodes("two")],
+        [1, 0, PictureFaults.NoHeadsetCode],
+        [0, 1, PictureFaults.NoControlCode],
+        [0, 0, PictureFaults.NoCode],
+    ];
+
+    [TestCaseSource(nameof(OtherCounts))]
     public void Read_NotExactlyOneCodeOfEachKind_IsRejected(int controls, int headsets, string fault)
     {
         var result = Read(

@@ -1,6 +1,8 @@
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Calibrate.Simulate;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
@@ -202,7 +204,10 @@ public class RangeFitTests
         var random = new Random(4);
         var noise = Enumerable.Range(0, 300).Select(i => new LatencyPair(4 + 0.05 * i, 20 + 60 * random.NextDouble())).ToArray();
 
-        Assert.That(() => RangeFit.Fit(noise), Throws.TypeOf<InputException>().With.Message.Contains("scatters by").And.Message.Contains("10 ms"));
+        var fault = Assert.Throws<InputException>(() => RangeFit.Fit(noise));
+        var numbers = MessageNumbers.In(fault.Message, RangeMessages.Scatters(0, 0));
+        Assert.That(numbers[0], Is.GreaterThan(10), "scatter, ms");
+        Assert.That(numbers[1], Is.EqualTo(10), "maximum, ms");
     }
 
     [TestCase(21, false)]
@@ -247,14 +252,14 @@ public class RangeFitTests
         Assert.That(refused, Is.InRange(1, 400));
     }
 
-    [TestCase(0, 40, "render_ms", "0.001 to 1000 ms")]
-    [TestCase(-1, 40, "render_ms", "0.001 to 1000 ms")]
-    [TestCase(double.NaN, 40, "render_ms", "0.001 to 1000 ms")]
-    [TestCase(double.PositiveInfinity, 40, "render_ms", "0.001 to 1000 ms")]
-    [TestCase(5, double.NaN, "visu_ms", "-65536 to 65536 ms")]
-    [TestCase(5, 65_537, "visu_ms", "-65536 to 65536 ms")]
-    public void Pair_InvalidMeasurement_NamesFieldAndRange(double renderMs, double visuMs, string field, string range) =>
+    [TestCase(0, 40, "render_ms", 0, 0.001, 1000)]
+    [TestCase(-1, 40, "render_ms", -1, 0.001, 1000)]
+    [TestCase(double.NaN, 40, "render_ms", double.NaN, 0.001, 1000)]
+    [TestCase(double.PositiveInfinity, 40, "render_ms", double.PositiveInfinity, 0.001, 1000)]
+    [TestCase(5, double.NaN, "visu_ms", double.NaN, -65536, 65536)]
+    [TestCase(5, 65_537, "visu_ms", 65_537, -65536, 65536)]
+    public void Pair_InvalidMeasurement_NamesFieldAndRange(double renderMs, double visuMs, string field, double value, double min, double max) =>
         Assert.That(
             () => new LatencyPair(renderMs, visuMs),
-            Throws.TypeOf<InputException>().With.Message.Contains(field).And.Message.Contains(range));
+            Throws.TypeOf<InputException>().With.Message.EqualTo(SettingMessages.OutOfRange(field, value, " ms", min, max)));
 }

@@ -2,7 +2,10 @@ using System.Globalization;
 using System.Text.Json;
 using System.Text.RegularExpressions;
 using Nowpose.Cli.Calibrate;
+using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Messages;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
@@ -70,7 +73,7 @@ public class RangeVerbTests : CalibrationFolder
 
         Assert.That(JsonDocument.Parse(json.Output).RootElement.GetProperty("limit_render_ms").ValueKind, Is.EqualTo(JsonValueKind.Null));
         Assert.That(table.Output, Does.Contain("limit not reached"));
-        Assert.That(new[] { json.Errors, table.Errors }, Has.All.Contain("extend the sweep to a higher load"));
+        Assert.That(new[] { json.Errors, table.Errors }, Has.All.Contain(RangeMessages.NoLimit));
         Assert.That(LatencyProfileFile.Load(ProfilePath).Range, Is.Null);
     }
 
@@ -79,7 +82,9 @@ public class RangeVerbTests : CalibrationFolder
     {
         var blind = Sweep(7, 2).Select((line, i) => i == 0 ? line : string.Join(',', line.Split(',') is var fields ? [fields[0], fields[1], "3.1", fields[3]] : []));
 
-        Assert.That(await RefusalOf("range", Write("pairs.csv", blind)), Does.Contain("this source does not respond to load").And.Contain("display_gpu_time was 3.10 ms"));
+        var file = Write("pairs.csv", blind);
+        var expected = RangeMessages.SourceDoesNotRespond(file, "display_gpu_time", 3.1, 3.1);
+        Assert.That(await RefusalOf("range", file), Is.EqualTo(ConsoleMessages.Line(expected)));
         Assert.That(File.Exists(ProfilePath), Is.False);
     }
 
@@ -90,25 +95,34 @@ public class RangeVerbTests : CalibrationFolder
 
         var run = await CliRun.OfAsync("calibrate", "range", Write("pairs.csv", coarse), "--out", Out);
 
-        Assert.That(run.Errors, Does.Match(@"the limit is between 1[345]\.\d\d ms, which is used, and 1[567]\.\d\d ms"));
+        var limits = MessageNumbers.In(run.Errors, RangeMessages.LimitBetween(0, 0));
+        Assert.That(limits[0], Is.InRange(13, 16));
+        Assert.That(limits[1], Is.InRange(15, 18));
     }
 
-    [TestCase("render_ms,visu_ms\n5,40\n0,40", ":3: render_ms: 0 ms is out of range; allowed: 0.001 to 1000 ms")]
-    [TestCase("render_ms,visu_ms\nNaN,40", ":2: render_ms: NaN ms is out of range")]
-    [TestCase("render_ms,visu_ms\n5,4o", ":2: visu_ms: '4o' is not a number")]
-    [TestCase("render_ms,visu_ms\n5", ":2: 1 fields; the header has 2")]
-    [TestCase("render_ms,visu_ms\n5,40\n\n\"6,40\n7,40\n8,40", ":4: 1 fields; the header has 2")]
-    [TestCase("render,visu_ms\n5,40", ":1: no column render_ms")]
-    [TestCase("render_ms,visu_ms,render_ms\n5,40,5", ":1: column render_ms occurs twice")]
-    [TestCase("vertices,render_ms,visu_ms\n-5,5,40", ":2: vertices: '-5' is not a whole number")]
-    [TestCase("render_ms,visu_ms", "no rows")]
-    [TestCase("render_ms,visu_ms\n5,40\n6,40", "2 are too few")]
-    [TestCase("", ":1: no column render_ms")]
-    public async Task Range_InvalidTable_NamesFileLineAndField(string text, string named)
+    static readonly string[][] InvalidTables =
+    [
+        ["render_ms,visu_ms\n5,40\n0,40", ":3: " + InvalidRenderTime(0)],
+        ["render_ms,visu_ms\nNaN,40", ":2: " + InvalidRenderTime(double.NaN)],
+        ["render_ms,visu_ms\n5,4o", PairFileMessages.NotMilliseconds("", 2, "visu_ms", "4o")],
+        ["render_ms,visu_ms\n5", PairFileMessages.FieldCount("", 2, 1, 2)],
+        ["render_ms,visu_ms\n5,40\n\n\"6,40\n7,40\n8,40", PairFileMessages.FieldCount("", 4, 1, 2)],
+        ["render,visu_ms\n5,40", PairFileMessages.NoColumn("", "render_ms", "render_ms", "visu_ms")],
+        ["render_ms,visu_ms,render_ms\n5,40,5", PairFileMessages.ColumnTwice("", "render_ms")],
+        ["vertices,render_ms,visu_ms\n-5,5,40", PairFileMessages.NotVertices("", 2, "vertices", "-5", 1_000_000_000)],
+        ["render_ms,visu_ms", PairFileMessages.NoRows("", 20)],
+        ["render_ms,visu_ms\n5,40\n6,40", ": " + RangeMessages.TooFewPairs(2, 20)],
+        ["", PairFileMessages.NoColumn("", "render_ms", "render_ms", "visu_ms")],
+    ];
+
+    static string InvalidRenderTime(double ms) => SettingMessages.OutOfRange("render_ms", ms, " ms", 0.001, 1000);
+
+    [TestCaseSource(nameof(InvalidTables))]
+    public async Task Range_InvalidTable_NamesFileLineAndField(string text, string message)
     {
         var file = Write("pairs.csv", [text]);
 
-        Assert.That(await RefusalOf("range", file), Does.StartWith("nowpose: " + file).And.Contain(named));
+        Assert.That(await RefusalOf("range", file), Is.EqualTo(ConsoleMessages.Line(file + message)));
     }
 
     [Test]
@@ -122,11 +136,11 @@ public class RangeVerbTests : CalibrationFolder
         Assert.That(await File.ReadAllBytesAsync(ProfilePath), Is.EqualTo(before));
     }
 
-    [TestCase("0", "0 ms")]
-    [TestCase("NaN", "NaN ms")]
-    [TestCase("-4.2", "-4.2 ms")]
-    [TestCase("1001", "1001 ms")]
-    public async Task Range_OneInvalidRenderTime_NamesItAndKeepsTheProfile(string renderMs, string named)
+    [TestCase("0", 0)]
+    [TestCase("NaN", double.NaN)]
+    [TestCase("-4.2", -4.2)]
+    [TestCase("1001", 1001)]
+    public async Task Range_OneInvalidRenderTime_NamesItAndKeepsTheProfile(string renderMs, double named)
     {
         var good = Sweep(9, 2).ToArray();
         await CliRun.OfAsync("calibrate", "range", Write("good.csv", good), "--out", Out);
@@ -136,7 +150,7 @@ public class RangeVerbTests : CalibrationFolder
 
         var refusal = await RefusalOf("range", bad);
 
-        Assert.That(refusal, Is.EqualTo($"nowpose: {bad}:301: render_ms: {named} is out of range; allowed: 0.001 to 1000 ms"));
+        Assert.That(refusal, Is.EqualTo(ConsoleMessages.Line($"{bad}:301: {InvalidRenderTime(named)}")));
         Assert.That(await File.ReadAllBytesAsync(ProfilePath), Is.EqualTo(before));
     }
 

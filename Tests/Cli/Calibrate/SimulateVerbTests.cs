@@ -1,4 +1,5 @@
 using Nowpose.Cli.Calibrate.Simulate;
+using Nowpose.Cli.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
@@ -69,7 +70,7 @@ public sealed class SimulateVerbTests
             var run = await CliRun.OfAsync("calibrate", "simulate", "--pictures", "1", "--out", folder);
 
             Assert.That(run.ExitStatus, Is.EqualTo(2));
-            Assert.That(run.Errors, Does.Contain("1 pictures that were not simulated"));
+            Assert.That(run.Errors, Does.Contain(SimulationMessages.OtherPictures(folder, 1, "truth.csv")));
             Assert.That(File.ReadAllText(taken), Is.EqualTo("by a camera"));
             Assert.That(File.Exists(Path.Combine(folder, "sweep.csv")), Is.False);
         }

@@ -1,4 +1,5 @@
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Sweep;
@@ -67,12 +68,15 @@ public sealed class SweepLogReaderTests
         Assert.That(read, Has.Length.EqualTo(1));
     }
 
-    [TestCase("# graphics_api: Vulkan\n# reprojection: sideways\n", "sweep.csv:2: reprojection: 'sideways'")]
-    [TestCase("# graphics_api: Vulkan\nother\n", "sweep.csv:2: the header is 'other'")]
-    public void Read_InvalidConditions_Throws(string text, string message)
-    {
-        Assert.That(() => Read(text + Header), Throws.TypeOf<InputException>().With.Message.StartsWith(message));
-    }
+    [Test]
+    public void Read_UnknownReprojection_Throws() => Assert.That(
+        () => Read("# graphics_api: Vulkan\n# reprojection: sideways\n" + Header),
+        Throws.TypeOf<InputException>().With.Message.StartsWith("sweep.csv:2: reprojection: 'sideways'"));
+
+    [Test]
+    public void Read_OtherLineBeforeTheHeader_Throws() => Assert.That(
+        () => Read("# graphics_api: Vulkan\nother\n" + Header),
+        Throws.TypeOf<InputException>().With.Message.EqualTo(SweepFileMessages.Header("sweep.csv", 2, "other", SweepLog.Header)));
 
     [Test]
     public void Read_OtherLineEndsAndUnknownDisplayRate_Succeeds()
@@ -82,11 +86,16 @@ public sealed class SweepLogReaderTests
         Assert.That(read.Single().DisplayHz, Is.NaN);
     }
 
-    [TestCase("", "sweep.csv:1: the header is ''")]
-    [TestCase("time,load\n1,2\n", "sweep.csv:1: the header is 'time,load'")]
-    [TestCase(Header, "sweep.csv: ")]
-    [TestCase(Header + "5,0,4,display_gpu_time,x\n", "sweep.csv:2: the row has 5 fields")]
-    [TestCase(Header + "5,0,,,x,60\n\n\"6,0,,,x,60\n7,0,,,x,60\n8,0,,,x,60\n", "sweep.csv:4: the row has 1 fields")]
+    static readonly string[][] OtherTables =
+    [
+        ["", SweepFileMessages.Header("sweep.csv", 1, "", SweepLog.Header)],
+        ["time,load\n1,2\n", SweepFileMessages.Header("sweep.csv", 1, "time,load", SweepLog.Header)],
+        [Header, SweepFileMessages.NoRows("sweep.csv")],
+        [Header + "5,0,4,display_gpu_time,x\n", SweepFileMessages.FieldCount("sweep.csv:2", 5, 6)],
+        [Header + "5,0,,,x,60\n\n\"6,0,,,x,60\n7,0,,,x,60\n8,0,,,x,60\n", SweepFileMessages.FieldCount("sweep.csv:4", 1, 6)],
+    ];
+
+    [TestCaseSource(nameof(OtherTables))]
     [TestCase(Header + "5.5,0,4,display_gpu_time,x,60\n", "sweep.csv:2: control_ns: '5.5'")]
     [TestCase(Header + "5,0,,,x,60\n5,2000001,4,display_gpu_time,x,60\n", "sweep.csv:3: vertices: 2000001")]
     [TestCase("# future: 5\n" + Header + "5,0,,,x,60\n5,0,0,display_gpu_time,x,60\n", "sweep.csv:4: render_ms: 0 ms")]

@@ -1,5 +1,7 @@
 using System.IO.Compression;
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Sweep;
 using NUnit.Framework;
@@ -27,7 +29,7 @@ public sealed class SweepTableTests : CalibrationFolder
         var path = Path.Combine(Folder, "sweep.csv.gz");
         File.WriteAllText(path, Log("HoloLens 2,60"));
 
-        Assert.That(() => SweepTable.Read(path, out _), Throws.TypeOf<InputException>().With.Message.EndsWith("although its name ends in .gz; compress or copy it again"));
+        Assert.That(() => SweepTable.Read(path, out _), Throws.TypeOf<InputException>().With.Message.EqualTo(MotionFileMessages.NotGzip(path)));
     }
 
     [Test]
@@ -39,12 +41,17 @@ public sealed class SweepTableTests : CalibrationFolder
         Assert.That(SweepTable.DisplayHz([rows[0]]), Is.Zero, "no row gives the rate");
     }
 
-    [TestCase("HoloLens 2,60", "Quest 3,60", "frames of 'HoloLens 2' and of 'Quest 3'; a sweep must be from one headset")]
-    [TestCase("HoloLens 2,60", "HoloLens 2,72", "frames at 60 Hz and at 72 Hz")]
+    static readonly string[][] Mixed =
+    [
+        ["HoloLens 2,60", "Quest 3,60", SweepFileMessages.TwoHeadsets(":3", "HoloLens 2", "Quest 3")],
+        ["HoloLens 2,60", "HoloLens 2,72", SweepFileMessages.TwoRates(":3", 60, 72)],
+    ];
+
+    [TestCaseSource(nameof(Mixed))]
     public void Read_LogFromTwoHeadsetsOrDisplayRates_Throws(string first, string second, string named)
     {
         var path = Write("sweep.csv", [Log(first, second)]);
 
-        Assert.That(() => SweepTable.Read(path, out _), Throws.TypeOf<InputException>().With.Message.Contains($"{path}:3: {named}"));
+        Assert.That(() => SweepTable.Read(path, out _), Throws.TypeOf<InputException>().With.Message.EqualTo(path + named));
     }
 }

@@ -47,7 +47,7 @@ public sealed class VisionPoolTests
         var seen = Look(Files("a.png", "deadly.png", "b.png", "deadly.png", "deadly.png", "c.png"));
 
         Assert.That(seen.Values.Select(picture => picture.Fault == null), Is.EqualTo(new[] { true, false, true, false, false, true }));
-        Assert.That(seen[1].Fault, Does.Contain("stopped at this picture"));
+        Assert.That(seen[1].Fault, Is.EqualTo(PictureReaderMessages.Stopped));
     }
 
     [Test]

@@ -122,7 +122,7 @@ public sealed class VlcEvaluationTests
             row.FrameStart + TimeSpan.FromMilliseconds(5), row.Vertices, row.RenderMs, row.Source, row.Device, row.DisplayHz)).ToList();
 
         Assert.That(() => Evaluate(result, other),
-            Throws.TypeOf<InputException>().With.Message.Contains("--sweep: the log has the frames of only").And.Message.Contains("the log of the sweep that the pictures show"));
+            Throws.TypeOf<InputException>().With.Message.EqualTo(VlcMessages.OtherSweep(0, result.Read.Count)));
     }
 
     /// <summary>The simulated sweep lasts 126 s, which is the default duration.</summary>
@@ -198,6 +198,6 @@ public sealed class VlcEvaluationTests
         var evaluation = Evaluate(new VlcResult([new PictureResult("p", 0, 0, 40, null)]), null);
 
         Assert.That(evaluation.Profile, Is.Null);
-        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("one picture is not enough"));
+        Assert.That(evaluation.Page.Warnings, Has.Some.EqualTo(VlcMessages.OnePicture));
     }
 }

@@ -1,7 +1,9 @@
 using System.Globalization;
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
@@ -58,7 +60,7 @@ public sealed class VlcVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         Assert.That(run.Output, Does.Contain("L_visu is "));
-        Assert.That(run.Errors, Does.Match("L_visu was computed from only [2-4] pictures"));
+        Assert.That(MessageNumbers.In(run.Errors, VlcMessages.FewPictures(0))[0], Is.InRange(2, 4));
         Assert.That(LatencyProfileFile.Load(In("out/profile.json")).Range, Is.Null);
     }
 
@@ -77,10 +79,10 @@ public sealed class VlcVerbTests
         Assert.That(File.ReadAllText(In("out/profile.json")), Is.EqualTo("good"));
     }
 
-    [TestCase("0", "0 ms")]
-    [TestCase("NaN", "NaN ms")]
-    [TestCase("1001", "1001 ms")]
-    public async Task Vlc_OneInvalidRenderTime_NamesItAndKeepsTheProfile(string renderMs, string named)
+    [TestCase("0", 0)]
+    [TestCase("NaN", double.NaN)]
+    [TestCase("1001", 1001)]
+    public async Task Vlc_OneInvalidRenderTime_NamesItAndKeepsTheProfile(string renderMs, double named)
     {
         Directory.CreateDirectory(In("out"));
         File.WriteAllText(In("out/profile.json"), "good");
@@ -91,7 +93,7 @@ public sealed class VlcVerbTests
         var run = await Run(In("pictures"), "--sweep", In("bad.csv"));
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors.Trim(), Is.EqualTo($"nowpose: {In("bad.csv")}:201: render_ms: {named} is out of range; allowed: 0.001 to 1000 ms"));
+        Assert.That(run.Errors.Trim(), Is.EqualTo(ConsoleMessages.Line(SettingMessages.OutOfRange($"{In("bad.csv")}:201: render_ms", named, " ms", 0.001, 1000))));
         Assert.That(File.ReadAllText(In("out/profile.json")), Is.EqualTo("good"));
     }
 
@@ -149,7 +151,7 @@ public sealed class VlcVerbTests
         var run = await Run([In("a.png"), .. good]);
 
         Assert.That(run.ExitStatus, Is.Zero, run.Errors);
-        Assert.That(run.Errors, Does.Contain("a.png: 1x1 px, but most pictures have 1280x720 px"));
+        Assert.That(run.Errors, Does.Contain("a.png: " + PictureFaults.OtherSize(1, 1, 1280, 720)));
     }
 
     // Compares the complete result, including pictures that are rejected because of their neighbours or their size.
@@ -187,7 +189,7 @@ public sealed class VlcVerbTests
 
         Assert.That((run.ExitStatus, table.ExitStatus), Is.EqualTo((2, 2)), run.Errors);
         Assert.That(run.Complaints, Has.Length.EqualTo(1), run.Errors);
-        Assert.That(run.Errors, Does.Contain("none of 30 pictures could be read").And.Contain("HEIC").And.Contain("convert it"));
+        Assert.That(run.Errors, Does.Contain(VlcMessages.NothingRead(30, 30, "")).And.Contain("HEIC"));
         using var json = JsonDocument.Parse(run.Output);
         Assert.That(json.RootElement.GetProperty("rejected_pictures").GetArrayLength(), Is.EqualTo(30));
         Assert.That(json.RootElement.GetProperty("visu_ms_mean").ValueKind, Is.EqualTo(JsonValueKind.Null));
@@ -204,7 +206,7 @@ public sealed class VlcVerbTests
         var run = await Run(one, "--json");
 
         Assert.That(run.ExitStatus, Is.EqualTo(1), run.Errors);
-        Assert.That(run.Errors, Does.Contain("one picture is not enough"));
+        Assert.That(run.Errors, Does.Contain(VlcMessages.OnePicture));
         using var json = JsonDocument.Parse(run.Output);
         Assert.That(json.RootElement.GetProperty("decoded").GetInt32(), Is.EqualTo(1));
     }
