@@ -1,5 +1,6 @@
 using System.Text.Json;
 using Nowpose.Cli.Messages;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli;
@@ -118,7 +119,7 @@ public class KinematicsVerbTests
         var run = await CliRun.OfAsync("kinematics", file.Path);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.StartWith($"nowpose: {file.Path}:3: link 'b': there are two root links"));
+        Assert.That(run.Errors, Is.EqualTo(ConsoleMessages.Line($"{file.Path}:3: link 'b': {UrdfMessages.TwoRoots("'a'")}\n")));
         Assert.That(run.Complaints, Has.Length.EqualTo(1));
     }
 

@@ -1,6 +1,8 @@
 using System.Globalization;
 using System.Text;
 using System.Text.Json;
+using Nowpose.Cli.Messages;
+using Nowpose.Sync;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli;
@@ -125,19 +127,24 @@ public class SyncVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0));
         Assert.That(run.Lines, Has.Length.EqualTo(33), "one line per exchange, dropped ones too");
-        Assert.That(run.Errors, Does.Contain("dropped 1 of 32 exchanges: ControlTimeReversed"));
-        Assert.That(run.Errors, Does.Contain("dropped 1 of 32 exchanges: HeadsetTimeReversed"));
+        Assert.That(run.Errors, Does.Contain(ConsoleMessages.DroppedExchanges(file.Path, 1, 32, SyncExchangeFault.ControlTimeReversed)));
+        Assert.That(run.Errors, Does.Contain(ConsoleMessages.DroppedExchanges(file.Path, 1, 32, SyncExchangeFault.HeadsetTimeReversed)));
     }
 
-    [TestCase("", ":1: the header is ''")]
-    [TestCase("a,b\n1,2\n", ":1: the header is 'a,b'; it must be t1_ns,t2_ns,t3_ns,t4_ns")]
-    [TestCase(Header, "no rows below the header")]
-    [TestCase(Header + "1,2,3\n", ":2: the row has 3 fields; it must have 4")]
-    [TestCase(Header + "1,2,,4\n", ":2: t3_ns: '' is not a whole number")]
-    [TestCase(Header + "1,2,3,4\n1,2.5,3,4\n", ":3: t2_ns: '2.5' is not a whole number")]
-    [TestCase(Header + "1,2,3,4\n\n\"5,6,7,8\n9,10,11,12\n13,14,15,16\n", ":4: the row has 1 fields")]
-    [TestCase(Header + "1,2,3,99999999999999999999\n", ":2: t4_ns: '99999999999999999999' is not a whole number")]
-    public async Task Sync_InvalidFile_PrintsOneLineAndExitsWith2(string content, string named)
+    static readonly string[][] InvalidFiles =
+    [
+        ["", ExchangeFileMessages.Header("", 1, "", Header.TrimEnd())],
+        ["a,b\n1,2\n", ExchangeFileMessages.Header("", 1, "a,b", Header.TrimEnd())],
+        [Header, ExchangeFileMessages.NoRows("")],
+        [Header + "1,2,3\n", ExchangeFileMessages.FieldCount("", 2, 3, 4)],
+        [Header + "1,2,,4\n", ExchangeFileMessages.NotNanoseconds("", 2, "t3_ns", "")],
+        [Header + "1,2,3,4\n1,2.5,3,4\n", ExchangeFileMessages.NotNanoseconds("", 3, "t2_ns", "2.5")],
+        [Header + "1,2,3,4\n\n\"5,6,7,8\n9,10,11,12\n13,14,15,16\n", ExchangeFileMessages.FieldCount("", 4, 1, 4)],
+        [Header + "1,2,3,99999999999999999999\n", ExchangeFileMessages.NotNanoseconds("", 2, "t4_ns", "99999999999999999999")],
+    ];
+
+    [TestCaseSource(nameof(InvalidFiles))]
+    public async Task Sync_InvalidFile_PrintsOneLineAndExitsWith2(string content, string message)
     {
         using var file = new TemporaryFile(content);
 
@@ -145,7 +152,7 @@ public class SyncVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
         Assert.That(run.Complaints, Has.Length.EqualTo(1));
-        Assert.That(run.Errors, Does.Contain(file.Path).And.Contain(named));
+        Assert.That(run.Errors, Does.StartWith(ConsoleMessages.Line(file.Path + message)));
     }
 
     [Test]
@@ -163,9 +170,9 @@ public class SyncVerbTests
         Assert.That(run.Output, Is.EqualTo(expected.Output));
     }
 
-    [TestCase("t_ns\n5\n5\n", ":3:")]
-    [TestCase("t_ns\n\n5\n\n5\n", ":5:")]
-    public async Task Sync_InstantsNotIncreasing_NamesTheLine(string content, string line)
+    [TestCase("t_ns\n5\n5\n", 3)]
+    [TestCase("t_ns\n\n5\n\n5\n", 5)]
+    public async Task Sync_InstantsNotIncreasing_NamesTheLine(string content, int line)
     {
         using var file = new TemporaryFile(Log(5));
         using var instants = new TemporaryFile(content);
@@ -173,7 +180,7 @@ public class SyncVerbTests
         var run = await CliRun.OfAsync("sync", file.Path, "--at", instants.Path);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.Contain(line + " t_ns: 5 ns is not after 5 ns"));
+        Assert.That(run.Errors, Does.Contain(ExchangeFileMessages.TimeOrder(instants.Path, line, 5, 5)));
     }
 
     [TestCase("ransac", "RANSAC, as in the paper")]
@@ -207,7 +214,7 @@ public class SyncVerbTests
         var run = await CliRun.OfAsync("sync", file.Path, "--estimator", "ransac", "--page", page);
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
-        Assert.That(run.Errors.Split('\n').Count(line => line.Contains("dropped 4 of 208 exchanges", StringComparison.Ordinal)), Is.EqualTo(2), run.Errors);
+        Assert.That(run.Errors.Split('\n').Count(line => line.Contains(": dropped 4 of 208 ", StringComparison.Ordinal)), Is.EqualTo(2), run.Errors);
         Assert.That(File.ReadAllText(page), Does.Contain("8 of 208 exchanges are invalid"));
         Assert.That(File.ReadAllLines(Path.Combine(folder.Path, "clock.csv")), Has.Length.EqualTo(201));
     }
@@ -219,11 +226,11 @@ public class SyncVerbTests
         return FormattableString.Invariant($"{t4 + 20_000_000},{ControlEpoch},{ControlEpoch},{t4 + 10_000_000}");
     }
 
-    [TestCase("log.html", "log.csv is an input")]
-    [TestCase("log.csv", "log.csv is an input")]
-    [TestCase("instants.html", "instants.csv is an input")]
-    [TestCase("other.csv", "use a name that ends in .html")]
-    public async Task Sync_PageOverwritesAnInputFile_Fails(string page, string reason)
+    [TestCase("log.html", "log.csv")]
+    [TestCase("log.csv", "log.csv")]
+    [TestCase("instants.html", "instants.csv")]
+    [TestCase("other.csv", null)]
+    public async Task Sync_PageOverwritesAnInputFile_Fails(string page, string input)
     {
         using var folder = new TemporaryFolder();
         var (log, instants) = (Path.Combine(folder.Path, "log.csv"), Path.Combine(folder.Path, "instants.csv"));
@@ -233,7 +240,8 @@ public class SyncVerbTests
         var run = await CliRun.OfAsync("sync", log, "--at", instants, "--page", Path.Combine(folder.Path, page));
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.Contain(reason));
+        Assert.That(run.Errors, Does.Contain(
+            input == null ? ".html" : OptionValueMessages.WouldOverwriteInput("--page", Path.Combine(folder.Path, input))));
         Assert.That(File.ReadAllText(log), Is.EqualTo(Log(200)), "the log is unchanged");
         Assert.That(File.ReadAllText(instants), Does.StartWith("t_ns"), "the instants are unchanged");
         Assert.That(Directory.GetFiles(folder.Path), Has.Length.EqualTo(2));

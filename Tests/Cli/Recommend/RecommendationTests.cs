@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Recommend;
 using Nowpose.Cli.Replay;
 using Nowpose.Prediction;
@@ -21,7 +22,7 @@ public class RecommendationTests
         var recommendation = Of(Trial("cubic", 0.6, 0.41));
 
         Assert.That(recommendation.Recommended.Predictor, Is.EqualTo(Predictors.Default));
-        Assert.That(recommendation.Reason, Is.EqualTo("no other predictor has a smaller error"));
+        Assert.That(recommendation.Reason, Is.EqualTo(RecommendTexts.NoneBetter));
         Assert.That(recommendation.Trials.Select(t => t.Predictor), Is.EqualTo(new[] { Predictors.Default, "cubic", "hold" }));
     }
 
@@ -31,7 +32,7 @@ public class RecommendationTests
         var recommendation = Of(Trial("linear", 0.4, 0.3), Trial("cubic", 0.45, 0.35));
 
         Assert.That(recommendation.Recommended.Predictor, Is.EqualTo("linear"));
-        Assert.That(recommendation.Reason, Does.Contain("20 % and 25 % in the two halves"));
+        Assert.That(recommendation.Reason, Is.EqualTo(RecommendTexts.SmallerError(22, Predictors.Default, "20 %", "25 %")));
     }
 
     [Test]
@@ -44,7 +45,7 @@ public class RecommendationTests
         Assert.That(recommendation.Trials[0], Is.EqualTo(lucky));
         Assert.That(recommendation.Recommended.Predictor, Is.EqualTo(Predictors.Default));
         Assert.That(recommendation.IsTie(lucky));
-        Assert.That(recommendation.Reason, Does.StartWith("linear is equally good"));
+        Assert.That(recommendation.Reason, Is.EqualTo(RecommendTexts.EquallyGood("linear")));
     }
 
     [Test]
@@ -53,7 +54,7 @@ public class RecommendationTests
         var recommendation = Of(Trial("linear", 0.495, 0.396));
 
         Assert.That(recommendation.Recommended.Predictor, Is.EqualTo(Predictors.Default));
-        Assert.That(recommendation.Reason, Does.Contain("by at most 2 %"));
+        Assert.That(recommendation.Reason, Is.EqualTo(RecommendTexts.LittleBetter("linear", 2)));
     }
 
     [Test]

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Recommend;
 using NUnit.Framework;
 
@@ -29,13 +30,16 @@ public class RecordingTraitsTests
     [Test]
     public void Warnings_ShortRecording_StateTheDuration()
     {
-        Assert.That(Traits(Math.Sin, count: 501).Warnings().Single(), Does.StartWith("the recording is only 5.0 s long"));
+        Assert.That(Traits(Math.Sin, count: 501).Warnings().Single(), Is.EqualTo(RecommendMessages.Short(5, 10)));
     }
 
     [Test]
     public void Warnings_NoMotion_ReportThatNoJointMoves()
     {
-        Assert.That(Traits(t => 1 + 1e-6 * Math.Sin(t)).Warnings().Single(), Does.StartWith("no joint moves"));
+        var traits = Traits(t => 1 + 1e-6 * Math.Sin(t));
+
+        Assert.That(traits.MaxRange, Is.EqualTo(2e-6).Within(1e-7));
+        Assert.That(traits.Warnings().Single(), Is.EqualTo(RecommendMessages.NoMotion(traits.MaxRange)));
     }
 
     [Test]
@@ -45,7 +49,9 @@ public class RecordingTraitsTests
 
         var traits = Traits(Math.Sin, i => i * 0.01 + 0.004 * random.NextDouble());
 
-        Assert.That(traits.Warnings().Single(), Does.Match(@"time stamps are (6|7)\.\d to 1(2|3)\.\d ms long"), $"seed {Seed}");
+        var spread = MessageNumbers.In(traits.Warnings().Single(), RecommendMessages.LateStamps(0, 0));
+        Assert.That(spread[0], Is.InRange(6, 8), $"P5, ms; seed {Seed}");
+        Assert.That(spread[1], Is.InRange(12, 14), $"P95, ms; seed {Seed}");
     }
 
     [Test]
@@ -55,7 +61,7 @@ public class RecordingTraitsTests
         var traits = Traits(t => Math.Sin(Math.Round(t * 100) % 5 == 4 ? Math.Round(t * 100 - 1) / 100 : Math.Round(t * 100) / 100));
 
         Assert.That(traits.Repeats, Is.EqualTo(0.2).Within(0.01));
-        Assert.That(traits.Warnings().Single(), Does.Contain("% of a moving joint's samples repeat"));
+        Assert.That(MessageNumbers.In(traits.Warnings().Single(), RecommendMessages.Repeats(0)), Is.EqualTo(new[] { 20 }).Within(1));
     }
 
     [TestCase(1e-4)]

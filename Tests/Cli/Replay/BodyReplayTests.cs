@@ -1,6 +1,8 @@
 using System.Globalization;
 using System.Text;
 using System.Text.Json;
+using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Messages;
 using Nowpose.Headless.Tests.Cli;
 using NUnit.Framework;
 
@@ -129,20 +131,25 @@ public class BodyReplayTests
         Assert.That(Number(result, "error_deg", "rms"), Is.LessThan(1e-6));
     }
 
-    [TestCase("0,0,0,1,0,0,0,1.01", ":3: fields qx,qy,qz,qw", "1.01; allowed: 0.999 to 1.001")]
-    [TestCase("0.2,0,0,1,0,0,0,0", ":3: fields qx,qy,qz,qw", "length 0;")]
-    [TestCase("0.2,0,0,1,NaN,0,0,1", ":3: field 'qx'", "'NaN'")]
-    [TestCase("0.2,0,0,one,0,0,0,1", ":3: field 'z'", "'one'")]
-    [TestCase("0.2,0,0,1,0,0,0", ":3: 7 fields", "header has 8")]
-    [TestCase("0.2,0,0,1,0,0,0,1,5", ":3: 9 fields", "header has 8")]
-    [TestCase("0.1,0,0,1,0,0,0,1", ":3: field t_s", "'0.1' s")]
-    public async Task Replay_InvalidRowInABodyFile_PrintsOneLineWithPlaceAndValue(string row, string place, string value)
+    static readonly string[][] InvalidRows =
+    [
+        ["0,0,0,1,0,0,0,1.01", MotionFileMessages.NormRange("qx,qy,qz,qw", 1.01, 0.999, 1.001)],
+        ["0.2,0,0,1,0,0,0,0", MotionFileMessages.NormRange("qx,qy,qz,qw", 0, 0.999, 1.001)],
+        ["0.2,0,0,1,NaN,0,0,1", MotionFileMessages.NotFinite("'qx'", "'NaN'")],
+        ["0.2,0,0,one,0,0,0,1", MotionFileMessages.NotANumber("'z'", "'one'")],
+        ["0.2,0,0,1,0,0,0", MotionFileMessages.FieldCount(7, 8)],
+        ["0.2,0,0,1,0,0,0,1,5", MotionFileMessages.FieldCount(9, 8)],
+        ["0.1,0,0,1,0,0,0,1", MotionFileMessages.TimeOrder("t_s", "'0.1'")],
+    ];
+
+    [TestCaseSource(nameof(InvalidRows))]
+    public async Task Replay_InvalidRowInABodyFile_PrintsOneLineWithPlaceAndValue(string row, string message)
     {
         // A row with the invalid length 1.01 follows a valid row.
         var first = row.StartsWith("0,", StringComparison.Ordinal) ? Row.Replace("0.1,", "-0.1,", StringComparison.Ordinal) : Row;
         File.WriteAllText(_file, $"{Header}\n{first}\n{row}\n");
 
-        AssertRefused(await Run(_file), place, value);
+        AssertRefused(await Run(_file), $"{_file}:3: {message}");
     }
 
     [TestCase("t,x,y,z,qx,qy,qz,qw")]
@@ -156,16 +163,15 @@ public class BodyReplayTests
     {
         File.WriteAllText(_file, $"{header}\n{Row}\n0.2,0,0,1,0,0,0,1\n");
 
-        AssertRefused(await Run(_file), ":1: the header is", Header);
+        AssertRefused(await Run(_file), $"{_file}:1: {MotionFileMessages.BodyHeader($"'{header}'", Header)}");
     }
 
     [Test]
-    public async Task Recommend_Body_PrintsOneLineAndFails() => AssertRefused(await CliRun.OfAsync(["recommend", _file]), _file, "joints only");
+    public async Task Recommend_Body_PrintsOneLineAndFails() => AssertRefused(await CliRun.OfAsync(["recommend", _file]), RecommendMessages.RigidBody(_file));
 
-    static void AssertRefused(CliRun run, string place, string value)
+    static void AssertRefused(CliRun run, string message)
     {
         Assert.That(run.ExitStatus, Is.EqualTo(2), run.Output);
-        Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1), run.Errors);
-        Assert.That(run.Errors, Does.Contain(place).And.Contain(value));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo(ConsoleMessages.Line(message)));
     }
 }

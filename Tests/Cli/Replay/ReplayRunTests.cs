@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 using Nowpose.Gateway.MotionRecordings;
 using NUnit.Framework;
@@ -210,7 +211,7 @@ public class ReplayRunTests
         var motion = Ramp(decimal.Parse(duration, System.Globalization.CultureInfo.InvariantCulture));
 
         if (frames > 0) Assert.That(Replay(motion, new ReplaySettings()).Frames, Is.EqualTo(frames));
-        else Assert.That(() => Replay(motion, new ReplaySettings()), Throws.InstanceOf<InputException>().With.Message.Contains("too short"));
+        else Assert.That(() => Replay(motion, new ReplaySettings()), Throws.InstanceOf<InputException>().With.Message.EndsWith(": " + ReplayMessages.TooShort(0.29, 4 * 0.05 + 0.1 + 1 / 60.0)));
     }
 
     [Test]
@@ -219,7 +220,7 @@ public class ReplayRunTests
         var motion = new MotionFile(0, [0m, 4_000_000m, 20_000_000m], t => t);
 
         Assert.That(() => Replay(motion, new ReplaySettings()),
-            Throws.InstanceOf<InputException>().With.Message.Contains("check that the time column is in seconds"));
+            Throws.InstanceOf<InputException>().With.Message.EndsWith(ReplayMessages.TooManyFrames("", 20_000_000, 60, 50)));
     }
 
     [Test]
@@ -227,7 +228,7 @@ public class ReplayRunTests
     {
         var motion = new MotionFile(0, MotionFile.EvenTimes(2, 0.1m), t => 1e200 * t);
 
-        Assert.That(() => Replay(motion, new ReplaySettings()), Throws.InstanceOf<InputException>().With.Message.Contains("too large"));
+        Assert.That(() => Replay(motion, new ReplaySettings()), Throws.InstanceOf<InputException>().With.Message.EndsWith(ReplayMessages.TooLarge("")));
     }
 
     [Test]

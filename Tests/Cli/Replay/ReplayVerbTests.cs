@@ -1,4 +1,6 @@
 using System.Text.Json;
+using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Messages;
 using Nowpose.Headless.Tests.Cli;
 using NUnit.Framework;
 
@@ -144,14 +146,19 @@ public class ReplayVerbTests
     {
         var run = await Run(Path.Combine(_folder, "none.csv"));
 
-        AssertRefused(run, "none.csv", "file not found");
+        AssertRefused(run, PathMessages.NotFound(Path.Combine(_folder, "none.csv")));
     }
 
-    [TestCase("t,a\n0,1\n1,\n", "motion.csv:3: field 'a' is empty")]
-    [TestCase("t,a\n0,1\n1,x\n", "motion.csv:3: field 'a': 'x' is not a number")]
-    [TestCase("t,a\n1,1\n0,1\n", "motion.csv:3: field t: '0' s is not later than")]
-    [TestCase("t,a\n1,1\n", "motion.csv: 1 rows of data")]
-    [TestCase("t,a\n0,1\n0.2,2\n", "is too short")]
+    static readonly string[][] InvalidFiles =
+    [
+        ["t,a\n0,1\n1,\n", "motion.csv:3: " + MotionFileMessages.EmptyField("'a'")],
+        ["t,a\n0,1\n1,x\n", "motion.csv:3: " + MotionFileMessages.NotANumber("'a'", "'x'")],
+        ["t,a\n1,1\n0,1\n", "motion.csv:3: " + MotionFileMessages.TimeOrder("t", "'0'")],
+        ["t,a\n1,1\n", MotionFileMessages.TooFewRows("motion.csv", 1)],
+        ["t,a\n0,1\n0.2,2\n", ReplayMessages.TooShort(0.2, 4 * 0.05 + 0.1 + 1 / 60.0)],
+    ];
+
+    [TestCaseSource(nameof(InvalidFiles))]
     public async Task Replay_InvalidFile_PrintsOneLineAndExitsWith2(string content, string expected)
     {
         File.WriteAllText(_file, content);
@@ -166,7 +173,7 @@ public class ReplayVerbTests
     {
         var run = await Run(_file, "--loss", "1");
 
-        AssertRefused(run, "--loss 1", "no sample arrived");
+        AssertRefused(run, ReplayMessages.AllLost(1));
     }
 
     static void AssertRefused(CliRun run, params string[] expected)

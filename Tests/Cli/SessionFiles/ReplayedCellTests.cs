@@ -1,5 +1,6 @@
 using System.Text.Json;
 using System.Text.Json.Nodes;
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 using NUnit.Framework;
 
@@ -115,23 +116,28 @@ public class ReplayedCellTests : SessionReplayFixture
         Assert.That(names, Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction" }));
     }
 
-    [TestCase("\"rotation\":[0,0,0,2]", "field 'rotation' is not a rotation")]
-    [TestCase("\"rotation\":[0,0,1]", "field 'rotation' has 3 numbers; it must have 4")]
-    [TestCase("\"rotation\":\"none\"", "field 'rotation' must be an array")]
-    [TestCase("\"rotation\":[0,0,0,1]", "field 'position' has 2000000 m; allowed: -1000000 to 1000000 m", "[0,2e6,0]")]
-    [TestCase("\"rotation\":[0,0,0,1]", "field 'parent' is the frame itself; a frame must have another parent", "[0,0,0]", "part")]
-    [TestCase("\"rotation\":[0,0,0,1]", "field 'parent' is ''; allowed: 1 to 128 characters", "[0,0,0]", "")]
-    public async Task Replay_DamagedPose_NamesItsLineAndField(string rotation, string expected, string position = "[0,0,0]", string parent = "world")
+    static readonly string[][] DamagedPoses =
+    [
+        ["[0,0,0]", "[0,0,0,2]", "world", "rotation", SessionFileMessages.NotARotation],
+        ["[0,0,0]", "[0,0,1]", "world", "rotation", SessionFileMessages.Count(3, 4)],
+        ["[0,0,0]", "\"none\"", "world", "rotation", SessionFileMessages.NotAnArray],
+        ["[0,2e6,0]", "[0,0,0,1]", "world", "position", SessionFileMessages.TooFar(2e6, 1e6)],
+        ["[0,0,0]", "[0,0,0,1]", "part", "parent", SessionFileMessages.OwnParent],
+        ["[0,0,0]", "[0,0,0,1]", "", "parent", SessionFileMessages.Name("", 128)],
+    ];
+
+    [TestCaseSource(nameof(DamagedPoses))]
+    public async Task Replay_DamagedPose_NamesItsLineAndField(string position, string rotation, string parent, string field, string message)
     {
         VirtualRecording.To(_path, seconds: 6);
         var lines = File.ReadAllLines(_path).ToList();
-        lines.Insert(5, $"{{\"kind\":\"pose\",\"arrival_ns\":1,\"stamp_ns\":1,\"frame\":\"part\",\"parent\":\"{parent}\",\"position\":{position},{rotation}}}");
+        lines.Insert(5, $"{{\"kind\":\"pose\",\"arrival_ns\":1,\"stamp_ns\":1,\"frame\":\"part\",\"parent\":\"{parent}\",\"position\":{position},\"rotation\":{rotation}}}");
         File.WriteAllLines(_path, lines);
 
         var run = await Run("replay", _path);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.Contain($"{_path}:6: {expected}"));
+        Assert.That(run.Errors, Does.Contain($"{_path}:6: field '{field}' {message}"));
     }
 
     [Test]

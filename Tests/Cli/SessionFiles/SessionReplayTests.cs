@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 using Nowpose.Cli.SessionFiles;
 using Nowpose.Prediction;
@@ -146,7 +147,7 @@ public class SessionReplayTests : SessionReplayFixture
         var run = await Run("replay", _path, option);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.StartWith("nowpose: " + option.Split('=')[0] + ":").And.Contain("is a recorded session, which contains this value"));
+        Assert.That(run.Errors, Does.StartWith(ConsoleMessages.Line(option.Split('=')[0] + ": " + ReplayMessages.InSession(_path))));
         Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1));
     }
 

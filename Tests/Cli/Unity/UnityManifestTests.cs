@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+using Nowpose.Editor.Messages;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
 
@@ -6,9 +8,14 @@ namespace Nowpose.Headless.Tests.Cli.Unity;
 /// <summary>Tests how the manifest file is read and written.</summary>
 public class UnityManifestTests
 {
-    [TestCase("{\n  \"dependencies\": {\n    \"a\": \"1.0.0\",\n  }\n}", ":4: not a JSON object: a name in double quotes is expected")]
-    [TestCase("{\n  // packages\n  \"dependencies\": {}\n}", ":2: not a JSON object: a name in double quotes is expected; remove the comment")]
-    [TestCase("", ":1: not a JSON object: { is expected")]
+    static readonly string[][] Invalid =
+    [
+        ["{\n  \"dependencies\": {\n    \"a\": \"1.0.0\",\n  }\n}", ManifestMessages.NotJson("", "4", ManifestMessages.NoName, isComment: false)],
+        ["{\n  // packages\n  \"dependencies\": {}\n}", ManifestMessages.NotJson("", "2", ManifestMessages.NoName, isComment: true)],
+        ["", ManifestMessages.NotJson("", "1", ManifestMessages.Expected('{'), isComment: false)],
+    ];
+
+    [TestCaseSource(nameof(Invalid))]
     public async Task Unity_InvalidManifest_NamesTheLineAndKeepsTheFile(string manifest, string reason)
     {
         using var project = new UnityProjectFolder(manifest);
@@ -26,7 +33,7 @@ public class UnityManifestTests
         using var project = new UnityProjectFolder(Empty);
         project.Write("Packages/manifest.json", System.Text.Encoding.Unicode.GetPreamble());
 
-        AssertRefused(await project.RunAsync(), "the file is not UTF-8");
+        AssertRefused(await project.RunAsync(), ManifestMessages.NotUtf8(project.At("Packages/manifest.json")));
     }
 
     [Test]
@@ -41,9 +48,9 @@ public class UnityManifestTests
         File.SetAttributes(manifest, FileAttributes.Normal);
         var writable = await project.RunAsync("--check");
 
-        AssertRefused(run, manifest + ": the file is read-only");
+        AssertRefused(run, ManifestMessages.ReadOnly(manifest));
         Assert.That(check.ExitStatus, Is.EqualTo(1));
-        Assert.That(check.Errors, Does.Contain("without --check this would fail: " + manifest + ": the file is read-only"));
+        Assert.That(check.Errors, Does.Contain(ConsoleMessages.WouldFail(ManifestMessages.ReadOnly(manifest))));
         Assert.That(writable.Errors, Is.Empty);
         Assert.That(project.Manifest, Is.EqualTo(Empty));
         Assert.That(Directory.Exists(project.At("Assets")), Is.False, "no other step is executed");

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Editor.Setup;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
@@ -37,10 +38,15 @@ public class UnityPackageTests
         Assert.That(Dependencies(project)["com.nowpose.mril"], Is.EqualTo(relative));
     }
 
-    [TestCase("https://github.com/OWNER/nowpose.git", "replace OWNER")]
-    [TestCase("", "the path is empty")]
-    [TestCase("no-such-folder", "is neither a Git URL nor a folder or tarball with the package com.nowpose.mril")]
-    [TestCase("file:../nowhere", "is neither a Git URL nor a folder or tarball with the package com.nowpose.mril")]
+    static readonly string[][] Missing =
+    [
+        ["https://github.com/OWNER/nowpose.git", UnityPackageMessages.Owner],
+        ["", "the path is empty"],
+        ["no-such-folder", UnityPackageMessages.NotAnAddress("no-such-folder", "com.nowpose.mril")],
+        ["file:../nowhere", UnityPackageMessages.NotAnAddress("file:../nowhere", "com.nowpose.mril")],
+    ];
+
+    [TestCaseSource(nameof(Missing))]
     public async Task Unity_PackageMissing_Fails(string given, string reason)
     {
         using var project = new UnityProjectFolder(Empty);
@@ -49,16 +55,21 @@ public class UnityPackageTests
         AssertRefused(await project.RunAsync("--package", given), reason);
     }
 
-    [TestCase("{ 'name': ", ":1: not a JSON object")]
-    [TestCase("[]", ": a JSON object is expected")]
-    [TestCase("{ 'displayName': 'x' }", ": name must be a string")]
-    [TestCase("{ 'name': '\\ud800' }", ": name must be a string")]
-    [TestCase("{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': 1 }", ": version must be a string")]
-    [TestCase("{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': '1.0.0', 'samples': {} }", ": samples must be an array")]
-    [TestCase("{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': '1.0.0', 'samples': [1] }", ": samples[0] must be an object")]
-    [TestCase(
-        "{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': '1.0.0', 'samples': [{ 'displayName': 'a', 'description': 'b' }] }",
-        ": samples[0].path must be a string")]
+    static readonly string[][] InvalidPackages =
+    [
+        ["{ 'name': ", UnityPackageMessages.NotJson("", 1)],
+        ["[]", ": " + UnityPackageMessages.ObjectExpected],
+        ["{ 'displayName': 'x' }", ": " + UnityPackageMessages.NotAString("", "name")],
+        ["{ 'name': '\\ud800' }", ": " + UnityPackageMessages.NotAString("", "name")],
+        ["{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': 1 }", ": " + UnityPackageMessages.NotAString("", "version")],
+        [OwnJson + "'samples': {} }", ": " + UnityPackageMessages.SamplesNotAnArray],
+        [OwnJson + "'samples': [1] }", ": " + UnityPackageMessages.NotAnObject("samples[0]")],
+        [OwnJson + "'samples': [{ 'displayName': 'a', 'description': 'b' }] }", ": " + UnityPackageMessages.NotAString("samples[0].", "path")],
+    ];
+
+    const string OwnJson = "{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': '1.0.0', ";
+
+    [TestCaseSource(nameof(InvalidPackages))]
     public async Task Unity_InvalidPackageJson_NamesFileAndField(string json, string reason)
     {
         using var project = new UnityProjectFolder(Empty);

@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
 
@@ -6,9 +7,9 @@ namespace Nowpose.Headless.Tests.Cli.Unity;
 /// <summary>Tests which Unity versions and folders the verb <c>unity</c> accepts.</summary>
 public class UnityVersionTests
 {
-    [TestCase("2020.3.48f1", "is older than 2021.3", "--check")]
-    [TestCase("2021.3.21f1", "is older than 2021.3.26, the oldest version that MRTK3 supports", "--mrtk3")]
-    [TestCase("6000.3.2f1", "Microsoft's Mixed Reality OpenXR 1.11.2 does not compile in Unity 6.3", "--mrtk3")]
+    [TestCase("2020.3.48f1", "2021.3", "--check")]
+    [TestCase("2021.3.21f1", "2021.3.26", "--mrtk3")]
+    [TestCase("6000.3.2f1", UnityVersionMessages.PlugInFails, "--mrtk3")]
     public async Task Unity_UnsupportedVersion_Fails(string version, string reason, string option)
     {
         using var project = new UnityProjectFolder(Empty, version);
@@ -25,11 +26,11 @@ public class UnityVersionTests
     {
         using var project = new UnityProjectFolder(WithMrtk3, "6000.3.0f1");
 
-        AssertRefused(await project.RunAsync(), "does not compile in Unity 6.3");
+        AssertRefused(await project.RunAsync(), UnityVersionMessages.PlugInFails);
     }
 
-    [TestCase("6000.3.2f1", "not compared with this release")]
-    [TestCase("6000.0.78f1", "use 2022.3 for a HoloLens 2")]
+    [TestCase("6000.3.2f1", UnityVersionMessages.NotComparedNewest)]
+    [TestCase("6000.0.78f1", UnityVersionMessages.Compared6000)]
     public async Task Unity_UntestedVersion_PrintsANote(string version, string note)
     {
         using var project = new UnityProjectFolder(Empty, version);
