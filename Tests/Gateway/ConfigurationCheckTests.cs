@@ -1,3 +1,5 @@
+using System.Net;
+using Nowpose.Gateway.Messages;
 using NUnit.Framework;
 using Nowpose.Gateway.Security;
 
@@ -48,8 +50,8 @@ public class ConfigurationCheckTests : ConfigurationFixture
         var (status, output, errors) = await CheckAsync(text);
 
         Assert.That(status, Is.EqualTo(0), string.Join(" | ", errors));
-        Assert.That(output, Does.Contain($"sync 127.0.0.1:{sync} (port {sync} is in use)"));
-        Assert.That(output, Does.Contain($"websocket ws://127.0.0.1:{webSocket}/ (port {webSocket} is in use)"));
+        Assert.That(output, Does.Contain($"sync 127.0.0.1:{sync}{DryRunMessages.PortInUse(sync)}"));
+        Assert.That(output, Does.Contain($"websocket ws://127.0.0.1:{webSocket}/{DryRunMessages.PortInUse(webSocket)}"));
         var started = await RunAsync(text, false);
         Assert.That(started.Status, Is.EqualTo(1));
         Assert.That(started.Errors.Single(), Does.Contain("gateway.yaml:2: sync-port "));
@@ -78,22 +80,27 @@ public class ConfigurationCheckTests : ConfigurationFixture
         var (status, _, errors) = await CheckAsync("ws-port: 0\nsync-port: 0\nrecordings: /proc\n");
 
         Assert.That(status, Is.EqualTo(2));
-        Assert.That(errors.Single(), Does.Contain("gateway.yaml:3: recordings /proc: this user cannot write"));
+        Assert.That(errors.Single(), Does.EndWith("gateway.yaml:3: " + DryRunMessages.NotWritable("recordings", "/proc", "/proc")));
     }
 
-    [TestCase("robot: yubot", "robot: ", "yubot: file not found; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path")]
-    [TestCase("robot: models/press.xml", "robot: ", "models/press.xml: file not found")]
-    [TestCase("certificate: .", "certificate", "")]
-    [TestCase("pairing: .", "pairing", "")]
-    [TestCase("certificate: /proc/gateway.pem", "certificate", "")]
-    [TestCase("pairing: /proc/headsets.txt", "pairing", "")]
-    [TestCase("tokens: none.txt", "tokens: ", "none.txt: cannot be read")]
-    [TestCase("bind: any", "bind 0.0.0.0: unencrypted connections")]
-    [TestCase("record: true", "record: needs the option --recordings")]
-    [TestCase("robot: none.urdf", "robot: ", "none.urdf: file not found")]
-    [TestCase("certificate-key: a.pem", "certificate-key: needs --certificate")]
-    [TestCase("plants: [none.yaml]", "plants: ", "none.yaml: file not found")]
-    public async Task Entry_Unusable_IsReportedWithItsLineNumberByCheckAndStart(string entry, string part, string more = "")
+    static readonly string[][] UnusableEntries =
+    [
+        ["robot: yubot", "robot: ", PathMessages.NotFound("yubot", PlantMessages.Robots("youbot, ur5, ur3e, ur5e, ur10e, ur16e"))],
+        ["robot: models/press.xml", "robot: ", PathMessages.NotFound("models/press.xml", "")],
+        ["certificate: .", "certificate", ""],
+        ["pairing: .", "pairing", ""],
+        ["certificate: /proc/gateway.pem", "certificate", ""],
+        ["pairing: /proc/headsets.txt", "pairing", ""],
+        ["tokens: none.txt", "tokens: ", "none.txt: cannot be read"],
+        ["bind: any", "", AddressOptionMessages.PlainBind(IPAddress.Any)["--".Length..]],
+        ["record: true", "", RecorderMessages.RecordWithoutFolder["--".Length..]],
+        ["robot: none.urdf", "robot: ", PathMessages.NotFound("none.urdf", "")],
+        ["certificate-key: a.pem", "", AddressOptionMessages.KeyWithoutCertificate["--".Length..]],
+        ["plants: [none.yaml]", "plants: ", PathMessages.NotFound("none.yaml", "")],
+    ];
+
+    [TestCaseSource(nameof(UnusableEntries))]
+    public async Task Entry_Unusable_IsReportedWithItsLineNumberByCheckAndStart(string entry, string part, string more)
     {
         foreach (var isCheck in new[] { true, false })
         {

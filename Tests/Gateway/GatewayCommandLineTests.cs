@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Gateway.Messages;
 using NUnit.Framework;
 using Nowpose.Headless.Tests.Cli;
 
@@ -88,7 +89,7 @@ public class GatewayCommandLineTests
         var (status, errors) = await RunAsync("pairings", "--pairing", file.Path, "--revoke", "left door");
 
         Assert.That(status, Is.EqualTo(2));
-        Assert.That(errors.Single(), Does.EndWith("'left door': no headset has this name; the names are none"));
+        Assert.That(errors.Single(), Does.EndWith(VerbMessages.UnknownHeadset("left door", "none")));
     }
 
     [Test]

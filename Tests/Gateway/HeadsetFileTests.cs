@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using NUnit.Framework;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
@@ -88,7 +89,7 @@ public sealed class HeadsetFileTests
         File.WriteAllText(_path, Second + "\nobserver oops\n");
 
         Assert.That((list.Contains(First.Hash), list.Contains(Second.Hash)), Is.EqualTo((false, true)));
-        Assert.That(log, Has.Exactly(1).Items.And.All.Contains("line 2: not an entry of a paired headset"));
+        Assert.That(log, Has.Exactly(1).Items.And.All.Contains(HeadsetListMessages.NotAnEntry(_path, 2)));
     }
 
     [TestCase("observer TOKEN")]

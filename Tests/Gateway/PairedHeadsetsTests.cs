@@ -1,4 +1,6 @@
 using System.Net;
+using Nowpose.Gateway.Messages;
+using Nowpose.Messages;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Gateway.RosbridgeAnswer;
 
@@ -60,7 +62,7 @@ public sealed class PairedHeadsetsTests
 
         Assert.That(await RosbridgeStatusAsync(gateway, own), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
         Assert.That(await RosbridgeStatusAsync(gateway, own), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
-        Assert.That(gateway.Log.Count(line => line.Contains("line 3: not an entry of a paired headset")), Is.EqualTo(1));
+        Assert.That(gateway.Log.Count(line => line.Contains(HeadsetListMessages.NotAnEntry(gateway.ListPath, 3))), Is.EqualTo(1));
     }
 
     [Test]
@@ -75,7 +77,7 @@ public sealed class PairedHeadsetsTests
         Directory.Delete(gateway.ListPath);
         var worked = await gateway.ExchangeAsync(code.Token);
 
-        Assert.That(failed.Problem, Does.Contain("cannot save"));
+        Assert.That(failed.Problem, Is.EqualTo(PairingAnswerMessages.NotSaved));
         Assert.That(failed.IsWorthRetrying, Is.True);
         Assert.That(worked.Token, Is.Not.Null);
     }

@@ -1,4 +1,6 @@
 using System.Net;
+using Nowpose.Gateway.Messages;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Pairing;
 using Nowpose.Protocol;
@@ -25,7 +27,7 @@ public sealed class PairingExchangeTests
         Assert.That(answer.Token, Does.Match("^[A-Za-z0-9_-]{43}$"), "256 bits");
         Assert.That(await RosbridgeStatusAsync(gateway, answer.Token), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
         Assert.That(await RosbridgeStatusAsync(gateway, answer.Token + "a"), Is.EqualTo(HttpStatusCode.Unauthorized));
-        Assert.That(gateway.Log, Has.Some.Contains("'headset 7' received a token"));
+        Assert.That(gateway.Log, Has.Some.EqualTo(PairingServiceMessages.TokenGiven("headset 7")));
     }
 
     [Test]
@@ -52,7 +54,7 @@ public sealed class PairingExchangeTests
         var answers = await Task.WhenAll(Enumerable.Range(0, 8).Select(_ => gateway.ExchangeAsync(code.Token)));
 
         Assert.That(answers.Count(answer => answer.Token != null), Is.EqualTo(1));
-        Assert.That(answers.Where(answer => answer.Token == null).Select(answer => answer.Problem), Is.All.Contains("was used or is too old"));
+        Assert.That(answers.Where(answer => answer.Token == null).Select(answer => answer.Problem), Is.All.EqualTo(PairingAnswerMessages.NotAccepted));
         Assert.That(answers.Where(answer => answer.Token == null).Select(answer => answer.IsWorthRetrying), Is.All.False);
         Assert.That((await gateway.ShownAsync()).Token, Is.Not.EqualTo(code.Token), "another code is shown");
     }
@@ -104,7 +106,7 @@ public sealed class PairingExchangeTests
         gateway.Time.Advance(TimeSpan.FromMinutes(1));
         var later = await gateway.ExchangeAsync(code.Token);
 
-        Assert.That(blocked.Problem, Does.Contain("too many"));
+        Assert.That(blocked.Problem, Is.EqualTo(PairingAnswerMessages.TooManyWrong));
         Assert.That(blocked.IsWorthRetrying, Is.True);
         Assert.That(later.Token, Is.Not.Null);
     }

@@ -2,6 +2,7 @@ using System.Net;
 using System.Text;
 using System.Text.Json;
 using Microsoft.AspNetCore.Http;
+using Nowpose.Gateway.Messages;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Pairing;
@@ -40,7 +41,7 @@ public sealed class PairingPageTests
         var (status, text) = await gateway.SendAsync(new HttpMethod(method), path, method == "POST" ? body : null, ("Host", "evil.example"));
 
         Assert.That(status, Is.EqualTo(HttpStatusCode.Forbidden));
-        Assert.That(text, Does.Contain("browsers on the gateway's machine"));
+        Assert.That(text, Does.Contain(PairingServiceMessages.ThisMachineOnly));
     }
 
     [TestCase("10.0.0.9", "10.0.0.7", null, 403)]

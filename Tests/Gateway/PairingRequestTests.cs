@@ -1,4 +1,5 @@
 using System.Net;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Pairing;
 using NUnit.Framework;
@@ -33,14 +34,19 @@ public sealed class PairingRequestTests
         Assert.That(answer.Problem, Does.StartWith("pairing with 127.0.0.1: "));
     }
 
-    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 99999\r\n\r\n", "unknown length or is longer")]
-    [TestCase("HTTP/1.1 200 OK\r\n\r\n", "unknown length or is longer")]
-    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: -1\r\n\r\n", "unknown length or is longer")]
-    [TestCase("HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\nContent-Length: 2\r\n\r\n{}", "unknown length or is longer")]
-    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\n{}", "no valid token")]
-    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 12\r\n\r\n{\"token\":[]}", "no valid token")]
-    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 15\r\n\r\n{\"token\":\"a b\"}", "no valid token")]
-    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 99\r\n\r\n{}", "closed the connection")]
+    static readonly string[][] InvalidAnswers =
+    [
+        ["HTTP/1.1 200 OK\r\nContent-Length: 99999\r\n\r\n", PairingAnswerMessages.TooLong(PairingLimits.BodyBytes)],
+        ["HTTP/1.1 200 OK\r\n\r\n", PairingAnswerMessages.TooLong(PairingLimits.BodyBytes)],
+        ["HTTP/1.1 200 OK\r\nContent-Length: -1\r\n\r\n", PairingAnswerMessages.TooLong(PairingLimits.BodyBytes)],
+        ["HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\nContent-Length: 2\r\n\r\n{}", PairingAnswerMessages.TooLong(PairingLimits.BodyBytes)],
+        ["HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\n{}", PairingAnswerMessages.NoToken],
+        ["HTTP/1.1 200 OK\r\nContent-Length: 12\r\n\r\n{\"token\":[]}", PairingAnswerMessages.NoToken],
+        ["HTTP/1.1 200 OK\r\nContent-Length: 15\r\n\r\n{\"token\":\"a b\"}", PairingAnswerMessages.NoToken],
+        ["HTTP/1.1 200 OK\r\nContent-Length: 99\r\n\r\n{}", ConnectionMessages.ClosedBeforeAnswer],
+    ];
+
+    [TestCaseSource(nameof(InvalidAnswers))]
     [TestCase("HTTP/1.1 302 Found\r\nLocation: http://10.0.0.7/\r\n\r\n", "status 302")]
     [TestCase("SSH-2.0-OpenSSH\r\n\r\n", "not HTTP/1.1")]
     [TestCase("\r\n\r\n", "not HTTP/1.1")]

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using NUnit.Framework;
 using Nowpose.Protocol;
 
@@ -31,23 +32,36 @@ public class RosapiTests
         Assert.That((await client.ReceiveAsync()).Result, Is.True);
     }
 
-    [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"png"}""", "warning", "compression png is not supported")]
-    [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"cbor-raw"}""", "warning", "compression cbor-raw")]
-    [TestCase("""{"op":"subscribe","topic":"/joint_states","fragment_size":1000}""", "warning", "fragment_size 1000 is not supported")]
-    [TestCase("""{"op":"subscribe","topic":"/joint_states","type":"std_msgs/String"}""", "error", "has the type sensor_msgs/JointState")]
-    [TestCase("""{"op":"subscribe","topic":"/nowpose/joint_status","type":"std_msgs/String"}""", "error", "has the type diagnostic_msgs/DiagnosticArray")]
-    [TestCase("""{"op":"advertise","topic":"/nowpose/joint_status","type":"diagnostic_msgs/DiagnosticArray"}""", "error", "UnknownTopic")]
-    [TestCase("""{"op":"publish","topic":"/nowpose/joint_status","msg":{"status":[{"hardware_id":"gateway","values":[]}]}}""", "error", "UnknownTopic")]
-    [TestCase("""{"op":"subscribe","topic":"joint_states"}""", "error", "must begin with a slash: use /joint_states")]
-    [TestCase("""{"op":"advertise","topic":"joint_states","type":"sensor_msgs/JointState"}""", "error", "must begin with a slash")]
-    [TestCase("""{"op":"publish","topic":"joint_states","msg":{}}""", "error", "must begin with a slash")]
-    [TestCase("""{"op":"advertise","topic":"/joint_states","type":"std_msgs/String"}""", "error",
-        "advertise /joint_states dropped: /joint_states has the type sensor_msgs/JointState, not std_msgs/String")]
-    [TestCase("""{"op":"subscribe"}""", "error", "subscribe dropped: a field is missing or empty")]
-    [TestCase("""{"op":"unsubscribe","topic":"joint_states"}""", "error", "must begin with a slash: use /joint_states")]
-    [TestCase("""{"op":"unsubscribe","topic":"/joint_states"}""", "warning", "unsubscribe /joint_states has no effect, because this client has no subscription to this topic")]
-    [TestCase("""{"op":"unadvertise","topic":"joint_states"}""", "error", "must begin with a slash: use /joint_states")]
-    [TestCase("""{"op":"unadvertise","topic":"/joint_states"}""", "warning", "has not advertised this topic")]
+    static readonly string[][] Unsupported =
+    [
+        ["""{"op":"subscribe","topic":"/joint_states","compression":"png"}""", "warning", RequestMessages.Compression("png")],
+        ["""{"op":"subscribe","topic":"/joint_states","compression":"cbor-raw"}""", "warning", RequestMessages.Compression("cbor-raw")],
+        ["""{"op":"subscribe","topic":"/joint_states","fragment_size":1000}""", "warning", RequestMessages.FragmentSize("1000")],
+        [
+            """{"op":"subscribe","topic":"/joint_states","type":"std_msgs/String"}""", "error",
+            RequestMessages.OtherType("/joint_states", "sensor_msgs/JointState", "std_msgs/String"),
+        ],
+        [
+            """{"op":"subscribe","topic":"/nowpose/joint_status","type":"std_msgs/String"}""", "error",
+            RequestMessages.OtherType("/nowpose/joint_status", "diagnostic_msgs/DiagnosticArray", "std_msgs/String"),
+        ],
+        ["""{"op":"advertise","topic":"/nowpose/joint_status","type":"diagnostic_msgs/DiagnosticArray"}""", "error", "UnknownTopic"],
+        ["""{"op":"publish","topic":"/nowpose/joint_status","msg":{"status":[{"hardware_id":"gateway","values":[]}]}}""", "error", "UnknownTopic"],
+        ["""{"op":"subscribe","topic":"joint_states"}""", "error", RequestMessages.NoSlash("joint_states")],
+        ["""{"op":"advertise","topic":"joint_states","type":"sensor_msgs/JointState"}""", "error", RequestMessages.NoSlash("joint_states")],
+        ["""{"op":"publish","topic":"joint_states","msg":{}}""", "error", RequestMessages.NoSlash("joint_states")],
+        [
+            """{"op":"advertise","topic":"/joint_states","type":"std_msgs/String"}""", "error",
+            "advertise /joint_states dropped: " + RequestMessages.OtherType("/joint_states", "sensor_msgs/JointState", "std_msgs/String"),
+        ],
+        ["""{"op":"subscribe"}""", "error", "subscribe dropped: " + DropMessages.Of(DropReason.MissingField)],
+        ["""{"op":"unsubscribe","topic":"joint_states"}""", "error", RequestMessages.NoSlash("joint_states")],
+        ["""{"op":"unsubscribe","topic":"/joint_states"}""", "warning", "unsubscribe /joint_states " + RequestMessages.NotSubscribed(null)],
+        ["""{"op":"unadvertise","topic":"joint_states"}""", "error", RequestMessages.NoSlash("joint_states")],
+        ["""{"op":"unadvertise","topic":"/joint_states"}""", "warning", RequestMessages.NotAdvertised],
+    ];
+
+    [TestCaseSource(nameof(Unsupported))]
     public async Task Request_Unsupported_ReceivesAStatusWithItsId(string request, string level, string part)
     {
         await using var gateway = await Gateways.StartAsync();
@@ -69,14 +83,14 @@ public class RosapiTests
 
         await client.SendAsync("""{"op":"subscribe","topic":"/joint_states","compression":"png","fragment_size":1000}""");
 
-        Assert.That((await client.ReceiveAsync()).Text, Does.Contain("compression png is not supported"));
-        Assert.That((await client.ReceiveAsync()).Text, Does.Contain("fragment_size 1000 is not supported"));
+        Assert.That((await client.ReceiveAsync()).Text, Does.Contain(RequestMessages.Compression("png")));
+        Assert.That((await client.ReceiveAsync()).Text, Does.Contain(RequestMessages.FragmentSize("1000")));
         await client.RoundTripAsync();
     }
 
-    [TestCase("subscribe", "unsubscribe", "no subscription to this topic with the id 2")]
-    [TestCase("advertise", "unadvertise", null)]
-    public async Task UnsubscribeOrUnadvertise_OtherId_CausesAWarningOnlyForASubscription(string op, string withdrawal, string part)
+    [TestCase("subscribe", "unsubscribe", true)]
+    [TestCase("advertise", "unadvertise", false)]
+    public async Task UnsubscribeOrUnadvertise_OtherId_CausesAWarningOnlyForASubscription(string op, string withdrawal, bool isWarned)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -84,7 +98,7 @@ public class RosapiTests
 
         await client.SendAsync($$"""{"op":"{{withdrawal}}","topic":"/joint_states","id":"2"}""");
 
-        if (part != null) Assert.That((await client.ReceiveAsync()).Text, Does.Contain(part));
+        if (isWarned) Assert.That((await client.ReceiveAsync()).Text, Does.Contain(RequestMessages.NotSubscribed("2")));
         await client.RoundTripAsync();
     }
 

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using Nowpose.Gateway;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Protocol;
 using NUnit.Framework;
@@ -117,9 +118,10 @@ public class CellStatusTests
         var grip = state.GetProperty("signals").EnumerateArray().Single();
         Assert.That(new[] { box, grip }.Select(one => one.GetProperty("state").GetString()), Is.All.EqualTo("refused"));
         Assert.That(box.GetProperty("reason").GetString(), Is.EqualTo(
-            "the gateway drops the samples of rosbridge 127.0.0.1: frame box has a rotation with the norm 2; it must be 1 within 0.001 (NotUnitQuaternion)"));
+            RequestMessages.Dropped(
+                "rosbridge 127.0.0.1", "frame box " + CellMessageFaults.Norm(2, 0.001), DropReason.NotUnitQuaternion)));
         Assert.That(grip.TryGetProperty("value", out _), Is.False, "no valid value is known");
-        Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Contain("box (rosbridge 127.0.0.1) is refused"));
+        Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Contain("box (rosbridge 127.0.0.1) " + EventTexts.IsRefused));
     }
 
     [Test]
@@ -138,8 +140,8 @@ public class CellStatusTests
         var state = await StateAsync();
         Assert.That(state.GetProperty("frames").EnumerateArray().Single().GetProperty("state").GetString(), Is.EqualTo("live"));
         Assert.That(state.GetProperty("signals").EnumerateArray().Single().GetProperty("state").GetString(), Is.EqualTo("live"));
-        await Soon.BecomesAsync(() => Events().Contains("source rosbridge 127.0.0.1 is refused for frame box")
-            && Events().Contains("source rosbridge 127.0.0.1 is refused for signal grip"), "both are events");
+        await Soon.BecomesAsync(() => Events().Contains(EventTexts.SourceRefused("rosbridge 127.0.0.1", "frame box"))
+            && Events().Contains(EventTexts.SourceRefused("rosbridge 127.0.0.1", "signal grip")), "both are events");
 
         string Events() => GetAsync("/operations/state").GetAwaiter().GetResult();
     }

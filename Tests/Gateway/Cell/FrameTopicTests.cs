@@ -1,4 +1,5 @@
 using Nowpose.Gateway;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
@@ -54,9 +55,14 @@ public class FrameTopicTests
         Assert.That(message.Transforms.Text(), Is.EqualTo("box=0.5 belt=0"));
     }
 
-    [TestCase("\"rotation\":{\"x\":0,\"y\":0,\"z\":0,\"w\":1.02}", DropReason.NotUnitQuaternion, "frame box has a rotation with the norm 1.02; it must be 1 within 0.001")]
-    [TestCase("\"rotation\":{\"x\":0,\"y\":NaN,\"z\":0,\"w\":1}", DropReason.NotFinite, "frame box has the rotation.y NaN")]
-    [TestCase("\"rotation\":{\"x\":0,\"y\":0,\"z\":0}", DropReason.MissingField, "missing")]
+    static readonly object[][] InvalidRotations =
+    [
+        ["\"rotation\":{\"x\":0,\"y\":0,\"z\":0,\"w\":1.02}", DropReason.NotUnitQuaternion, CellMessageFaults.Norm(1.02, 0.001)],
+        ["\"rotation\":{\"x\":0,\"y\":NaN,\"z\":0,\"w\":1}", DropReason.NotFinite, CellMessageFaults.Has("rotation.y", "NaN")],
+        ["\"rotation\":{\"x\":0,\"y\":0,\"z\":0}", DropReason.MissingField, DropMessages.Of(DropReason.MissingField)],
+    ];
+
+    [TestCaseSource(nameof(InvalidRotations))]
     public async Task Publish_InvalidRotation_DropsTheFrameWithTheReason(string rotation, object reason, string part)
     {
         await _headset.SubscribeAsync(RosTopics.Tf);
@@ -73,30 +79,39 @@ public class FrameTopicTests
     public async Task Publish_InvalidFrames_AreDroppedAndNamedInTheReason()
     {
         await _source.SendAsync(Tf(Frame("box", "box")));
-        await _source.ExpectErrorAsync("frame box is its own parent (OwnParent)");
+        await _source.ExpectErrorAsync($"frame box {CellMessageFaults.OwnParent} (OwnParent)");
         await _source.SendAsync(Tf(Frame("box"), Frame("box")));
-        await _source.ExpectErrorAsync("frame box occurs twice as child_frame_id (DuplicateName)");
+        await _source.ExpectErrorAsync($"frame box {CellMessageFaults.ChildTwice} (DuplicateName)");
         await _source.SendAsync(Tf(Frame("box", stamp: default(ControlTime))));
-        await _source.ExpectErrorAsync("frame box has a zero stamp (StampZero)");
+        await _source.ExpectErrorAsync($"frame box {CellMessageFaults.StampZero} (StampZero)");
         await _source.SendAsync(Tf(Frame("belt"), Frame("box", stamp: ControlTime.FromSeconds(5100))));
         await _source.ExpectErrorAsync(
-            "frame box: the time stamp is later than the control time by more than the clock's error bound plus 1 s; "
-            + "set the clock of the source (StampInFuture)");
+            $"frame box: {DropMessages.Of(DropReason.StampInFuture)} (StampInFuture)");
         await _source.SendAsync(TfStatic(Frame("box", stamp: ControlTime.FromSeconds(5100))));
         await _source.ExpectErrorAsync("(StampInFuture)");
         await _source.SendAsync(Tf(Frame("world", "map")));
         await _source.ExpectErrorAsync(
-            "frame world with parent map is not possible: world is the root of all frames, so it has no parent; "
-            + "rename the child frame (WorldAsChild)");
+            $"{CellMessageFaults.Of(CellMessageFaults.Frame("world", "map"), DropReason.WorldAsChild)} (WorldAsChild)");
 
         await SendAsync(TfStatic(Frame("box", stamp: default(ControlTime))));
         Assert.That(_gateway.Drops.Total, Is.EqualTo(6));
     }
 
-    [TestCase("\"x\":2.0", "\"x\":NaN", "frame b has the translation.x NaN (NotFinite)")]
-    [TestCase("\"x\":2.0", "\"x\":2e6", "frame b has the translation.x 2000000 m; allowed: -1000000 to 1000000 m (OutOfRange)")]
-    [TestCase("\"child_frame_id\":\"b\"", "\"child_frame_id\":\"\"", "frame without a valid name: a field is missing or empty")]
-    [TestCase("\"child_frame_id\":\"b\"", "\"child_frame_id\":\"b\",\"child_frame_id\":\"b\"", "frame b: a field occurs twice; remove one (DuplicateField)")]
+    static readonly string[][] InvalidFrames =
+    [
+        ["\"x\":2.0", "\"x\":NaN", $"frame b {CellMessageFaults.Has("translation.x", "NaN")} (NotFinite)"],
+        ["\"x\":2.0", "\"x\":2e6", $"frame b {CellMessageFaults.TooFar("translation.x", "2000000", 1e6)} (OutOfRange)"],
+        [
+            "\"child_frame_id\":\"b\"", "\"child_frame_id\":\"\"",
+            $"frame {CellMessageFaults.NoName}: {DropMessages.Of(DropReason.MissingField)} (MissingField)",
+        ],
+        [
+            "\"child_frame_id\":\"b\"", "\"child_frame_id\":\"b\",\"child_frame_id\":\"b\"",
+            $"frame b: {DropMessages.Of(DropReason.DuplicateField)} (DuplicateField)",
+        ],
+    ];
+
+    [TestCaseSource(nameof(InvalidFrames))]
     public async Task Publish_OneInvalidFrame_OmitsOnlyThisFrame(string valid, string invalid, string fault)
     {
         await _headset.SubscribeAsync(RosTopics.Tf);

@@ -1,4 +1,5 @@
 using Nowpose.Gateway;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
@@ -140,7 +141,7 @@ public class SignalTopicTests
         var ended = (await _headset.ReceiveAsync()).SignalStatus.Joints;
         Assert.That(ended.Select(one => one.Joint), Is.EquivalentTo(new[] { "grip", "lamp" }));
         Assert.That(ended[0].State, Is.EqualTo(JointDataState.Stale));
-        Assert.That(ended[0].Reason, Is.EqualTo("its source rosbridge 127.0.0.1 has ended"));
+        Assert.That(ended[0].Reason, Is.EqualTo(EventTexts.SourceEnded("rosbridge 127.0.0.1")));
         Assert.That(ended[0].Since, Is.GreaterThanOrEqualTo(Gateways.Start));
         using var late = await RawRosbridgeClient.ConnectAsync(_gateway);
         await late.SendAsync(RosbridgeWriter.Subscribe(RosTopics.SignalStatus));
@@ -185,9 +186,14 @@ public class SignalTopicTests
         Assert.That(_gateway.Drops[DropReason.TooManySignals], Is.EqualTo(2));
     }
 
-    [TestCase("\"value\":[NaN]", DropReason.NotFinite, "signal grip has the value NaN (NotFinite)")]
-    [TestCase("\"value\":[1.0,2.0]", DropReason.LengthMismatch, "length")]
-    [TestCase("\"value\":[true]", DropReason.WrongType, "type")]
+    static readonly object[][] InvalidSignals =
+    [
+        ["\"value\":[NaN]", DropReason.NotFinite, $"signal grip {CellMessageFaults.Has("value", "NaN")} (NotFinite)"],
+        ["\"value\":[1.0,2.0]", DropReason.LengthMismatch, DropMessages.Of(DropReason.LengthMismatch)],
+        ["\"value\":[true]", DropReason.WrongType, DropMessages.Of(DropReason.WrongType)],
+    ];
+
+    [TestCaseSource(nameof(InvalidSignals))]
     public async Task Publish_InvalidSignals_AreDroppedWithTheReason(string value, object reason, string part)
     {
         await _source.SendAsync(SignalsText(("grip", 1)).Replace("\"value\":[1.0]", value));
@@ -196,9 +202,14 @@ public class SignalTopicTests
         Assert.That(_gateway.Drops[(DropReason)reason], Is.EqualTo(1));
     }
 
-    [TestCase("[1.0,NaN,3.0]", "signal b has the value NaN (NotFinite)")]
-    [TestCase("[1.0,null,3.0]", "signal b has the value null (NotFinite)")]
-    [TestCase("[1.0,\"on\",3.0]", "signal b: a field or topic has the wrong type; use the types of the topic's message type (WrongType)")]
+    static readonly string[][] InvalidValues =
+    [
+        ["[1.0,NaN,3.0]", $"signal b {CellMessageFaults.Has("value", "NaN")} (NotFinite)"],
+        ["[1.0,null,3.0]", $"signal b {CellMessageFaults.Has("value", "null")} (NotFinite)"],
+        ["[1.0,\"on\",3.0]", $"signal b: {DropMessages.Of(DropReason.WrongType)} (WrongType)"],
+    ];
+
+    [TestCaseSource(nameof(InvalidValues))]
     public async Task Publish_OneInvalidSignal_OmitsOnlyThisSignal(string values, string fault)
     {
         await _headset.SubscribeAsync(RosTopics.Signals);
@@ -250,7 +261,7 @@ public class SignalTopicTests
 
         var refused = (await _headset.ReceiveAsync()).SignalStatus.Joints.Single();
         Assert.That((refused.Joint, refused.State), Is.EqualTo(("grip", JointDataState.Refused)));
-        Assert.That(refused.Reason, Is.EqualTo("signal grip has the value NaN"));
+        Assert.That(refused.Reason, Is.EqualTo("signal grip " + CellMessageFaults.Has("value", "NaN")));
         await SendAsync(SignalsText(("grip", 0)));
         Assert.That((await _headset.ReceiveAsync()).SignalStatus.Joints, Is.Empty);
     }

@@ -1,5 +1,6 @@
 using Nowpose.Frames;
 using Nowpose.Gateway.Plants;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using NUnit.Framework;
@@ -81,7 +82,8 @@ public class StationaryFramesTests
         var (status, _, errors) = await CheckAsync();
 
         Assert.That(status, Is.EqualTo(2));
-        Assert.That(CapturedConsole.Lines(errors).Single(), Does.EndWith(": frame fixture has transform.translation.x \"q\"; enter a finite number"));
+        Assert.That(CapturedConsole.Lines(errors).Single(), Does.EndWith(
+            ": " + FrameMessages.OfFrame("fixture", FrameMessages.WrongField("transform.translation.x", "\"q\"", FrameMessages.FiniteNumber))));
     }
 
     [Test]

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Nowpose.Gateway.Messages;
 using NUnit.Framework;
 using Nowpose.Gateway.Clock;
 using Nowpose.Sync;
@@ -153,7 +154,7 @@ public class ServedClockTests
 
         Assert.That(first, Is.EqualTo(1), string.Join("\n", lines));
         Assert.That(lines.Last(), Does.StartWith("clock 'opcua': +1012.").And.Contains("against 'ads', skew +100"), string.Join("\n", lines));
-        Assert.That(lines[0], Is.EqualTo("clock 'ads': synchronised; it is the control clock"));
+        Assert.That(lines[0], Is.EqualTo(PlantClockMessages.State("ads", "synchronised", isControlClock: true)));
     }
 
     /// <summary>Simulates the gateway's counter and the clocks, which are measured every 200 ms with one-way delays of 0.4 to 0.6 ms.</summary>

@@ -1,20 +1,21 @@
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
 public class WrongSourceTests : StampWatchFixture
 {
-    [TestCase(755.0, "are 12.6 minutes ")]
-    [TestCase(-36_000.0, "are 10.0 hours ")]
-    [TestCase(1_795_288_273.0, "are 20779 days ")]
-    public void Look_TimeStampsFarFromTheControlClock_ReportsTheDifferenceInAReadableUnit(double seconds, string expected)
+    [TestCase(755.0, "12.6 minutes")]
+    [TestCase(-36_000.0, "10.0 hours")]
+    [TestCase(1_795_288_273.0, "20779 days")]
+    public void Look_TimeStampsFarFromTheControlClock_ReportsTheDifferenceInAReadableUnit(double seconds, string length)
     {
         _isOwnServed = false;
         _correction = TimeSpan.FromSeconds(seconds);
         Run(5, () => System);
 
-        Assert.That(_watch.Warning, Does.Contain(expected));
+        Assert.That(_watch.Found.Reason, Is.EqualTo(StampMessages.Implausible("first", 100, length, seconds > 0)));
     }
 
     [TestCase(0.3, "230 ms")]
@@ -51,7 +52,7 @@ public class WrongSourceTests : StampWatchFixture
         {
             var ahead = TimeSpan.FromSeconds(seconds);
             Run(1, () => _own.Now + ahead);
-            if (seconds >= 12) Assert.That(_watch.Warning, Does.Contain($"are {seconds - 1}.9 s ahead"));
+            if (seconds >= 12) Assert.That(_watch.Found.Reason, Does.Contain($" {seconds - 1}.9 s "));
         }
     }
 
@@ -61,7 +62,7 @@ public class WrongSourceTests : StampWatchFixture
         Run(5, () => System, () => System, () => System + TimeSpan.FromSeconds(5));
 
         Assert.That(_watch.IsContradicted, Is.True);
-        Assert.That(_watch.Found.Reason, Does.StartWith("100 % of the samples of the source third have stamps").And.Not.Contain("first"));
+        Assert.That(_watch.Found.Reason, Does.StartWith(StampMessages.Implausible("third", 100, "4.9 s", isFuture: true)).And.Not.Contain("first"));
     }
 
     [Test]
@@ -71,7 +72,7 @@ public class WrongSourceTests : StampWatchFixture
         _correction = TimeSpan.FromHours(1);
         Run(StampWatch.Seconds, () => System, () => _own.Now, () => System);
 
-        Assert.That(_watch.Found.Reason, Does.Contain("source first").And.EndWith("; the same is true of third"));
+        Assert.That(_watch.Found.Reason, Does.Contain("first").And.EndWith(StampMessages.SameFor(["third"])));
     }
 
     [Test]

@@ -48,8 +48,9 @@ public class AdapterCheckTests : PlantFileFixture
 
         Assert.That(status, Is.Zero, errors);
         var line = CapturedConsole.Lines(output).SingleOrDefault(one => one.StartsWith("missing_joints ", StringComparison.Ordinal));
-        var missing = hasJoints ? "arm_joint_3, arm_joint_4, arm_joint_5" : "arm_joint_2, arm_joint_3, arm_joint_4, arm_joint_5";
-        Assert.That(line, isNamed ? Does.StartWith($"missing_joints {missing}; no plant configures them") : Is.Null);
+        string[] missing = ["arm_joint_2", "arm_joint_3", "arm_joint_4", "arm_joint_5"];
+        var named = "missing_joints " + DryRunMessages.MissingJoints(hasJoints ? missing[1..] : missing);
+        Assert.That(line, Is.EqualTo(isNamed ? named : null));
     }
 
     [Test]
@@ -166,7 +167,7 @@ public class AdapterCheckTests : PlantFileFixture
 
         Assert.That(status, Is.Zero, errors);
         var line = CapturedConsole.Lines(output).SingleOrDefault(one => one.StartsWith("missing_parents ", StringComparison.Ordinal));
-        Assert.That(line, isNamed ? Does.StartWith($"missing_parents {parent} of part; ") : Is.Null);
+        Assert.That(line, Is.EqualTo(isNamed ? "missing_parents " + DryRunMessages.MissingParents([(parent, "part")]) : null));
     }
 
     /// <summary>The description is longer than the buffer of a pipe, so it could be truncated when the adapter's process exits.</summary>
@@ -202,7 +203,7 @@ public class AdapterCheckTests : PlantFileFixture
     [TestCase("{\"name\":\"cell\"}")]
     public void Check_ResultInUnknownFormat_IsRefused(string line) => Assert.That(
         () => AdapterProgram.PlantContent.Read("press.yaml", line),
-        Throws.TypeOf<InputException>().With.Message.StartsWith("press.yaml: the adapter's result for this file cannot be read"));
+        Throws.TypeOf<InputException>().With.Message.EqualTo(AdapterMessages.CheckUnreadable("press.yaml")));
 
     [Test]
     public void Check_UnencryptedGatewayOnALanAddress_IsRefused()
@@ -211,6 +212,6 @@ public class AdapterCheckTests : PlantFileFixture
 
         var wrong = Assert.ThrowsAsync<InputException>(() => AdapterProcesses.CheckAsync([Write(Good)], options, default));
 
-        Assert.That(wrong.Message, Does.StartWith("--plant with --bind 192.168.1.5 and no --tls"));
+        Assert.That(wrong.Message, Is.EqualTo(AdapterMessages.NoTls(options.Bind)));
     }
 }

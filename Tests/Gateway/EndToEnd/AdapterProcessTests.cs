@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Nowpose.Gateway.Messages;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Plants;
@@ -40,7 +41,7 @@ public class AdapterProcessTests : PlantFileFixture
 
         var recovery = await Soon.BecomesAsync(() => adapter.ProcessId is { } second && second != first && gateway.WebSocketConnections.Accepted == 2, "the adapter is connected again");
         TestContext.Out.WriteLine($"there again after {recovery.TotalSeconds:0.0} s");
-        Assert.That(lines, Has.Some.Contains("its adapter ended (status 137) and starts again in 0.5 s"));
+        Assert.That(lines, Has.Some.EndsWith(AdapterMessages.Ended("", "status 137", 0.5)));
         await Soon.BecomesAsync(() => EventOf(gateway) is { Until: not null }, "it reports again");
         var ended = EventOf(gateway).Condition;
         Assert.That(ended.Text, Is.EqualTo(

@@ -2,6 +2,7 @@ using System.Collections.Concurrent;
 using System.Security.Cryptography;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Headless.Tests.Gateway.Security;
 using Nowpose.Session;
@@ -51,7 +52,7 @@ public class AccessFaultTests
         var took = await headset.BecomesAsync(PoseState.Current);
 
         Recovery.Print("certificate expired, from the renewed file to a current pose", took);
-        await Soon.BecomesAsync(() => _log.Any(line => line.Contains("certificate: renewed")), "renewal logged");
+        await Soon.BecomesAsync(() => _log.Any(line => line.Contains(KeyFileMessages.Renewed(""))), "renewal logged");
     }
 
     [Test]

@@ -4,6 +4,7 @@ using System.Net.Http.Headers;
 using System.Net.Sockets;
 using System.Text;
 using System.Text.Json;
+using Nowpose.Gateway.Messages;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Recording;
@@ -130,10 +131,10 @@ public class RecordingsTests
         await Soon.BecomesAsync(() => !gateway.Recorder.IsOn, "it is noticed");
         var state = await StateAsync(gateway);
         var recording = state.GetProperty("recording");
-        Assert.That(recording.GetProperty("problem").GetString(), Does.Contain("was deleted"));
+        Assert.That(recording.GetProperty("problem").GetString(), Is.EqualTo(RecorderMessages.Deleted));
         Assert.That(recording.GetProperty("lines").GetInt64(), Is.Zero, "no line can be read from a deleted file");
         Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("warning"));
-        Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.EndWith("Start the recording again to write a new file.").And.Not.Contain("Correct"));
+        Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.EndWith(EventRemedies.RecordAgain));
         gateway.Recorder.SwitchOn();
         Assert.That(gateway.Recorder.IsOn, "a new file");
     }

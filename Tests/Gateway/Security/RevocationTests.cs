@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.Net;
 using System.Net.WebSockets;
 using Nowpose.Gateway;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
@@ -154,7 +155,7 @@ public class RevocationTests
 
         var lines = _log.Where(line => line.Contains(TokensPath)).ToArray();
         Assert.That(lines.Length, Is.EqualTo(1), string.Join('\n', lines));
-        Assert.That(lines[0], Does.Contain(part).And.Contain("stays in use").And.Not.Contain("secret"));
+        Assert.That(lines[0], Does.Contain(part).And.Contain(AccessMessages.FormerContentUsed).And.Not.Contain("secret"));
         await client.RoundTripAsync();
     }
 
