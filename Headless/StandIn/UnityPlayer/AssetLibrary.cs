@@ -36,7 +36,7 @@ public sealed class AssetLibrary
         where T : Object
     {
         var main = Loaded.Main(FileAt(path));
-        return main as T ?? throw new AssetException(path + ": is a " + main.GetType().Name + ", not a " + typeof(T).Name);
+        return main as T ?? throw new AssetException(AssetFault.Kind, path + ": is a " + main.GetType().Name + ", not a " + typeof(T).Name);
     }
 
     /// <summary>
@@ -57,5 +57,5 @@ public sealed class AssetLibrary
         return new LoadedScene(file.Name, file.Path, Loaded.Instantiate(file).Roots, settings);
     }
 
-    AssetFile FileAt(string path) => _files.Index.ByPath(path) ?? throw new AssetException(path + ": there is no such asset");
+    AssetFile FileAt(string path) => _files.Index.ByPath(path) ?? throw new AssetException(AssetFault.MissingAsset, path + ": there is no such asset");
 }

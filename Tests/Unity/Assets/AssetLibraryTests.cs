@@ -1,3 +1,4 @@
+using Nowpose.UnityPlayer.Assets;
 using NUnit.Framework;
 using UnityEngine;
 using static Nowpose.Unity.Tests.Assets.ProbedProject;
@@ -195,6 +196,6 @@ public sealed class AssetLibraryTests
         Assert.That((red.GetFloat("_Size"), red.GetFloat("_Fade"), red.color), Is.EqualTo((7f, 0.25f, new Color(1, 0.5f, 0, 1))));
         Assert.That(red.HasProperty("_No"), Is.False);
         Assert.That(() => _probed.Project.AddYaml("Assets/Red.mat", 5, Material.Replace("_Size", "_Sise")).Library().Load<Material>("Assets/Red.mat"),
-            Refused("Assets/Red.mat &2100000 Material.m_SavedProperties.m_Floats._Sise: the shader declares no such property"));
+            Refused(AssetFault.UnknownField, "Assets/Red.mat &2100000 Material.m_SavedProperties.m_Floats._Sise"));
     }
 }

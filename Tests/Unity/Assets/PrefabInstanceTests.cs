@@ -211,29 +211,27 @@ public sealed class PrefabInstanceTests
         Assert.That(scene.GetRootGameObjects()[2].activeInHierarchy, Is.True);
     }
 
-    [TestCase("propertyPath: text\n", "propertyPath: txet\n", "MonoBehaviour.txet: the prefab has no such property")]
-    [TestCase("propertyPath: text\n", "propertyPath: text.more\n", "has no fields, so it has no more")]
-    [TestCase("propertyPath: text\n", "propertyPath: parts\n", "MonoBehaviour.parts: is not a single value; modify its fields separately")]
-    [TestCase("propertyPath: text\n", "propertyPath: parts.Array\n",
-        "MonoBehaviour.parts: is a list: its path must continue with Array.size or Array.data[n]")]
-    [TestCase("propertyPath: text\n", "propertyPath: parts.Array.data[2].name\n",
-        "MonoBehaviour.parts[2]: is beyond the end of the list; its length is 2")]
-    [TestCase("propertyPath: text\n", "propertyPath: parts.Array.size\n", "MonoBehaviour.parts: \"of the instance\" is not a valid list size")]
-    [TestCase("propertyPath: text\n", "propertyPath: other\n", "MonoBehaviour.other: is a reference: set objectReference, not value")]
+    [TestCase("propertyPath: text\n", "propertyPath: txet\n", AssetFault.UnknownField, "MonoBehaviour.txet")]
+    [TestCase("propertyPath: text\n", "propertyPath: text.more\n", AssetFault.UnknownField, "MonoBehaviour.text", "more")]
+    [TestCase("propertyPath: text\n", "propertyPath: parts\n", AssetFault.Kind, "MonoBehaviour.parts")]
+    [TestCase("propertyPath: text\n", "propertyPath: parts.Array\n", AssetFault.Kind, "MonoBehaviour.parts", "Array.size or Array.data[n]")]
+    [TestCase("propertyPath: text\n", "propertyPath: parts.Array.data[2].name\n", AssetFault.OutOfRange, "MonoBehaviour.parts[2]", "2")]
+    [TestCase("propertyPath: text\n", "propertyPath: parts.Array.size\n", AssetFault.Value, "MonoBehaviour.parts", "\"of the instance\"")]
+    [TestCase("propertyPath: text\n", "propertyPath: other\n", AssetFault.Kind, "MonoBehaviour.other", "objectReference")]
     [TestCase("value: of the instance\n      objectReference: {fileID: 0}", "value: \n      objectReference: {fileID: 99}",
-        "text: the file has no object 99")]
+        AssetFault.MissingObject, "text", "99")]
     [TestCase("m_RemovedComponents: []", "m_RemovedComponents:\n    - {fileID: 9, guid: 00000000000000000000000000000003, type: 3}",
-        "has no object 9")]
-    [TestCase("m_RemovedComponents: []", "m_AddedComponents:\n    - 1", "m_AddedComponents: is not supported")]
-    [TestCase("m_RemovedComponents: []", "m_Wobble: []", "has no field m_Wobble")]
+        AssetFault.MissingObject, "PrefabInstance.m_RemovedComponents", "9")]
+    [TestCase("m_RemovedComponents: []", "m_AddedComponents:\n    - 1", AssetFault.Unsupported, "m_AddedComponents")]
+    [TestCase("m_RemovedComponents: []", "m_Wobble: []", AssetFault.UnknownField, "", "m_Wobble")]
     [TestCase("guid: 00000000000000000000000000000003, type: 3}\n      propertyPath: text",
-        "guid: 00000000000000000000000000000004, type: 3}\n      propertyPath: text", "text: target has to be an object of the prefab")]
+        "guid: 00000000000000000000000000000004, type: 3}\n      propertyPath: text", AssetFault.Reference, "text")]
     [TestCase("m_SourcePrefab: {fileID: 100100000, guid: 00000000000000000000000000000003",
-        "m_SourcePrefab: {fileID: 100100000, guid: 00000000000000000000000000000033", "PrefabInstance.m_SourcePrefab: no prefab has the GUID")]
-    [TestCase("m_SourcePrefab: {fileID: 100100000", "m_SourcePrefab: {fileID: 1", "PrefabInstance.m_SourcePrefab: has to be")]
+        "m_SourcePrefab: {fileID: 100100000, guid: 00000000000000000000000000000033", AssetFault.MissingAsset, "PrefabInstance.m_SourcePrefab", "33")]
+    [TestCase("m_SourcePrefab: {fileID: 100100000", "m_SourcePrefab: {fileID: 1", AssetFault.Kind, "PrefabInstance.m_SourcePrefab")]
     [TestCase("m_SourcePrefab: {fileID: 100100000, guid: 00000000000000000000000000000003",
-        "m_SourcePrefab: {fileID: 100100000, guid: 00000000000000000000000000000004", "is an instance of itself")]
-    public void Instance_Invalid_IsRefused(string good, string bad, string expected)
+        "m_SourcePrefab: {fileID: 100100000, guid: 00000000000000000000000000000004", AssetFault.Hierarchy, "PrefabInstance.m_SourcePrefab", ArmPath)]
+    public void Instance_Invalid_IsRefused(string good, string bad, object fault, string place, string detail = "")
     {
         var arm = NewArm(out var hand);
         hand.GetComponent<LoaderProbe>().text = "of the instance";
@@ -243,15 +241,14 @@ public sealed class PrefabInstanceTests
 
         _project.Add(ArmPath, 4, text.Replace(good, bad, StringComparison.Ordinal), "PrefabImporter");
 
-        Assert.That(() => Load(ArmPath), Throws.TypeOf<AssetException>().With.Message.Contains(expected).And.Message.StartsWith(ArmPath));
+        Assert.That(() => Load(ArmPath), ProbedProject.Refused(fault, place, detail).And.Message.StartsWith(ArmPath));
     }
 
     [TestCase(@"m_CorrespondingSourceObject: \{fileID: \d+", "m_CorrespondingSourceObject: {fileID: 1",
-        "Transform.m_CorrespondingSourceObject: the prefab has no object")]
-    [TestCase(@"m_PrefabInstance: \{fileID: \d+", "m_PrefabInstance: {fileID: 1",
-        "Transform.m_PrefabInstance: is not a prefab instance of this file")]
-    [TestCase("m_CorrespondingSourceObject: ", "m_Source: ", "Transform: has no m_CorrespondingSourceObject")]
-    public void Placeholder_Invalid_IsRefused(string good, string bad, string expected)
+        AssetFault.MissingObject, "Transform.m_CorrespondingSourceObject")]
+    [TestCase(@"m_PrefabInstance: \{fileID: \d+", "m_PrefabInstance: {fileID: 1", AssetFault.Reference, "Transform.m_PrefabInstance")]
+    [TestCase("m_CorrespondingSourceObject: ", "m_Source: ", AssetFault.UnknownField, "Transform", "m_CorrespondingSourceObject")]
+    public void Placeholder_Invalid_IsRefused(string good, string bad, object fault, string place, string detail = "")
     {
         Save(ArmPath, 4, NewArm(out _));
         var text = _project.Read(ArmPath);
@@ -259,7 +256,7 @@ public sealed class PrefabInstanceTests
 
         _project.Add(ArmPath, 4, text[..stripped] + Regex.Replace(text[stripped..], good, bad), "PrefabImporter");
 
-        Assert.That(() => Load(ArmPath), Throws.TypeOf<AssetException>().With.Message.Contains(expected));
+        Assert.That(() => Load(ArmPath), ProbedProject.Refused(fault, place, detail));
     }
 
     GameObject NewArm(out GameObject hand)

@@ -68,9 +68,12 @@ sealed class ProbedProject : IDisposable
             + ", type: 3}\n  m_Name: " + name + "\n" + fields;
     }
 
-    public static NUnit.Framework.Constraints.Constraint Refused(string message)
+    /// <param name="place">File, id of the object and field, or a part of them.</param>
+    /// <param name="detail">The wrong value, name or number in the message.</param>
+    public static NUnit.Framework.Constraints.Constraint Refused(object fault, string place, string detail = "")
     {
-        return Throws.TypeOf<AssetException>().With.Message.Contains(message);
+        return Throws.TypeOf<AssetException>().With.Property(nameof(AssetException.Fault)).EqualTo(fault)
+            .And.Message.Contains(place + ": ").And.Message.Contains(detail);
     }
 
     public void Dispose() => Project.Dispose();

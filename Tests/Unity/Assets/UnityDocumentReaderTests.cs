@@ -27,22 +27,23 @@ public sealed class UnityDocumentReaderTests
         Assert.That(UnityDocumentReader.Read(text, "x").Single().FileId, Is.EqualTo(7));
     }
 
-    [TestCase("", "Arm.prefab: does not begin with the two header lines")]
-    [TestCase("--- !u!1 &1\nGameObject:\n  m_Name: A\n", "Arm.prefab: does not begin with the two header lines")]
-    [TestCase(Header, "Arm.prefab: contains no object")]
-    [TestCase(Header + "x: 1\n--- !u!1 &1\nGameObject:\n  m_Name: A\n", "text before the first object")]
-    [TestCase(Header + "--- !u!1 &1\nGameObject:\n  m_Name: A\n--- !u!4 &1\nTransform:\n  a: 1\n", "Arm.prefab &1: this fileID occurs twice")]
-    [TestCase(Header + "--- !u!1 &0\nGameObject:\n  m_Name: A\n", "&0: not a fileID")]
-    [TestCase(Header + "--- !u!1 &99999999999999999999\nGameObject:\n  m_Name: A\n", "not a fileID")]
-    [TestCase(Header + "--- !u!1 &1\nGameObject:\n  m_Name: A\n--- !u!4\nTransform:\n  a: 1\n", "Arm.prefab line 6: not the header of an object")]
-    [TestCase(Header + "--- !u!1 &1\nGameObject:\n  m_Name: A\n  m_Name: B\n", "Arm.prefab &1 line 6")]
-    [TestCase(Header + "--- !u!1 &1\nGameObject:\n  m_Name: {a: 1\n", "Arm.prefab &1 line")]
-    [TestCase(Header + "--- !u!1 &1\nGameObject:\n", "&1: must contain one class name with its fields")]
-    [TestCase(Header + "--- !u!1 &1\nGameObject:\n  a: 1\nTransform:\n  b: 2\n", "&1: must contain one class name with its fields")]
-    [TestCase(Header + "--- !u!1 &1\n", "&1: must contain one class name with its fields")]
-    public void Read_InvalidFile_ThrowsWithThePlaceInTheFile(string text, string expected)
+    [TestCase("", AssetFault.Header, "Arm.prefab: ")]
+    [TestCase("--- !u!1 &1\nGameObject:\n  m_Name: A\n", AssetFault.Header, "Arm.prefab: ")]
+    [TestCase(Header, AssetFault.NoObject, "Arm.prefab: ")]
+    [TestCase(Header + "x: 1\n--- !u!1 &1\nGameObject:\n  m_Name: A\n", AssetFault.Header, "Arm.prefab: ")]
+    [TestCase(Header + "--- !u!1 &1\nGameObject:\n  m_Name: A\n--- !u!4 &1\nTransform:\n  a: 1\n", AssetFault.Duplicate, "Arm.prefab &1: ")]
+    [TestCase(Header + "--- !u!1 &0\nGameObject:\n  m_Name: A\n", AssetFault.FileId, "&0: ")]
+    [TestCase(Header + "--- !u!1 &99999999999999999999\nGameObject:\n  m_Name: A\n", AssetFault.FileId, "&99999999999999999999: ")]
+    [TestCase(Header + "--- !u!1 &1\nGameObject:\n  m_Name: A\n--- !u!4\nTransform:\n  a: 1\n", AssetFault.Header, "Arm.prefab line 6: ")]
+    [TestCase(Header + "--- !u!1 &1\nGameObject:\n  m_Name: A\n  m_Name: B\n", AssetFault.Syntax, "Arm.prefab &1 line 6: ")]
+    [TestCase(Header + "--- !u!1 &1\nGameObject:\n  m_Name: {a: 1\n", AssetFault.Syntax, "Arm.prefab &1 line ")]
+    [TestCase(Header + "--- !u!1 &1\nGameObject:\n", AssetFault.ClassCount, "&1: ")]
+    [TestCase(Header + "--- !u!1 &1\nGameObject:\n  a: 1\nTransform:\n  b: 2\n", AssetFault.ClassCount, "&1: ")]
+    [TestCase(Header + "--- !u!1 &1\n", AssetFault.ClassCount, "&1: ")]
+    public void Read_InvalidFile_ThrowsWithThePlaceInTheFile(string text, object fault, string place)
     {
-        Assert.That(() => UnityDocumentReader.Read(text, "Arm.prefab"), Throws.TypeOf<AssetException>().With.Message.Contains(expected));
+        Assert.That(() => UnityDocumentReader.Read(text, "Arm.prefab"),
+            Throws.TypeOf<AssetException>().With.Property(nameof(AssetException.Fault)).EqualTo(fault).And.Message.Contains(place));
     }
 
     static IReadOnlyList<UnityDocument> Read(string body) => UnityDocumentReader.Read(Header + body, "x");

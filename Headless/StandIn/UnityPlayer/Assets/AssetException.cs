@@ -21,4 +21,10 @@ public sealed class AssetException : Exception
         : base(message, innerException)
     {
     }
+
+    public AssetException(AssetFault fault, string message, Exception innerException = null)
+        : base(message, innerException) => Fault = fault;
+
+    /// <summary>The kind of error.</summary>
+    public AssetFault Fault { get; }
 }

@@ -33,7 +33,7 @@ sealed class AssetFiles
     /// <summary>Returns the objects of a prefab or scene, without the settings of the scene.</summary>
     public ObjectFile Hierarchy(AssetFile file)
     {
-        if (_hierarchies.TryGetValue(file.Guid, out var known)) return known ?? throw new AssetException(file.Path + ": is an instance of itself");
+        if (_hierarchies.TryGetValue(file.Guid, out var known)) return known ?? throw new AssetException(AssetFault.Hierarchy, file.Path + ": is an instance of itself");
         _hierarchies.Add(file.Guid, null);
         try
         {
@@ -57,6 +57,6 @@ sealed class AssetFiles
     ObjectFile PrefabAt(string guid)
     {
         var file = Index.ByGuid(guid);
-        return file?.Extension == ".prefab" ? Hierarchy(file) : throw new AssetException("no prefab has the GUID " + guid);
+        return file?.Extension == ".prefab" ? Hierarchy(file) : throw new AssetException(AssetFault.MissingAsset, "no prefab has the GUID " + guid);
     }
 }

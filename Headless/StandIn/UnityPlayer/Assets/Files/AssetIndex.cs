@@ -67,11 +67,11 @@ sealed class AssetIndex
         var path = folder + "/" + Path.GetFileName(fullPath);
         var text = File.ReadAllText(metaFile);
         var guid = Guids.Match(text);
-        if (!guid.Success) throw new AssetException(path + Meta + ": has no guid of 32 lower-case hex digits");
+        if (!guid.Success) throw new AssetException(AssetFault.Document, path + Meta + ": has no guid of 32 lower-case hex digits");
 
         var file = new AssetFile(guid.Groups[1].Value, path, fullPath, Importers.Match(text).Groups[1].Value);
         if (!_byGuid.TryAdd(file.Guid, file))
-            throw new AssetException(path + Meta + ": guid " + file.Guid + " is also that of " + _byGuid[file.Guid].Path);
+            throw new AssetException(AssetFault.Duplicate, path + Meta + ": guid " + file.Guid + " is also that of " + _byGuid[file.Guid].Path);
         _byPath.Add(path, file);
     }
 }

@@ -29,7 +29,7 @@ sealed class ScriptTypes
     public Type Of(AssetFile script, Type baseType, Place place)
     {
         var type = _types.GetOrAdd(script.Guid, _ => Find(script, place));
-        return baseType.IsAssignableFrom(type) ? type : throw place.Error(script.Path + " contains no " + baseType.Name);
+        return baseType.IsAssignableFrom(type) ? type : throw place.Error(AssetFault.Script, script.Path + " contains no " + baseType.Name);
     }
 
     /// <summary>Returns the script file of a class.</summary>
@@ -40,7 +40,7 @@ sealed class ScriptTypes
         var found = _scripts[type.Name].Where(f => (AssemblyOf(f) ?? assembly) == assembly).ToList();
         return found.Count == 1
             ? found[0]
-            : throw place.Error("the class " + type.FullName + " is in " + found.Count + " script files with its name; Unity needs exactly one");
+            : throw place.Error(AssetFault.Script, "the class " + type.FullName + " is in " + found.Count + " script files with its name; Unity needs exactly one");
     }
 
     Type Find(AssetFile script, Place place)
@@ -50,7 +50,7 @@ sealed class ScriptTypes
             .Where(t => t.Name == script.Name && !t.IsAbstract && typeof(UnityEngine.Object).IsAssignableFrom(t)).ToList();
         return found.Count == 1
             ? found[0]
-            : throw place.Error(script.Path + " must contain one class " + script.Name + ", not " + found.Count);
+            : throw place.Error(AssetFault.Script, script.Path + " must contain one class " + script.Name + ", not " + found.Count);
     }
 
     /// <summary>Returns the name of the assembly of a script file; null if the folders above have no assembly definition.</summary>
@@ -71,7 +71,7 @@ sealed class ScriptTypes
         }
         catch (FileNotFoundException exception)
         {
-            throw new AssetException(place + ": the assembly of " + script.Path + ", " + name + ", cannot be loaded", exception);
+            throw new AssetException(AssetFault.Script, place + ": the assembly of " + script.Path + ", " + name + ", cannot be loaded", exception);
         }
     }
 

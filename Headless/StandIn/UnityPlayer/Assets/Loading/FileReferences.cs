@@ -31,7 +31,7 @@ sealed class FileReferences : IReferences
         var found = reference.Guid != null ? _assets.ObjectAt(reference, place) : OwnObject(reference.FileId, place);
         return type.IsInstanceOfType(found)
             ? found
-            : throw place.Error(reference + " is a " + found.GetType().Name + ", but the field takes a " + type.Name);
+            : throw place.Error(AssetFault.Reference, reference + " is a " + found.GetType().Name + ", but the field takes a " + type.Name);
     }
 
     public AssetReference ReferenceTo(Object target, Place place)
@@ -45,6 +45,6 @@ sealed class FileReferences : IReferences
 
     Object OwnObject(long fileId, Place place)
     {
-        return _objects.TryGetValue(fileId, out var found) ? found : throw place.Error("the file has no object " + Numbers.Write(fileId));
+        return _objects.TryGetValue(fileId, out var found) ? found : throw place.Error(AssetFault.MissingObject, "the file has no object " + Numbers.Write(fileId));
     }
 }

@@ -65,33 +65,33 @@ sealed class HierarchyBuilder
             for (var i = 0; i < components.Count; i++) MakeComponent(ComponentAt(described, components[i]), made, isFirst: i == 0);
         }
         foreach (var described in _file.Objects.Where(o => !_objects.ContainsKey(o.FileId)))
-            throw described.Place.Error("is a component that no GameObject lists, or has a class that the stand-in does not support");
+            throw described.Place.Error(AssetFault.Hierarchy, "is a component that no GameObject lists, or has a class that the stand-in does not support");
     }
 
     FileObject ComponentAt(FileObject owner, YamlNode entry)
     {
         var place = owner.Place.In("m_Component");
         if (!AssetReference.TryRead(Nodes.Find(place.Mapping(entry), "component"), out var reference) || reference.Guid != null)
-            throw place.Error("has to be a list of - component: {fileID: …}");
-        var component = _file.Find(reference.FileId) ?? throw place.Error("the file has no object " + Numbers.Write(reference.FileId));
+            throw place.Error(AssetFault.Kind, "has to be a list of - component: {fileID: …}");
+        var component = _file.Find(reference.FileId) ?? throw place.Error(AssetFault.MissingObject, "the file has no object " + Numbers.Write(reference.FileId));
         if (component.Reference("m_GameObject").FileId != owner.FileId)
         {
             throw component.Place.In("m_GameObject")
-                .Error("differs from the object that lists this component, &" + Numbers.Write(owner.FileId));
+                .Error(AssetFault.Hierarchy, "differs from the object that lists this component, &" + Numbers.Write(owner.FileId));
         }
         return component;
     }
 
     void MakeComponent(FileObject described, GameObject owner, bool isFirst)
     {
-        if (_objects.ContainsKey(described.FileId)) throw described.Place.Error("is listed twice as a component");
-        if (isFirst != described.IsTransform) throw described.Place.Error("a GameObject must have exactly one Transform, as its first component");
+        if (_objects.ContainsKey(described.FileId)) throw described.Place.Error(AssetFault.Duplicate, "is listed twice as a component");
+        if (isFirst != described.IsTransform) throw described.Place.Error(AssetFault.Hierarchy, "a GameObject must have exactly one Transform, as its first component");
         var known = described.ClassName == ScriptClass.ClassName
             ? ScriptClass.Of(_assets.ScriptAt(described, typeof(MonoBehaviour)))
             : EngineClasses.Find(described.ClassId, described.ClassName)
 
 
-                        ?? throw described.Place.Error("the stand-in does not support class "
+                        ?? throw described.Place.Error(AssetFault.Unsupported, "the stand-in does not support class "
                             + described.ClassName + " with number " + Numbers.Write(described.ClassId));
         var component = owner.Add(known.Type);
         if (component is OpaqueComponent opaque) opaque.ClassName = described.ClassName;
@@ -121,18 +121,18 @@ sealed class HierarchyBuilder
             var father = described.Reference("m_Father").FileId;
             if (father == 0) roots.Add((RootOrder(described), ((Transform)_objects[described.FileId]).gameObject));
             else if (!ChildrenOf(TransformAt(father, described)).Contains(described.FileId))
-                throw described.Place.In("m_Father").Error("&" + Numbers.Write(father) + " does not list it in m_Children");
+                throw described.Place.In("m_Father").Error(AssetFault.Hierarchy, "&" + Numbers.Write(father) + " does not list it in m_Children");
             foreach (var child in ChildrenOf(described)) Adopt(described, TransformAt(child, described));
         }
         Roots = roots.OrderBy(r => r.Order).Select(r => r.Root).ToList();
         var reached = Roots.Sum(r => r.GetComponentsInChildren<Transform>(true).Length);
-        if (reached != Transforms.Count()) throw new AssetException(_file.Name + ": some objects are their own ancestors");
+        if (reached != Transforms.Count()) throw new AssetException(AssetFault.Hierarchy, _file.Name + ": some objects are their own ancestors");
     }
 
     void Adopt(FileObject father, FileObject child)
     {
         if (child.Reference("m_Father").FileId != father.FileId)
-            throw child.Place.In("m_Father").Error("is not &" + Numbers.Write(father.FileId) + ", which lists it in m_Children");
+            throw child.Place.In("m_Father").Error(AssetFault.Hierarchy, "is not &" + Numbers.Write(father.FileId) + ", which lists it in m_Children");
         ((Transform)_objects[child.FileId]).SetParent((Transform)_objects[father.FileId], false);
     }
 
@@ -140,14 +140,14 @@ sealed class HierarchyBuilder
     {
         var place = transform.Place.In("m_Children");
         var children = LocalReferences.In(place.Sequence(Nodes.Find(transform.Fields, "m_Children"))).ToList();
-        return children.Distinct().Count() == children.Count ? children : throw place.Error("lists a child twice");
+        return children.Distinct().Count() == children.Count ? children : throw place.Error(AssetFault.Duplicate, "lists a child twice");
     }
 
     FileObject TransformAt(long fileId, FileObject from)
     {
         return _file.Find(fileId) is { IsTransform: true } found
             ? found
-            : throw from.Place.Error("&" + Numbers.Write(fileId) + " is not a Transform of this file");
+            : throw from.Place.Error(AssetFault.MissingObject, "&" + Numbers.Write(fileId) + " is not a Transform of this file");
     }
 
     static int RootOrder(FileObject root)
@@ -155,7 +155,7 @@ sealed class HierarchyBuilder
         var order = Nodes.Find(root.Fields, "m_RootOrder");
         if (order == null) return 0;
         var place = root.Place.In("m_RootOrder");
-        return Numbers.TryRead(place.Scalar(order), out long index) ? (int)index : throw place.Error("has to be a number");
+        return Numbers.TryRead(place.Scalar(order), out long index) ? (int)index : throw place.Error(AssetFault.Kind, "has to be a number");
     }
 
     void ReadFields()

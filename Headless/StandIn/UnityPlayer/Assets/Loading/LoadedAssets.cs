@@ -34,22 +34,22 @@ sealed class LoadedAssets
     public Object ObjectAt(AssetReference reference, Place place)
     {
         if (BuiltInAssets.Holds(reference))
-            return BuiltInAssets.Find(reference) ?? throw place.Error("the stand-in has no built-in object with " + reference);
-        var file = _files.Index.ByGuid(reference.Guid) ?? throw place.Error("no asset has the GUID " + reference.Guid);
-        var type = TypeOf(file) ?? throw place.Error("refers to an object in " + file.Path + ", whose fileIDs only Unity can resolve");
-        if (reference.Type != type) throw place.Error("a reference to " + file.Path + " has type: " + Numbers.Write(type));
+            return BuiltInAssets.Find(reference) ?? throw place.Error(AssetFault.MissingObject, "the stand-in has no built-in object with " + reference);
+        var file = _files.Index.ByGuid(reference.Guid) ?? throw place.Error(AssetFault.MissingAsset, "no asset has the GUID " + reference.Guid);
+        var type = TypeOf(file) ?? throw place.Error(AssetFault.Reference, "refers to an object in " + file.Path + ", whose fileIDs only Unity can resolve");
+        if (reference.Type != type) throw place.Error(AssetFault.Reference, "a reference to " + file.Path + " has type: " + Numbers.Write(type));
         var objects = Load(file, place);
         var fileId = file.Extension == ".prefab" ? _files.Hierarchy(file).Find(reference.FileId)?.FileId ?? 0 : reference.FileId;
         return objects.TryGetValue(fileId, out var found)
             ? found
-            : throw place.Error(file.Path + " has no object " + Numbers.Write(reference.FileId));
+            : throw place.Error(AssetFault.MissingObject, file.Path + " has no object " + Numbers.Write(reference.FileId));
     }
 
     public AssetReference ReferenceTo(Object target, Place place)
     {
         return BuiltInAssets.TryFind(target, out var reference) || _references.TryGetValue(target, out reference)
             ? reference
-            : throw place.Error("refers to " + target + ", which is neither in this file nor an asset");
+            : throw place.Error(AssetFault.Reference, "refers to " + target + ", which is neither in this file nor an asset");
     }
 
     /// <summary>Returns the class of a component or ScriptableObject.</summary>
@@ -58,9 +58,9 @@ sealed class LoadedAssets
         var reference = described.Reference(ScriptClass.ScriptField);
         var place = described.Place.In(ScriptClass.ScriptField);
         if (reference.FileId != ScriptFileId || reference.Guid == null || reference.Type != AssetReference.Imported)
-            throw place.Error("has to be {fileID: 11500000, guid: …, type: 3}");
+            throw place.Error(AssetFault.Kind, "has to be {fileID: 11500000, guid: …, type: 3}");
         var script = _files.Index.ByGuid(reference.Guid);
-        if (script?.Extension != ".cs") throw place.Error("no script has the GUID " + reference.Guid);
+        if (script?.Extension != ".cs") throw place.Error(AssetFault.MissingAsset, "no script has the GUID " + reference.Guid);
         return _files.Scripts.Of(script, baseType, place);
     }
 
@@ -77,7 +77,7 @@ sealed class LoadedAssets
     public GameObject InstantiatePrefab(GameObject prefab)
     {
         if (!_references.TryGetValue(prefab, out var reference) || _files.Index.ByGuid(reference.Guid) is not { Extension: ".prefab" } file)
-            throw new AssetException(prefab + " is not a prefab of this library");
+            throw new AssetException(AssetFault.MissingAsset, prefab + " is not a prefab of this library");
         var source = _files.Hierarchy(file);
         return HierarchyBuilder.Build(this, source, new PrefabOrigin.Group(file.Guid, source)).Roots[0];
     }
@@ -90,7 +90,7 @@ sealed class LoadedAssets
         }
         catch (AssetException exception) when (!exception.Message.StartsWith(file.Path, StringComparison.Ordinal))
         {
-            throw new AssetException(place + ": " + exception.Message, exception);
+            throw new AssetException(exception.Fault, place + ": " + exception.Message, exception);
         }
     }
 
@@ -139,14 +139,14 @@ sealed class LoadedAssets
     {
         var documents = _files.Documents(file);
         if (documents.Count != 1 || documents[0].FileId != fileId)
-            throw new AssetException(file.Path + ": must contain one object, &" + Numbers.Write(fileId));
+            throw new AssetException(AssetFault.Document, file.Path + ": must contain one object, &" + Numbers.Write(fileId));
         var described = new FileObject(documents[0], file.Path);
         var (known, made) = make(described);
-        if (described.ClassId != known.Id || described.ClassName != known.Name) throw described.Place.Error("has to be a " + known.Name);
+        if (described.ClassId != known.Id || described.ClassName != known.Name) throw described.Place.Error(AssetFault.Kind, "has to be a " + known.Name);
         Add(file, fileId, made);
         var references = new FileReferences(this, _byGuid[file.Guid], Array.Empty<GameObject>());
         known.Read(described.Fields, made, references, described.PlaceAs(known.Type.Name));
-        if (made.name != file.Name) throw described.Place.In("m_Name").Error("\"" + made.name + "\" is not the name of its file");
+        if (made.name != file.Name) throw described.Place.In("m_Name").Error(AssetFault.Value, "\"" + made.name + "\" is not the name of its file");
         wake(made);
     }
 

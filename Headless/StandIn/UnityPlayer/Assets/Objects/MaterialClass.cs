@@ -78,7 +78,7 @@ static class MaterialClass
                     case "m_TexEnvs" or "m_Ints" when place.In(list).Sequence(entry.Value).Children.Count == 0:
                         break;
                     default:
-                        throw place.In(list).Error("is not supported by the stand-in");
+                        throw place.In(list).Error(AssetFault.Unsupported, "is not supported by the stand-in");
                 }
             }
             return material;
@@ -100,7 +100,7 @@ static class MaterialClass
         {
             return material.shader != null && Declarations.TryGetValue(material.shader, out var found)
                 ? found
-                : throw place.Error("the properties of its shader are not known here");
+                : throw place.Error(AssetFault.Unsupported, "the properties of its shader are not known here");
         }
 
         /// <summary>Reads a list whose items are pairs of a property name and a value.</summary>
@@ -109,7 +109,7 @@ static class MaterialClass
             foreach (var entry in place.Sequence(node).Children.SelectMany(i => place.Mapping(i).Children))
             {
                 var name = place.Scalar(entry.Key);
-                if (!declared.ContainsKey(name)) throw place.In(name).Error("the shader declares no such property");
+                if (!declared.ContainsKey(name)) throw place.In(name).Error(AssetFault.UnknownField, "the shader declares no such property");
                 set(name, entry.Value, place.In(name));
             }
         }

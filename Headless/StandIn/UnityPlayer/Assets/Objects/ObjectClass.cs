@@ -52,7 +52,7 @@ class ObjectClass
 
     protected virtual void ReadOther(string name, YamlNode node, Object target, IReferences references, Place place)
     {
-        throw place.Error(Type.Name + " has no serialised field " + name);
+        throw place.Error(AssetFault.UnknownField, Type.Name + " has no serialised field " + name);
     }
 
     protected virtual IEnumerable<(string Name, YamlNode Value)> WriteOthers(Object source) => Array.Empty<(string, YamlNode)>();

@@ -65,6 +65,6 @@ NavMeshSettings:
         var settings = documents.TakeWhile(Holds).ToList();
         return settings.Select(d => d.ClassId).SequenceEqual(Classes.Keys) && documents.Count(Holds) == Classes.Count
             ? settings
-            : throw new AssetException(file + ": a scene begins with " + string.Join(", ", Classes.Values));
+            : throw new AssetException(AssetFault.Document, file + ": a scene begins with " + string.Join(", ", Classes.Values));
     }
 }

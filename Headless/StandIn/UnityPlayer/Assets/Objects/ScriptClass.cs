@@ -69,7 +69,7 @@ sealed class ScriptClass : ObjectClass
         }
         catch (NotSupportedException exception)
         {
-            throw new AssetException(type.Name + "." + name + ": " + exception.Message, exception);
+            throw new AssetException(AssetFault.Value, type.Name + "." + name + ": " + exception.Message, exception);
         }
     }
 }

@@ -46,7 +46,7 @@ sealed class ShaderDeclaration
     {
         text = Comments.Replace(text, "");
         var head = Heads.Match(text);
-        if (!head.Success) throw new AssetException(file + ": declares no shader");
+        if (!head.Success) throw new AssetException(AssetFault.Document, file + ": declares no shader");
 
         var floats = new Dictionary<string, float>();
         var colours = new Dictionary<string, Color>();
@@ -67,13 +67,13 @@ sealed class ShaderDeclaration
         var parts = value.Trim('(', ')').Split(',').Select(p => Number(p.Trim(), name, file)).ToArray();
         return parts.Length == 4
             ? new Color(parts[0], parts[1], parts[2], parts[3])
-            : throw new AssetException(file + ": property " + name + ": its default needs four numbers");
+            : throw new AssetException(AssetFault.Value, file + ": property " + name + ": its default needs four numbers");
     }
 
     static float Number(string text, string name, string file)
     {
         return Numbers.TryRead(text, out float value)
             ? value
-            : throw new AssetException(file + ": property " + name + ": \"" + text + "\" is not a number");
+            : throw new AssetException(AssetFault.Value, file + ": property " + name + ": \"" + text + "\" is not a number");
     }
 }

@@ -28,7 +28,7 @@ sealed class Slot
             name,
             (_, node, _, place) =>
             {
-                if (!node.Equals(value)) throw place.Error("the stand-in supports only " + value + " here, not " + node);
+                if (!node.Equals(value)) throw place.Error(AssetFault.Unsupported, "the stand-in supports only " + value + " here, not " + node);
             },
             (_, _, _) => value);
     }
@@ -61,7 +61,7 @@ sealed class Slot
             (target, node, references, place) =>
             {
                 var expected = write((TObject)target, references, place);
-                if (!node.Equals(expected)) throw place.Error("is " + node + ", but the hierarchy has " + expected);
+                if (!node.Equals(expected)) throw place.Error(AssetFault.Hierarchy, "is " + node + ", but the hierarchy has " + expected);
             },
             (target, references, place) => write((TObject)target, references, place));
     }

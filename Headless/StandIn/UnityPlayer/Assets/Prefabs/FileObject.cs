@@ -51,7 +51,7 @@ sealed class FileObject
 
     public AssetReference Reference(string field)
     {
-        var node = Nodes.Find(Fields, field) ?? throw Place.Error("has no " + field);
-        return AssetReference.TryRead(node, out var reference) ? reference : throw Place.In(field).Error("has to be a reference");
+        var node = Nodes.Find(Fields, field) ?? throw Place.Error(AssetFault.UnknownField, "has no " + field);
+        return AssetReference.TryRead(node, out var reference) ? reference : throw Place.In(field).Error(AssetFault.Kind, "has to be a reference");
     }
 }

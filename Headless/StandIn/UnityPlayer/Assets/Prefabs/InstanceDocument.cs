@@ -27,14 +27,14 @@ sealed class InstanceDocument
         RequireOnly(read.Fields, _place, "m_ObjectHideFlags", "serializedVersion", "m_Modification", "m_SourcePrefab");
         _source = read.Reference("m_SourcePrefab");
         if (_source.Guid == null || _source.FileId != PrefabInstance.PrefabFileId || _source.Type != AssetReference.Imported)
-            throw _place.In("m_SourcePrefab").Error("has to be {fileID: 100100000, guid: …, type: 3}");
+            throw _place.In("m_SourcePrefab").Error(AssetFault.Kind, "has to be {fileID: 100100000, guid: …, type: 3}");
 
         _modification = _place.Mapping(Nodes.Find(document.Fields, "m_Modification"));
         RequireOnly(_modification, _place.In("m_Modification"), Known.Concat(LaterLists).ToArray());
         foreach (var list in LaterLists.Where(l => Nodes.Find(_modification, l) != null && Items(l).Count > 0))
-            throw _place.In(list).Error("is not supported; undo it in the editor or write it as Unity 2021 does");
+            throw _place.In(list).Error(AssetFault.Unsupported, "is not supported; undo it in the editor or write it as Unity 2021 does");
         if (!AssetReference.TryRead(Nodes.Find(_modification, "m_TransformParent"), out var parent) || parent.Guid != null)
-            throw _place.In("m_TransformParent").Error("has to be a reference within the file");
+            throw _place.In("m_TransformParent").Error(AssetFault.Kind, "has to be a reference within the file");
         Parent = parent.FileId;
     }
 
@@ -57,7 +57,7 @@ sealed class InstanceDocument
         }
         catch (AssetException exception)
         {
-            throw new AssetException(_place.In("m_SourcePrefab") + ": " + exception.Message, exception);
+            throw new AssetException(exception.Fault, _place.In("m_SourcePrefab") + ": " + exception.Message, exception);
         }
         RootTransform = source.Objects.Single(o => o.IsTransform && o.Reference("m_Father").IsNone);
         return source;
@@ -77,7 +77,7 @@ sealed class InstanceDocument
     void SetParent(PrefabInstance instance, Dictionary<long, FileObject> objects, long parent)
     {
         if (parent != 0 && !(objects.TryGetValue(parent, out var found) && found.IsTransform))
-            throw _place.In("m_TransformParent").Error("the file has no Transform " + Numbers.Write(parent));
+            throw _place.In("m_TransformParent").Error(AssetFault.MissingObject, "the file has no Transform " + Numbers.Write(parent));
         objects[instance.Map(RootTransform.FileId)].Fields.Children[Nodes.Text("m_Father")] = new AssetReference(parent).Write();
     }
 
@@ -87,7 +87,7 @@ sealed class InstanceDocument
         RequireOnly(item, place, "target", "propertyPath", "value", "objectReference");
         var path = place.Scalar(Nodes.Find(item, "propertyPath"));
         var value = place.Scalar(Nodes.Find(item, "value"));
-        if (!AssetReference.TryRead(Nodes.Find(item, "objectReference"), out var reference)) throw place.In(path).Error("has no objectReference");
+        if (!AssetReference.TryRead(Nodes.Find(item, "objectReference"), out var reference)) throw place.In(path).Error(AssetFault.UnknownField, "has no objectReference");
         if (reference.Guid == null) reference = Local(reference.FileId, objects, resolve, place.In(path));
         var target = Target(Nodes.Find(item, "target"), instance, objects, place.In(path));
         PropertyPath.Set(target.Fields, path, value, reference, target.Place);
@@ -98,7 +98,7 @@ sealed class InstanceDocument
         var meant = resolve(fileId);
         return meant == 0 || objects.ContainsKey(meant)
             ? new AssetReference(meant)
-            : throw place.Error("the file has no object " + Numbers.Write(fileId));
+            : throw place.Error(AssetFault.MissingObject, "the file has no object " + Numbers.Write(fileId));
     }
 
     void Remove(YamlNode item, PrefabInstance instance, Dictionary<long, FileObject> objects)
@@ -114,10 +114,10 @@ sealed class InstanceDocument
     FileObject Target(YamlNode node, PrefabInstance instance, Dictionary<long, FileObject> objects, Place place)
     {
         if (!AssetReference.TryRead(node, out var target) || target.Guid != SourceGuid)
-            throw place.Error("target has to be an object of the prefab with GUID " + SourceGuid);
+            throw place.Error(AssetFault.Reference, "target has to be an object of the prefab with GUID " + SourceGuid);
         var source = instance.Source.Find(target.FileId);
         if (source == null || !objects.TryGetValue(instance.Map(source.FileId), out var found))
-            throw place.Error("the prefab " + instance.Source.Name + " has no object " + Numbers.Write(target.FileId));
+            throw place.Error(AssetFault.MissingObject, "the prefab " + instance.Source.Name + " has no object " + Numbers.Write(target.FileId));
         return found;
     }
 
@@ -131,7 +131,7 @@ sealed class InstanceDocument
         foreach (var key in mapping.Children.Keys)
         {
             var name = place.Scalar(key);
-            if (!known.Contains(name)) throw place.Error("has no field " + name);
+            if (!known.Contains(name)) throw place.Error(AssetFault.UnknownField, "has no field " + name);
         }
     }
 }

@@ -38,7 +38,7 @@ static class Modifications
             (YamlScalarNode a, YamlScalarNode b) => a.Value == b.Value ? Array.Empty<Modification>() : One(path, b.Value, AssetReference.None),
             (YamlMappingNode a, YamlMappingNode b) => BetweenFields(a, b, path, prefab),
             (YamlSequenceNode a, YamlSequenceNode b) => BetweenItems(a, b, path, prefab),
-            _ => throw prefab.Place.In(path).Error("has another node type in its prefab's file; write the prefab again first"),
+            _ => throw prefab.Place.In(path).Error(AssetFault.Outdated, "has another node type in its prefab's file; write the prefab again first"),
         };
     }
 
@@ -47,7 +47,7 @@ static class Modifications
         // A list element that an instance adds contains only the modified fields.
         var isAdded = path.Contains(".Array.data[") && before.Children.Keys.All(now.Children.ContainsKey);
         if (!isAdded && !before.Children.Keys.SequenceEqual(now.Children.Keys))
-            throw prefab.Place.Error(path + " has other fields in its prefab's file; write the prefab again first");
+            throw prefab.Place.Error(AssetFault.Outdated, path + " has other fields in its prefab's file; write the prefab again first");
         return now.Children.SelectMany(f => before.Children.TryGetValue(f.Key, out var old)
             ? Between(old, f.Value, Join(path, f.Key), prefab)
             : All(f.Value, Join(path, f.Key)));

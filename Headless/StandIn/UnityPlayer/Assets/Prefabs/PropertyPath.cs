@@ -50,7 +50,7 @@ static class PropertyPath
                 replace = changed => sequence.Children[index] = changed;
                 continue;
             }
-            var mapping = node as YamlMappingNode ?? throw place.Error("has no fields, so it has no " + steps[i]);
+            var mapping = node as YamlMappingNode ?? throw place.Error(AssetFault.UnknownField, "has no fields, so it has no " + steps[i]);
             var name = new YamlScalarNode(steps[i]);
             place = place.In(steps[i]);
             node = Part(mapping, name, place);
@@ -62,7 +62,7 @@ static class PropertyPath
     static YamlNode Part(YamlMappingNode mapping, YamlScalarNode name, Place place)
     {
         if (mapping.Children.TryGetValue(name, out var part)) return part;
-        if (mapping.Tag != Open) throw place.Error("the prefab has no such property");
+        if (mapping.Tag != Open) throw place.Error(AssetFault.UnknownField, "the prefab has no such property");
         part = NewOpen();
         mapping.Add(name, part);
         return part;
@@ -72,26 +72,26 @@ static class PropertyPath
     {
         if (node.Tag == Open) return reference.IsNone ? Nodes.Text(value) : reference.Write();
         if (AssetReference.TryRead(node, out _))
-            return value.Length == 0 ? reference.Write() : throw place.Error("is a reference: set objectReference, not value");
-        if (!(node is YamlScalarNode)) throw place.Error("is not a single value; modify its fields separately");
-        return reference.IsNone ? Nodes.Text(value) : throw place.Error("is a value: it must not have an objectReference");
+            return value.Length == 0 ? reference.Write() : throw place.Error(AssetFault.Kind, "is a reference: set objectReference, not value");
+        if (!(node is YamlScalarNode)) throw place.Error(AssetFault.Kind, "is not a single value; modify its fields separately");
+        return reference.IsNone ? Nodes.Text(value) : throw place.Error(AssetFault.Kind, "is a value: it must not have an objectReference");
     }
 
     static int IndexOf(string step, YamlSequenceNode sequence, Place place)
     {
         var match = Element.Match(step);
         if (!match.Success || !int.TryParse(match.Groups[1].Value, NumberStyles.None, CultureInfo.InvariantCulture, out var index))
-            throw place.Error("is a list: its path must continue with Array.size or Array.data[n]");
+            throw place.Error(AssetFault.Kind, "is a list: its path must continue with Array.size or Array.data[n]");
         return index < sequence.Children.Count
             ? index
-            : throw place.At(index).Error("is beyond the end of the list; its length is " + sequence.Children.Count);
+            : throw place.At(index).Error(AssetFault.OutOfRange, "is beyond the end of the list; its length is " + sequence.Children.Count);
     }
 
     /// <summary>Sets the size of a list. Added elements are copies of the last element.</summary>
     static void Resize(YamlSequenceNode sequence, string value, Place place)
     {
         if (!int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out var size))
-            throw place.Error("\"" + value + "\" is not a valid list size");
+            throw place.Error(AssetFault.Value, "\"" + value + "\" is not a valid list size");
         sequence.Style = SequenceStyle.Block;
         while (sequence.Children.Count > size) sequence.Children.RemoveAt(sequence.Children.Count - 1);
         while (sequence.Children.Count < size)

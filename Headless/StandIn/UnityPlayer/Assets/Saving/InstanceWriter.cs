@@ -65,7 +65,7 @@ sealed class InstanceWriter
     YamlNode Removed(FileObject source)
     {
         if (source.IsTransform || source.ClassName == "GameObject")
-            throw source.Place.Error("is missing in an instance; only components can be removed there");
+            throw source.Place.Error(AssetFault.Hierarchy, "is missing in an instance; only components can be removed there");
         return new AssetReference(source.FileId, _instance.SourceGuid, AssetReference.Imported).Write();
     }
 }

@@ -11,7 +11,7 @@ sealed class BitsFormat : IValueFormat
         var text = place.In("m_Bits").Scalar(Nodes.Find(place.Mapping(node), "m_Bits"));
         return Numbers.TryRead(text, out long bits) && bits >= 0 && bits <= uint.MaxValue
             ? (object)unchecked((int)bits)
-            : throw place.In("m_Bits").Error("\"" + text + "\" is not a set of 32 layers");
+            : throw place.In("m_Bits").Error(AssetFault.Value, "\"" + text + "\" is not a set of 32 layers");
     }
 
     public YamlNode Write(object value, IReferences references, Place place)

@@ -14,10 +14,10 @@ sealed class ColourFormat : IValueFormat
     {
         var mapping = place.Mapping(node);
         if (mapping.Children.Count != 2 || Nodes.Find(mapping, Version) == null || Nodes.Find(mapping, Number) == null)
-            throw place.Error("has to be serializedVersion and rgba");
+            throw place.Error(AssetFault.Kind, "has to be serializedVersion and rgba");
         var text = place.In(Number).Scalar(Nodes.Find(mapping, Number));
         if (!Numbers.TryRead(text, out long bits) || bits < 0 || bits > uint.MaxValue)
-            throw place.In(Number).Error("\"" + text + "\" is not a colour");
+            throw place.In(Number).Error(AssetFault.Value, "\"" + text + "\" is not a colour");
         return new Color32((byte)bits, (byte)(bits >> 8), (byte)(bits >> 16), (byte)(bits >> 24));
     }
 

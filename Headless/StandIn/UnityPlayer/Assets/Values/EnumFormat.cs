@@ -15,10 +15,10 @@ sealed class EnumFormat : IValueFormat
     public object Read(YamlNode node, object current, IReferences references, Place place)
     {
         var text = place.Scalar(node);
-        if (!Numbers.TryRead(text, out long number)) throw place.Error("\"" + text + "\" is not a number of a " + _type.Name);
+        if (!Numbers.TryRead(text, out long number)) throw place.Error(AssetFault.Value, "\"" + text + "\" is not a number of a " + _type.Name);
         var value = Enum.ToObject(_type, number);
         // If the value is not a member or a sum of members, ToString returns the number.
-        if (Numbers.TryRead(value.ToString(), out long _)) throw place.Error(text + " is not a member of " + _type.Name);
+        if (Numbers.TryRead(value.ToString(), out long _)) throw place.Error(AssetFault.Value, text + " is not a member of " + _type.Name);
         return value;
     }
 

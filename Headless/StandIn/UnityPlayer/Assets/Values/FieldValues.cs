@@ -18,7 +18,7 @@ static class FieldValues
         {
             var name = place.Scalar(entry.Key);
             var field = SerializedFields.Find(target.GetType(), name)
-                ?? throw place.Error(target.GetType().Name + " has no serialised field " + name);
+                ?? throw place.Error(AssetFault.UnknownField, target.GetType().Name + " has no serialised field " + name);
             Read(field, entry.Value, target, references, place);
         }
         (target as ISerializationCallbackReceiver)?.OnAfterDeserialize();

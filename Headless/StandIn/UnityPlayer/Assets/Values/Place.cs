@@ -13,22 +13,22 @@ readonly struct Place
 
     public Place At(int index) => new Place(_text + "[" + index + "]");
 
-    public AssetException Error(string message) => new AssetException(_text + ": " + message);
+    public AssetException Error(AssetFault fault, string message) => new AssetException(fault, _text + ": " + message);
 
     public string Scalar(YamlNode node)
     {
-        return node is YamlScalarNode scalar ? scalar.Value ?? "" : throw Error("has to be one value, not " + Kind(node));
+        return node is YamlScalarNode scalar ? scalar.Value ?? "" : throw Error(AssetFault.Kind, "has to be one value, not " + Kind(node));
     }
 
     public YamlMappingNode Mapping(YamlNode node)
     {
-        return node as YamlMappingNode ?? throw Error("has to be named values, not " + Kind(node));
+        return node as YamlMappingNode ?? throw Error(AssetFault.Kind, "has to be named values, not " + Kind(node));
     }
 
     /// <summary>Returns a node as a list. An empty list is also a list node, because Unity writes it as <c>[]</c>.</summary>
     public YamlSequenceNode Sequence(YamlNode node)
     {
-        return node as YamlSequenceNode ?? throw Error("has to be a list, not " + Kind(node));
+        return node as YamlSequenceNode ?? throw Error(AssetFault.Kind, "has to be a list, not " + Kind(node));
     }
 
     public override string ToString() => _text;

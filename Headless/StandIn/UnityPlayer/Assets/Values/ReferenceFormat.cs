@@ -15,7 +15,7 @@ sealed class ReferenceFormat : IValueFormat
     public object Read(YamlNode node, object current, IReferences references, Place place)
     {
         if (!AssetReference.TryRead(node, out var reference))
-            throw place.Error("has to be a reference: {fileID: …} or {fileID: …, guid: …, type: …}");
+            throw place.Error(AssetFault.Kind, "has to be a reference: {fileID: …} or {fileID: …, guid: …, type: …}");
         return reference.IsNone ? null : references.ObjectAt(reference, _type, place);
     }
 

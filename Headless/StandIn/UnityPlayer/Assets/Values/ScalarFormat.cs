@@ -21,7 +21,7 @@ sealed class ScalarFormat<T> : IValueFormat
     public object Read(YamlNode node, object current, IReferences references, Place place)
     {
         var text = place.Scalar(node);
-        return _parse(text, out var value) ? value : throw place.Error("\"" + text + "\" is not a valid " + typeof(T).Name);
+        return _parse(text, out var value) ? value : throw place.Error(AssetFault.Value, "\"" + text + "\" is not a valid " + typeof(T).Name);
     }
 
     public YamlNode Write(object value, IReferences references, Place place) => Nodes.Text(_format((T)value));

@@ -27,7 +27,7 @@ static class UnityDocumentReader
     {
         text = text.Replace("\r\n", "\n");
         if (!text.StartsWith(Header, StringComparison.Ordinal))
-            throw new AssetException(file + ": does not begin with the two header lines of Unity's YAML");
+            throw new AssetException(AssetFault.Header, file + ": does not begin with the two header lines of Unity's YAML");
         var heads = Heads.Matches(text);
         RequireAllHeadsKnown(text, heads, file);
 
@@ -37,7 +37,7 @@ static class UnityDocumentReader
         {
             var end = i + 1 < heads.Count ? heads[i + 1].Index : text.Length;
             var document = Document(heads[i], text, end, file);
-            if (!ids.Add(document.FileId)) throw new AssetException(file + " &" + document.FileId + ": this fileID occurs twice in the file");
+            if (!ids.Add(document.FileId)) throw new AssetException(AssetFault.Duplicate, file + " &" + document.FileId + ": this fileID occurs twice in the file");
             documents.Add(document);
         }
         return documents;
@@ -45,14 +45,14 @@ static class UnityDocumentReader
 
     static void RequireAllHeadsKnown(string text, MatchCollection heads, string file)
     {
-        if (heads.Count == 0) throw new AssetException(file + ": contains no object");
-        if (heads[0].Index != Header.Length) throw new AssetException(file + ": text before the first object");
+        if (heads.Count == 0) throw new AssetException(AssetFault.NoObject, file + ": contains no object");
+        if (heads[0].Index != Header.Length) throw new AssetException(AssetFault.Header, file + ": text before the first object");
         var known = new HashSet<int>();
         foreach (Match head in heads) known.Add(head.Index);
         foreach (Match start in DocumentStarts.Matches(text))
         {
             if (!known.Contains(start.Index))
-                throw new AssetException(file + " line " + LineOf(text, start.Index) + ": not the header of an object (--- !u!CLASS &FILEID)");
+                throw new AssetException(AssetFault.Header, file + " line " + LineOf(text, start.Index) + ": not the header of an object (--- !u!CLASS &FILEID)");
         }
     }
 
@@ -60,17 +60,17 @@ static class UnityDocumentReader
     {
         var where = file + " &" + head.Groups[2].Value;
         if (!Numbers.TryRead(head.Groups[2].Value, out long fileId) || fileId == 0)
-            throw new AssetException(where + ": not a fileID (a 64-bit integer other than 0)");
+            throw new AssetException(AssetFault.FileId, where + ": not a fileID (a 64-bit integer other than 0)");
         var start = head.Index + head.Length;
         var root = Body(text, start, end, where);
-        if (root.Children.Count != 1) throw new AssetException(where + ": must contain one class name with its fields");
+        if (root.Children.Count != 1) throw new AssetException(AssetFault.ClassCount, where + ": must contain one class name with its fields");
         foreach (var entry in root.Children)
         {
             if (!(entry.Key is YamlScalarNode name) || !(entry.Value is YamlMappingNode fields))
-                throw new AssetException(where + ": must contain one class name with its fields");
+                throw new AssetException(AssetFault.ClassCount, where + ": must contain one class name with its fields");
             return new UnityDocument(int.Parse(head.Groups[1].Value), name.Value, fileId, fields, head.Groups[3].Success);
         }
-        throw new AssetException(where + ": is empty");
+        throw new AssetException(AssetFault.ClassCount, where + ": is empty");
     }
 
     static YamlMappingNode Body(string text, int start, int end, string where)
@@ -82,10 +82,10 @@ static class UnityDocumentReader
         }
         catch (YamlException exception)
         {
-            throw new AssetException(where + " line " + (LineOf(text, start) + exception.Start.Line - 1) + ": " + exception.Message, exception);
+            throw new AssetException(AssetFault.Syntax, where + " line " + (LineOf(text, start) + exception.Start.Line - 1) + ": " + exception.Message, exception);
         }
         if (stream.Documents.Count != 1 || !(stream.Documents[0].RootNode is YamlMappingNode root))
-            throw new AssetException(where + ": must contain one class name with its fields");
+            throw new AssetException(AssetFault.ClassCount, where + ": must contain one class name with its fields");
         return root;
     }
 
