@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Counter;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core
@@ -100,7 +101,7 @@ namespace Nowpose.Tests.Core
 
             Assert.That(isPaired, Is.False);
             Assert.That(pairing, Is.Null);
-            Assert.That(fault, Does.Contain("not have the Windows performance counter").And.Contain("kernel32.dll"));
+            Assert.That(fault, Is.EqualTo(CounterMessages.Missing("kernel32.dll")));
         }
 
         [TestCase(0)]

@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring
@@ -19,11 +20,16 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(marker.SizeMetres, Is.EqualTo(0.12));
         }
 
-        [TestCase(double.NaN, 0, 0.1, "marker 'cell 7': x of its offset: NaN m is out of range; allowed: -100 to 100 m")]
-        [TestCase(101, 0, 0.1, "marker 'cell 7': x of its offset: 101 m is out of range; allowed: -100 to 100 m")]
-        [TestCase(0, double.PositiveInfinity, 0.1, "marker 'cell 7': its rotation is invalid; enter three finite angles")]
-        [TestCase(0, 0, 0.001, "marker 'cell 7': its size: 0.001 m is out of range; allowed: 0.005 to 5 m")]
-        [TestCase(0, 0, -0.1, "marker 'cell 7': its size: -0.1 m is out of range; allowed: 0.005 to 5 m")]
+        static readonly object[][] Invalid =
+        {
+            new object[] { double.NaN, 0, 0.1, SettingMessages.OutOfRange("marker 'cell 7': x of its offset", double.NaN, " m", -100, 100) },
+            new object[] { 101, 0, 0.1, SettingMessages.OutOfRange("marker 'cell 7': x of its offset", 101, " m", -100, 100) },
+            new object[] { 0, double.PositiveInfinity, 0.1, MarkerMessages.RotationInvalid("marker 'cell 7'") },
+            new object[] { 0, 0, 0.001, SettingMessages.OutOfRange("marker 'cell 7': its size", 0.001, " m", 0.005, 5) },
+            new object[] { 0, 0, -0.1, SettingMessages.OutOfRange("marker 'cell 7': its size", -0.1, " m", 0.005, 5) },
+        };
+
+        [TestCaseSource(nameof(Invalid))]
         public void Constructor_NumberOutOfRange_NamesValueAndRange(double x, double yaw, double size, string message)
         {
             var fault = Assert.Throws<InputException>(
@@ -46,7 +52,8 @@ namespace Nowpose.Tests.Core.Anchoring
         {
             var fault = Assert.Throws<InputException>(() => new BaseMarker("first\nsecond, and a lot more of it", Anywhere, 9));
 
-            Assert.That(fault.Message, Does.StartWith("marker 'first second, and a lot…': its size: 9 m"));
+            Assert.That(fault.Message, Is.EqualTo(
+                SettingMessages.OutOfRange("marker 'first second, and a lot…': its size", 9, " m", 0.005, 5)));
         }
 
         [TestCase(0.0)]

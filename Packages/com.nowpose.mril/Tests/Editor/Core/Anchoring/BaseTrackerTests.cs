@@ -1,5 +1,6 @@
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Anchoring.LockedMarkers;
 
@@ -119,7 +120,7 @@ namespace Nowpose.Tests.Core.Anchoring
                     cell.Frame();
                     Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Searching), "seed " + seed + " at " + cell.Seconds + " s");
                 }
-                Assert.That(cell.Tracker.Words, Is.EqualTo("marker 'a' is moving: keep it and the robot still"));
+                Assert.That(cell.Tracker.Words, Is.EqualTo(BaseStatusMessages.Moving("marker 'a'")));
 
                 Assert.That(cell.RunUntilLocked(3), Is.Not.Null, "seed " + seed);
                 Assert.That(cell.ErrorAt().Metres, Is.LessThan(0.002), "seed " + seed);
@@ -151,7 +152,7 @@ namespace Nowpose.Tests.Core.Anchoring
             var marker = new BaseMarker("a", RigidTransform.Identity);
 
             var twice = Assert.Throws<InputException>(() => tracker.Use("", new[] { marker, marker }));
-            Assert.That(twice.Message, Is.EqualTo("marker 'a' is listed twice; each marker of a base needs its own payload"));
+            Assert.That(twice.Message, Is.EqualTo(MarkerMessages.PayloadTwice("marker 'a'")));
             Assert.Throws<InputException>(() => tracker.Use("", new BaseMarker[40]));
             Assert.That(tracker.State, Is.EqualTo(BaseAnchorState.Placed), "no marker was accepted");
         }

@@ -2,6 +2,7 @@ using System;
 using Nowpose.Anchoring;
 using Nowpose.Anchoring.Tracking;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring
@@ -64,11 +65,16 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Judge(tracking: placed, pose: default(RigidTransform)), Is.EqualTo(SightingFault.NoPose));
         }
 
-        [TestCase("settle: 0 ms is out of range; allowed: 100 to 60000 ms", 0, 400, 2.5, 60, 10)]
-        [TestCase("maximum age: NaN ms is out of range; allowed: 20 to 10000 ms", 1850, double.NaN, 2.5, 60, 10)]
-        [TestCase("maximum distance: -1 m is out of range; allowed: 0.1 to 20 m", 1850, 400, -1, 60, 10)]
-        [TestCase("maximum viewing angle: 90 ° is out of range; allowed: 10 to 89 °", 1850, 400, 2.5, 90, 10)]
-        [TestCase("tolerance: 2 m is out of range; allowed: 0.001 to 1 m", 1850, 400, 2.5, 60, 2000)]
+        static readonly object[][] Invalid =
+        {
+            new object[] { SettingMessages.OutOfRange("settle", 0, " ms", 100, 60000), 0, 400, 2.5, 60, 10 },
+            new object[] { SettingMessages.OutOfRange("maximum age", double.NaN, " ms", 20, 10000), 1850, double.NaN, 2.5, 60, 10 },
+            new object[] { SettingMessages.OutOfRange("maximum distance", -1, " m", 0.1, 20), 1850, 400, -1, 60, 10 },
+            new object[] { SettingMessages.OutOfRange("maximum viewing angle", 90, " °", 10, 89), 1850, 400, 2.5, 90, 10 },
+            new object[] { SettingMessages.OutOfRange("tolerance", 2, " m", 0.001, 1), 1850, 400, 2.5, 60, 2000 },
+        };
+
+        [TestCaseSource(nameof(Invalid))]
         public void Settings_OutOfRange_NameValueAndRange(
             string message, double settle, double oldest, double farthest, double oblique, double toleranceMm)
         {

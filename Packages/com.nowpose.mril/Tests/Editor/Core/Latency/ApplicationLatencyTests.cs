@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Latency
@@ -52,7 +53,7 @@ namespace Nowpose.Tests.Core.Latency
         {
             var error = Assert.Throws<InputException>(() => new VisualisationLatency(Lengths.Ms(ms)));
 
-            Assert.That(error.Message, Is.EqualTo("visualisation latency: " + ms + " ms is out of range; allowed: 0 to 500 ms"));
+            Assert.That(error.Message, Is.EqualTo(SettingMessages.OutOfRange("visualisation latency", ms, " ms", 0, 500)));
         }
     }
 }

@@ -1,6 +1,7 @@
 using System.Linq;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Latency
@@ -75,7 +76,7 @@ namespace Nowpose.Tests.Core.Latency
         public void Constructor_TextWithLineBreakOrTooLong_ThrowsWithItsField()
         {
             Assert.That(() => Calibrated(api: "Direct3D\n11"),
-                Throws.TypeOf<InputException>().With.Message.EqualTo("graphics_api: the value must be one line of up to 128 characters"));
+                Throws.TypeOf<InputException>().With.Message.EqualTo(ConditionMessages.NotOneLine("graphics_api", "the value", 128)));
             Assert.That(() => Calibrated(pipeline: new string('x', 129)),
                 Throws.TypeOf<InputException>().With.Message.StartsWith("render_pipeline: "));
         }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Latency;
 using Nowpose.Latency.Load;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Latency
@@ -48,7 +49,7 @@ namespace Nowpose.Tests.Core.Latency
         {
             Assert.That(
                 () => LoadMesh.PatchesOf(vertices),
-                Throws.TypeOf<InputException>().With.Message.EqualTo($"load, vertices: {vertices} is out of range; allowed: 0 to 2000000"));
+                Throws.TypeOf<InputException>().With.Message.EqualTo(SettingMessages.OutOfRange("load, vertices", vertices, "", 0, 2_000_000)));
         }
 
         [Test]

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Messages;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
@@ -192,7 +193,7 @@ namespace Nowpose.Tests.Core.Simulation
         {
             Assert.That(
                 Assert.Throws<InputException>(() => new DisplayPipelineSettings(refreshMs: 20, plateauMs: 10)).Message,
-                Is.EqualTo("visualisation latency while frames are ready in time: 10 ms is out of range; allowed: 20 to 500 ms"));
+                Is.EqualTo(SettingMessages.OutOfRange("visualisation latency while frames are ready in time", 10, " ms", 20, 500)));
         }
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Nowpose.Messages;
 using Nowpose.Simulation;
 using Nowpose.Sync;
 using NUnit.Framework;
@@ -212,7 +213,7 @@ namespace Nowpose.Tests.Core.Sync
         {
             var error = Assert.Throws<InputException>(() => new ClockSettings(holdoverAfterSeconds: -1));
 
-            Assert.That(error.Message, Is.EqualTo("holdover after: -1 s is out of range; allowed: 0.1 to 3600 s"));
+            Assert.That(error.Message, Is.EqualTo(SettingMessages.OutOfRange("holdover after", -1, " s", 0.1, 3600)));
         }
     }
 }

@@ -30,9 +30,14 @@ namespace Nowpose.Tests.Core.Latency.Calibration
             Assert.That(marks.Result.Count, Is.EqualTo(3));
         }
 
-        [TestCase(19, "nudge: the tool moves at 19 mm/s along the axis; set marks at 20 mm/s or more")]
-        [TestCase(double.NaN, "nudge: the tool moves at NaN mm/s along the axis; set marks at 20 mm/s or more")]
-        [TestCase(-200, "nudge: the tool moves at 200 mm/s, and moved at 250 mm/s during the earlier marks; use the same speed, or clear the marks")]
+        static readonly object[][] InvalidSpeeds =
+        {
+            new object[] { 19, NudgeMessages.TooSlow(19, 20) },
+            new object[] { double.NaN, NudgeMessages.TooSlow(double.NaN, 20) },
+            new object[] { -200, NudgeMessages.OtherSpeed(200, 250) },
+        };
+
+        [TestCaseSource(nameof(InvalidSpeeds))]
         public void Add_InvalidSpeed_ThrowsAndKeepsTheMarks(double speedMmPerS, string message)
         {
             var marks = new MarkedNudges(40);

@@ -76,12 +76,17 @@ namespace Nowpose.Tests.Core.Latency.Calibration
             nudge.AddBackward(30);
 
             Assert.That(Assert.Throws<InputException>(() => nudge.Result.ToString()).Message,
-                Is.EqualTo("nudge: visualisation latency: -20 ms is out of range; allowed: 0 to 500 ms"));
+                Is.EqualTo(SettingMessages.OutOfRange("nudge: visualisation latency", -20, " ms", 0, 500)));
         }
 
-        [TestCase(0, 40, "speed of the tool: 0 mm/s is out of range; allowed: 1 to 10000 mm/s")]
-        [TestCase(double.NaN, 40, "speed of the tool: NaN mm/s is out of range; allowed: 1 to 10000 mm/s")]
-        [TestCase(500, -1, "visualisation latency: -1 ms is out of range; allowed: 0 to 500 ms")]
+        static readonly object[][] InvalidSettings =
+        {
+            new object[] { 0, 40, SettingMessages.OutOfRange("speed of the tool", 0, " mm/s", 1, 10000) },
+            new object[] { double.NaN, 40, SettingMessages.OutOfRange("speed of the tool", double.NaN, " mm/s", 1, 10000) },
+            new object[] { 500, -1, SettingMessages.OutOfRange("visualisation latency", -1, " ms", 0, 500) },
+        };
+
+        [TestCaseSource(nameof(InvalidSettings))]
         public void Constructor_InvalidSetting_ThrowsWithTheReason(double speedMmPerS, double usedVisuMs, string message)
         {
             Assert.That(Assert.Throws<InputException>(() => new NudgeCalibration(speedMmPerS, usedVisuMs)).Message, Is.EqualTo(message));

@@ -81,14 +81,19 @@ namespace Nowpose.Tests.Core.Latency.Profile
             Assert.That(profile.HeadMotion, Is.Null);
         }
 
-        [TestCase(@"""reprojection"": ""sideways""", "profile.json: reprojection: 'sideways' is not allowed; use one of unknown, none, ")]
-        [TestCase(@"""rewrite_before_render"": ""maybe""", "profile.json: rewrite_before_render: 'maybe' is not allowed; use on or off")]
-        [TestCase(@"""rewrite_before_render"": true", "profile.json: rewrite_before_render is neither a string nor a number; it must be a string")]
-        [TestCase(@"""head_latency_ms"": 700", "profile.json: head_latency_ms: 700 ms is out of range; allowed: -500 to 500 ms")]
-        [TestCase(@"""head_latency_ms"": 7", "profile.json: head_latency_uncertainty_ms is missing")]
+        static readonly string[][] InvalidConditions =
+        {
+            new[] { @"""reprojection"": ""sideways""", ConditionMessages.NotAMode("reprojection", "sideways", "unknown, none, ") },
+            new[] { @"""rewrite_before_render"": ""maybe""", ConditionMessages.NotASwitch("rewrite_before_render", "maybe", "on", "off") },
+            new[] { @"""rewrite_before_render"": true", ProfileMessages.NotAText("rewrite_before_render", ProfileMessages.OtherKind) },
+            new[] { @"""head_latency_ms"": 700", SettingMessages.OutOfRange("head_latency_ms", 700, " ms", -500, 500) },
+            new[] { @"""head_latency_ms"": 7", ProfileMessages.Missing("head_latency_uncertainty_ms") },
+        };
+
+        [TestCaseSource(nameof(InvalidConditions))]
         public void Read_InvalidCondition_IsRefused(string field, string message)
         {
-            Assert.That(FaultOf(Good.Replace("}", ", " + field + "}")), Does.StartWith(message));
+            Assert.That(FaultOf(Good.Replace("}", ", " + field + "}")), Does.StartWith("profile.json: " + message));
         }
 
         [Test]

@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Latency.Profile
@@ -33,21 +34,29 @@ namespace Nowpose.Tests.Core.Latency.Profile
             Assert.That(profile.ValidToRenderTime, Is.EqualTo(Lengths.Ms(12.5)));
         }
 
-        [TestCase(double.NaN, 1.1, "HoloLens 2", 60, 300, 15, 15, "visualisation latency: NaN ms is out of range; allowed: 0 to 500 ms")]
-        [TestCase(501, 1.1, "HoloLens 2", 60, 300, 15, 15, "visualisation latency: 501 ms is out of range; allowed: 0 to 500 ms")]
-        [TestCase(40, -1, "HoloLens 2", 60, 300, 15, 15, "spread of the visualisation latency: -1 ms is out of range; allowed: 0 to 500 ms")]
-        [TestCase(40, 1, "Holo\nLens", 60, 300, 15, 15, "device: the model's name must be one line of up to 128 characters")]
-        [TestCase(40, 1, "HoloLens 2", -60, 300, 15, 15, "display rate: -60 Hz is out of range; allowed: 0 to 1000 Hz")]
-        [TestCase(40, 1, "HoloLens 2", 60, -1, 15, 15, "measurements: -1 is out of range; allowed: 0 to 2147483647")]
-        [TestCase(40, 1, "HoloLens 2", 60, 300, 0, 15, "render time limit: 0 ms is out of range; allowed: 0.1 to 1000 ms")]
-        [TestCase(40, 1, "HoloLens 2", 60, 300, 15, double.NaN, "maximum measured render time: NaN ms is out of range; allowed: 0.1 to 1000 ms")]
-        public void LatencyProfile_InvalidValue_ThrowsWithTheReason(
-            double visuMs, double spreadMs, string device, double displayHz, int measurements, double limitMs, double validToMs, string message)
+        [TestCase(double.NaN, 1.1, 60, 300, 15, 15, "visualisation latency", double.NaN, " ms", 0, 500)]
+        [TestCase(501, 1.1, 60, 300, 15, 15, "visualisation latency", 501, " ms", 0, 500)]
+        [TestCase(40, -1, 60, 300, 15, 15, "spread of the visualisation latency", -1, " ms", 0, 500)]
+        [TestCase(40, 1, -60, 300, 15, 15, "display rate", -60, " Hz", 0, 1000)]
+        [TestCase(40, 1, 60, -1, 15, 15, "measurements", -1, "", 0, int.MaxValue)]
+        [TestCase(40, 1, 60, 300, 0, 15, "render time limit", 0, " ms", 0.1, 1000)]
+        [TestCase(40, 1, 60, 300, 15, double.NaN, "maximum measured render time", double.NaN, " ms", 0.1, 1000)]
+        public void LatencyProfile_ValueOutOfRange_ThrowsWithNameValueAndRange(
+            double visuMs, double spreadMs, double displayHz, int measurements, double limitMs, double validToMs,
+            string name, double value, string unit, double min, double max)
         {
             var fault = Assert.Throws<InputException>(
-                () => Profile(visuMs, spreadMs, device, displayHz, measurements, limitMs, validToMs: validToMs));
+                () => Profile(visuMs, spreadMs, "HoloLens 2", displayHz, measurements, limitMs, validToMs: validToMs));
 
-            Assert.That(fault.Message, Is.EqualTo(message));
+            Assert.That(fault.Message, Is.EqualTo(SettingMessages.OutOfRange(name, value, unit, min, max)));
+        }
+
+        [Test]
+        public void LatencyProfile_DeviceWithLineBreak_Throws()
+        {
+            Assert.That(
+                Assert.Throws<InputException>(() => Profile(device: "Holo\nLens")).Message,
+                Is.EqualTo(ConditionMessages.NotOneLine("device", "the model's name", 128)));
         }
 
         [Test]
@@ -56,12 +65,17 @@ namespace Nowpose.Tests.Core.Latency.Profile
             Assert.Throws<InputException>(() => Profile(source: RenderTimeSourceKind.None));
         }
 
-        [TestCase("HoloLens 2", 60, null)]
-        [TestCase("hololens 2", 59.94, null)]
-        [TestCase("", 0, null)]
-        [TestCase(null, double.NaN, null)]
-        [TestCase("Quest 3", 60, "latency profile was measured on device 'HoloLens 2', but this device is 'Quest 3'; calibrate this device")]
-        [TestCase("HoloLens 2", 72, "latency profile was measured at 60 Hz, but this display runs at 72 Hz; calibrate at this refresh rate")]
+        static readonly object[][] Devices =
+        {
+            new object[] { "HoloLens 2", 60, null },
+            new object[] { "hololens 2", 59.94, null },
+            new object[] { "", 0, null },
+            new object[] { null, double.NaN, null },
+            new object[] { "Quest 3", 60, ConditionMessages.OtherDevice("HoloLens 2", "Quest 3") },
+            new object[] { "HoloLens 2", 72, ConditionMessages.OtherRate("60", "72") },
+        };
+
+        [TestCaseSource(nameof(Devices))]
         public void RefusalFor_DeviceAndRate_NamesBothValuesIfOneDiffers(string device, double displayHz, string refusal)
         {
             Assert.That(Profile().RefusalFor(device, displayHz), Is.EqualTo(refusal));

@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Latency;
 using Nowpose.Latency.Sweep;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Latency.Sweep
@@ -31,13 +32,16 @@ namespace Nowpose.Tests.Core.Latency.Sweep
             Assert.That(plan.Duration, Is.EqualTo(new TimeSpan(0, 2, 6)));
         }
 
-        [TestCase(2_000_001, 10, 5, 1, "maximum load of the sweep, vertices: 2000001 is out of range; allowed: 1000 to 2000000")]
-        [TestCase(2_000_000, 1, 5, 1, "steps of the sweep: 1 is out of range; allowed: 2 to 100")]
-        [TestCase(2_000_000, 10, 0, 1, "duration of a load: 0 s is out of range")]
-        [TestCase(2_000_000, 10, 5, double.NaN, "time for a load to settle: NaN s is out of range")]
-        public void Constructor_ValueOutOfRange_NamesTheValue(int most, int steps, double seconds, double settle, string message)
+        [TestCase(2_000_001, 10, 5, 1, "maximum load of the sweep, vertices", 2_000_001, "", 1000, 2_000_000)]
+        [TestCase(2_000_000, 1, 5, 1, "steps of the sweep", 1, "", 2, 100)]
+        [TestCase(2_000_000, 10, 0, 1, "duration of a load", 0, " s", 0.5, 600)]
+        [TestCase(2_000_000, 10, 5, double.NaN, "time for a load to settle", double.NaN, " s", 0, 60)]
+        public void Constructor_ValueOutOfRange_NamesTheValue(
+            int most, int steps, double seconds, double settle, string name, double value, string unit, double min, double max)
         {
-            Assert.That(() => new SweepPlan(most, steps, seconds, settle), Throws.TypeOf<InputException>().With.Message.StartsWith(message));
+            Assert.That(
+                () => new SweepPlan(most, steps, seconds, settle),
+                Throws.TypeOf<InputException>().With.Message.EqualTo(SettingMessages.OutOfRange(name, value, unit, min, max)));
         }
     }
 }
