@@ -143,8 +143,8 @@ public class PlayedActuatedPartTests : PlayedParts
         Run(1, t => SendPose("world", "box", t, Along(t)), () => AssertAt(box.transform, _session.transform, Along(_cell.Now + Visu), 1e-3));
 
         Assert.That(box.GetComponent<PoseAppearance>().Look.IsHatched, Is.False, "the tracked object itself is shown correctly");
-        Assert.That(part.Fault, Is.EqualTo("the tracked or stationary object on the same object moves it; put the actuated part on a child object"));
-        Assert.That(_cell.Player.Logs.Count(log => log.Type == LogType.Error && log.Message.Contains("put the actuated part on a child object")), Is.EqualTo(1));
+        Assert.That(part.Fault, Is.EqualTo(ObjectMessages.OtherMover));
+        Assert.That(_cell.Player.Logs.Count(log => log.Type == LogType.Error && log.Message.Contains(ObjectMessages.OtherMover)), Is.EqualTo(1));
     }
 
     [TestCase(-3600)]

@@ -126,7 +126,7 @@ public class PlayedGripTests : PlayedParts
         var grip = Below<GripByReach>("grip", _session.transform);
         Run(0.5);
 
-        Assert.That(grip.Fault, Is.EqualTo("no rig"));
-        Assert.That(_cell.Messages, Has.Exactly(1).Contains("grip by reach 'grip' has no rig on a parent; assign one"));
+        Assert.That(grip.Fault, Is.EqualTo(StatusMessages.NoRig));
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains(ComponentMessages.GripWithoutRig("grip")));
     }
 }

@@ -1,5 +1,6 @@
 using Nowpose.Gateway.Plants;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.UnityPlayer;
 using NUnit.Framework;
 using UnityEngine;
@@ -149,7 +150,7 @@ public class PlayedRobotTests
         _played.Cell.Frame(null);
 
         Assert.That(_played.Cell.Player.Logs.Single().Context, Is.SameAs(alone));
-        Assert.That(_played.Cell.Messages.Single(), Does.Contain("'Alone'").And.Contain("no session"));
+        Assert.That(_played.Cell.Messages.Single(), Does.Contain(ComponentMessages.RigWithoutSession("Alone")));
     }
 
     [Test]

@@ -1,6 +1,7 @@
 using Nowpose.Frames;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -50,7 +51,7 @@ public class PlayedStationaryObjectTests : PlayedParts
         var lid = Below<TrackedObject>("lid", anchor.transform);
         void Send(double t) => SendPose("fixture", "lid", t, Along(0.05));
         Run(1, Send);
-        Assert.That(FaultsNow(), Does.Contain("object fixture: not placed; place it by hand, or publish its frame on /tf_static"));
+        Assert.That(FaultsNow(), Does.Contain("object fixture: " + ObjectMessages.NotPlaced));
         var look = fixture.GetComponent<PoseAppearance>().Look;
         Assert.That((look.Label, look.IsDrawn, look.IsHatched), Is.EqualTo(("not placed", true, true)));
 
@@ -110,7 +111,7 @@ public class PlayedStationaryObjectTests : PlayedParts
         fixture.BeginMove();
 
         Assert.That(fixture.IsMoving, Is.False);
-        Assert.That(_cell.Messages, Has.Exactly(1).Contains("stationary object 'box': its source or a gripper moves it, so it cannot be placed by hand"));
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains(ObjectMessages.NotPlaceable("box")));
     }
 
     [Test]

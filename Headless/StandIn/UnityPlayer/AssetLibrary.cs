@@ -57,5 +57,6 @@ public sealed class AssetLibrary
         return new LoadedScene(file.Name, file.Path, Loaded.Instantiate(file).Roots, settings);
     }
 
-    AssetFile FileAt(string path) => _files.Index.ByPath(path) ?? throw new AssetException(AssetFault.MissingAsset, path + ": there is no such asset");
+    AssetFile FileAt(string path) => _files.Index.ByPath(path)
+        ?? throw new AssetException(AssetFault.MissingAsset, path + ": there is no such asset");
 }

@@ -107,7 +107,8 @@ public sealed class InvalidAssetTests
     {
         _probed.Project.Add("Assets/arm.urdf", 4, "<robot/>", "ScriptedImporter");
 
-        Assert.That(() => _probed.Probe("  material: {fileID: 4900000, guid: " + GuidOf(4) + ", type: 3}"), Refused(AssetFault.Reference, "LoaderProbe.material", "Assets/arm.urdf"));
+        Assert.That(() => _probed.Probe("  material: {fileID: 4900000, guid: " + GuidOf(4)
+            + ", type: 3}"), Refused(AssetFault.Reference, "LoaderProbe.material", "Assets/arm.urdf"));
     }
 
     [Test]

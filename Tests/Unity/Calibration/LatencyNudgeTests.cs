@@ -1,8 +1,10 @@
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using NUnit.Framework;
 using UnityEngine;
@@ -206,7 +208,7 @@ public sealed class LatencyNudgeTests
         var problem = _nudge.Problem;
         Assert.That(_nudge.Apply(), Is.False);
 
-        Assert.That(problem, Is.EqualTo("nudge: the runtime predicts display times, so L_visu needs no correction"));
+        Assert.That(problem, Is.EqualTo(NudgeReports.Predicted));
         Assert.That(_nudge.Problem, Is.EqualTo(problem));
         Assert.That(_session.Session.Visualisation.Length.TotalMilliseconds, Is.EqualTo(UsedVisuMs));
         Assert.That(_nudge.ForwardCount, Is.EqualTo(1));
@@ -221,7 +223,7 @@ public sealed class LatencyNudgeTests
 
         Assert.That(_nudge.Apply(), Is.False);
 
-        Assert.That(_nudge.Problem, Is.EqualTo("nudge: the backward direction has no mark; set marks in both directions"));
+        Assert.That(_nudge.Problem, Is.EqualTo(NudgeMessages.NoMark(isForward: false)));
         Assert.That(_session.Session.Visualisation.Length.TotalMilliseconds, Is.EqualTo(UsedVisuMs));
         Assert.That(_nudge.ForwardCount, Is.EqualTo(1));
     }
@@ -235,7 +237,7 @@ public sealed class LatencyNudgeTests
 
         Assert.That(_nudge.Mark(), Is.False);
 
-        Assert.That(_nudge.Problem, Is.EqualTo("nudge: the tool does not move steadily; set marks while it moves at constant speed"));
+        Assert.That(_nudge.Problem, Is.EqualTo(NudgeReports.NotSteady));
     }
 
     [Test]

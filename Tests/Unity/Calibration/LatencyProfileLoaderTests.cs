@@ -2,6 +2,7 @@ using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -195,8 +196,7 @@ public sealed class LatencyProfileLoaderTests
         LatencyProfileFile.Save(Saved, Profile(51));
         _loader.Reload();
 
-        Assert.That(problem, Is.EqualTo("latency profile: on this device, StreamingAssets is inside the app's archive, where no file can be opened; "
-            + "assign the profile as a text asset, or copy it to " + Saved));
+        Assert.That(problem, Is.EqualTo(LoaderMessages.InArchive(Saved)));
         Assert.That(_loader.Problem, Is.Null);
     }
 
@@ -226,7 +226,7 @@ public sealed class LatencyProfileLoaderTests
 
         Assert.That(isKept, Is.False);
         Assert.That(_loader.Problem, Does.StartWith(Saved + ": the latency profile cannot be saved: "));
-        Assert.That(_loader.From, Is.EqualTo("an unsaved calibration"));
+        Assert.That(_loader.From, Is.EqualTo(LoaderMessages.Unkept));
         Assert.That(_cell.Messages, Has.None.EndsWith("; from " + Saved), "no file has been saved");
         Assert.That(VisuMs, Is.EqualTo(47));
     }

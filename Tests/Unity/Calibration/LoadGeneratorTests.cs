@@ -1,6 +1,7 @@
 using Nowpose.Latency;
 using Nowpose.Latency.Load;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -169,7 +170,7 @@ public sealed class LoadGeneratorTests
         _cell.Frame(null);
         _cell.Frame(null);
 
-        Assert.That(load.Problem, Is.EqualTo("load generator 'Load' has no material; assign one"));
-        Assert.That(_cell.Messages.Count(m => m.Contains("no material", StringComparison.Ordinal)), Is.EqualTo(1));
+        Assert.That(load.Problem, Is.EqualTo("load generator 'Load' " + ComponentMessages.NoMaterial));
+        Assert.That(_cell.Messages.Count(m => m.Contains(ComponentMessages.NoMaterial, StringComparison.Ordinal)), Is.EqualTo(1));
     }
 }

@@ -149,6 +149,6 @@ public sealed class LoadSweepEndTests
 
         _played.Sweep.StartSweep();
 
-        Assert.That(_played.Sweep.Problem, Does.Contain("steps of the sweep: 1 is out of range"));
+        Assert.That(_played.Sweep.Problem, Does.Contain(SettingMessages.OutOfRange("steps of the sweep", 1, "", 2, 100)));
     }
 }

@@ -1,6 +1,7 @@
 using Nowpose.Latency;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -108,7 +109,7 @@ public sealed class TimestampDisplayTests
 
         Assert.That(Lit(), Has.All.False);
         Assert.That(Text, Is.Empty);
-        Assert.That(Words, Is.EqualTo("clock not synchronised"));
+        Assert.That(Words, Is.EqualTo(StatusMessages.ClockNotSynchronised));
         Assert.That(_display.FrameStart, Is.Null);
     }
 
@@ -122,7 +123,7 @@ public sealed class TimestampDisplayTests
         _cell.Run(3, _session);
 
         Assert.That(Lit(), Has.All.False);
-        Assert.That(Words, Is.EqualTo("clock not synchronised"));
+        Assert.That(Words, Is.EqualTo(StatusMessages.ClockNotSynchronised));
     }
 
     [Test]
@@ -131,7 +132,7 @@ public sealed class TimestampDisplayTests
         Play(robot: null);
 
         Assert.That(Lit(), Has.All.False);
-        Assert.That(Words, Is.EqualTo("no session"));
+        Assert.That(Words, Is.EqualTo(StatusMessages.NoSession));
     }
 
     [Test]
@@ -140,7 +141,7 @@ public sealed class TimestampDisplayTests
         Play();
 
         _cell.Player.Pause(true);
-        Assert.That(Words, Is.EqualTo("no session"));
+        Assert.That(Words, Is.EqualTo(StatusMessages.NoSession));
         Assert.That(Lit(), Has.All.False);
 
         _cell.Player.Pause(false);
@@ -186,7 +187,7 @@ public sealed class TimestampDisplayTests
 
         _cell.Run(0.1, null);
 
-        Assert.That(_cell.Messages, Has.Some.Contains("timestamp display 'Alone' has no session on its object or a parent; assign one"));
-        Assert.That(_cell.Messages, Has.Some.Contains("timestamp display 'Alone' has no material for its squares; assign one"));
+        Assert.That(_cell.Messages, Has.Some.Contains(ComponentMessages.ComponentWithoutSession("timestamp display", "Alone")));
+        Assert.That(_cell.Messages, Has.Some.Contains(ComponentMessages.DisplayWithoutMaterial("Alone")));
     }
 }

@@ -150,8 +150,8 @@ public class DemoScoreTests
     [Test]
     public void Failure_RunFailed_NamesTheCause()
     {
-        Assert.That(Run(10, _ => new Wrong(1, 1), Converged, nan: double.NaN).Failure(), Does.StartWith("frame 0: the position of moving joint 0"));
-        Assert.That(Run(4, _ => new Wrong(1, 1), Converged).Failure(), Does.Contain("no sample was used"));
+        Assert.That(Run(10, _ => new Wrong(1, 1), Converged, nan: double.NaN).Failure(), Is.EqualTo(DemoMessages.JointNotFinite(0, 0)));
+        Assert.That(Run(4, _ => new Wrong(1, 1), Converged).Failure(), Does.StartWith(DemoMessages.NoSample(0, "")));
     }
 
     [TestCase(true)]

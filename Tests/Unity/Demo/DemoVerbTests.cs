@@ -1,6 +1,9 @@
 using System.Text.Json;
 using Nowpose.Cli.Demo;
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
+using Nowpose.Gateway.Messages;
+using Nowpose.Prediction;
 using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
@@ -96,19 +99,24 @@ public class DemoVerbTests
         ];
     }
 
-    [TestCase("--seconds", "1", "--seconds: 1 s is out of range; allowed: 5 to 3600 s")]
-    [TestCase("--seconds", "soon", "--seconds: 'soon' is not a number")]
-    [TestCase("--seed", "1.5", "--seed: '1.5' is not a whole number; allowed: 0 to 1000000")]
-    [TestCase("--seed", "99999999999", "--seed: 99999999999 is out of range")]
-    [TestCase("--load", "2000001", "--load: 2000001 vertices is out of range; allowed: 0 to 2000000 vertices")]
-    [TestCase("--network", "carrier-pigeon", "--network: 'carrier-pigeon' is unknown; allowed: lan, wifi, busy-wifi")]
-    [TestCase("--acquisition-ms", "105-55", "--acquisition-ms: '105-55' is not a range; allowed: MIN-MAX with 0 <= MIN <= MAX <= 1000 ms")]
-    [TestCase("--acquisition-ms", "5-x", "--acquisition-ms: '5-x' is not a range")]
-    [TestCase("--predictor", "crystal-ball", "--predictor: 'crystal-ball' is unknown")]
-    [TestCase("--robot", "r2d2", "r2d2")]
-    [TestCase("--recording", "gone.csv", "gone.csv: file not found")]
-    [TestCase("--visu-error-ms", "-50", "--visu-ms plus --visu-error-ms: -10 ms is out of range")]
-    [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written")]
+    static readonly string[][] InvalidOptions =
+    [
+        ["--seconds", "1", OptionMessages.OutOfRange("--seconds", "1", " s", "allowed: 5 to 3600 s.")],
+        ["--seconds", "soon", OptionMessages.NotANumber("--seconds", "soon", "allowed: 5 to 3600 s.")],
+        ["--seed", "1.5", OptionMessages.NotWhole("--seed", "1.5", "allowed: 0 to 1000000.")],
+        ["--seed", "99999999999", OptionMessages.OutOfRange("--seed", "99999999999", "", "allowed: 0 to 1000000.")],
+        ["--load", "2000001", OptionMessages.OutOfRange("--load", "2000001", " vertices", "allowed: 0 to 2000000 vertices.")],
+        ["--network", "carrier-pigeon", OptionMessages.UnknownChoice("--network", "carrier-pigeon", "lan, wifi, busy-wifi")],
+        ["--acquisition-ms", "105-55", OptionMessages.NotARange("--acquisition-ms", "105-55", 1000)],
+        ["--acquisition-ms", "5-x", OptionMessages.NotARange("--acquisition-ms", "5-x", 1000)],
+        ["--predictor", "crystal-ball", OptionValueMessages.UnknownPredictor("--predictor", "crystal-ball", string.Join(", ", Predictors.Names))],
+        ["--robot", "r2d2", "r2d2"],
+        ["--recording", "gone.csv", PathMessages.NotFound("gone.csv")],
+        ["--visu-error-ms", "-50", DemoMessages.AssumedVisu(-10)],
+        ["--out", "/dev/null/x", "--out: /dev/null/x: cannot be written"],
+    ];
+
+    [TestCaseSource(nameof(InvalidOptions))]
     public async Task Demo_InvalidOption_PrintsOneLineAndExitsWith2(string option, string value, string named)
     {
         var before = Directory.Exists("nowpose-demo");

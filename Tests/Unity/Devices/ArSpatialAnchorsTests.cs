@@ -2,6 +2,7 @@ using Nowpose.Anchoring;
 using Nowpose.ArFoundation;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.XR.ARFoundation;
@@ -114,7 +115,7 @@ public sealed class ArSpatialAnchorsTests
 
         Assert.That(early, Is.EqualTo(SpatialAnchorState.Pending));
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));
-        Assert.That(anchor.Problem, Does.StartWith("the device cannot create an anchor here; "));
+        Assert.That(anchor.Problem, Is.EqualTo(DeviceMessages.AnchorNotCreated));
     }
 
     [Test]
@@ -142,7 +143,7 @@ public sealed class ArSpatialAnchorsTests
         Run(11);
 
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));
-        Assert.That(anchor.Problem, Does.Contain("is not running, or does not support the ARAnchorManager"));
+        Assert.That(anchor.Problem, Does.Contain(DeviceMessages.NotOffered("ARAnchorManager", "")));
         Assert.That(_cell.Messages.Count(m => m.Contains("spatial anchors 'Anchors'")), Is.EqualTo(1));
     }
 
@@ -156,7 +157,7 @@ public sealed class ArSpatialAnchorsTests
         Run(0.1);
 
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));
-        Assert.That(anchor.Problem, Does.StartWith("the device has removed the anchor; "));
+        Assert.That(anchor.Problem, Is.EqualTo(DeviceMessages.AnchorRemoved));
     }
 
     [Test]
@@ -208,7 +209,7 @@ public sealed class ArSpatialAnchorsTests
         Assert.That(_anchors.IsReady, Is.False);
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
         Assert.That(anchor.KeptAs, Is.Null);
-        Assert.That(anchor.Problem, Does.StartWith("anchors are lost at the next start"));
+        Assert.That(anchor.Problem, Is.EqualTo(DeviceMessages.NoStoreComponent));
         Assert.That(_anchors.Find("cell"), Is.Null);
     }
 

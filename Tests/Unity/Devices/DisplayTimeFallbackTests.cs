@@ -102,7 +102,7 @@ public sealed class DisplayTimeFallbackTests
         Assert.That(lines, Is.EqualTo(isReported ? 1 : 0));
         Assert.That(Lines("implausible"), Is.EqualTo(isReported ? 1 : 0), "once, however long it lasts");
         Assert.That(Lines("plausible again"), Is.EqualTo(isReported ? 1 : 0));
-        Assert.That(Panel(), Is.EqualTo("40.0 ms|predicted by the runtime"));
+        Assert.That(Panel(), Is.EqualTo("40.0 ms|" + StatusMessages.LatencyPredicted));
         Assert.That(Diagnostic(), Is.EqualTo("predicted"));
     }
 

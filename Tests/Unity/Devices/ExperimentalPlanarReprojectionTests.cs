@@ -3,6 +3,7 @@ using Nowpose.OpenXR;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using PluginMode = Microsoft.MixedReality.OpenXR.ReprojectionMode;
@@ -146,7 +147,7 @@ public sealed class ExperimentalPlanarReprojectionTests
 
         Assert.That(during, Is.EqualTo(ReprojectionMode.PlanarManual));
         Assert.That(paused, Is.EqualTo((ReprojectionMode.Depth, ReprojectionMode.Depth)));
-        Assert.That(problem, Does.Contain("paused because the rig receives no poses"));
+        Assert.That(problem, Is.EqualTo(DeviceMessages.PlanarPaused));
         Assert.That(_session.Reprojection, Is.EqualTo(ReprojectionMode.PlanarManual));
         Assert.That(_plane.Problem, Is.Null);
     }
@@ -171,8 +172,8 @@ public sealed class ExperimentalPlanarReprojectionTests
         Run(3);
 
         Assert.That(_display.View.Set, Is.Empty);
-        Assert.That(_plane.Problem, Does.Contain("does not support PlanarManual"));
-        Assert.That(_cell.Messages.Count(m => m.Contains("(experiment) is refused: the runtime does not support PlanarManual")), Is.EqualTo(1));
+        Assert.That(_plane.Problem, Does.EndWith(DeviceMessages.PlanarNotSupported));
+        Assert.That(_cell.Messages.Count(m => m.Contains("(experiment) " + DeviceMessages.PlanarNotSupported)), Is.EqualTo(1));
         Assert.That(_session.Reprojection, Is.EqualTo(ReprojectionMode.Depth));
     }
 
@@ -195,7 +196,7 @@ public sealed class ExperimentalPlanarReprojectionTests
 
         var alone = new GameObject("Alone").AddComponent<ExperimentalPlanarReprojection>();
 
-        Assert.That(alone.Problem, Does.Contain("no rig"));
-        Assert.That(_cell.Messages, Has.Some.Contains("planar reprojection 'Alone' (experiment) has no rig on its object or a child"));
+        Assert.That(alone.Problem, Does.EndWith(DeviceMessages.PlanarWithoutRig));
+        Assert.That(_cell.Messages, Has.Some.Contains(DeviceMessages.PlanarLog("Alone", DeviceMessages.PlanarWithoutRig)));
     }
 }

@@ -1,4 +1,5 @@
 using Nowpose.Latency;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using static Nowpose.Unity.Tests.Devices.PlayedDisplayTime;
@@ -74,7 +75,7 @@ public sealed class OpenXrDisplayTimeTests
         Assert.That(_played.Session.Statistics.IsDisplayTimeInconsistent);
         Assert.That(_played.Session.Statistics.DisplayTimeDifference.Value.TotalMilliseconds, Is.EqualTo(7).Within(0.01));
         Assert.That(_played.Session.Statistics.VisualisationLatency.TotalMilliseconds, Is.EqualTo(47).Within(0.01));
-        Assert.That(_played.Cell.Messages.Count(m => m.Contains("differ by more than 5 ms")), Is.EqualTo(1));
+        Assert.That(_played.Cell.Messages.Count(m => m.Contains(SessionMessages.LatenciesDiffer)), Is.EqualTo(1));
     }
 
     [Test]

@@ -2,6 +2,7 @@ using Microsoft.MixedReality.OpenXR;
 using Microsoft.MixedReality.OpenXR.ARSubsystems;
 using Nowpose.Anchoring;
 using Nowpose.OpenXR;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.XR.ARSubsystems;
@@ -93,7 +94,7 @@ public sealed class QrMarkerManagerTests
 
         _played.Cell.Run(4, _played.Session);
 
-        Assert.That(_played.Markers.Problem, Does.StartWith("the scene has no AR Session"));
+        Assert.That(_played.Markers.Problem, Is.EqualTo(DeviceMessages.NoArSession));
     }
 
     [Test]
@@ -107,7 +108,7 @@ public sealed class QrMarkerManagerTests
         _played.Origin.Head.SetParent(_played.Origin.Origin.transform, false);
         _played.Cell.Run(1, _played.Session);
 
-        Assert.That(problem, Does.StartWith("the main camera has no XR Origin above it"));
+        Assert.That(problem, Is.EqualTo(DeviceMessages.NoOrigin));
         Assert.That(_played.Markers.Problem, Is.Null);
         Assert.That(_played.Origin.Origin.GetComponent<ARMarkerManager>(), Is.Not.Null);
     }

@@ -2,6 +2,7 @@ using Nowpose.Latency;
 using Nowpose.Messages;
 using Nowpose.OpenXR;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Status;
 using NUnit.Framework;
 using UnityEngine;
@@ -171,7 +172,7 @@ public sealed class ReprojectionCheckTests
     {
         new GameObject("Alone").AddComponent<ReprojectionCheck>();
 
-        Assert.That(_cell.Messages, Has.Some.Contains("reprojection check 'Alone' has no session on its object or a parent"));
+        Assert.That(_cell.Messages, Has.Some.Contains(ComponentMessages.ComponentWithoutSession("reprojection check", "Alone")));
     }
 
     [Test]

@@ -2,6 +2,7 @@ using Nowpose.Anchoring;
 using Nowpose.ArFoundation;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.XR.ARFoundation;
@@ -152,7 +153,7 @@ public sealed class TrackedImageMarkersTests
 
         _cell.Run(5, _session);
 
-        Assert.That(_markers.Problem, Does.StartWith("the XR Origin has no ARTrackedImageManager; add one to it"));
+        Assert.That(_markers.Problem, Does.StartWith(DeviceMessages.NoManager("ARTrackedImageManager", "")));
         Assert.That(_cell.Messages.Count(m => m.Contains("tracked images 'Cell'")), Is.EqualTo(1));
     }
 

@@ -3,6 +3,7 @@ using MixedReality.Toolkit.SpatialManipulation;
 using MixedReality.Toolkit.UX;
 using Nowpose.Mrtk3;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.UnityPlayer;
 using NUnit.Framework;
 using UnityEngine;
@@ -85,8 +86,8 @@ public sealed class GraspableTests
     {
         new GameObject("Lone").AddComponent<GraspableMarker>();
 
-        Assert.That(_player.Logs.Select(l => l.Message), Has.Some.Contains("graspable marker 'Lone' has no hand placed marker; assign one"));
-        Assert.That(_player.Logs.Select(l => l.Message), Has.Some.Contains("graspable marker 'Lone' has no object manipulator; assign one"));
+        Assert.That(_player.Logs.Select(l => l.Message), Has.Some.Contains(Mrtk3Messages.MarkerWithoutMarker("Lone")));
+        Assert.That(_player.Logs.Select(l => l.Message), Has.Some.Contains(Mrtk3Messages.MarkerWithoutManipulator("Lone")));
     }
 
     [Test]

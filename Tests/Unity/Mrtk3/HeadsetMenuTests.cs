@@ -3,6 +3,7 @@ using MixedReality.Toolkit.UX;
 using Nowpose.Latency;
 using Nowpose.Mrtk3;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -141,7 +142,7 @@ public sealed class HeadsetMenuTests
         new GameObject("Lone").AddComponent<HeadsetMenu>();
         Run();
 
-        Assert.That(_cell.Messages.Count(m => m.Contains("headset menu 'Lone' has no cell actions on its object or a parent; assign them")), Is.EqualTo(1));
+        Assert.That(_cell.Messages.Count(m => m.Contains(Mrtk3Messages.MenuWithoutActions("Lone"))), Is.EqualTo(1));
     }
 
     [Test]

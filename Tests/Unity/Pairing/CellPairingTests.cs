@@ -1,6 +1,7 @@
 using Nowpose.Anchoring;
 using Nowpose.Network;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using static Nowpose.Unity.Tests.Pairing.PlayedPairing;
@@ -175,6 +176,6 @@ public class CellPairingTests
 
         new GameObject("Alone").AddComponent<CellPairing>();
 
-        Assert.That(_played.Cell.Messages, Has.Some.Contains("no session on its object or a parent"));
+        Assert.That(_played.Cell.Messages, Has.Some.Contains(ComponentMessages.NoSession));
     }
 }

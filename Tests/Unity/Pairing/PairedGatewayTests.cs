@@ -1,3 +1,5 @@
+using Nowpose.Gateway.Messages;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Unity;
 using NUnit.Framework;
@@ -79,7 +81,7 @@ public class PairedGatewayTests
         Assert.That(paired, Is.EqualTo(1));
         Assert.That(_session.Settings.Connection.Security, Is.EqualTo(TransportSecurity.Pinned));
         Assert.That(_pairing.Words, Does.Contain("paired"));
-        Assert.That(_gateway.Log, Has.Some.Contains("'Anna's' received a token"));
+        Assert.That(_gateway.Log, Has.Some.EqualTo(PairingServiceMessages.TokenGiven("Anna's")));
 
         RestartPlaying();
         await SoonAsync(() => IsConnected, "connected again");
@@ -115,7 +117,7 @@ public class PairedGatewayTests
         _shown.Texts.Add(used.Text);
         await SoonAsync(() => _pairing.Problem != null, "a problem");
 
-        Assert.That(_pairing.Words, Does.Contain("was used or is too old"));
+        Assert.That(_pairing.Words, Does.Contain(PairingAnswerMessages.NotAccepted));
         _shown.Texts.Add((await _gateway.ShownAsync()).Text);
         await SoonAsync(() => IsConnected, "connected");
     }

@@ -1,5 +1,6 @@
 using Nowpose.Anchoring;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Events;
@@ -48,7 +49,7 @@ public class PairingEventsTests
 
         actions.ForgetCell();
 
-        Assert.That(_played.Cell.Messages, Has.Some.Contains("have no cell pairing; assign one"));
+        Assert.That(_played.Cell.Messages, Has.Some.Contains(ComponentMessages.NoAction(actions.name, "cell pairing")));
     }
 
     [Test]

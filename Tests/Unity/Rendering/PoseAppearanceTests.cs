@@ -1,4 +1,5 @@
 using Nowpose.Latency;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -126,7 +127,7 @@ public class PoseAppearanceTests
         _played.Run(5);
 
         Assert.That(paused.Item1.Hatch, Is.EqualTo(1), "the stripes appear before the next frame");
-        Assert.That(paused.text, Is.EqualTo("no session"));
+        Assert.That(paused.text, Is.EqualTo(StatusMessages.NoSession));
         Assert.That(paused.isVisible, Is.True);
         Assert.That(resumed, Is.EqualTo("no positions yet").Or.EqualTo("not synchronised"));
         Assert.That(_played.Look(_played.Tool), Is.EqualTo((0f, 0f)));

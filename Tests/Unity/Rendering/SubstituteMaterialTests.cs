@@ -1,4 +1,5 @@
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.UnityPlayer;
 using NUnit.Framework;
 using UnityEngine;
@@ -85,7 +86,7 @@ public sealed class SubstituteMaterialTests
         _played.Hold();
 
         Assert.That(_played.Seen(), Is.EqualTo(substitute ? "Substitute _Fade0.5 _Hatch1" : "nothing"));
-        var said = _played.Cell.Player.Logs.Where(l => l.Message.Contains("a material of 'Tool' is missing", StringComparison.Ordinal));
+        var said = _played.Cell.Player.Logs.Where(l => l.Message.Contains(AppearanceMessages.NoMaterial("Tool"), StringComparison.Ordinal));
         Assert.That(said.Count(), Is.EqualTo(1));
     }
 

@@ -2,6 +2,7 @@ using Nowpose.Cli.Replay;
 using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -27,7 +28,8 @@ public sealed class SessionRecordingTests
     {
         _cell.Dispose();
         // Waits until all files exist, because a file that a thread creates later would prevent the deletion of the folder.
-        await Written(files: _recording?.Problem == null ? _cell.Messages.Count(line => line.Contains("recording the session to", StringComparison.Ordinal)) : 0);
+        await Written(files: _recording?.Problem == null ? _cell.Messages.Count(line =>
+            line.Contains(SessionMessages.Recording(""), StringComparison.Ordinal)) : 0);
         if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
     }
 
@@ -198,7 +200,7 @@ public sealed class SessionRecordingTests
 
         _cell.Run(0.1, null);
 
-        Assert.That(_cell.Messages, Has.Some.Contains("'Alone' has no session on its object or a parent"));
+        Assert.That(_cell.Messages, Has.Some.Contains("'Alone' " + ComponentMessages.NoSession));
         Assert.That(alone.IsRecording, Is.False);
     }
 }

@@ -1,4 +1,6 @@
 using Nowpose.Cli.Demo.Paper;
+using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo.Paper;
@@ -56,7 +58,7 @@ public class PaperClaimsTests
 
         Assert.That(claims.Select(claim => claim.Holds), Is.All.False);
         Assert.That(claims.Select(claim => claim.Measured), Is.All.Null);
-        Assert.That(claims.Select(claim => claim.Verdict), Is.All.EqualTo("not measured"));
+        Assert.That(claims.Select(claim => claim.Verdict), Is.All.EqualTo(Verdict.NotMeasured.Words()));
         Assert.That(
             claims.Select(claim => claim.MeasuredText == "not measured: no whole swing"),
             Is.EqualTo(new[] { false, false, false, false, true, true, true, true, true, false, true, true }), "the clock's claims have its reason");
@@ -73,19 +75,20 @@ public class PaperClaimsTests
     }
 
     // The limit is 75 %. Three repeats with a standard deviation of 1 % have an uncertainty of 2.5 %.
-    [TestCase(0.78, true, "holds")]
-    [TestCase(0.76, false, "undecided")]
-    [TestCase(0.74, false, "undecided")]
-    [TestCase(0.72, false, "does not hold")]
-    public void Claims_LimitWithinTheUncertainty_AreUndecided(double mean, bool holds, string verdict)
+    [TestCase(0.78, true, Verdict.Holds)]
+    [TestCase(0.76, false, Verdict.Undecided)]
+    [TestCase(0.74, false, Verdict.Undecided)]
+    [TestCase(0.72, false, Verdict.DoesNotHold)]
+    public void Claims_LimitWithinTheUncertainty_AreUndecided(double mean, bool holds, object verdict)
     {
         var repeats = new[] { mean - 0.01, mean, mean + 0.01 }.Select(each => Good with { Swings = Good.Swings with { Reduction = each } }).ToList();
 
         var claims = PaperClaims.Of(repeats);
 
         var claim = claims.Single(each => each.Paper == 0.8);
-        Assert.That((claim.Holds, claim.Verdict), Is.EqualTo((holds, verdict)), claim.MeasuredText);
-        Assert.That(claims.Where(each => each != claim).Select(each => each.Verdict), Is.All.EqualTo("holds"), "the uncertainty of the others is zero");
+        Assert.That((claim.Holds, claim.Verdict), Is.EqualTo((holds, ((Verdict)verdict).Words())), claim.MeasuredText);
+        Assert.That(claims.Where(each => each != claim).Select(each => each.Verdict),
+            Is.All.EqualTo(Verdict.Holds.Words()), "the uncertainty of the others is zero");
     }
 
     [Test]

@@ -2,6 +2,7 @@ using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Simulation;
 using NUnit.Framework;
@@ -98,8 +99,8 @@ public class PaperRunTests
     {
         var claims = PaperScene.Claims(PaperScene.Play(1, clockErrorMs: 8));
 
-        Assert.That(Claim(claims, "8", "The offset").Verdict, Is.EqualTo("does not hold"), Text(claims));
-        Assert.That(Claim(claims, "18", "The end-to-end").Verdict, Is.EqualTo("does not hold"), Text(claims));
+        Assert.That(Claim(claims, "8", "The offset").Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
+        Assert.That(Claim(claims, "18", "The end-to-end").Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
         Assert.That(Claim(claims, "18", "The end-to-end").Measured, Is.EqualTo(8).Within(1.5), Text(claims));
     }
 
@@ -108,8 +109,8 @@ public class PaperRunTests
     {
         var claims = PaperScene.Claims(PaperScene.Play(1, stampErrorMs: 15));
 
-        Assert.That(Claim(claims, "18", "About 80").Verdict, Is.EqualTo("does not hold"), Text(claims));
-        Assert.That(Claim(claims, "16", "Only the curved").Verdict, Is.EqualTo("does not hold"), Text(claims));
+        Assert.That(Claim(claims, "18", "About 80").Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
+        Assert.That(Claim(claims, "16", "Only the curved").Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
     }
 
     [Test]
@@ -118,7 +119,7 @@ public class PaperRunTests
         var claims = PaperScene.Claims(PaperScene.Play(1, PaperScene.ProfileOf(65)));
 
         Assert.That(Claim(claims, "8", "The offset").Holds, Is.True, "the clock's result does not depend on L_visu");
-        Assert.That(Claim(claims, "18", "The end-to-end").Verdict, Is.EqualTo("does not hold"), Text(claims));
+        Assert.That(Claim(claims, "18", "The end-to-end").Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
         Assert.That(Claim(claims, "18", "The end-to-end").Measured, Is.EqualTo(25).Within(2), Text(claims));
     }
 
@@ -142,7 +143,7 @@ public class PaperRunTests
 
         var claims = PaperScene.Claims(run);
 
-        Assert.That(Claim(claims, "8", "The skew").MeasuredText, Is.EqualTo("not measured: the clock offset was known only from 12.0 s on"));
+        Assert.That(Claim(claims, "8", "The skew").MeasuredText, Does.EndWith(": " + PaperClaimTexts.ClockKnownFrom(12)));
     }
 
     // This happens, for example, if the machine paused for a moment during the first repeat.
@@ -157,7 +158,7 @@ public class PaperRunTests
         Assert.That(repeats[0].Swings, Is.Null);
         Assert.That(figures.Select(figure => figure.Number), Is.EqualTo(new[] { "8", "16", "17", "18" }));
         Assert.That(figures[1].Verdict, Is.EqualTo(Verdict.Holds));
-        Assert.That(figures[1].Criteria[0].Measured, Does.Contain("measured in 1 of 2 repeats: no swing after 10 s"));
+        Assert.That(figures[1].Criteria[0].Measured, Does.Contain(PaperClaimTexts.NotInAll(1, 2, "")));
     }
 
     // This happens after Ctrl-C before the first exchange, or with a server that does not respond.
@@ -171,7 +172,7 @@ public class PaperRunTests
 
         Assert.That(run.Run.Exchanges, Is.Empty);
         Assert.That(figures.Select(figure => (figure.Number, figure.Plots.Count, figure.Table.Rows.Count)), Is.EqualTo(new[] { ("8", 0, 0) }));
-        Assert.That(claims.Select(claim => claim.Verdict), Is.All.EqualTo("not measured"));
+        Assert.That(claims.Select(claim => claim.Verdict), Is.All.EqualTo(Verdict.NotMeasured.Words()));
     }
 
     [Test]

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo.Paper;
@@ -37,23 +38,28 @@ public class PaperVerbTests
             claim.GetProperty("measured").ValueKind == JsonValueKind.Number || claim.GetProperty("not_measured").ValueKind == JsonValueKind.String));
         foreach (var file in new[] { "figure-8.csv", "frames.csv", "exchanges.csv", "calibration.html", "session.jsonl" })
             Assert.That(new FileInfo(Path.Combine(_folder, file)), Has.Length.GreaterThan(100), file);
-        Assert.That(File.ReadAllText(Path.Combine(_folder, "report.html")), Does.Contain("About 80 % of the error is removed"));
+        Assert.That(File.ReadAllText(Path.Combine(_folder, "report.html")), Does.Contain(PaperClaimTexts.Reduction.Split(" for ")[0]));
         Assert.That(run.Output, Does.Contain("About 80 %").And.Not.Contain("workpieces"));
         Assert.That(Json("result.json").GetProperty("bodies").ValueKind, Is.EqualTo(JsonValueKind.Null), "the swing moves no workpieces");
         Assert.That(File.ReadAllText(Path.Combine(_folder, "session.jsonl")), Does.Not.Contain("\"kind\":\"pose\""));
     }
 
-    [TestCase(new[] { "--robot", "ur5", "--load", "100000" }, "--robot, --load: cannot be combined with --paper")]
-    [TestCase(new[] { "--predictor", "linear" }, "--predictor: cannot be combined with --paper")]
-    [TestCase(new[] { "--estimator", "default", "--sampling-ms", "20" }, "--estimator, --sampling-ms: cannot be combined with --paper")]
-    [TestCase(new[] { "--recording", "motion.csv" }, "--recording: cannot be combined with --paper")]
-    [TestCase(new[] { "--profile", "profile.json", "--trajectory" }, "--profile, --trajectory: cannot be combined with --paper")]
-    [TestCase(new[] { "--seconds", "10" }, "--seconds: 10 s is out of range; allowed with --paper: 20 to 3600 s")]
-    [TestCase(new[] { "--visu-ms", "10" }, "--visu-ms: 10 ms is out of range; with --paper, 17 to 400 ms are allowed")]
-    [TestCase(new[] { "--repeats", "0" }, "--repeats: 0 is out of range")]
-    public async Task PaperOption_WithAContradictingOption_PrintsOneLineAndExitsWith2(string[] options, string named)
+    static readonly string[][] Contradicting =
+    [
+        ["--robot ur5 --load 100000", DemoMessages.NotWithPaper("--robot, --load")],
+        ["--predictor linear", DemoMessages.NotWithPaper("--predictor")],
+        ["--estimator default --sampling-ms 20", DemoMessages.NotWithPaper("--estimator, --sampling-ms")],
+        ["--recording motion.csv", DemoMessages.NotWithPaper("--recording")],
+        ["--profile profile.json --trajectory", DemoMessages.NotWithPaper("--profile, --trajectory")],
+        ["--seconds 10", DemoMessages.PaperSeconds(10, 20)],
+        ["--visu-ms 10", DemoMessages.VisuWithLoad(10, "--paper", 17)],
+        ["--repeats 0", "--repeats: 0 is out of range"],
+    ];
+
+    [TestCaseSource(nameof(Contradicting))]
+    public async Task PaperOption_WithAContradictingOption_PrintsOneLineAndExitsWith2(string options, string named)
     {
-        var run = await CliRun.OfAsync(["demo", "--paper", "--out", Path.Combine(_folder, "none"), .. options]);
+        var run = await CliRun.OfAsync(["demo", "--paper", "--out", Path.Combine(_folder, "none"), .. options.Split(' ')]);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
         Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1), run.Errors);

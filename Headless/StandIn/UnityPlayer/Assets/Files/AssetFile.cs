@@ -35,6 +35,7 @@ sealed class AssetFile
     /// <exception cref="AssetException">The file is missing.</exception>
     public string ReadText()
     {
-        return File.Exists(FullPath) ? File.ReadAllText(FullPath) : throw new AssetException(AssetFault.MissingAsset, Path + ": there is a .meta but no such file");
+        return File.Exists(FullPath) ? File.ReadAllText(FullPath)
+            : throw new AssetException(AssetFault.MissingAsset, Path + ": there is a .meta but no such file");
     }
 }

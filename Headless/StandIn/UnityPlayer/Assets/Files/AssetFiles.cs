@@ -33,7 +33,8 @@ sealed class AssetFiles
     /// <summary>Returns the objects of a prefab or scene, without the settings of the scene.</summary>
     public ObjectFile Hierarchy(AssetFile file)
     {
-        if (_hierarchies.TryGetValue(file.Guid, out var known)) return known ?? throw new AssetException(AssetFault.Hierarchy, file.Path + ": is an instance of itself");
+        if (_hierarchies.TryGetValue(file.Guid, out var known)) return known
+            ?? throw new AssetException(AssetFault.Hierarchy, file.Path + ": is an instance of itself");
         _hierarchies.Add(file.Guid, null);
         try
         {

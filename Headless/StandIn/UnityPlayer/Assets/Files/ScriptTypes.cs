@@ -40,7 +40,8 @@ sealed class ScriptTypes
         var found = _scripts[type.Name].Where(f => (AssemblyOf(f) ?? assembly) == assembly).ToList();
         return found.Count == 1
             ? found[0]
-            : throw place.Error(AssetFault.Script, "the class " + type.FullName + " is in " + found.Count + " script files with its name; Unity needs exactly one");
+            : throw place.Error(AssetFault.Script, "the class " + type.FullName + " is in " + found.Count
+                + " script files with its name; Unity needs exactly one");
     }
 
     Type Find(AssetFile script, Place place)

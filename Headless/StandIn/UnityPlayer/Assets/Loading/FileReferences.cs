@@ -45,6 +45,7 @@ sealed class FileReferences : IReferences
 
     Object OwnObject(long fileId, Place place)
     {
-        return _objects.TryGetValue(fileId, out var found) ? found : throw place.Error(AssetFault.MissingObject, "the file has no object " + Numbers.Write(fileId));
+        return _objects.TryGetValue(fileId, out var found) ? found
+            : throw place.Error(AssetFault.MissingObject, "the file has no object " + Numbers.Write(fileId));
     }
 }

@@ -65,7 +65,8 @@ sealed class HierarchyBuilder
             for (var i = 0; i < components.Count; i++) MakeComponent(ComponentAt(described, components[i]), made, isFirst: i == 0);
         }
         foreach (var described in _file.Objects.Where(o => !_objects.ContainsKey(o.FileId)))
-            throw described.Place.Error(AssetFault.Hierarchy, "is a component that no GameObject lists, or has a class that the stand-in does not support");
+            throw described.Place.Error(
+                AssetFault.Hierarchy, "is a component that no GameObject lists, or has a class that the stand-in does not support");
     }
 
     FileObject ComponentAt(FileObject owner, YamlNode entry)
@@ -73,7 +74,8 @@ sealed class HierarchyBuilder
         var place = owner.Place.In("m_Component");
         if (!AssetReference.TryRead(Nodes.Find(place.Mapping(entry), "component"), out var reference) || reference.Guid != null)
             throw place.Error(AssetFault.Kind, "has to be a list of - component: {fileID: …}");
-        var component = _file.Find(reference.FileId) ?? throw place.Error(AssetFault.MissingObject, "the file has no object " + Numbers.Write(reference.FileId));
+        var component = _file.Find(reference.FileId)
+            ?? throw place.Error(AssetFault.MissingObject, "the file has no object " + Numbers.Write(reference.FileId));
         if (component.Reference("m_GameObject").FileId != owner.FileId)
         {
             throw component.Place.In("m_GameObject")
@@ -85,7 +87,8 @@ sealed class HierarchyBuilder
     void MakeComponent(FileObject described, GameObject owner, bool isFirst)
     {
         if (_objects.ContainsKey(described.FileId)) throw described.Place.Error(AssetFault.Duplicate, "is listed twice as a component");
-        if (isFirst != described.IsTransform) throw described.Place.Error(AssetFault.Hierarchy, "a GameObject must have exactly one Transform, as its first component");
+        if (isFirst != described.IsTransform)
+            throw described.Place.Error(AssetFault.Hierarchy, "a GameObject must have exactly one Transform, as its first component");
         var known = described.ClassName == ScriptClass.ClassName
             ? ScriptClass.Of(_assets.ScriptAt(described, typeof(MonoBehaviour)))
             : EngineClasses.Find(described.ClassId, described.ClassName)
@@ -132,7 +135,8 @@ sealed class HierarchyBuilder
     void Adopt(FileObject father, FileObject child)
     {
         if (child.Reference("m_Father").FileId != father.FileId)
-            throw child.Place.In("m_Father").Error(AssetFault.Hierarchy, "is not &" + Numbers.Write(father.FileId) + ", which lists it in m_Children");
+            throw child.Place.In("m_Father").Error(AssetFault.Hierarchy, "is not &" + Numbers.Write(father.FileId)
+                + ", which lists it in m_Children");
         ((Transform)_objects[child.FileId]).SetParent((Transform)_objects[father.FileId], false);
     }
 

@@ -34,9 +34,11 @@ sealed class LoadedAssets
     public Object ObjectAt(AssetReference reference, Place place)
     {
         if (BuiltInAssets.Holds(reference))
-            return BuiltInAssets.Find(reference) ?? throw place.Error(AssetFault.MissingObject, "the stand-in has no built-in object with " + reference);
+            return BuiltInAssets.Find(reference)
+                ?? throw place.Error(AssetFault.MissingObject, "the stand-in has no built-in object with " + reference);
         var file = _files.Index.ByGuid(reference.Guid) ?? throw place.Error(AssetFault.MissingAsset, "no asset has the GUID " + reference.Guid);
-        var type = TypeOf(file) ?? throw place.Error(AssetFault.Reference, "refers to an object in " + file.Path + ", whose fileIDs only Unity can resolve");
+        var type = TypeOf(file)
+            ?? throw place.Error(AssetFault.Reference, "refers to an object in " + file.Path + ", whose fileIDs only Unity can resolve");
         if (reference.Type != type) throw place.Error(AssetFault.Reference, "a reference to " + file.Path + " has type: " + Numbers.Write(type));
         var objects = Load(file, place);
         var fileId = file.Extension == ".prefab" ? _files.Hierarchy(file).Find(reference.FileId)?.FileId ?? 0 : reference.FileId;
@@ -142,7 +144,8 @@ sealed class LoadedAssets
             throw new AssetException(AssetFault.Document, file.Path + ": must contain one object, &" + Numbers.Write(fileId));
         var described = new FileObject(documents[0], file.Path);
         var (known, made) = make(described);
-        if (described.ClassId != known.Id || described.ClassName != known.Name) throw described.Place.Error(AssetFault.Kind, "has to be a " + known.Name);
+        if (described.ClassId != known.Id || described.ClassName != known.Name)
+            throw described.Place.Error(AssetFault.Kind, "has to be a " + known.Name);
         Add(file, fileId, made);
         var references = new FileReferences(this, _byGuid[file.Guid], Array.Empty<GameObject>());
         known.Read(described.Fields, made, references, described.PlaceAs(known.Type.Name));

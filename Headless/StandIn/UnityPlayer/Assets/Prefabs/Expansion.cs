@@ -47,7 +47,8 @@ sealed class Expansion
 
     void Add(FileObject added)
     {
-        if (!_byId.TryAdd(added.FileId, added)) throw added.Place.Error(AssetFault.Duplicate, "this fileID refers to two objects in the expanded file");
+        if (!_byId.TryAdd(added.FileId, added))
+            throw added.Place.Error(AssetFault.Duplicate, "this fileID refers to two objects in the expanded file");
         _objects.Add(added);
     }
 
@@ -64,9 +65,11 @@ sealed class Expansion
         var source = stripped.Reference("m_CorrespondingSourceObject");
         var instance = _instances.Find(i => i.Instance.FileId == stripped.Reference("m_PrefabInstance").FileId).Instance
             ?? throw stripped.Place.In("m_PrefabInstance").Error(AssetFault.Reference, "is not a prefab instance of this file");
-        if (source.Guid != instance.SourceGuid) throw stripped.Place.In("m_CorrespondingSourceObject").Error(AssetFault.Reference, "is not in the prefab of its instance");
+        if (source.Guid != instance.SourceGuid)
+            throw stripped.Place.In("m_CorrespondingSourceObject").Error(AssetFault.Reference, "is not in the prefab of its instance");
         var found = instance.Source.Find(source.FileId)
-            ?? throw stripped.Place.In("m_CorrespondingSourceObject").Error(AssetFault.MissingObject, "the prefab has no object " + Numbers.Write(source.FileId));
+            ?? throw stripped.Place.In("m_CorrespondingSourceObject").Error(AssetFault.MissingObject, "the prefab has no object "
+                + Numbers.Write(source.FileId));
         if (found.ClassId != document.ClassId) throw stripped.Place.Error(AssetFault.Reference, "refers to a " + found.ClassName);
         return instance.Map(found.FileId);
     }
@@ -79,7 +82,8 @@ sealed class Expansion
             foreach (var id in LocalReferences.In(entry.Value))
             {
                 if (!_byId.ContainsKey(Resolve(id)))
-                    throw own.Place.In(((YamlScalarNode)entry.Key).Value).Error(AssetFault.MissingObject, "the file has no object " + Numbers.Write(id));
+                    throw own.Place.In(((YamlScalarNode)entry.Key).Value).Error(AssetFault.MissingObject, "the file has no object "
+                        + Numbers.Write(id));
             }
             own.Fields.Children[entry.Key] = LocalReferences.Map(entry.Value, Resolve);
         }

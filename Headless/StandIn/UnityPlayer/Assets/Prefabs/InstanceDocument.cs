@@ -87,7 +87,8 @@ sealed class InstanceDocument
         RequireOnly(item, place, "target", "propertyPath", "value", "objectReference");
         var path = place.Scalar(Nodes.Find(item, "propertyPath"));
         var value = place.Scalar(Nodes.Find(item, "value"));
-        if (!AssetReference.TryRead(Nodes.Find(item, "objectReference"), out var reference)) throw place.In(path).Error(AssetFault.UnknownField, "has no objectReference");
+        if (!AssetReference.TryRead(Nodes.Find(item, "objectReference"), out var reference))
+            throw place.In(path).Error(AssetFault.UnknownField, "has no objectReference");
         if (reference.Guid == null) reference = Local(reference.FileId, objects, resolve, place.In(path));
         var target = Target(Nodes.Find(item, "target"), instance, objects, place.In(path));
         PropertyPath.Set(target.Fields, path, value, reference, target.Place);

@@ -25,7 +25,8 @@ sealed class ComponentsFormat : IValueFormat
         foreach (var entry in mapping.Children)
         {
             var name = place.Scalar(entry.Key);
-            var component = Array.Find(_components, c => c.Name == name) ?? throw place.Error(AssetFault.UnknownField, _type.Name + " has no " + name);
+            var component = Array.Find(_components, c => c.Name == name)
+                ?? throw place.Error(AssetFault.UnknownField, _type.Name + " has no " + name);
             component.SetValue(value, ValueFormats.For(component.FieldType).Read(entry.Value, null, references, place.In(name)));
         }
         return value;

@@ -37,7 +37,8 @@ static class UnityDocumentReader
         {
             var end = i + 1 < heads.Count ? heads[i + 1].Index : text.Length;
             var document = Document(heads[i], text, end, file);
-            if (!ids.Add(document.FileId)) throw new AssetException(AssetFault.Duplicate, file + " &" + document.FileId + ": this fileID occurs twice in the file");
+            if (!ids.Add(document.FileId))
+                throw new AssetException(AssetFault.Duplicate, file + " &" + document.FileId + ": this fileID occurs twice in the file");
             documents.Add(document);
         }
         return documents;
@@ -52,7 +53,8 @@ static class UnityDocumentReader
         foreach (Match start in DocumentStarts.Matches(text))
         {
             if (!known.Contains(start.Index))
-                throw new AssetException(AssetFault.Header, file + " line " + LineOf(text, start.Index) + ": not the header of an object (--- !u!CLASS &FILEID)");
+                throw new AssetException(AssetFault.Header, file + " line " + LineOf(text, start.Index)
+                    + ": not the header of an object (--- !u!CLASS &FILEID)");
         }
     }
 
@@ -82,7 +84,8 @@ static class UnityDocumentReader
         }
         catch (YamlException exception)
         {
-            throw new AssetException(AssetFault.Syntax, where + " line " + (LineOf(text, start) + exception.Start.Line - 1) + ": " + exception.Message, exception);
+            throw new AssetException(AssetFault.Syntax, where + " line " + (LineOf(text, start) + exception.Start.Line - 1) + ": "
+                + exception.Message, exception);
         }
         if (stream.Documents.Count != 1 || !(stream.Documents[0].RootNode is YamlMappingNode root))
             throw new AssetException(AssetFault.ClassCount, where + ": must contain one class name with its fields");
