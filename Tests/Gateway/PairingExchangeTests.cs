@@ -54,7 +54,8 @@ public sealed class PairingExchangeTests
         var answers = await Task.WhenAll(Enumerable.Range(0, 8).Select(_ => gateway.ExchangeAsync(code.Token)));
 
         Assert.That(answers.Count(answer => answer.Token != null), Is.EqualTo(1));
-        Assert.That(answers.Where(answer => answer.Token == null).Select(answer => answer.Problem), Is.All.EqualTo(PairingAnswerMessages.NotAccepted));
+        Assert.That(answers.Where(answer => answer.Token == null).Select(answer => answer.Problem),
+            Is.All.EqualTo(PairingAnswerMessages.NotAccepted));
         Assert.That(answers.Where(answer => answer.Token == null).Select(answer => answer.IsWorthRetrying), Is.All.False);
         Assert.That((await gateway.ShownAsync()).Token, Is.Not.EqualTo(code.Token), "another code is shown");
     }

@@ -1,3 +1,4 @@
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using NUnit.Framework;
@@ -15,7 +16,7 @@ public class RosTimeAnswerTests
         var answer = new RosTimeAnswer(response, fault, HeadsetTime.FromSeconds(1));
 
         Assert.That(answer.Time, Is.Null);
-        Assert.That(answer.Problem, Does.StartWith("Service /rosapi/get_time  does not exist").And.EndWith("as rosbridge's launch file does"));
+        Assert.That(answer.Problem, Does.StartWith("Service /rosapi/get_time  does not exist").And.EndWith(ConnectionMessages.StartRosapi("")));
         Assert.That(answer.Problem, Has.Length.LessThan(400));
     }
 }

@@ -2,6 +2,7 @@ using System.Collections.Concurrent;
 using System.Diagnostics;
 using System.Net.WebSockets;
 using System.Text;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using NUnit.Framework;
@@ -61,7 +62,7 @@ public class RosbridgeClientConnectionTests
 
         await Soon.BecomesAsync(() => _played.Client.Status.State == LinkState.Waiting, "waiting");
 
-        Assert.That(_played.Client.Status.Detail, Does.Contain("not complete within 5 s"));
+        Assert.That(_played.Client.Status.Detail, Does.Contain(ConnectionMessages.MessageTooSlow(5)));
         Assert.That(_played.Listener.Drops, Is.EqualTo(new[] { DropReason.TooSlow }));
         await Send(await _played.Server.AcceptAsync(), Good);
         await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "a message over the new connection");
@@ -74,7 +75,7 @@ public class RosbridgeClientConnectionTests
 
         await Soon.BecomesAsync(() => _played.Client.Status.State == LinkState.Waiting, "waiting");
 
-        Assert.That(_played.Client.Status.Detail, Does.Contain("received nothing for 6 s"));
+        Assert.That(_played.Client.Status.Detail, Does.Contain(ConnectionMessages.NothingReceived(6)));
         var sent = new byte[4096];
         Assert.That(stream.Read(sent), Is.GreaterThan(0), "the client had sent its request");
         await Send(await _played.Server.AcceptAsync(), Good);
@@ -89,7 +90,7 @@ public class RosbridgeClientConnectionTests
         await socket.CloseOutputAsync(WebSocketCloseStatus.NormalClosure, "", CancellationToken.None);
 
         await Soon.BecomesAsync(() => _played.Client.Status.State == LinkState.Waiting, "waiting");
-        Assert.That(_played.Client.Status.Detail, Is.EqualTo("joint positions: the gateway closed the connection; see its log"));
+        Assert.That(_played.Client.Status.Detail, Is.EqualTo(ConnectionMessages.JointsClosed));
     }
 
     [TestCase("HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n", "token")]

@@ -1,4 +1,5 @@
 using System.Text;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -21,11 +22,16 @@ public class StuckSendTests
     const int AtTheBeginning = 6;
 
     // Both limits are 6 s and are reached at the same time, so either reason is correct.
-    [TestCase(0, false, false, "(nothing could be sent|received nothing) for 6 s")]
-    [TestCase(ForTwoSeconds, false, false, "received nothing for 6 s")]
-    [TestCase(AtTheBeginning, true, false, "nothing could be sent for 6 s")]
-    [TestCase(AtTheBeginning, true, true, "did not respond within 2 s")]
-    public async Task Send_NeverCompletes_EndsTheConnectionAndReconnects(int taken, bool receives, bool asksTime, string reason)
+    static readonly object[][] Stuck =
+    [
+        [0, false, false, new[] { ConnectionMessages.NothingSent(6), ConnectionMessages.NothingReceived(6) }],
+        [ForTwoSeconds, false, false, new[] { ConnectionMessages.NothingReceived(6) }],
+        [AtTheBeginning, true, false, new[] { ConnectionMessages.NothingSent(6) }],
+        [AtTheBeginning, true, true, new[] { ConnectionMessages.NoAnswer("/rosapi/get_time", 2) }],
+    ];
+
+    [TestCaseSource(nameof(Stuck))]
+    public async Task Send_NeverCompletes_EndsTheConnectionAndReconnects(int taken, bool receives, bool asksTime, string[] reasons)
     {
         var clock = new StopwatchHeadsetClock();
         var exchanges = asksTime ? Exchanges(clock) : null;
@@ -36,7 +42,7 @@ public class StuckSendTests
         using var client = new RosbridgeClient(Next, clock, new Listener(), Subscribed.ToRobot(), true, exchanges);
 
         await Soon.BecomesAsync(() => Volatile.Read(ref links) > 1, "another connection");
-        Assert.That(client.Status.Detail, Does.Match(reason));
+        Assert.That(reasons.Where(client.Status.Detail.Contains), Is.Not.Empty, client.Status.Detail);
         client.Dispose();
         await client.Ended.Bounded();
     }

@@ -1,5 +1,6 @@
 using System.Collections.Concurrent;
 using System.Diagnostics;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Sync;
@@ -181,7 +182,7 @@ public class SyncClientTests
         {
             await Soon.BecomesAsync(() => listener.Connections >= 2, "a second connection");
 
-            Assert.That(client.Status.Detail, Does.Contain("no response within 3 s"));
+            Assert.That(client.Status.Detail, Does.Contain(ConnectionMessages.NoResponse(3)));
         }
     }
 

@@ -6,6 +6,7 @@ using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Plants;
 using Nowpose.Headless.Tests.Gateway;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Motion;
 using Nowpose.Network;
 using Nowpose.Protocol;
@@ -175,7 +176,7 @@ public class RosDirectTests
         Start(flavour, hasRosapi: false);
 
         await Soon.BecomesAsync(() => _session.SyncLink.State == LinkState.Waiting && _session.SampleLink.State == LinkState.Connected, "refused");
-        Assert.That(_session.SyncLink.Detail, Does.Contain("Service /rosapi/get_time does not exist").And.Contain("start the node rosapi"));
+        Assert.That(_session.SyncLink.Detail, Does.Contain(ConnectionMessages.StartRosapi("Service /rosapi/get_time does not exist")));
 
         _graph.HasRosapi = true;
         await SynchronisedAsync();
@@ -193,7 +194,7 @@ public class RosDirectTests
 
         _session.Connect();
 
-        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains("use_sim_time") && _session.SyncLink.Detail.Contains("/clock"), "the link states the reason");
+        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains(ConnectionMessages.RosTimeZero), "the link states the reason");
     }
 
     [Test]
@@ -202,7 +203,8 @@ public class RosDirectTests
         Start(RosFlavour.Ros2);
         _rosbridge.IsMute = true;
 
-        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains("did not respond within 2 s"), "the link states the reason");
+        await Soon.BecomesAsync(() =>
+            _session.SyncLink.Detail.Contains(ConnectionMessages.NoAnswer("/rosapi/get_time", 2)), "the link states the reason");
 
         _rosbridge.IsMute = false;
         await SynchronisedAsync();

@@ -113,7 +113,8 @@ public sealed class BadInputTests : CalibrationFolder
         await RejectedWith("two.png: " + fault, "vlc", Picture("two.png", shot => Doubled(shot, (CodeKind)kind)));
 
     [Test]
-    public async Task Vlc_MirroredPicture_ReportsMirroring() => await RejectedWith("mirror.png: " + PictureFaults.Mirrored, "vlc", Picture("mirror.png", Mirrored));
+    public async Task Vlc_MirroredPicture_ReportsMirroring() =>
+        await RejectedWith("mirror.png: " + PictureFaults.Mirrored, "vlc", Picture("mirror.png", Mirrored));
 
     [Test]
     public async Task Vlc_TwoUnusablePictures_ListsBothWithTheirReasons()

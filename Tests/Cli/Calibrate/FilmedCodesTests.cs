@@ -121,7 +121,8 @@ public class FilmedCodesTests : VideoFolder
     {
         Script("ffmpeg", "echo 'moov atom not found' >&2; exit 1");
 
-        Assert.That(await RefusalOf("vlc", _video), Is.EqualTo(ConsoleMessages.Line(PictureMessages.NoFramesByFfmpeg(_video, "moov atom not found"))));
+        Assert.That(await RefusalOf("vlc", _video),
+            Is.EqualTo(ConsoleMessages.Line(PictureMessages.NoFramesByFfmpeg(_video, "moov atom not found"))));
     }
 
     [Test]

@@ -117,6 +117,7 @@ public class FilmedJogTests : VideoFolder
         var video = Video();
         UninstallFfmpeg();
 
-        Assert.That(await RefusalOf("sine", video, "--robot-box", "10,10,32,32", "--hologram-box", "50,10,32,32"), Is.EqualTo(ConsoleMessages.Line(PictureMessages.FfmpegNeeded)));
+        Assert.That(await RefusalOf("sine", video, "--robot-box", "10,10,32,32", "--hologram-box", "50,10,32,32"),
+            Is.EqualTo(ConsoleMessages.Line(PictureMessages.FfmpegNeeded)));
     }
 }

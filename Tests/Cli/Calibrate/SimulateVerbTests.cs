@@ -62,22 +62,16 @@ public sealed class SimulateVerbTests
     [Test]
     public async Task Simulate_FolderWithOtherPictures_KeepsThem()
     {
-        var folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
-        var taken = Path.Combine(Directory.CreateDirectory(Path.Combine(folder, "pictures")).FullName, "picture-00007.jpg");
+        using var folder = new TemporaryFolder();
+        var taken = Path.Combine(Directory.CreateDirectory(Path.Combine(folder.Path, "pictures")).FullName, "picture-00007.jpg");
         File.WriteAllText(taken, "by a camera");
-        try
-        {
-            var run = await CliRun.OfAsync("calibrate", "simulate", "--pictures", "1", "--out", folder);
 
-            Assert.That(run.ExitStatus, Is.EqualTo(2));
-            Assert.That(run.Errors, Does.Contain(SimulationMessages.OtherPictures(folder, 1, "truth.csv")));
-            Assert.That(File.ReadAllText(taken), Is.EqualTo("by a camera"));
-            Assert.That(File.Exists(Path.Combine(folder, "sweep.csv")), Is.False);
-        }
-        finally
-        {
-            Directory.Delete(folder, true);
-        }
+        var run = await CliRun.OfAsync("calibrate", "simulate", "--pictures", "1", "--out", folder.Path);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.Contain(SimulationMessages.OtherPictures(folder.Path, 1, "truth.csv")));
+        Assert.That(File.ReadAllText(taken), Is.EqualTo("by a camera"));
+        Assert.That(File.Exists(Path.Combine(folder.Path, "sweep.csv")), Is.False);
     }
 
     [Test]

@@ -175,7 +175,8 @@ public class SineVerbTests : CalibrationFolder
 
     [Test]
     public async Task Sine_JogTooFast_FailsAsAmbiguous() =>
-        Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90) { Period = 0.3 }.Lines())), Does.EndWith("jog.csv: " + SineMessages.Ambiguous(0.3)));
+        Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90) { Period = 0.3 }.Lines())),
+            Does.EndWith("jog.csv: " + SineMessages.Ambiguous(0.3)));
 
     [TestCase("t_s,a,b\n0,1,2\n1,1,2", "at least 60")]
     [TestCase("t_s,a,b,c\n0,1,2,3\n1,2,3,4", "--columns ROBOT,HOLOGRAM")]
@@ -188,11 +189,13 @@ public class SineVerbTests : CalibrationFolder
     {
         var rest = Enumerable.Range(0, 600).Select(i => string.Create(CultureInfo.InvariantCulture, $"{i / Fps:0.####},640,{i % 7}"));
 
-        Assert.That(await RefusalOf("sine", Write("jog.csv", rest.Prepend("t,robot,hologram"))), Does.EndWith("jog.csv: " + SineMessages.NoMotion("the robot")));
+        Assert.That(await RefusalOf("sine", Write("jog.csv", rest.Prepend("t,robot,hologram"))),
+            Does.EndWith("jog.csv: " + SineMessages.NoMotion("the robot")));
     }
 
     [Test]
     public async Task Sine_OptionsForBothMethods_Fails() =>
         Assert.That(
-            await RefusalOf("sine", Write("jog.csv", new Jog(90).Lines()), "--app-ms", "60", "--visu-ms", "40"), Is.EqualTo(ConsoleMessages.Line(SineMessages.BothWays)));
+            await RefusalOf("sine", Write("jog.csv", new Jog(90).Lines()), "--app-ms", "60", "--visu-ms", "40"),
+                Is.EqualTo(ConsoleMessages.Line(SineMessages.BothWays)));
 }

@@ -93,7 +93,8 @@ public sealed class VlcVerbTests
         var run = await Run(In("pictures"), "--sweep", In("bad.csv"));
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors.Trim(), Is.EqualTo(ConsoleMessages.Line(SettingMessages.OutOfRange($"{In("bad.csv")}:201: render_ms", named, " ms", 0.001, 1000))));
+        Assert.That(run.Errors.Trim(),
+            Is.EqualTo(ConsoleMessages.Line(SettingMessages.OutOfRange($"{In("bad.csv")}:201: render_ms", named, " ms", 0.001, 1000))));
         Assert.That(File.ReadAllText(In("out/profile.json")), Is.EqualTo("good"));
     }
 

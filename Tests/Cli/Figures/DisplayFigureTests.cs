@@ -164,9 +164,11 @@ public class DisplayFigureTests
         var (loads, steps) = (Figure11.LoadCriteria(sweep, StoredMs), Figure11.RangeCriteria(sweep, StoredMs, LimitMs, LimitMs));
 
         foreach (var criterion in loads.Skip(1))
-            Assert.That((criterion.IsMet, criterion.Measured.Contains(Figure11Texts.IndividuallyTooSmall("", "1.4 million ("))), Is.EqualTo((true, true)));
+            Assert.That((criterion.IsMet, criterion.Measured.Contains(Figure11Texts.IndividuallyTooSmall("", "1.4 million ("))),
+                Is.EqualTo((true, true)));
         foreach (var criterion in steps.Skip(2))
-            Assert.That((criterion.IsMet, criterion.Measured.Contains(Figure11Texts.IndividuallyTooSmall("", Figure11Texts.Step("15.2") + " ("))), Is.EqualTo((true, true)));
+            Assert.That((criterion.IsMet, criterion.Measured.Contains(Figure11Texts.IndividuallyTooSmall("", Figure11Texts.Step("15.2") + " ("))),
+                Is.EqualTo((true, true)));
     }
 
     [TestCase(4, true)]

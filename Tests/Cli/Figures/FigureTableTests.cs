@@ -41,6 +41,7 @@ public class FigureTableTests
     [Test]
     public void Add_WrongNumberOfValues_Throws()
     {
-        Assert.That(() => new FigureTable(new FigureColumn("time", "ms")).Add(1, 2), Throws.ArgumentException.With.Message.StartsWith(FigureErrors.ValueCount(2, 1)));
+        Assert.That(() => new FigureTable(new FigureColumn("time", "ms")).Add(1, 2),
+            Throws.ArgumentException.With.Message.StartsWith(FigureErrors.ValueCount(2, 1)));
     }
 }

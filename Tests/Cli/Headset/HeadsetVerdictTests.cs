@@ -76,7 +76,8 @@ public class HeadsetVerdictTests
 
         Assert.That(HeadsetVerdict.FailureOf(pose, Statistics(), true, outages),
             Is.EqualTo(HeadsetMessages.RarelyCurrent(30, 50, HeadsetMessages.Outage(3, 9, "held", "joint a3: node deleted"))));
-        Assert.That(HeadsetVerdict.FailureOf(pose, Statistics(100, Deleted), true, outages), Is.EqualTo(HeadsetMessages.RarelyCurrent(30, 50, DeletedText)));
+        Assert.That(HeadsetVerdict.FailureOf(pose, Statistics(100, Deleted), true, outages),
+            Is.EqualTo(HeadsetMessages.RarelyCurrent(30, 50, DeletedText)));
     }
 
     [Test]

@@ -98,23 +98,17 @@ public class RecommendVerbTests
     [Test]
     public async Task Recommend_Session_UsesTheTimingOfTheSession()
     {
-        var path = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N") + ".jsonl");
-        try
-        {
-            VirtualRecording.To(path, seconds: 30);
+        using var folder = new TemporaryFolder();
+        var path = Path.Combine(folder.Path, "session.jsonl");
+        VirtualRecording.To(path, seconds: 30);
 
-            var result = await JsonOf(path);
+        var result = await JsonOf(path);
 
-            var condition = result.GetProperty("conditions").EnumerateArray().Single();
-            Assert.That(condition.GetProperty("sampling_ms").ValueKind, Is.EqualTo(JsonValueKind.Null));
-            Assert.That(result.GetProperty("interval_ms").GetProperty("median").GetDouble(), Is.EqualTo(50).Within(0.1));
-            Assert.That(Candidate(condition, "quadratic").GetProperty("reduction").GetDouble(), Is.GreaterThan(0.6));
-            Assert.That(Candidate(condition, "quadratic").GetProperty("halves")[0].GetProperty("frames").GetInt32(), Is.GreaterThan(500));
-        }
-        finally
-        {
-            File.Delete(path);
-        }
+        var condition = result.GetProperty("conditions").EnumerateArray().Single();
+        Assert.That(condition.GetProperty("sampling_ms").ValueKind, Is.EqualTo(JsonValueKind.Null));
+        Assert.That(result.GetProperty("interval_ms").GetProperty("median").GetDouble(), Is.EqualTo(50).Within(0.1));
+        Assert.That(Candidate(condition, "quadratic").GetProperty("reduction").GetDouble(), Is.GreaterThan(0.6));
+        Assert.That(Candidate(condition, "quadratic").GetProperty("halves")[0].GetProperty("frames").GetInt32(), Is.GreaterThan(500));
     }
 
     [Test]

@@ -167,7 +167,8 @@ public class BodyReplayTests
     }
 
     [Test]
-    public async Task Recommend_Body_PrintsOneLineAndFails() => AssertRefused(await CliRun.OfAsync(["recommend", _file]), RecommendMessages.RigidBody(_file));
+    public async Task Recommend_Body_PrintsOneLineAndFails() =>
+        AssertRefused(await CliRun.OfAsync(["recommend", _file]), RecommendMessages.RigidBody(_file));
 
     static void AssertRefused(CliRun run, string message)
     {

@@ -211,7 +211,8 @@ public class ReplayRunTests
         var motion = Ramp(decimal.Parse(duration, System.Globalization.CultureInfo.InvariantCulture));
 
         if (frames > 0) Assert.That(Replay(motion, new ReplaySettings()).Frames, Is.EqualTo(frames));
-        else Assert.That(() => Replay(motion, new ReplaySettings()), Throws.InstanceOf<InputException>().With.Message.EndsWith(": " + ReplayMessages.TooShort(0.29, 4 * 0.05 + 0.1 + 1 / 60.0)));
+        else Assert.That(() => Replay(motion, new ReplaySettings()),
+            Throws.InstanceOf<InputException>().With.Message.EndsWith(": " + ReplayMessages.TooShort(0.29, 4 * 0.05 + 0.1 + 1 / 60.0)));
     }
 
     [Test]
@@ -228,7 +229,8 @@ public class ReplayRunTests
     {
         var motion = new MotionFile(0, MotionFile.EvenTimes(2, 0.1m), t => 1e200 * t);
 
-        Assert.That(() => Replay(motion, new ReplaySettings()), Throws.InstanceOf<InputException>().With.Message.EndsWith(ReplayMessages.TooLarge("")));
+        Assert.That(() => Replay(motion, new ReplaySettings()),
+            Throws.InstanceOf<InputException>().With.Message.EndsWith(ReplayMessages.TooLarge("")));
     }
 
     [Test]

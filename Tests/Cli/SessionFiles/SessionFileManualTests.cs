@@ -10,28 +10,22 @@ public class SessionFileManualTests
     [Test]
     public void Page_RecordedSession_DocumentsEveryKindAndField()
     {
-        var path = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N") + ".jsonl");
-        try
-        {
-            VirtualRecording.To(path, seconds: 20, jitterMs: 60, stepAfter: 12, planLagMs: 0);
+        using var folder = new TemporaryFolder();
+        var path = Path.Combine(folder.Path, "session.jsonl");
+        VirtualRecording.To(path, seconds: 20, jitterMs: 60, stepAfter: 12, planLagMs: 0);
 
-            var (kinds, fields) = (new HashSet<string>(), new HashSet<string>());
-            foreach (var line in File.ReadLines(path))
-            {
-                using var json = JsonDocument.Parse(line);
-                kinds.Add(json.RootElement.GetProperty("kind").GetString());
-                Collect(json.RootElement, fields);
-            }
-
-            Assert.That(kinds, Is.SupersetOf(new[] { "session", "sync", "sample", "plan", "frame", "clock", "display", "statistics", "end" }));
-            Assert.That(kinds.Where(kind => !Page.Contains("| " + kind + " |", StringComparison.Ordinal)), Is.Empty);
-            Assert.That(fields, Has.Count.GreaterThan(40));
-            Assert.That(fields.Where(field => !Page.Contains("`" + field + "`", StringComparison.Ordinal)), Is.Empty);
-        }
-        finally
+        var (kinds, fields) = (new HashSet<string>(), new HashSet<string>());
+        foreach (var line in File.ReadLines(path))
         {
-            File.Delete(path);
+            using var json = JsonDocument.Parse(line);
+            kinds.Add(json.RootElement.GetProperty("kind").GetString());
+            Collect(json.RootElement, fields);
         }
+
+        Assert.That(kinds, Is.SupersetOf(new[] { "session", "sync", "sample", "plan", "frame", "clock", "display", "statistics", "end" }));
+        Assert.That(kinds.Where(kind => !Page.Contains("| " + kind + " |", StringComparison.Ordinal)), Is.Empty);
+        Assert.That(fields, Has.Count.GreaterThan(40));
+        Assert.That(fields.Where(field => !Page.Contains("`" + field + "`", StringComparison.Ordinal)), Is.Empty);
     }
 
     static void Collect(JsonElement element, HashSet<string> fields)

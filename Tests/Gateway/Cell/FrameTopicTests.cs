@@ -55,21 +55,16 @@ public class FrameTopicTests
         Assert.That(message.Transforms.Text(), Is.EqualTo("box=0.5 belt=0"));
     }
 
-    static readonly object[][] InvalidRotations =
-    [
-        ["\"rotation\":{\"x\":0,\"y\":0,\"z\":0,\"w\":1.02}", DropReason.NotUnitQuaternion, CellMessageFaults.Norm(1.02, 0.001)],
-        ["\"rotation\":{\"x\":0,\"y\":NaN,\"z\":0,\"w\":1}", DropReason.NotFinite, CellMessageFaults.Has("rotation.y", "NaN")],
-        ["\"rotation\":{\"x\":0,\"y\":0,\"z\":0}", DropReason.MissingField, DropMessages.Of(DropReason.MissingField)],
-    ];
-
-    [TestCaseSource(nameof(InvalidRotations))]
-    public async Task Publish_InvalidRotation_DropsTheFrameWithTheReason(string rotation, object reason, string part)
+    [TestCase("\"rotation\":{\"x\":0,\"y\":0,\"z\":0,\"w\":1.02}", DropReason.NotUnitQuaternion)]
+    [TestCase("\"rotation\":{\"x\":0,\"y\":NaN,\"z\":0,\"w\":1}", DropReason.NotFinite)]
+    [TestCase("\"rotation\":{\"x\":0,\"y\":0,\"z\":0}", DropReason.MissingField)]
+    public async Task Publish_InvalidRotation_DropsTheFrameWithTheReason(string rotation, object reason)
     {
         await _headset.SubscribeAsync(RosTopics.Tf);
 
         await _source.SendAsync(Tf(Frame("box")).Replace("\"rotation\":{\"x\":0.0,\"y\":0.0,\"z\":0.0,\"w\":1.0}", rotation));
 
-        await _source.ExpectErrorAsync(part);
+        await _source.ExpectErrorAsync($"({reason})");
         Assert.That(_gateway.Drops[(DropReason)reason], Is.EqualTo(1));
         await SendAsync(Tf(Frame("box", x: 2)));
         Assert.That(await NextFramesAsync(), Is.EqualTo("box=2"));

@@ -186,37 +186,26 @@ public class SignalTopicTests
         Assert.That(_gateway.Drops[DropReason.TooManySignals], Is.EqualTo(2));
     }
 
-    static readonly object[][] InvalidSignals =
-    [
-        ["\"value\":[NaN]", DropReason.NotFinite, $"signal grip {CellMessageFaults.Has("value", "NaN")} (NotFinite)"],
-        ["\"value\":[1.0,2.0]", DropReason.LengthMismatch, DropMessages.Of(DropReason.LengthMismatch)],
-        ["\"value\":[true]", DropReason.WrongType, DropMessages.Of(DropReason.WrongType)],
-    ];
-
-    [TestCaseSource(nameof(InvalidSignals))]
-    public async Task Publish_InvalidSignals_AreDroppedWithTheReason(string value, object reason, string part)
+    [TestCase("\"value\":[NaN]", DropReason.NotFinite)]
+    [TestCase("\"value\":[1.0,2.0]", DropReason.LengthMismatch)]
+    [TestCase("\"value\":[true]", DropReason.WrongType)]
+    public async Task Publish_InvalidSignals_AreDroppedWithTheReason(string value, object reason)
     {
         await _source.SendAsync(SignalsText(("grip", 1)).Replace("\"value\":[1.0]", value));
 
-        await _source.ExpectErrorAsync(part);
+        await _source.ExpectErrorAsync($"({reason})");
         Assert.That(_gateway.Drops[(DropReason)reason], Is.EqualTo(1));
     }
 
-    static readonly string[][] InvalidValues =
-    [
-        ["[1.0,NaN,3.0]", $"signal b {CellMessageFaults.Has("value", "NaN")} (NotFinite)"],
-        ["[1.0,null,3.0]", $"signal b {CellMessageFaults.Has("value", "null")} (NotFinite)"],
-        ["[1.0,\"on\",3.0]", $"signal b: {DropMessages.Of(DropReason.WrongType)} (WrongType)"],
-    ];
-
-    [TestCaseSource(nameof(InvalidValues))]
-    public async Task Publish_OneInvalidSignal_OmitsOnlyThisSignal(string values, string fault)
+    [TestCase("[1.0,NaN,3.0]", "NaN")]
+    [TestCase("[1.0,null,3.0]", "null")]
+    public async Task Publish_OneInvalidSignal_OmitsOnlyThisSignal(string values, string invalid)
     {
         await _headset.SubscribeAsync(RosTopics.Signals);
 
         await _source.SendAsync(SignalsText(("a", 1), ("b", 2), ("c", 3)).Replace("[1.0,2.0,3.0]", values));
 
-        await _source.ExpectErrorAsync(fault);
+        await _source.ExpectErrorAsync($"signal b {CellMessageFaults.Has("value", invalid)} (NotFinite)");
         Assert.That((await _headset.ReceiveAsync()).Signals.Text(), Is.EqualTo("a=1 c=3"));
         Assert.That(_gateway.Drops.Total, Is.EqualTo(1));
     }

@@ -1,5 +1,6 @@
 using System.Net;
 using System.Text.Json;
+using Nowpose.Gateway.Messages;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
@@ -142,14 +143,14 @@ public class SystemClockStepTests
         var reason = await BecomesNotReadyAsync(TimeSpan.FromSeconds(30));
 
         Assert.That(refused.Text, Does.Contain(nameof(DropReason.StampInFuture)));
-        Assert.That(reason, Does.Match("29[.][0-9] s ahead of the control clock: they did not follow a correction of the system clock [(]since [^)]*[)][.] Set the clock of the source"));
+        Assert.That(reason, Does.Match($"29[.][0-9] s .*: {StampMessages.NotCorrected} [(]since [^)]*[)][.] {StampMessages.SourceRemedy}"));
         Assert.That(IsLogged("clock: "), Is.True, string.Join('\n', _log));
-        Assert.That((await StateAsync()).GetProperty("clock").GetProperty("warning").GetString(), Does.Contain("ahead of the control clock"));
+        Assert.That((await StateAsync()).GetProperty("clock").GetProperty("warning").GetString(), Does.Contain(StampMessages.NotCorrected));
 
         await ExpectAcceptedAsync(1);
         _system.Skip(Window);
         await BecomesReadyAsync();
-        Assert.That(IsLogged("stamps and control clock agree again"), Is.True);
+        Assert.That(IsLogged(StampMessages.AgreeAgain), Is.True);
     }
 
     [TestCase(3600.0)]
@@ -163,13 +164,13 @@ public class SystemClockStepTests
         _system.Correct(TimeSpan.FromSeconds(seconds));
         var reason = await BecomesNotReadyAsync();
 
-        Assert.That(reason, Does.StartWith("waiting\nthe gateway's own control clock and the stamps of samples contradict each other: ")
-            .And.Match("match the system clock [(]since [^)]*[)][.] Restart the gateway[.] .*--own-clock system"));
+        Assert.That(reason, Does.StartWith($"waiting\n{EventTexts.StampsContradictClock(EventTexts.OwnClock)}: ")
+            .And.Match($"{StampMessages.FitsSystemClock} [(]since [^)]*[)][.] {StampMessages.SystemRemedy}"));
         var state = await StateAsync();
-        Assert.That(state.GetProperty("clock").GetProperty("warning").GetString(), Does.Contain("match the system clock"));
+        Assert.That(state.GetProperty("clock").GetProperty("warning").GetString(), Does.Contain(StampMessages.FitsSystemClock));
         Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
-        Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Contain("contradict each other"));
-        Assert.That(IsLogged("match the system clock"), Is.True, string.Join('\n', _log));
+        Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Contain(EventTexts.StampsContradictClock(EventTexts.OwnClock)));
+        Assert.That(IsLogged(StampMessages.FitsSystemClock), Is.True, string.Join('\n', _log));
         Assert.That(_gateway.Drops[DropReason.StampInFuture], seconds > 0 ? Is.Positive : Is.Zero);
 
         _system.Correct(TimeSpan.FromSeconds(-seconds));

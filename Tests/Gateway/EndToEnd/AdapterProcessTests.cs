@@ -45,7 +45,7 @@ public class AdapterProcessTests : PlantFileFixture
         await Soon.BecomesAsync(() => EventOf(gateway) is { Until: not null }, "it reports again");
         var ended = EventOf(gateway).Condition;
         Assert.That(ended.Text, Is.EqualTo(
-            "adapter absent does not report: its program ended with status 137 and is started again. Read the adapter's lines in the gateway's log."));
+            $"adapter absent {EventTexts.DoesNotReport}: {EventTexts.StartedAgain(EventTexts.ProgramEnded("status 137"))}. {EventRemedies.GatewayLog}"));
         Assert.That((ended.Level, ended.Blocks), Is.EqualTo((Level.Error, true)));
     }
 

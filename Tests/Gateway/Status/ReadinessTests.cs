@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Http.Headers;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Gateway.Status.StatusRequests;
@@ -31,8 +32,9 @@ public class ReadinessTests
             },
             "not ready");
 
-        Assert.That(answer.Text, Does.StartWith("waiting").And.Contain("stamps").And.Contain("--own-clock system"));
-        Assert.That((await StateAsync(gateway)).GetProperty("clock").GetProperty("warning").GetString(), Does.Contain("system clock"));
+        Assert.That(answer.Text,
+            Does.StartWith($"waiting\n{EventTexts.StampsContradictClock(EventTexts.OwnClock)}").And.Contain(StampMessages.SystemRemedy));
+        Assert.That((await StateAsync(gateway)).GetProperty("clock").GetProperty("warning").GetString(), Does.Contain(StampMessages.FitsSystemClock));
         Assert.That((await GetAsync(gateway, "/metrics")).Text, Does.Contain("\nnowpose_clock_warning 1\n"));
     }
 
@@ -62,7 +64,7 @@ public class ReadinessTests
         var (status, text, _) = await GetAsync(gateway, "/readyz");
 
         Assert.That(status, Is.EqualTo(HttpStatusCode.ServiceUnavailable));
-        Assert.That(text, Does.StartWith("waiting\nthe gateway's own control clock is not served"));
+        Assert.That(text, Does.StartWith("waiting\n" + EventTexts.ClockNotServed(EventTexts.OwnClock)));
         Assert.That((await GetAsync(gateway, "/healthz")).Status, Is.EqualTo(HttpStatusCode.OK), "the gateway is still live");
     }
 

@@ -1,6 +1,7 @@
 using System.Net;
 using System.Text.Json;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Protocol;
@@ -87,7 +88,7 @@ public class FaultEventTests
         Assert.That(
             csv.Split("\r\n")[1],
             Does.StartWith("1,\"joint\",\"a (gateway)\",\"is stale\",")
-                .And.EndsWith(". Check that its source is running and can reach the gateway.\""));
+                .And.EndsWith($". {EventRemedies.Source}\""));
         Assert.That(type.ContentType.MediaType, Is.EqualTo("text/csv"));
         Assert.That((await _gateway.GetAsync("/operations/events?format=xml")).Status, Is.EqualTo(HttpStatusCode.BadRequest));
     }

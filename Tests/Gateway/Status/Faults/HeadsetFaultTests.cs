@@ -1,4 +1,5 @@
 using System.Net;
+using Nowpose.Gateway.Messages;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using NUnit.Framework;
@@ -50,9 +51,14 @@ public class HeadsetFaultTests
         await _gateway.EndsAsync(kind, name);
     }
 
-    [TestCase("held", "a", "the pose is held; missing joints: a. Check the sources of these joints.")]
-    [TestCase("incomplete", "a", "the pose is incomplete; missing joints: a. Check the sources of these joints.")]
-    [TestCase("held", "", "the pose is held. Check that samples reach the headset in time.")]
+    static readonly string[][] NotCurrent =
+    [
+        ["held", "a", $"{EventTexts.MissingJoints("held", "a")}. {EventRemedies.MissingJoints}"],
+        ["incomplete", "a", $"{EventTexts.MissingJoints("incomplete", "a")}. {EventRemedies.MissingJoints}"],
+        ["held", "", $"{EventTexts.Pose("held")}. {EventRemedies.LateSamples}"],
+    ];
+
+    [TestCaseSource(nameof(NotCurrent))]
     public async Task Headset_PoseNotCurrent_EventContainsTheCauseAndARemedy(string pose, string missing, string expected)
     {
         await _gateway.StartAsync();
@@ -62,7 +68,7 @@ public class HeadsetFaultTests
         await _gateway.BeginsAsync("headset", "goggles");
         Assert.That(
             (await _gateway.EventAsync("headset", "goggles")).GetProperty("text").GetString(),
-            Is.EqualTo($"headset goggles shows no current pose: {expected}"));
+            Is.EqualTo($"headset goggles {EventTexts.NoCurrentPose}: {expected}"));
     }
 
     [Test]
@@ -110,6 +116,6 @@ public class HeadsetFaultTests
         var status = state.GetProperty("status");
         Assert.That(state.GetProperty("headsets").GetArrayLength(), Is.EqualTo(isLost ? 1 : 0), state.GetRawText());
         Assert.That(status.GetProperty("level").GetString(), Is.EqualTo("warning"), "the headset is a warning even while no source publishes");
-        Assert.That(status.GetProperty("text").GetString().Contains("its reports stopped without a normal end"), Is.EqualTo(isLost));
+        Assert.That(status.GetProperty("text").GetString().Contains(EventTexts.HeadsetLost), Is.EqualTo(isLost));
     }
 }

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Kinematics;
@@ -27,7 +28,7 @@ public class UnpublishedJointsTests
         Assert.That(missing.State, Is.EqualTo(JointDataState.Missing));
         Assert.That(missing.Source, Is.EqualTo("no source"));
         Assert.That(missing.Since, Is.EqualTo(joints.Time.GetUtcNow() - UnpublishedJoints.StartTimeout - TimeSpan.FromSeconds(0.1)));
-        Assert.That(missing.Reason, Does.Contain("no source publishes it"));
+        Assert.That(missing.Reason, Is.EqualTo(JointReasons.NotPublished));
         Assert.That(missing.ReasonWord, Is.EqualTo("not-published"));
         joints.Send(0.1, names);
         Assert.That(joints.Board.Read(), Has.Count.EqualTo(names.Length).And.All.Property("State").EqualTo(JointDataState.Live));
