@@ -1,3 +1,4 @@
+using Nowpose.Messages;
 using Nowpose.Pairing;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Pairing.SimulatedPairing;
@@ -37,7 +38,7 @@ namespace Nowpose.Tests.Core.Pairing
             _pairing.Flow.AskToForget();
 
             Assert.That(_pairing.Frame(Cell) & PairingChange.Asked, Is.EqualTo(PairingChange.Asked));
-            Assert.That(_pairing.Flow.Question, Does.StartWith("Forget cell 'Press 3'?").And.Contain("code"));
+            Assert.That(_pairing.Flow.Question, Is.EqualTo(PairingMessages.Forget(CellCode.Parse(Cell))));
             Assert.That(_pairing.Flow.Cells.Used.Cell, Is.EqualTo("Press 3"), "until the question is answered");
             if (isAgreed) _pairing.Flow.Accept();
             else _pairing.Flow.Refuse();
@@ -54,11 +55,11 @@ namespace Nowpose.Tests.Core.Pairing
 
             _pairing.Flow.AskToForget();
             _pairing.Frame(Cell, Other);
-            Assert.That(_pairing.Flow.Question, Does.StartWith("Forget cell 'Press 3'?"));
+            Assert.That(_pairing.Flow.Question, Is.EqualTo(PairingMessages.Forget(CellCode.Parse(Cell))));
             _pairing.Flow.Refuse();
             _pairing.Look(Cell, Other);
 
-            Assert.That(_pairing.Flow.Question, Does.StartWith("Connect to cell 'Press 4'?"));
+            Assert.That(_pairing.Flow.Question, Is.EqualTo(PairingMessages.Question(CellCode.Parse(Other), null)));
         }
 
         [Test]
@@ -73,7 +74,7 @@ namespace Nowpose.Tests.Core.Pairing
             Assert.That(_pairing.Flow.Question, Is.Null, "no cell is paired");
             _pairing.Frame(Cell);
 
-            Assert.That(_pairing.Flow.Question, Does.StartWith("Connect to cell 'Press 3'?"));
+            Assert.That(_pairing.Flow.Question, Is.EqualTo(PairingMessages.Question(CellCode.Parse(Cell), null)));
         }
 
         [Test]

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 using Nowpose.Pairing;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Pairing.SimulatedPairing;
@@ -113,7 +114,7 @@ namespace Nowpose.Tests.Core.Pairing
 
             _pairing.Look(Other);
 
-            Assert.That(_pairing.Flow.Question, Is.EqualTo("Use cell 'Press 4' instead of 'Press 3'?"));
+            Assert.That(_pairing.Flow.Question, Is.EqualTo(PairingMessages.Use("Press 4", "Press 3")));
             Assert.That(_pairing.Flow.Cells.Used.Cell, Is.EqualTo("Press 3"), "until the question is answered");
             if (isAgreed) _pairing.Flow.Accept();
             else _pairing.Flow.Refuse();

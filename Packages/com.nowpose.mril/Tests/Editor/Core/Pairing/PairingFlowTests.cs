@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 using Nowpose.Pairing;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Pairing.SimulatedPairing;
@@ -26,7 +27,7 @@ namespace Nowpose.Tests.Core.Pairing
             _pairing.Flow.Accept();
             Assert.That(_pairing.Flow.Question, Is.Null);
             _pairing.Frame();
-            Assert.That(_pairing.Flow.Words, Does.Contain("look at the code"));
+            Assert.That(_pairing.Flow.Words, Is.EqualTo(PairingMessages.LookAtCode("Press 3")));
             _pairing.Frame(Token);
             _pairing.Answer.SetResult(PairingAnswer.Accepted(OwnToken));
 
@@ -45,7 +46,7 @@ namespace Nowpose.Tests.Core.Pairing
         public void Token_SeenFirst_IsUsedAfterConsent()
         {
             _pairing.Frame(Token);
-            Assert.That(_pairing.Flow.Words, Does.Contain("now look at the robot's marker"));
+            Assert.That(_pairing.Flow.Words, Is.EqualTo(PairingMessages.MarkerFirst));
             _pairing.Frame(Cell);
             Assert.That(_pairing.Sent, Is.Empty, "nothing is sent before the wearer agrees");
 
@@ -100,7 +101,7 @@ namespace Nowpose.Tests.Core.Pairing
             Assert.That(_pairing.Flow.Question, Is.Null);
             _pairing.Look(Cell, Other);
 
-            Assert.That(_pairing.Flow.Question, Does.StartWith("Connect to cell 'Press 4'?"));
+            Assert.That(_pairing.Flow.Question, Is.EqualTo(PairingMessages.Question(CellCode.Parse(Other), null)));
         }
 
         [Test]
@@ -172,7 +173,7 @@ namespace Nowpose.Tests.Core.Pairing
 
             _pairing.Frame(Token);
 
-            Assert.That(_pairing.Flow.Words, Is.EqualTo("this code has already been tried; request another one on the gateway's page or terminal"));
+            Assert.That(_pairing.Flow.Words, Is.EqualTo(PairingMessages.CodeWasTried));
             Assert.That(_pairing.Flow.IsSettled, Is.False);
         }
 

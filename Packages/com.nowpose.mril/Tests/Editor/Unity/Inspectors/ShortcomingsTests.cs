@@ -1,6 +1,7 @@
 using System.Linq;
 using Nowpose.Editor;
 using Nowpose.Editor.Inspectors;
+using Nowpose.Editor.Messages;
 using Nowpose.Tests.Unity.Robot;
 using Nowpose.Unity;
 using NUnit.Framework;
@@ -26,7 +27,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         public void Session_WithoutSettings_IsReported()
         {
             var session = _scene.New<MrilSession>("Session");
-            Assert.That(Of(session).Single().Message, Is.EqualTo("It has no settings and cannot start. Assign settings, or let a script provide them."));
+            Assert.That(Of(session).Single().Message, Is.EqualTo(ShortcomingTexts.Settings));
 
             session.With("_settings", _scene.Asset<SessionSettingsAsset>("Settings"));
 
@@ -49,7 +50,7 @@ namespace Nowpose.Tests.Unity.Inspectors
             var rig = Rig();
 
             var shortcoming = Of(rig).Single();
-            Assert.That(shortcoming.Message, Does.StartWith("This object and its parents have no session"));
+            Assert.That(shortcoming.Message, Is.EqualTo(ShortcomingTexts.RigSession));
             Assert.That(shortcoming.FixLabel, Is.EqualTo("Use 'The Session'"));
             shortcoming.Fix();
 
@@ -93,7 +94,7 @@ namespace Nowpose.Tests.Unity.Inspectors
             _scene.New<TextMesh>("Cell", panel.transform);
 
             Assert.That(Of(panel).Select(s => s.FixLabel), Is.EqualTo(new[] { null, "Use 'Cell'" }));
-            Assert.That(Of(_scene.New<PoseAppearance>("Looks")).Single().Message, Does.StartWith("This object and its parents have no session"));
+            Assert.That(Of(_scene.New<PoseAppearance>("Looks")).Single().Message, Is.EqualTo(ShortcomingTexts.ShownSession));
         }
 
         [Test]
@@ -107,7 +108,7 @@ namespace Nowpose.Tests.Unity.Inspectors
 
             part.sharedMaterial = _scene.Material("Steel");
             var shortcoming = Of(appearance).Single();
-            Assert.That(shortcoming.Message, Does.StartWith("Some parts have materials that cannot fade"));
+            Assert.That(shortcoming.Message, Is.EqualTo(ShortcomingTexts.Substitute));
             Assert.That(shortcoming.FixLabel, Is.EqualTo("Use 'Hologram'"));
             shortcoming.Fix();
 

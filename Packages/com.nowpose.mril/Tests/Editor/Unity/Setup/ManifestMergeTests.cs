@@ -163,7 +163,8 @@ namespace Nowpose.Tests.Unity.Setup
             var merge = Merge(before, OpenXr, ConflictRule.Replace);
 
             Assert.That(merge.Text, Is.EqualTo(before));
-            Assert.That(merge.Conflicts.Single(), Does.EndWith("; the registry also has other scopes; move the package's scope to a registry with the needed url"));
+            Assert.That(merge.Conflicts.Single(), Does.EndWith(
+                ManifestMessages.OtherRegistry("", "com.microsoft.mixedreality.openxr", "https://own.example", Url, isShared: true)));
             Assert.That(merge.CanReplaceAll, Is.False);
         }
 

@@ -1,4 +1,5 @@
 using Nowpose.Editor;
+using Nowpose.Editor.Messages;
 using Nowpose.Editor.Setup;
 using NUnit.Framework;
 
@@ -31,7 +32,7 @@ namespace Nowpose.Tests.Unity.Setup
         {
             var found = UnityBounds.Judge(UnityVersion.TryParse("6000.3.2f1").Value, withMicrosoft: true).Found;
 
-            Assert.That(found, Does.Contain("Mixed Reality OpenXR 1.11.2 does not compile in Unity 6.3").And.Contain("use 2022.3"));
+            Assert.That(found, Does.Contain(UnityVersionMessages.PlugInFails));
         }
 
         [TestCase("m_EditorVersion: 2022.3.62f1\r\nm_EditorVersionWithRevision: 2022.3.62f1 (4af31df58517)\r\n", "2022.3.62f1")]
