@@ -5,7 +5,6 @@ using Nowpose.Cli.Messages;
 using NUnit.Framework;
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Headset;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;

@@ -21,7 +21,7 @@ namespace Nowpose.Editor.Setup
         /// <summary>Checks whether Direct3D 11 is the player's only graphics API.</summary>
         public static ProjectCheck GraphicsApi { get; } = new ProjectCheck(
             CheckTitles.GraphicsApi, CheckReasons.GraphicsApi, LookAtApi, "Use Direct3D 11 only",
-            project => project.UseGraphicsApi(GraphicsDeviceType.Direct3D11));
+            ProjectCheck.Always(project => project.UseGraphicsApi(GraphicsDeviceType.Direct3D11)));
 
         /// <summary>Checks whether Graphics Jobs are off. If they are on, Unity distributes its rendering commands to worker threads.</summary>
         public static ProjectCheck GraphicsJobs { get; } = new ProjectCheck(
