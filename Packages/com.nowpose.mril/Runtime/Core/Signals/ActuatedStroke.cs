@@ -9,6 +9,9 @@ namespace Nowpose.Signals
     /// part. A move over the whole stroke takes the stroke time; a shorter move has the same acceleration and jerk. A signal between 0 and
     /// 1 gives a position between the ends. With the whole stroke d and its time T: v = 1.5 d/T, a = 6.75 d/T², j = 60.75 d/T³, so that
     /// acceleration, constant velocity and deceleration take T/3 each.
+    ///
+    /// Values that follow each other within the stroke time, and are not both at an end, are measured positions. They are shown without a move,
+    /// because a move that starts again at each value would never gain speed.
     /// </remarks>
     sealed class ActuatedStroke
     {
@@ -21,6 +24,7 @@ namespace Nowpose.Signals
         SevenPhaseProfile _move;
         double _from;
         ControlTime? _start;
+        int? _end;
 
         /// <param name="atZero">Position for the value 0, m or rad.</param>
         /// <param name="atOne">Position for the value 1, m or rad.</param>
@@ -33,17 +37,21 @@ namespace Nowpose.Signals
             _from = atZero;
         }
 
-        /// <summary>Starts the move to a value.</summary>
+        /// <summary>Starts the move to a value, or sets the position if the value is a measured position.</summary>
         /// <param name="since">Stamp of the change.</param>
         /// <remarks>The first value after construction or <see cref="Forget"/> sets the position without a move.</remarks>
         public void Change(double value, ControlTime since)
         {
+            var seconds = _start.HasValue ? ClockTicks.Seconds(since - _start.Value) : double.PositiveInfinity;
+            var end = EndOf(value);
+            var isSameEnd = end.HasValue && end == _end;
+            // The last digit of the value changes during a move to the end. The move continues.
+            if (isSameEnd && seconds < _move.Duration) return;
+            var isMeasured = isSameEnd || seconds < _strokeSeconds && !(end.HasValue && _end.HasValue);
             var to = _atZero + Math.Max(0, Math.Min(1, value)) * (_atOne - _atZero);
-            var from = _start.HasValue ? At(since) : to;
-            _from = from;
-            _start = since;
-            _move = ProfileOf(to - from);
-            if (_strokeSeconds <= 0) _from = to;
+            _from = isMeasured || !_start.HasValue || _strokeSeconds <= 0 ? to : At(since);
+            _move = ProfileOf(to - _from);
+            (_start, _end) = (since, end);
         }
 
         /// <summary>Returns whether a value is within the stroke. Another value moves the part to the nearest end.</summary>
@@ -59,6 +67,8 @@ namespace Nowpose.Signals
             _move = default;
             _start = null;
         }
+
+        static int? EndOf(double value) => value <= Tolerance ? 0 : value >= 1 - Tolerance ? 1 : (int?)null;
 
         SevenPhaseProfile ProfileOf(double distance)
         {

@@ -66,6 +66,57 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That(stroke.At(At(11)), Is.EqualTo(expected).Within(1e-9));
         }
 
+        // A jaw that opens in the stroke time, with its measured opening every 20 ms.
+        [TestCase(0, 1)]
+        [TestCase(0.4, 1)]
+        [TestCase(1, 0)]
+        [TestCase(0.9, 0.3)]
+        public void Change_MeasuredRamp_FollowsTheValues(double first, double last)
+        {
+            var stroke = new ActuatedStroke(0, 1, 0.3);
+            stroke.Change(first, At(0));
+
+            for (var i = 1; i <= 15; i++)
+            {
+                var value = first + (last - first) * i / 15;
+                stroke.Change(value, At(10 + 0.02 * i));
+
+                if (i == 1) continue;
+                for (var t = 0.0; t <= 0.02; t += 0.005) Assert.That(stroke.At(At(10 + 0.02 * i + t)), Is.EqualTo(value).Within(0.05), $"value {i}, {t} s");
+            }
+
+            Assert.That(stroke.At(At(11)), Is.EqualTo(last).Within(1e-12));
+        }
+
+        [TestCase(0.4)]
+        [TestCase(0.7)]
+        public void Change_SingleStepBetweenTheEnds_IsAMove(double value)
+        {
+            var stroke = Open();
+
+            stroke.Change(value, At(10));
+
+            var to = 0.01 + 0.04 * value;
+            Assert.That(stroke.At(At(10)), Is.EqualTo(0.01).Within(1e-12));
+            Assert.That(stroke.At(At(10.1)), Is.InRange(0.01 + 0.1 * (to - 0.01), to - 0.1 * (to - 0.01)));
+            Assert.That(stroke.At(At(10.4)), Is.EqualTo(to).Within(1e-9));
+        }
+
+        [Test]
+        public void Change_NoiseDuringAMoveToTheEnd_DoesNotStartTheMoveAgain()
+        {
+            var (steady, noisy) = (Open(), Open());
+            steady.Change(1, At(10));
+            noisy.Change(1, At(10));
+
+            for (var i = 1; i < 20; i++)
+            {
+                noisy.Change(i % 2 == 0 ? 1 : 0.999, At(10 + 0.02 * i));
+
+                Assert.That(noisy.At(At(10.01 + 0.02 * i)), Is.EqualTo(steady.At(At(10.01 + 0.02 * i))).Within(1e-12), $"value {i}");
+            }
+        }
+
         [Test]
         public void Change_FirstValue_AppliesImmediately()
         {
