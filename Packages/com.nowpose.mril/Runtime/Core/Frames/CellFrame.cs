@@ -12,19 +12,17 @@ namespace Nowpose.Frames
     {
         readonly Func<BodyPredictor> _newPredictor;
         readonly HandOver _handOver = new HandOver();
+        readonly DisplayedPose _shown = new DisplayedPose();
         BodyPredictor _predictor;
         RigidTransform _given = RigidTransform.Identity;
-        RigidTransform? _shown;
         ControlTime? _newest, _movedAt;
-        PoseFade _fade;
         string _parent;
         ReachPlace _reach, _nextReach;
         ReachGrip _unknownGrip;
         SourceRest _sourceRest;
+        CarrierRest _carrierRest;
         double _displayed = double.NaN;
-        double _evaluated = double.NaN;
-        double _speed;
-        bool _isStationary, _isReachWaiting, _hasPose;
+        bool _isStationary, _isReachWaiting;
 
         /// <param name="newPredictor">Creates the predictor for the first pose of a tracked frame. Stationary frames need no predictor.</param>
         public CellFrame(string name, Func<BodyPredictor> newPredictor)
@@ -83,17 +81,23 @@ namespace Nowpose.Frames
         /// </summary>
         public ReachGrip UnknownMover { get; private set; }
 
-        /// <summary>Reason why it is unknown whether a gripper has moved the object, in one line; null if it is known.</summary>
-        public string GripFault => UnknownGrip?.Fault ?? (UnknownMover != null ? FrameMessages.ReleasedUnnoticed : null);
+        /// <summary>Whether a gripper determines the place, although the object's source names a parent that can move.</summary>
+        public bool IsAwayFromCarrier => _reach != null && _parent != FrameParents.World;
+
+        bool HasCarrierLeft => _reach?.IsReleased == true && _carrierRest?.HasMoved == true;
+
+        /// <summary>Reason why it is unknown whether the object has been moved from its displayed place, in one line; null if it is known.</summary>
+        public string GripFault =>
+            UnknownGrip?.Fault ?? (UnknownMover != null ? FrameMessages.ReleasedUnnoticed : HasCarrierLeft ? FrameMessages.CarrierMoved : null);
 
         /// <summary>Control time since which the state has been <see cref="FrameState.GripUnknown"/>; null if this time is unknown.</summary>
-        public ControlTime? GripFaultSince => UnknownGrip != null ? UnknownGrip.FaultSince : _movedAt;
+        public ControlTime? GripFaultSince => UnknownGrip != null ? UnknownGrip.FaultSince : UnknownMover != null ? _movedAt : _carrierRest?.MovedAt;
 
-        /// <summary>Displayed pose in the world, right-handed, metres.</summary>
-        public RigidTransform World { get; private set; } = RigidTransform.Identity;
+        /// <inheritdoc cref="DisplayedPose.World"/>
+        public RigidTransform World => _shown.World;
 
         /// <summary>Whether the frame has a pose in the world on which other frames can be placed, current or not.</summary>
-        public bool IsPlaced => _hasPose && State != FrameState.Orphan;
+        public bool IsPlaced => _shown.IsKnown && State != FrameState.Orphan;
 
         /// <summary>Newest pose in the parent, which a display without compensation shows; the identity before the first pose.</summary>
         public RigidTransform Held => _reach != null ? _reach.Pose : _given;
@@ -129,7 +133,11 @@ namespace Nowpose.Frames
         {
             if (Reach == null && place != null) Watch();
             if (place?.IsReleased != true) SetUnknownMover(null, null);
-            if (place?.IsReleased == true && Reach?.IsReleased != true) _sourceRest.Release(_given);
+            if (place?.IsReleased == true && Reach?.IsReleased != true)
+            {
+                _sourceRest.Release(_given);
+                _carrierRest?.Release();
+            }
             _nextReach = place;
             _isReachWaiting = true;
         }
@@ -151,7 +159,15 @@ namespace Nowpose.Frames
             (UnknownMover, _movedAt) = (gripper, since);
         }
 
-        void Watch() => (_sourceRest ??= new SourceRest()).Begin();
+        void Watch()
+        {
+            (_sourceRest ??= new SourceRest()).Begin();
+            _carrierRest?.Begin();
+        }
+
+        /// <summary>Takes the pose of <see cref="SourceParent"/> in the world, according to the newest samples. Allocates at the first call.</summary>
+        /// <param name="at">Display time; null while it is unknown.</param>
+        public void WatchCarrier(in RigidTransform carrier, ControlTime? at) => (_carrierRest ??= new CarrierRest()).Add(carrier, at);
 
         /// <summary>Returns the pose in <see cref="SourceParent"/> at a time other than the displayed one, according to its source.</summary>
         /// <param name="time">Time since the epoch, s.</param>
@@ -172,7 +188,7 @@ namespace Nowpose.Frames
         /// </summary>
         public void ChangeParent(ControlTime epoch)
         {
-            if (_hasPose) _shown = World;
+            _shown.Continue();
             if (_isReachWaiting) _reach = _nextReach;
             _isReachWaiting = false;
             if (_handOver.Count == 0) return;
@@ -195,16 +211,9 @@ namespace Nowpose.Frames
             var pose = PoseInParent(time, out var kind);
             State = kind == PredictionKind.None ? FrameState.Missing
                 : kind == PredictionKind.Held ? FrameState.Held
-                : UnknownGrip != null || UnknownMover != null ? FrameState.GripUnknown
+                : UnknownGrip != null || UnknownMover != null || HasCarrierLeft ? FrameState.GripUnknown
                 : isParentCurrent ? FrameState.Current : FrameState.ParentNotCurrent;
-            if (kind == PredictionKind.None) return;
-            var now = parent * pose;
-            if (_shown is RigidTransform shown) _fade = new PoseFade(time, shown, now, _speed);
-            _shown = null;
-            var displayed = _fade.At(time, now);
-            Measure(time, displayed);
-            World = displayed;
-            _hasPose = true;
+            if (kind != PredictionKind.None) _shown.Show(time, parent * pose);
         }
 
         // A released object is current only while its source sends poses, because only the source reports that the object is moved again.
@@ -231,25 +240,15 @@ namespace Nowpose.Frames
         public void Reset()
         {
             _handOver.Reset();
-            _fade = default;
-            _shown = null;
+            _shown.Reset();
+            _carrierRest?.ForgetTime();
             _reach = Reach?.WithoutTime();
             _isReachWaiting = false;
-            _displayed = _evaluated = double.NaN;
-            _speed = 0;
+            _displayed = double.NaN;
             _movedAt = null;
             if (_isStationary) return;
             _predictor.Reset();
             _newest = null;
-        }
-
-        // Measures the speed of the displayed object. During a hand-over, the second evaluation for the same time does not change the measured speed.
-        void Measure(double time, in RigidTransform next)
-        {
-            if (double.IsNaN(time)) return;
-            if (_hasPose && time > _evaluated)
-                _speed = new Vector3D(next.X - World.X, next.Y - World.Y, next.Z - World.Z).Length / (time - _evaluated);
-            _evaluated = time;
         }
 
         // A source that has no data about the gripper repeats the pose from before the grip. Therefore, only a different pose shows that the object

@@ -86,18 +86,19 @@ namespace Nowpose.Frames
         /// <summary>Returns the pose of a frame in the world, computed from the newest poses and joint positions of its ancestors.</summary>
         /// <param name="frame">Index of the frame, known at the last arrangement.</param>
         /// <returns>The displayed pose if the parent is unknown.</returns>
-        public RigidTransform HeldOf(int frame)
+        public RigidTransform HeldOf(int frame) =>
+            HeldParentOf(_places[_placeOf[frame]]) is RigidTransform parent ? parent * _frames[frame].Held : _frames[frame].World;
+
+        /// <summary>Returns the same for the parent that a frame's source names; null if it is unknown.</summary>
+        public RigidTransform? HeldSourceParentOf(int frame) => HeldParentOf(PlaceIn(frame, _frames[frame].SourceParent));
+
+        RigidTransform? HeldParentOf(in Place place)
         {
-            var place = _places[_placeOf[frame]];
-            var pose = _frames[frame].Held;
-            if (place.Robot >= 0)
-            {
-                var root = _roots[place.Robot];
-                var link = _robots[place.Robot].HeldPoses[place.Parent] * pose;
-                return root < 0 ? link : HeldOf(root) * link;
-            }
-            if (place.Parent >= 0) return HeldOf(place.Parent) * pose;
-            return place.IsInWorld ? pose : _frames[frame].World;
+            if (place.IsInWorld) return RigidTransform.Identity;
+            if (place.Robot < 0) return place.Parent < 0 ? (RigidTransform?)null : HeldOf(place.Parent);
+            var root = _roots[place.Robot];
+            var link = _robots[place.Robot].HeldPoses[place.Parent];
+            return root < 0 ? link : HeldOf(root) * link;
         }
 
         /// <summary>Returns the pose of a frame in the world at a time other than the displayed one.</summary>

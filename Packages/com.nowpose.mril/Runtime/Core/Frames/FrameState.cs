@@ -15,8 +15,9 @@ namespace Nowpose.Frames
         Held,
 
         /// <summary>
-        /// The pose would be valid, but it is unknown what a gripper holds or held that may hold the object or may have moved it; see
-        /// <see cref="CellFrame.UnknownGrip"/> and <see cref="CellFrame.UnknownMover"/>.
+        /// The pose would be valid, but it is unknown what a gripper holds or held that may hold the object or may have moved it, see
+        /// <see cref="CellFrame.UnknownGrip"/> and <see cref="CellFrame.UnknownMover"/>, or whether the object has moved with its parent since a
+        /// gripper released it.
         /// </summary>
         GripUnknown,
 

@@ -164,6 +164,7 @@ namespace Nowpose.Frames
             if (_isHandedOver) HandOver(time);
             Arrange();
             EvaluateAll(time);
+            WatchCarriers(at);
         }
 
         /// <summary>
@@ -204,6 +205,12 @@ namespace Nowpose.Frames
                 if (frame.IsBeingHandedOver) frame.ChangeParent(_epoch ?? default);
             _isHandedOver = false;
             _isChanged = true;
+        }
+
+        void WatchCarriers(ControlTime? at)
+        {
+            for (var i = 0; i < _frames.Count; i++)
+                if (_frames[i].IsAwayFromCarrier && _order.HeldSourceParentOf(i) is RigidTransform carrier) _frames[i].WatchCarrier(carrier, at);
         }
 
         void EvaluateAll(double time)

@@ -16,6 +16,10 @@ namespace Nowpose.Messages
 
         public const string ArmWithoutData = "the arm had no data when the gripper closed, so the held object is unknown; open and close the gripper";
         public const string ReleasedUnnoticed = "the gripper opened while its held object was unknown; move or grip the object";
+
+        public const string CarrierMoved =
+            "the parent that the object's source reports has moved since the gripper released the object; report the object's new pose or parent";
+
         public const string List = "list of stationary frames";
 
         public static string NotUnitQuaternion(string tolerance) => $"a rotation is not a unit quaternion; its norm must be 1 ± {tolerance}; normalise it";

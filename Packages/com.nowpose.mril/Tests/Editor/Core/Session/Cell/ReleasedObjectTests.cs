@@ -1,6 +1,9 @@
+using System;
 using Nowpose.Frames;
+using Nowpose.Messages;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
+using Nowpose.Simulation;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Session.Cell.GripScene;
 
@@ -59,6 +62,59 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Open + 2);
             Assert.That(Distance(Find(cell, "box").World, At(0.5, 0)), Is.LessThan(1e-9));
         }
+
+        // The gripper puts the box back on a shuttle. The source of the box repeats its pose on the shuttle.
+        [TestCase(0)]
+        [TestCase(0.001)]
+        public void StateOf_CarrierMovesAfterTheRelease_IsHeldUntilTheSourceReportsAnotherPose(double noise)
+        {
+            const double start = Open + 1.5;
+            var random = new Random(1);
+            var (cell, _) = NewCell("box");
+            var y = 0.02;
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                var x = 1 + 0.2 * Math.Max(0, t - start);
+                cell.Send("world", "shuttle", t, At(x + noise * random.NextNormal(), noise * random.NextNormal()));
+                cell.Send("shuttle", "box", t, At(0.05, y));
+            };
+            Move(cell);
+            Until(cell, start, t => Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current), $"{t} s"));
+            var released = Find(cell, "box").World;
+            Assert.That(Find(cell, "box").GripFault, Is.Null);
+
+            Until(cell, start + 0.5);
+            var since = cell.Session.Frames.HeldSince(Find(cell, "box"));
+            Until(cell, start + 2, t => Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held), $"{t} s"));
+            Assert.That(Distance(Find(cell, "box").World, released), Is.Zero);
+            Assert.That(Find(cell, "box").GripFault, Is.EqualTo(FrameMessages.CarrierMoved));
+            Assert.That(since?.SinceEpoch.TotalSeconds, Is.InRange(start, start + 0.4));
+            Assert.That(cell.Session.Frames.HeldSince(Find(cell, "box")), Is.EqualTo(since));
+
+            y = 0.03;
+            Until(cell, start + 3);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
+            Assert.That(Distance(Find(cell, "box").World, Find(cell, "shuttle").World * At(0.05, y)), Is.LessThan(1e-9));
+        }
+
+        // The shuttle leaves while the gripper holds the box, and waits elsewhere.
+        [Test]
+        public void StateOf_CarrierMovesOnlyDuringTheGrip_IsCurrent()
+        {
+            var (cell, _) = NewCell("box");
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "shuttle", t, At(1, 0.2 * Math.Min(1, Math.Max(0, t - Close - 0.2))));
+                cell.Send("shuttle", "box", t, At(0.05, 0.02));
+            };
+            Move(cell);
+
+            Until(cell, Open + 2, t => Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current), $"{t} s"));
+        }
+
+        static PoseState StateOf(CellSession cell) => cell.Session.Frames.StateOf(Find(cell, "box"));
 
         static void Publish(CellSession cell, double x) => cell.Session.Listener.FramesReceived(
             new TransformsMessage(At(x, 0).ToTransform(default, "world", "box")), true, HeadsetTime.FromSeconds(cell.Now));
