@@ -17,7 +17,6 @@ export const robotMessages = {
   meshesReplaced: (count: number) =>
     `Lines replace ${count} ${count === 1 ? 'part' : 'parts'} of the robot, because meshes are not part of this page.`,
   noDescription: 'No robot description has arrived.',
-  onlyOtherRobots: 'Robots in namespaces are drawn only at their true poses, without the poses of headsets.',
   late: 'Joint positions arrive too late for a comparison.',
   baseUnknown: 'The robot is not drawn, because the pose of its base is not known.',
   noHeadset: 'No headset is shown.',
@@ -31,7 +30,7 @@ export const robotMessages = {
     return heldMm == null ? `${shown}.` : `${shown}; without compensation ${heldMm < 0.1 ? '' : 'about '}${apart(heldMm)}.`;
   },
   /** @param robot Namespace of the robot. */
-  displaysAnother: (headset: string, robot: string) => `${headset} displays the robot ${robot}, which is not compared.`,
+  displaysUnknown: (headset: string, robot: string) => `${headset} displays the robot ${robot}, whose description has not arrived.`,
   /** @param joints The joints, each with the reason from `jointReasons`. */
   linksNotDrawn: (joints: string[]) => `${joints.join(', ')}: links below these joints are not drawn.`,
 };

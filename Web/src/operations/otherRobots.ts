@@ -1,5 +1,5 @@
 import { type Box3, Group, type Matrix4 } from 'three';
-import { Bodies } from '../robot/bodies';
+import { Bodies, type Poses } from '../robot/bodies';
 import type { Frames } from '../robot/frames';
 import { JointTracks } from '../robot/tracks';
 import type { Beside } from '../robot/view';
@@ -11,10 +11,11 @@ const MAX_ROBOTS = 16;
 
 interface Robot {
   bodies: Bodies | null;
+  /** True positions of the joints. */
   tracks: JointTracks;
 }
 
-/** Draws the true poses of robots in namespaces. The names of joints contain the namespaces. */
+/** Draws the robots in namespaces. The names of joints contain the namespaces, except in the history and the poses of one robot. */
 export class OtherRobots implements Beside {
   readonly group = new Group();
   private readonly robots = new Map<string, Robot>();
@@ -53,15 +54,19 @@ export class OtherRobots implements Beside {
     return end < 0 ? null : (this.robots.get(name.slice(0, end))?.bodies?.linkOf('truth', name.slice(end + 1)) ?? null);
   }
 
-  /** @param isGood Returns whether the newest position of a joint is current. */
-  pose(time: number, frames: Frames, isGood: (joint: string) => boolean): void {
+  /** Returns the copies of a robot, null without a description, and its true positions. */
+  find(name: string): Robot {
+    return this.robots.get(name) ?? { bodies: null, tracks: new JointTracks(this.keepS) };
+  }
+
+  /**
+   * @param isCurrent Returns whether the newest position of a joint is current.
+   * @param posesOf Returns the poses of a robot, given its namespace and its true positions.
+   */
+  pose(time: number, frames: Frames, isCurrent: (joint: string) => boolean, posesOf: (name: string, tracks: JointTracks) => Poses): void {
     for (const [name, { bodies, tracks }] of this.robots) {
-      if (!bodies) continue;
-      const pose = tracks.at(time);
-      bodies.place(frames.baseAt(`${name}/${bodies.rootName}`, time, link => this.linkOf(link)));
-      const received = new Set(pose?.names);
-      bodies.showKnown('truth', joint => received.has(joint) && isGood(`${name}/${joint}`));
-      bodies.pose('truth', pose?.names ?? [], pose?.positions ?? null);
+      bodies?.place(frames.baseAt(`${name}/${bodies.rootName}`, time, link => this.linkOf(link)));
+      bodies?.show(posesOf(name, tracks), joint => isCurrent(`${name}/${joint}`));
     }
   }
 

@@ -1,7 +1,6 @@
-import type { Matrix4 } from 'three';
 import { el } from '../dom';
 import { jointReasons, robotDescriptions, robotMessages } from '../messages/robot';
-import type { Bodies } from '../robot/bodies';
+import type { Poses } from '../robot/bodies';
 import { Frames } from '../robot/frames';
 import { JointTracks } from '../robot/tracks';
 import { RobotView } from '../robot/view';
@@ -25,14 +24,14 @@ const PICTURE_MS = 30;
 
 const seconds = () => performance.now() / 1000;
 
-/** Shows the true pose of the robot half a second ago, and the pose that the selected headset displayed at that time. */
+/** Shows the true poses of all robots half a second ago, and the pose that the selected headset displayed of its robot at that time. */
 export class RobotPanel {
   readonly element: HTMLElement;
   private readonly view = new RobotView(robotDescriptions.live);
   private readonly words = el('p', { class: 'apart' }, robotMessages.noDescription);
   private readonly unknown = el('p', { class: 'level warning', hidden: true });
   private readonly truth = new JointTracks(KEEP_S);
-  private displayed = new JointTracks(KEEP_S);
+  private readonly displayed = new JointTracks(KEEP_S);
   /** Namespace of the robot that the selected headset displays; empty for the robot without a namespace. */
   private displayedRobot = '';
   private readonly clock = new LiveClock();
@@ -67,10 +66,7 @@ export class RobotPanel {
 
   /** Selects the headset whose displayed pose is drawn over the robot. */
   choose(headset: Headset | null): void {
-    if (headset?.name !== this.headset?.name) {
-      this.displayed = new JointTracks(KEEP_S);
-      this.displayedRobot = '';
-    }
+    if (headset?.name !== this.headset?.name) this.setDisplayedRobot('');
     this.headset = headset;
   }
 
@@ -92,8 +88,13 @@ export class RobotPanel {
 
   // Removes everything received on an earlier connection. The gateway may have restarted without some robots and objects; it sends the others again.
   private clear(): void {
-    for (const part of [this.truth, this.displayed, this.frames, this.others]) part.clear();
-    this.displayedRobot = '';
+    for (const part of [this.truth, this.frames, this.others]) part.clear();
+    this.setDisplayedRobot('');
+  }
+
+  private setDisplayedRobot(robot: string): void {
+    this.displayed.clear();
+    this.displayedRobot = robot;
   }
 
   private describe(text: string): void {
@@ -112,8 +113,10 @@ export class RobotPanel {
     if (!this.headset || !text.includes(JSON.stringify(this.headset.name))) return;
     const state = readJointState(text);
     if (state?.frame !== this.headset.name) return;
-    this.displayedRobot = namespaceOf(state.names[0] ?? '');
-    if (this.displayedRobot === '') this.displayed.add(state.stamp, state.names, state.positions);
+    const robot = namespaceOf(state.names[0] ?? '');
+    if (robot !== this.displayedRobot) this.setDisplayedRobot(robot);
+    const names = robot === '' ? state.names : state.names.map(name => name.slice(robot.length + 1));
+    this.displayed.add(state.stamp, names, state.positions);
   }
 
   private animate(): void {
@@ -129,29 +132,23 @@ export class RobotPanel {
     const time = (this.clock.at(seconds()) ?? -Infinity) - BEHIND_S;
     const { bodies } = this.view;
     const linkOf = (name: string) => bodies?.linkOf('truth', name) ?? this.others.linkOf(name);
-    this.others.pose(time, this.frames, joint => this.current.has(joint));
-    if (bodies) this.pose(bodies, time, linkOf);
-    else if (this.others.isAnyShown) setText(this.words, robotMessages.onlyOtherRobots);
+    const isCurrent = (joint: string) => this.current.has(joint);
+    this.others.pose(time, this.frames, isCurrent, (robot, truth) => this.posesOf(robot, truth, time));
+    bodies?.place(this.frames.baseAt(bodies.rootName, time, linkOf));
+    bodies?.show(this.posesOf('', this.truth, time), isCurrent);
+    if (performance.now() - this.shownAt >= NUMBERS_MS) {
+      this.shownAt = performance.now();
+      if (bodies) this.showUnknown(bodies.joints, new Set(this.truth.at(time)?.names));
+      this.showDistances(time);
+    }
     this.frames.pose(time, linkOf);
     this.view.ask();
   }
 
-  private pose(bodies: Bodies, time: number, linkOf: (name: string) => Matrix4 | null): void {
-    const poses = { truth: this.truth.at(time), displayed: this.recent(time), hold: this.held(time) };
-    const base = this.frames.baseAt(bodies.rootName, time, linkOf);
-    bodies.place(base);
-    for (const part of ['truth', 'displayed', 'hold'] as const) {
-      const received = new Set(poses[part]?.names);
-      bodies.showKnown(part, joint => received.has(joint) && (part === 'displayed' || this.current.has(joint)));
-      bodies.pose(part, poses[part]?.names ?? [], poses[part]?.positions ?? null);
-    }
-    if (performance.now() - this.shownAt < NUMBERS_MS) return;
-    this.shownAt = performance.now();
-    this.showUnknown(bodies.joints, new Set(poses.truth?.names));
-    if (!base) setText(this.words, robotMessages.baseUnknown);
-    // After the last sample, the true position is not known.
-    else if ((this.truth.last ?? Infinity) < time) setText(this.words, robotMessages.late);
-    else this.showDistances(bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth'));
+  /** @param truth True positions of the robot. */
+  private posesOf(robot: string, truth: JointTracks, time: number): Poses {
+    const isDisplayed = robot === this.displayedRobot;
+    return { truth: truth.at(time), displayed: isDisplayed ? this.recent(time) : null, hold: isDisplayed ? this.held(truth, time) : null };
   }
 
   // Names the joints without a current position. A joint that is drawn at 0 or at its last position could be mistaken for the truth.
@@ -174,16 +171,23 @@ export class RobotPanel {
   }
 
   // Returns the newest samples that had arrived at that time, computed from the latencies that the headset measured.
-  private held(time: number) {
-    const late = this.headset && this.displayedRobot === '' && [numberOf(this.headset, 'l_app_ms'), numberOf(this.headset, 'l_visu_ms')];
-    return !late || late[0] == null || late[1] == null ? null : this.truth.heldAt(time - (late[0] + late[1]) / 1000);
+  private held(truth: JointTracks, time: number) {
+    const late = this.headset && [numberOf(this.headset, 'l_app_ms'), numberOf(this.headset, 'l_visu_ms')];
+    return !late || late[0] == null || late[1] == null ? null : truth.heldAt(time - (late[0] + late[1]) / 1000);
   }
 
-  private showDistances(displayed: number | null, hold: number | null): void {
+  // Shows the distances of the robot that the headset displays, or the reason why they are not known.
+  private showDistances(time: number): void {
     const name = this.headset?.name;
-    if (!name) return setText(this.words, robotMessages.noHeadset);
-    if (this.displayedRobot !== '') return setText(this.words, robotMessages.displaysAnother(name, this.displayedRobot));
-    const isToolKnown = this.view.bodies!.isToolDrawn('truth');
-    setText(this.words, isToolKnown ? robotMessages.toolError(name, displayed, hold) : robotMessages.toolUnknown);
+    const { bodies, tracks } = this.displayedRobot === '' ? { bodies: this.view.bodies, tracks: this.truth } : this.others.find(this.displayedRobot);
+    if (!bodies) {
+      if (name && this.displayedRobot !== '') setText(this.words, robotMessages.displaysUnknown(name, this.displayedRobot));
+      else if (this.others.isAnyShown) setText(this.words, name ? robotMessages.toolError(name, null, null) : robotMessages.noHeadset);
+    } else if (!bodies.group.visible) setText(this.words, robotMessages.baseUnknown);
+    // After the last sample, the true position is not known.
+    else if ((tracks.last ?? Infinity) < time) setText(this.words, robotMessages.late);
+    else if (!name) setText(this.words, robotMessages.noHeadset);
+    else if (!bodies.isToolDrawn('truth')) setText(this.words, robotMessages.toolUnknown);
+    else setText(this.words, robotMessages.toolError(name, bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth')));
   }
 }

@@ -12,10 +12,14 @@ import {
   Vector3,
 } from 'three';
 import { colour, type Ink } from '../theme';
+import type { Pose } from './tracks';
 import { isDrawn, linkOf, movingJoints, paint, readUrdf, type Robot, setJoints, showKnown, toolPosition } from './urdf';
 
 /** Poses of a robot that can be drawn together. */
 export type Part = 'truth' | 'displayed' | 'hold';
+
+/** The pose of each copy of a robot; null hides the copy. */
+export type Poses = Record<Part, Pose | null>;
 
 /** Style of each pose. Poses are drawn in ascending order of `place`, so the last one covers the others where they coincide. */
 export const PARTS: Record<Part, { ink: Ink; opacity: number; place: number }> = {
@@ -84,6 +88,18 @@ export class Bodies {
     this.robots[part].root.visible = positions !== null;
     if (positions) setJoints(this.robots[part], names, positions);
     if (this.bones) this.stretch(part);
+  }
+
+  /**
+   * Shows the copies, without the links below joints whose position is unknown.
+   * @param isCurrent Returns whether the newest true position of a joint is current.
+   */
+  show(poses: Poses, isCurrent: (joint: string) => boolean): void {
+    for (const part of Object.keys(PARTS) as Part[]) {
+      const received = new Set(poses[part]?.names);
+      this.showKnown(part, joint => received.has(joint) && (part === 'displayed' || isCurrent(joint)));
+      this.pose(part, poses[part]?.names ?? [], poses[part]?.positions ?? null);
+    }
   }
 
   isShown(part: Part): boolean {

@@ -119,9 +119,25 @@ describe('the robot', () => {
 
     gateway.displayedRobot = 'arm2';
 
-    await becomes(page, '.apart', robotMessages.displaysAnother('left door', 'arm2'));
+    await becomes(page, '.apart', robotMessages.displaysUnknown('left door', 'arm2'));
     gateway.displayedRobot = '';
     await showsToolError(page);
+  });
+
+  it('in a namespace is compared with the pose that the headset displays of it', async () => {
+    gateway.robots = ['arm2'];
+    for (const joint of JOINTS) gateway.state.joints.push({ ...gateway.state.joints[0], name: `arm2/${joint}` });
+    gateway.displayedRobot = 'arm2';
+    const page = await open();
+
+    const far = 2 * 480.9 * Math.sin(0.05);
+    await showsToolError(page, far - 1, far + 1);
+    gateway.turned = 0;
+    await showsToolError(page, 0, 5);
+    assert.match(await page.textContent('.apart'), /mm.*mm/, 'also without compensation');
+
+    Object.assign(gateway.state.joints.at(-JOINTS.length), { state: 'stale', reason: 'samples stopped arriving' });
+    await becomes(page, '.apart', robotMessages.toolUnknown);
   });
 
   it('shows a distance of less than 0.1 mm at rest', async () => {
