@@ -107,6 +107,8 @@ namespace Nowpose.Frames
         /// <summary>Stamp of the newest pose; null before the first pose, and for a stationary frame.</summary>
         public ControlTime? Newest => _isStationary ? null : _newest;
 
+        public bool IsSilentAt(ControlTime time, TimeSpan maxAge) => !_isStationary && !(time - _newest <= maxAge);
+
         /// <inheritdoc cref="HandOver.IsOvertaken"/>
         public bool IsOvertaken(in FrameTransform pose) => _handOver.IsOvertaken(pose, _parent, Newest);
 

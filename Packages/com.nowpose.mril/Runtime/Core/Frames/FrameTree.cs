@@ -30,7 +30,7 @@ namespace Nowpose.Frames
             _parents = new FrameParents(_order.RootOfLink);
         }
 
-        /// <summary>Number of known frames; an index is valid for as long as the tree exists.</summary>
+        /// <summary>Number of known frames; an index is valid until another frame replaces the frame.</summary>
         public int Count => _frames.Count;
 
         public CellFrame this[int index] => _frames[index];
@@ -48,25 +48,45 @@ namespace Nowpose.Frames
         /// <summary>Adds a received pose.</summary>
         /// <param name="pose">A pose that has been validated, except against the limits of the tree.</param>
         /// <param name="isStationary">Whether the pose comes from /tf_static. The newest message determines whether the frame is stationary.</param>
+        /// <param name="replaced">Index of a frame without children that a new frame replaces; −1 if a new frame is added.</param>
         /// <returns>Drop reason; <see cref="DropReason.None"/> if the pose was used.</returns>
-        public DropReason Add(in FrameTransform pose, bool isStationary)
+        public DropReason Add(in FrameTransform pose, bool isStationary, int replaced = -1)
         {
             var index = IndexOf(pose.Child);
             if (index >= 0 && !isStationary && _frames[index].IsOvertaken(pose)) return DropReason.LateSample;
-            var reason = _parents.TrySet(pose.Child, pose.Parent);
+            var reason = TrySetParent(pose, replaced);
             if (reason != DropReason.None) return reason;
             if (!isStationary) _epoch ??= pose.Stamp;
-            if (index < 0)
-            {
-                index = _frames.Count;
-                _indices.Add(pose.Child, index);
-                _frames.Add(new CellFrame(pose.Child, _newPredictor));
-                _isChanged = true;
-            }
+            if (index < 0) index = AddFrame(pose.Child, replaced);
             reason = _frames[index].Add(pose, isStationary, _epoch ?? default);
             _isHandedOver |= _frames[index].IsBeingHandedOver;
             return reason;
         }
+
+        DropReason TrySetParent(in FrameTransform pose, int replaced)
+        {
+            if (replaced < 0) return _parents.TrySet(pose.Child, pose.Parent);
+            var former = _frames[replaced].Name;
+            var parent = _parents[former];
+            _parents.Remove(former);
+            var reason = _parents.TrySet(pose.Child, pose.Parent);
+            if (reason != DropReason.None) _parents.TrySet(former, parent);
+            return reason;
+        }
+
+        int AddFrame(string name, int replaced)
+        {
+            var index = replaced < 0 ? _frames.Count : replaced;
+            if (replaced < 0) _frames.Add(null);
+            else _indices.Remove(_frames[replaced].Name);
+            _indices.Add(name, index);
+            _frames[index] = new CellFrame(name, _newPredictor);
+            _isChanged = true;
+            return index;
+        }
+
+        /// <summary>Returns whether a frame is the parent of another one, according to the newest poses.</summary>
+        public bool HasChildren(string name) => _parents.HasChildren(name);
 
         /// <summary>Returns the index of a robot; −1 if the cell does not contain it.</summary>
         public int IndexOf(IRobotLinks robot) => _order.IndexOf(robot);

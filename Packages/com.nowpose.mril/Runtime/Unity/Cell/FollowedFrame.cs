@@ -138,6 +138,7 @@ namespace Nowpose.Unity.Cell
         public void Leave()
         {
             if (!_isGhost) _source.Parts.Remove(this, _canBeGripped ? Name : null);
+            if (_session != null && IsNameValid) _session.Frames.Leave(Name);
             _session = null;
             _frame = null;
         }

@@ -52,6 +52,8 @@ namespace Nowpose.Protocol.Cell
 
         public bool Remove(string child) => _parents.Remove(child);
 
+        public bool HasChildren(string parent) => _parents.ContainsValue(parent);
+
         DropReason Check(string child, string parent, bool isKnown)
         {
             if (child == parent) return DropReason.OwnParent;

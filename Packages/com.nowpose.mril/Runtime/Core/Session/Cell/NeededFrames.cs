@@ -10,18 +10,50 @@ namespace Nowpose.Session.Cell
     /// <summary>
     /// Adds to a frame tree only the frames that are shown and their ancestors up to a robot's link. Keeps the newest pose of every other frame.
     /// </summary>
-    /// <remarks>A ROS system publishes the links of its robots on /tf too, and each predicted frame needs memory and time.</remarks>
+    /// <remarks>
+    /// A ROS system publishes the links of its robots on /tf too, and each predicted frame needs memory and time. A frame that is no longer shown stays
+    /// in the tree, so that it is the same when it is shown again, until a new frame replaces it.
+    /// </remarks>
     sealed class NeededFrames
     {
-        /// <summary>When there are too many frames, a new frame replaces a kept tracked frame that has been silent for longer than this.</summary>
+        /// <summary>
+        /// A new frame replaces a tracked frame that is not shown and has been silent for longer than this: one in the tree always, a kept one when there
+        /// are too many frames.
+        /// </summary>
         static readonly TimeSpan MaxSilence = TimeSpan.FromTicks(10 * TimeSpan.TicksPerSecond);
 
         readonly FrameTree _tree;
         readonly HashSet<string> _needed = new HashSet<string>(StringComparer.Ordinal);
+        // Number of components that show a frame, for each frame that is shown.
+        readonly Dictionary<string, int> _shown = new Dictionary<string, int>(StringComparer.Ordinal);
         readonly Dictionary<string, (FrameTransform Pose, bool IsStationary)> _others =
             new Dictionary<string, (FrameTransform, bool)>(StringComparer.Ordinal);
 
+        // Control time of the newest arrival; null if unknown.
+        ControlTime? _now;
+
         public NeededFrames(FrameTree tree) => _tree = tree;
+
+        /// <summary>Adds a frame to the tree from now on, even if no pose of the frame has been received yet, because it is shown once more.</summary>
+        public void Show(string name)
+        {
+            _shown.TryGetValue(name, out var count);
+            _shown[name] = count + 1;
+            Need(name);
+        }
+
+        /// <summary>Reverses one <see cref="Show"/>.</summary>
+        public void Hide(string name)
+        {
+            if (!_shown.TryGetValue(name, out var count)) return;
+            if (count > 1)
+            {
+                _shown[name] = count - 1;
+                return;
+            }
+            _shown.Remove(name);
+            if (_tree.IndexOf(name) < 0 && !_tree.HasChildren(name)) _needed.Remove(name);
+        }
 
         /// <summary>Adds a frame to the tree from now on, even if no pose of the frame has been received yet.</summary>
         public void Need(string name)
@@ -31,12 +63,16 @@ namespace Nowpose.Session.Cell
             Add(kept.Pose, kept.IsStationary);
         }
 
-        /// <inheritdoc cref="FrameTree.Add(in FrameTransform, bool)"/>
+        /// <inheritdoc cref="FrameTree.Add(in FrameTransform, bool, int)"/>
         /// <param name="arrival">Control time of the arrival; null if unknown.</param>
         public DropReason Add(in FrameTransform pose, bool isStationary, ControlTime? arrival = null)
         {
+            if (arrival.HasValue) _now = arrival;
             if (!_needed.Contains(pose.Child)) return Keep(pose, isStationary, arrival);
-            var reason = _tree.Add(pose, isStationary);
+            var replaced = _tree.IndexOf(pose.Child) < 0 ? FindUnused(pose.Parent) : -1;
+            var former = replaced < 0 ? null : _tree[replaced].Name;
+            var reason = _tree.Add(pose, isStationary, replaced);
+            if (former != null && _tree.IndexOf(former) < 0) _needed.Remove(former);
             if (reason == DropReason.None && !_tree.IsLink(pose.Parent)) Need(pose.Parent);
             return reason;
         }
@@ -44,6 +80,7 @@ namespace Nowpose.Session.Cell
         /// <summary>Discards the kept poses of tracked frames, because their times are no longer valid.</summary>
         public void Restart()
         {
+            _now = null;
             var stale = new List<string>();
             foreach (var other in _others)
                 if (!other.Value.IsStationary) stale.Add(other.Key);
@@ -56,7 +93,8 @@ namespace Nowpose.Session.Cell
             {
                 if (!isStationary && !kept.IsStationary && IsOvertaken(pose.Stamp, kept.Pose.Stamp)) return DropReason.LateSample;
             }
-            else if (_others.Count + _tree.Count >= ProtocolLimits.Frames && !TryRemoveSilent(arrival)) return DropReason.TooManyFrames;
+            else if (_others.Count + _tree.Count >= ProtocolLimits.Frames && !TryRemoveSilent(arrival) && FindUnused(pose.Parent) < 0)
+                return DropReason.TooManyFrames;
             _others[pose.Child] = (pose, isStationary);
             return DropReason.None;
         }
@@ -64,6 +102,17 @@ namespace Nowpose.Session.Cell
         // The clock of the source went back if the pose is much older.
         static bool IsOvertaken(ControlTime stamp, ControlTime newest) =>
             stamp <= newest && !ArrivalOrder.IsFarBehind(stamp, newest);
+
+        // Returns a frame of the tree that neither is shown nor has children, and whose source has probably ended; −1 if there is none.
+        int FindUnused(string except)
+        {
+            for (var i = 0; _now.HasValue && i < _tree.Count; i++)
+            {
+                var name = _tree[i].Name;
+                if (_tree[i].IsSilentAt(_now.Value, MaxSilence) && name != except && !_shown.ContainsKey(name) && !_tree.HasChildren(name)) return i;
+            }
+            return -1;
+        }
 
         // Removes the kept tracked frame with the oldest pose if its source has probably ended, because each new source may use new names.
         bool TryRemoveSilent(ControlTime? now)

@@ -49,7 +49,7 @@ namespace Nowpose.Session.Cell
         public void Add(SessionRobot robot)
         {
             Tree.Add(robot);
-            _needed.Need(robot.Root);
+            _needed.Show(robot.Root);
         }
 
         /// <summary>Places a robot's base at the frame of the cell that has the name of the robot's root link, if there is one.</summary>
@@ -58,8 +58,14 @@ namespace Nowpose.Session.Cell
             if (Tree.RootOf(robot) is CellFrame root) robot.PlaceRoot(root.World, StateOf(root), root.IsFixed);
         }
 
-        /// <summary>Predicts a frame from now on, even if no pose of the frame has been received yet.</summary>
-        public void Need(string name) => _needed.Need(name);
+        /// <summary>Predicts a frame from now on, even if no pose of the frame has been received yet. <see cref="Leave"/> reverses it.</summary>
+        public void Need(string name) => _needed.Show(name);
+
+        /// <summary>
+        /// Reverses one <see cref="Need"/>. Another frame may replace the frame when it is no longer needed and its poses have stopped, so do not use its
+        /// <see cref="CellFrame"/> afterwards.
+        /// </summary>
+        public void Leave(string name) => _needed.Hide(name);
 
         /// <summary>Places a stationary frame manually until a source publishes it, and shows it from now on.</summary>
         /// <param name="pose">Pose in the world frame.</param>

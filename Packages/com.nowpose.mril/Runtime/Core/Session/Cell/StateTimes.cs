@@ -6,15 +6,15 @@ namespace Nowpose.Session.Cell
     /// <summary>Display times since which the frames of a tree have had their states.</summary>
     sealed class StateTimes
     {
-        readonly List<(FrameState State, ControlTime? Since)> _states = new List<(FrameState, ControlTime?)>();
+        readonly List<(CellFrame Frame, FrameState State, ControlTime? Since)> _states = new List<(CellFrame, FrameState, ControlTime?)>();
 
         /// <summary>Updates the times after the frames have been evaluated for a display time, which is null while it is unknown.</summary>
         public void Update(FrameTree tree, ControlTime? at)
         {
             for (var i = 0; i < tree.Count; i++)
             {
-                if (i == _states.Count) _states.Add((tree[i].State, at));
-                else if (_states[i].State != tree[i].State) _states[i] = (tree[i].State, at);
+                if (i == _states.Count) _states.Add((tree[i], tree[i].State, at));
+                else if (_states[i].Frame != tree[i] || _states[i].State != tree[i].State) _states[i] = (tree[i], tree[i].State, at);
             }
         }
 
@@ -24,7 +24,7 @@ namespace Nowpose.Session.Cell
         /// <summary>Discards all times, because they are no longer valid.</summary>
         public void Restart()
         {
-            for (var i = 0; i < _states.Count; i++) _states[i] = (_states[i].State, null);
+            for (var i = 0; i < _states.Count; i++) _states[i] = (_states[i].Frame, _states[i].State, null);
         }
     }
 }

@@ -42,6 +42,52 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(cell.Session.Frames.Find("fixture"), dropped == 0 ? Is.Not.Null : Is.Null);
         }
 
+        // An application creates an object for each serial number, and destroys it later.
+        [Test]
+        public void Leave_FramesOfFormerObjects_AreReplacedByNewOnes()
+        {
+            var cell = new CellSession();
+            Receive(cell, 0, true, "conveyor");
+            for (var i = 0; i < 300; i++)
+            {
+                var (box, stamp) = ("box" + i, cell.Now);
+                cell.Session.Frames.Need(box);
+                cell.Send("conveyor", box, stamp, At(1, 0));
+                cell.Run(1);
+                Assert.That(cell.Session.Frames.Find(box)?.World.X, Is.EqualTo(2), box);
+                cell.Session.Frames.Leave(box);
+            }
+
+            Assert.That(cell.Session.Drops[DropReason.TooManyFrames], Is.Zero);
+            Assert.That(cell.Session.Frames.Tree.Count, Is.LessThan(16));
+            Assert.That(cell.Session.Frames.Find("conveyor"), Is.Not.Null, "the parent of objects is kept");
+        }
+
+        [TestCase(1, 1)]
+        [TestCase(2, 2)]
+        [TestCase(2, 1)]
+        public void Leave_FrameStillShownOrSending_IsKept(int needs, int leaves)
+        {
+            var isSending = needs == leaves;
+            var cell = new CellSession();
+            cell.Sampling = t =>
+            {
+                if (isSending || t < 21) cell.Send("world", "box", t, At(1, 0));
+            };
+            for (var i = 0; i < needs; i++) cell.Session.Frames.Need("box");
+            cell.Run(1);
+            var shown = cell.Session.Frames.Find("box");
+
+            for (var i = 0; i < leaves; i++) cell.Session.Frames.Leave("box");
+            cell.Run(15);
+            cell.Session.Frames.Need("other");
+            cell.Send("world", "other", cell.Now, At(1, 0));
+            cell.Run(1);
+
+            Assert.That(cell.Session.Frames.Find("other"), Is.Not.Null);
+            Assert.That(cell.Session.Frames.Find("box"), Is.SameAs(shown));
+        }
+
         static void Receive(CellSession cell, double stamp, bool isStationary, params string[] frames) => cell.Session.Listener.FramesReceived(
             new TransformsMessage(frames.Select(frame => At(1, 0).ToTransform(ControlTime.FromSeconds(stamp), "world", frame)).ToArray()),
             isStationary, HeadsetTime.FromSeconds(cell.Now));
