@@ -39,7 +39,10 @@ namespace Nowpose.Recording
         ReprojectionMode _reprojection;
         long _dropsWritten;
 
-        /// <summary>Starts recording at once. The file does not contain earlier events of the session.</summary>
+        /// <summary>
+        /// Starts recording at once. Of the earlier events of the session, the file contains only the poses of stationary frames and the values of signals
+        /// that still apply.
+        /// </summary>
         /// <remarks>
         /// The session receives the cell's signals from now on, even if nothing shows them. Call this constructor on the thread of the frame loop.
         /// </remarks>
@@ -97,6 +100,8 @@ namespace Nowpose.Recording
             _session.Signals.Need();
             _session.Restarted += OnRestarted;
             _session.Ticked += OnFrame;
+            _session.Frames.ReportStationary(OnPose);
+            _session.Signals.ReportKept(OnSignal);
         }
 
         void OnExchange(in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault)

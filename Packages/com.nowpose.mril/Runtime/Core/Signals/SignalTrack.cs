@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Prediction.Samples;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Signals
 {
@@ -121,6 +122,13 @@ namespace Nowpose.Signals
             _future = null;
             _late.Clear();
             Restarted?.Invoke(this);
+        }
+
+        /// <summary>Reports the visible value and the changes that are not visible yet, except one whose time is no longer valid.</summary>
+        public void Report(Action<SignalValue, ControlTime> report)
+        {
+            for (var i = 0; i < _count; i++)
+                if (_changes[i].Stamp > Always) report(new SignalValue(Name, _changes[i].Value), _changes[i].Stamp);
         }
 
         // Keeps the visible value until the display time reaches the first late value. Discards the other values, because their stamps are from

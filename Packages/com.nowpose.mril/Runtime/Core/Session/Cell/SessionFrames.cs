@@ -45,6 +45,9 @@ namespace Nowpose.Session.Cell
         /// <remarks>A handler must be fast, must not throw, and must not call the session.</remarks>
         public event PoseJudged Judged;
 
+        /// <summary>Reports the poses of the stationary frames, which arrived earlier and are not sent again.</summary>
+        public void ReportStationary(PoseJudged report) => _stationaryArrivals.Report(report);
+
         /// <summary>Adds a robot. Its links can be parents of frames, and its root link may be a frame of the cell.</summary>
         public void Add(SessionRobot robot)
         {
@@ -157,7 +160,7 @@ namespace Nowpose.Session.Cell
             for (var i = 0; i < message.Count; i++)
             {
                 var reason = _needed.Add(message[i], isStationary: true, now);
-                if (reason == DropReason.None) _stationaryArrivals.Add(message[i].Child, arrival);
+                if (reason == DropReason.None) _stationaryArrivals.Add(message[i], arrival);
                 Judge(message[i], true, arrival, reason);
             }
             message.Release();
@@ -171,6 +174,7 @@ namespace Nowpose.Session.Cell
                 var reason = StampRule.IsInFuture(message[i].Stamp, now, clock.ErrorBound) ? DropReason.StampInFuture
                     : _stationaryArrivals.IsLater(message[i].Child, arrival) ? DropReason.LateSample
                     : _needed.Add(message[i], isStationary: false, now);
+                if (reason == DropReason.None) _stationaryArrivals.Remove(message[i].Child);
                 Judge(message[i], false, arrival, reason);
             }
             message.Release();

@@ -48,6 +48,13 @@ namespace Nowpose.Session.Cell
         /// <remarks>A handler must be fast, must not throw, and must not call the session.</remarks>
         public event SignalJudged Judged;
 
+        /// <summary>Reports the values that arrived earlier and are or will be visible, because a value is not sent again until it changes.</summary>
+        public void ReportKept(SignalJudged report)
+        {
+            for (var i = 0; i < Table.Count; i++)
+                if (Table[i].Received is HeadsetTime arrival) Table[i].Report((value, stamp) => report(value, stamp, arrival, DropReason.None));
+        }
+
         /// <summary>
         /// Subscribes to signals. Called only when a signal is used, because a ROS system may not have the message type.
         /// </summary>

@@ -1,11 +1,12 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Frames;
+using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Session.Cell
 {
-    /// <summary>Arrival times of the poses of stationary frames, which a source sends only once.</summary>
+    /// <summary>The poses of stationary frames, which a source sends only once, and their arrival times.</summary>
     sealed class StationaryArrivals
     {
         /// <summary>
@@ -20,9 +21,9 @@ namespace Nowpose.Session.Cell
         public StationaryArrivals(ConnectionStart connection) => _connection = connection;
 
         /// <summary>Records the arrival of a pose that was used.</summary>
-        public void Add(string frame, HeadsetTime arrival) => _arrivals[frame] = new Arrival(arrival);
+        public void Add(in FrameTransform pose, HeadsetTime arrival) => _arrivals[pose.Child] = new Arrival(pose, arrival);
 
-        /// <summary>Records that a frame was placed by hand, independently of the connection.</summary>
+        /// <summary>Records that a frame was placed by hand, independently of the connection, or that it is now tracked.</summary>
         public void Remove(string frame) => _arrivals.Remove(frame);
 
         /// <summary>
@@ -47,9 +48,17 @@ namespace Nowpose.Session.Cell
             }
         }
 
+        /// <summary>Reports the newest pose of each frame with its arrival.</summary>
+        public void Report(PoseJudged report)
+        {
+            foreach (var known in _arrivals) report(known.Value.Pose, isStationary: true, known.Value.At, DropReason.None);
+        }
+
         sealed class Arrival
         {
-            public Arrival(HeadsetTime at) => At = at;
+            public Arrival(in FrameTransform pose, HeadsetTime at) => (Pose, At) = (pose, at);
+
+            public FrameTransform Pose { get; }
 
             public HeadsetTime At { get; }
 

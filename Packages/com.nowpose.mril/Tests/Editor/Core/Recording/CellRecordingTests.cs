@@ -59,6 +59,35 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
+        public void Recorder_StartsDuringTheSession_ContainsStationaryPosesAndSignals()
+        {
+            var session = NewSession();
+            Synchronise(session);
+            session.Signals.Need();
+            session.Frames.Need("table");
+            var stamp = new ControlTime((Start + Lengths.Ms(900)).SinceEpoch);
+            FrameTransform Pose(string child, double x) => new FrameTransform(stamp, "world", child, x, 2, 3, 0, 0, 0, 1);
+            session.Frames.Add(new TransformsMessage(Pose("table", 1), Pose("rail", 4), Pose("shuttle", 5)), true, Start + Lengths.Ms(910));
+            session.Frames.Add(new TransformsMessage(Pose("shuttle", 6)), false, Start + Lengths.Ms(920));
+            session.Signals.Add(new SignalsMessage(stamp, new SignalValue("closed", 1)), Start + Lengths.Ms(930));
+            session.Signals.Add(new SignalsMessage(stamp + Lengths.Ms(300), new SignalValue("closed", 0)), Start + Lengths.Ms(940));
+            session.Tick(Start + Lengths.Ms(1000));
+
+            RecordedRun run;
+            using (run = new RecordedRun(session)) run.Flush();
+
+            Assert.That(
+                run.Of("pose").Select(pose => ((string)pose["frame"], (double)pose["position"][0], (long)pose["stamp_ns"], (long)pose["arrival_ns"], (bool?)pose["stationary"])),
+                Is.EquivalentTo(new (string, double, long, long, bool?)[]
+                {
+                    ("table", 1, 100_900_000_000, 100_910_000_000, true), ("rail", 4, 100_900_000_000, 100_910_000_000, true),
+                }));
+            Assert.That(
+                run.Of("signal").Select(line => ((string)line["name"], (double)line["value"], (long)line["stamp_ns"], (string)line["dropped"])),
+                Is.EqualTo(new[] { ("closed", 1.0, 100_900_000_000, null), ("closed", 0.0, 101_200_000_000, (string)null) }));
+        }
+
+        [Test]
         public void Sample_OtherRobot_HasItsNamespaceBeforeTheJointNames()
         {
             var run = RunWithAnotherRobot();
