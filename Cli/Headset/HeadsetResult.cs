@@ -5,12 +5,15 @@ namespace Nowpose.Cli.Headset;
 
 /// <summary>The result of a headset run, written as JSON in snake case. A value is null if it was never known.</summary>
 /// <param name="Robot">Name of the robot; null if the gateway did not describe it.</param>
+/// <param name="ObjectsNotCurrent">Objects of the cell that are not current at the end of the run, apart from reasons that affect all of them.</param>
+/// <param name="SignalsNotCurrent">The same for signals.</param>
 /// <param name="VersionMismatch">Message that the gateway's version is not compatible; null if it is compatible or unknown.</param>
 sealed record HeadsetResult(
     double Seconds, int Frames, string Robot, long Samples, long Dropped,
     HeadsetResult.ClockResult Clock, HeadsetResult.LatencyResult LatencyMs, HeadsetResult.PoseResult Pose, HeadsetResult.ErrorResult ToolErrorMm,
     IReadOnlyList<string> MissingJoints, IReadOnlyList<HeadsetResult.JointResult> Joints, IReadOnlyList<HeadsetResult.StretchResult> Stretches,
-    IReadOnlyList<HeadsetResult.OutageResult> Outages, string VersionMismatch)
+    IReadOnlyList<HeadsetResult.OutageResult> Outages, IReadOnlyList<HeadsetResult.PartResult> ObjectsNotCurrent,
+    IReadOnlyList<HeadsetResult.PartResult> SignalsNotCurrent, string VersionMismatch)
 {
     /// <param name="CoarseAfterS">Time from the start to the first coarse or synchronised state.</param>
     /// <param name="SynchronisedAfterS">Time from the start to the first synchronised state.</param>
@@ -48,6 +51,10 @@ sealed record HeadsetResult(
         public static JointResult Of(JointStatus joint) =>
             new(joint.Joint, JointDataStates.Of(joint.State), joint.Age?.TotalSeconds, joint.Reason);
     }
+
+    /// <summary>An object or a signal that is not current at the end of the run.</summary>
+    /// <param name="SinceS">Time for which it has not been current, s.</param>
+    public sealed record PartResult(string Name, double? SinceS, string Reason);
 
     /// <summary>A part of the run between two outages.</summary>
     /// <param name="FromS">Time of the first current frame since the start of the run.</param>

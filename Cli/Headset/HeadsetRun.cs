@@ -22,6 +22,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
     TimeSpan? _coarseAfter, _synchronisedAfter;
     bool _wasTimeTrusted, _wasCurrent;
     int _frames;
+    CellParts _parts;
 
     /// <exception cref="InputException">The file of the robot cannot be read, or the recording cannot be written.</exception>
     public HeadsetResult Play(Action<double, Func<string>> report, CancellationToken cancel)
@@ -42,6 +43,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         var recorder = file == null
             ? null : new SessionRecorder(session, new RecordingSettings(settings.RecordingPath, () => Emptied(file), startedUtc: DateTime.UtcNow));
         session.Robots[0].Hindcast.ToolJudged += _stretches.AddError;
+        _parts = new CellParts(session);
         session.Connect();
         var start = _clock.Now;
         Frames(session, start, report, cancel);
@@ -74,6 +76,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             PreciseWait.Until(startCount + (long)(_frames / settings.FramesPerSecond * Stopwatch.Frequency));
             var now = _clock.Now;
             var frame = session.Tick(now);
+            _parts.Update();
             Count(now - start, frame, session);
             if (frame.ClockState is ClockState.Coarse or ClockState.Synchronised) _coarseAfter ??= now - start;
             if (frame.ClockState == ClockState.Synchronised) _synchronisedAfter ??= now - start;
@@ -159,6 +162,6 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             pose, _stretches.Total,
             [.. statistics.JointStatuses.Where(joint => joint.IsMissing).Select(joint => joint.Joint)],
             [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result(), _outages.Result(),
-            statistics.VersionMismatch);
+            _parts?.Objects(now) ?? [], _parts?.Signals(now) ?? [], statistics.VersionMismatch);
     }
 }

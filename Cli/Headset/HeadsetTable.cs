@@ -29,6 +29,8 @@ static class HeadsetTable
         Row(HeadsetTexts.OutageDuration, Text(pose.LongestNotCurrentS, "0.00", " s"));
         if (result.MissingJoints.Count > 0) Row(HeadsetTexts.MissingJoints, string.Join(", ", result.MissingJoints));
         foreach (var joint in result.Joints) Row(HeadsetTexts.Joint(joint.Name), JointOf(joint));
+        foreach (var part in result.ObjectsNotCurrent) Row(HeadsetTexts.Object(part.Name), PartOf(part));
+        foreach (var part in result.SignalsNotCurrent) Row(HeadsetTexts.Signal(part.Name), PartOf(part));
         foreach (var outage in result.Outages)
             Row(
                 HeadsetTexts.Outage(Text(outage.FromS, "0.0", ""), Text(outage.ToS ?? result.Seconds, "0.0", " s")),
@@ -44,6 +46,9 @@ static class HeadsetTable
     static string JointOf(HeadsetResult.JointResult joint) =>
         joint.State + (joint.SinceS == null ? "" : HeadsetTexts.Duration(Text(joint.SinceS, "0", " s")))
         + (joint.Reason.Length == 0 ? "" : ": " + joint.Reason);
+
+    static string PartOf(HeadsetResult.PartResult part) =>
+        HeadsetTexts.NotCurrentPart + (part.SinceS == null ? "" : HeadsetTexts.Duration(Text(part.SinceS, "0", " s"))) + ": " + part.Reason;
 
     static void AddStretch(Action<string, string> row, int number, HeadsetResult.StretchResult stretch)
     {

@@ -71,7 +71,11 @@ public sealed partial class MessageCatalogueTests
         ["DropMessages"] = ["AsWritten", "Of"],
         ["DryRunMessages"] = ["MissingJoints", "MissingJointsLog", "PortInUse", "WarningLog"],
         ["FigureErrors"] = ["NotAValue", "NotFinite"],
-        ["FrameMessages"] = ["FileLine", "FiniteNumber", "List", "Object", "OfFrame", "OfTransform", "Text"],
+        ["FrameMessages"] =
+        [
+            "FileLine", "FiniteNumber", "FrameNotCurrent", "FrameUnknown", "List", "MayBeGripped", "NoPose", "Object", "OfFrame", "OfTransform",
+            "PosesStopped", "Text",
+        ],
         ["HeadsetMessages"] = ["AtEnd", "CurrentAgain", "NeverCurrent", "Pose"],
         ["KeyFileMessages"] = ["Renewed"],
         ["KinematicsMessages"] = ["BeyondLimits", "FixedJoint", "Title", "UnknownJoint"],
@@ -80,11 +84,7 @@ public sealed partial class MessageCatalogueTests
         ["LoaderMessages"] = ["Unkept"],
         ["ManifestMessages"] = ["TooDeep", "Twice"],
         ["MeshMessages"] = ["Of"],
-        ["ObjectMessages"] =
-        [
-            "FingerNotMoved", "FrameNotCurrent", "FrameUnknown", "MayBeGripped", "NoPose", "OutsideStroke", "PosesStopped", "RobotUnknown",
-            "SignalNotCurrent",
-        ],
+        ["ObjectMessages"] = ["FingerNotMoved", "OutsideStroke", "RobotUnknown", "SignalNotCurrent"],
         ["OperationsMessages"] = ["LoggedIn", "NoTokenNeeded", "UnknownTokenLog"],
         ["OptionMessages"] = ["SeeHelp"],
         ["PairedCellMessages"] = ["Field", "List", "Unusable"],

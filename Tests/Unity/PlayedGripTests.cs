@@ -66,7 +66,7 @@ public class PlayedGripTests : PlayedParts
         Run(0.5, Send);
 
         Assert.That((box.State, Hatched.IsHatched(part)), Is.EqualTo((PoseState.Held, true)));
-        Assert.That(box.Fault, Is.EqualTo(ObjectMessages.MayBeGripped("its source ended")));
+        Assert.That(box.Fault, Is.EqualTo(FrameMessages.MayBeGripped("its source ended")));
         Assert.That(FaultsNow(), Does.Contain("object box: " + box.Fault).And.Contain("gripper grip: its source ended"));
     }
 

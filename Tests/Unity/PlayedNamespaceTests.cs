@@ -187,7 +187,7 @@ public class PlayedNamespaceTests : PlayedParts
             new TransformsMessage(Along(1).ToTransform(At(0), "unknown", "fixture")), true, HeadsetTime.FromSeconds(1000));
         Run(0.5, t => SendPose("world", "box", t, Along(t)));
 
-        Assert.That(FaultsNow(), Does.StartWith($"object fixture: {ObjectMessages.FrameUnknown("unknown")}; object world: "));
+        Assert.That(FaultsNow(), Does.StartWith($"object fixture: {FrameMessages.FrameUnknown("unknown")}; object world: "));
         Assert.That((_session.Parts.FaultCount, _session.Parts.Summary), Is.EqualTo((2, "! 3 not current")));
     }
 
@@ -212,18 +212,18 @@ public class PlayedNamespaceTests : PlayedParts
         var parts = _session.Parts;
         Run(6, t => SendPose("world", "part", t, Along(0.1 * t)));
 
-        Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("object lid: " + ObjectMessages.NoPose, "! 1 not current")));
+        Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("object lid: " + FrameMessages.NoPose, "! 1 not current")));
 
         SendPose("world", "lid", _cell.Now - Latency, Along(1));
         Run(2);
 
-        Assert.That(FaultsNow(), Is.EqualTo($"object part: {ObjectMessages.PosesStopped}; object lid: {ObjectMessages.PosesStopped}"));
+        Assert.That(FaultsNow(), Is.EqualTo($"object part: {FrameMessages.PosesStopped}; object lid: {FrameMessages.PosesStopped}"));
         AssertStoppedBefore(2);
         Assert.That(parts.Summary, Is.EqualTo("! 2 not current"));
         var signal = Below<CellSignal>("closed", _session.transform);
         _session.transform.Find("part").gameObject.SetActive(false);
         Run(0.1);
-        Assert.That(FaultsNow(), Is.EqualTo($"object lid: {ObjectMessages.PosesStopped}; signal closed: {signal.Fault}"), "a hidden object is not shown");
+        Assert.That(FaultsNow(), Is.EqualTo($"object lid: {FrameMessages.PosesStopped}; signal closed: {signal.Fault}"), "a hidden object is not shown");
         Run(1, t => SendPose("world", "lid", t, Along(1)));
         signal.gameObject.SetActive(false);
         Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("", "1 current")));

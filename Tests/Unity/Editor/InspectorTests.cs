@@ -89,7 +89,7 @@ public sealed class InspectorTests : EditorFixture
 
         foreach (var shown in new Component[] { tracked, part, signal, grip, path, fixture }) _played.Inspect(shown).OnInspectorGUI();
 
-        Assert.That(GuiRecorder.Texts, Does.Contain("Parent: –").And.Contain("State: " + ObjectMessages.NoPose));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Parent: –").And.Contain("State: " + FrameMessages.NoPose));
         Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.StrokeShare + ": 0 %").And.Contain("Value: –"));
         Assert.That(GuiRecorder.Texts.Count(text => text == "State: " + SignalMessages.NoConnection), Is.EqualTo(3), "part, signal and gripper");
         Assert.That(GuiRecorder.Texts, Does.Contain("Holds: unknown").And.Contain("Drawn ahead: nothing").And.Contain("Moved by hand: no"));

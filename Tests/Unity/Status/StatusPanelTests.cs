@@ -1,6 +1,7 @@
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -266,7 +267,7 @@ public class StatusPanelTests
         Assert.That(_played.Row("Pose").Value, Is.EqualTo("current"));
         Assert.That(_played.Row("Objects").Value, Is.EqualTo("! 1 not current"));
         Assert.That(_played.Text("FirstPart 1"), Is.EqualTo("! object lid"));
-        Assert.That(_played.Text("FirstPart 2"), Is.EqualTo(ObjectMessages.NoPose));
+        Assert.That(_played.Text("FirstPart 2"), Is.EqualTo(FrameMessages.NoPose));
         Assert.That(_played.Text("SecondPart 1"), Is.Empty);
         Assert.That(_played.Text("FirstPart 0"), Is.Empty, "never received");
         var pose = RigidTransform.Identity.ToTransform(ControlTime.FromSeconds(1310), FrameParents.World, "lid");

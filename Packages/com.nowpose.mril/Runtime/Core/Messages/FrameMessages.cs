@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Protocol;
 
 namespace Nowpose.Messages
 {
@@ -7,6 +8,21 @@ namespace Nowpose.Messages
     {
         public static string NotFinite(double time, double x, double y, double z, double order) =>
             FormattableString.Invariant($"time, position and order must be finite; they are {time} s, ({x}, {y}, {z}) m, {order} s");
+
+        public const string NoPose = "no pose received";
+        public const string PosesStopped = "no new poses are arriving";
+        public const string OlderThanConnection = "no pose since the connection was restored; check its source";
+
+        /// <param name="frame">A frame above the object.</param>
+        public static string FrameUnknown(string frame) => $"frame {Above(frame)}, on which it depends, is unknown";
+
+        /// <param name="frame">A frame above the object.</param>
+        public static string FrameNotCurrent(string frame) => $"frame {Above(frame)}, on which it depends, is not current";
+
+        static string Above(string frame) => InputException.OneLine(frame, ProtocolLimits.NameLength);
+
+        /// <param name="fault">Reason why it is unknown what a gripper holds.</param>
+        public static string MayBeGripped(string fault) => $"a gripper may have moved it: {fault}";
 
         public const string RotationLength = "the rotation has length 0; a unit quaternion is needed";
         public const string ClosedAtUnknownTime = "the gripper closed at an unknown time, so the held object is unknown; open and close the gripper";

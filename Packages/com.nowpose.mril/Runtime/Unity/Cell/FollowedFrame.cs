@@ -1,5 +1,6 @@
 using Nowpose.Frames;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
@@ -20,10 +21,10 @@ namespace Nowpose.Unity.Cell
         readonly string _missing;
         readonly string _invalid;
         readonly bool _canWaitForClock;
+        readonly FrameFault _fault = new FrameFault();
         DropReason _refused;
         CompensationSession _session;
         CellFrame _frame;
-        (FrameState State, string Of, string Text) _reason;
 
         FollowedFrame(MrilSession source, Transform world, string name, bool canBeGripped, bool isGhost, string missing)
         {
@@ -32,7 +33,7 @@ namespace Nowpose.Unity.Cell
             _isGhost = isGhost;
             _canBeGripped = canBeGripped;
             _invalid = IsValid(name) ? null : ObjectMessages.InvalidFrame(name);
-            _missing = _invalid ?? missing ?? ObjectMessages.NoPose;
+            _missing = _invalid ?? missing ?? FrameMessages.NoPose;
             _canWaitForClock = missing == null;
             World = world;
             Title = "object " + InputException.OneLine(name, ProtocolLimits.NameLength);
@@ -85,25 +86,7 @@ namespace Nowpose.Unity.Cell
             }
         }
 
-        string ReasonOf(CellFrame held)
-        {
-            switch (held.State)
-            {
-                case FrameState.Missing: return ObjectMessages.NoPose;
-                case FrameState.Held: return held.IsStationary ? ObjectMessages.OlderThanConnection : ObjectMessages.PosesStopped;
-                case FrameState.GripUnknown: return Kept(held.State, held.GripFault);
-                default: return Kept(held.State, _session.Frames.Tree.ReasonAbove(held, out _, out _));
-            }
-        }
-
-        // Creates the text only if the reason has changed.
-        string Kept(FrameState state, string of)
-        {
-            if (state == _reason.State && of == _reason.Of) return _reason.Text;
-            _reason = (state, of, state == FrameState.GripUnknown ? ObjectMessages.MayBeGripped(of)
-                : state == FrameState.Orphan ? ObjectMessages.FrameUnknown(of) : ObjectMessages.FrameNotCurrent(of));
-            return _reason.Text;
-        }
+        string ReasonOf(CellFrame held) => _fault.Of(held, _session.Frames.Tree);
 
         public bool IsFaultCommon
         {

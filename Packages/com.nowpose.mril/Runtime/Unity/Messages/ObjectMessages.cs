@@ -7,21 +7,6 @@ namespace Nowpose.Unity.Messages
     /// <summary>Error messages about objects of the cell, and names of their states.</summary>
     static class ObjectMessages
     {
-        public const string NoPose = "no pose received";
-        public const string PosesStopped = "no new poses are arriving";
-        public const string OlderThanConnection = "no pose since the connection was restored; check its source";
-
-        /// <param name="frame">A frame above the object.</param>
-        public static string FrameUnknown(string frame) => $"frame {Above(frame)}, on which it depends, is unknown";
-
-        /// <param name="frame">A frame above the object.</param>
-        public static string FrameNotCurrent(string frame) => $"frame {Above(frame)}, on which it depends, is not current";
-
-        static string Above(string frame) => InputException.OneLine(frame, ProtocolLimits.NameLength);
-
-        /// <param name="fault">Reason why it is unknown what a gripper holds.</param>
-        public static string MayBeGripped(string fault) => $"a gripper may have moved it: {fault}";
-
         public const string OtherMover = "the tracked or stationary object on the same object moves it; put the actuated part on a child object";
         public const string SignalNotCurrent = "signal not current";
         public const string OutsideStroke = "value outside the stroke";
