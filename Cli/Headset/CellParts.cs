@@ -41,10 +41,10 @@ sealed class CellParts
     [
         .. from index in Enumerable.Range(0, _session.Signals.Table.Count)
            let name = _session.Signals.Table[index].Name
-           let reason = _session.Signals.FaultOf(name, _session.CanReceiveSignals)
-           where reason is not null and not SignalMessages.ClockUnsynchronised
+           let fault = _session.Signals.FaultOf(name, _session.CanReceiveSignals)
+           where fault.Reason is not null and not SignalMessages.ClockUnsynchronised
            orderby name
-           select new HeadsetResult.PartResult(name, AgeOf(_session.Signals.FaultSince(name, _session.CanReceiveSignals), now), reason),
+           select new HeadsetResult.PartResult(name, AgeOf(fault.Since, now), fault.Reason),
     ];
 
     void OnPose(in FrameTransform pose, bool isStationary, HeadsetTime arrival, DropReason reason)

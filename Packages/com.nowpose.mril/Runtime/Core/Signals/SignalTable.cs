@@ -30,6 +30,8 @@ namespace Nowpose.Signals
 
         public int Count => _signals.Count;
 
+        public SignalTrack this[int index] => _signals[index];
+
         /// <summary>Returns a signal; null if the table does not have it.</summary>
         public SignalTrack Find(string name) => _indices.TryGetValue(name, out var index) ? _signals[index] : null;
 
