@@ -180,7 +180,8 @@ export class RobotPanel {
   private showDistances(time: number): void {
     const name = this.headset?.name;
     const { bodies, tracks } = this.displayedRobot === '' ? { bodies: this.view.bodies, tracks: this.truth } : this.others.find(this.displayedRobot);
-    if (!bodies) {
+    if (this.view.bodies && !this.view.bodies.group.visible) setText(this.words, robotMessages.baseUnknown);
+    else if (!bodies) {
       if (name && this.displayedRobot !== '') setText(this.words, robotMessages.displaysUnknown(name, this.displayedRobot));
       else if (this.others.isAnyShown) setText(this.words, name ? robotMessages.toolError(name, null, null) : robotMessages.noHeadset);
     } else if (!bodies.group.visible) setText(this.words, robotMessages.baseUnknown);
