@@ -13,7 +13,12 @@ namespace Nowpose.Frames
         RigidTransform? _newest;
         bool _isReleased;
 
-        public CarrierRest() => _rest.Begin();
+        /// <param name="isReleased">Whether the gripper has already released the object.</param>
+        public CarrierRest(bool isReleased)
+        {
+            _rest.Begin();
+            _isReleased = isReleased;
+        }
 
         public bool HasMoved { get; private set; }
 

@@ -107,7 +107,9 @@ namespace Nowpose.Frames
         /// <summary>Stamp of the newest pose; null before the first pose, and for a stationary frame.</summary>
         public ControlTime? Newest => _isStationary ? null : _newest;
 
-        public bool IsSilentAt(ControlTime time, TimeSpan maxAge) => !_isStationary && !(time - _newest <= maxAge);
+        /// <summary>Returns whether the poses have stopped, and no gripper holds the object or may have moved it.</summary>
+        public bool IsAbandonedAt(ControlTime time, TimeSpan maxAge) =>
+            !_isStationary && !(time - _newest <= maxAge) && Reach?.IsReleased != false && UnknownMover == null && UnknownGrip == null;
 
         /// <inheritdoc cref="HandOver.IsOvertaken"/>
         public bool IsOvertaken(in FrameTransform pose) => _handOver.IsOvertaken(pose, _parent, Newest);
@@ -130,12 +132,12 @@ namespace Nowpose.Frames
         /// <summary>
         /// Sets the place that a gripper assigns to the object from the next display frame on. It is blended like a change of the parent.
         /// </summary>
-        /// <param name="place">The place; null if the object's own source determines the place again.</param>
+        /// <param name="place">The place, after a withdrawn grip that of the earlier release; null if the object's own source determines the place again.</param>
         public void Put(ReachPlace place)
         {
             if (Reach == null && place != null) Watch();
             if (place?.IsReleased != true) SetUnknownMover(null, null);
-            if (place?.IsReleased == true && Reach?.IsReleased != true)
+            if (place?.IsReleased == true && Reach?.IsReleased != true && !(place.Since < Reach?.Since))
             {
                 _sourceRest.Release(_given);
                 _carrierRest?.Release();
@@ -169,7 +171,7 @@ namespace Nowpose.Frames
 
         /// <summary>Takes the pose of <see cref="SourceParent"/> in the world, according to the newest samples. Allocates at the first call.</summary>
         /// <param name="at">Display time; null while it is unknown.</param>
-        public void WatchCarrier(in RigidTransform carrier, ControlTime? at) => (_carrierRest ??= new CarrierRest()).Add(carrier, at);
+        public void WatchCarrier(in RigidTransform carrier, ControlTime? at) => (_carrierRest ??= new CarrierRest(_reach?.IsReleased == true)).Add(carrier, at);
 
         /// <summary>Returns the pose in <see cref="SourceParent"/> at a time other than the displayed one, according to its source.</summary>
         /// <param name="time">Time since the epoch, s.</param>

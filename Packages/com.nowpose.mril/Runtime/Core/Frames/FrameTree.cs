@@ -35,6 +35,9 @@ namespace Nowpose.Frames
 
         public CellFrame this[int index] => _frames[index];
 
+        /// <summary>Whether the next evaluation needs the former places of the frames, because an object has got another parent.</summary>
+        public bool IsHandingOver => _isHandedOver;
+
         /// <summary>Returns the index of a frame; −1 if no pose of it has been received.</summary>
         public int IndexOf(string name) => _order.IndexOf(name);
 

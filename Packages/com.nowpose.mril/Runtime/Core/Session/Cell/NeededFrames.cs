@@ -93,8 +93,8 @@ namespace Nowpose.Session.Cell
             {
                 if (!isStationary && !kept.IsStationary && IsOvertaken(pose.Stamp, kept.Pose.Stamp)) return DropReason.LateSample;
             }
-            else if (_others.Count + _tree.Count >= ProtocolLimits.Frames && !TryRemoveSilent(arrival) && FindUnused(pose.Parent) < 0)
-                return DropReason.TooManyFrames;
+            else if (_others.Count + _tree.Count >= ProtocolLimits.Frames && !TryRemoveSilent(arrival)
+                && (_others.Count + _tree.Count > ProtocolLimits.Frames || FindUnused(pose.Parent) < 0)) return DropReason.TooManyFrames;
             _others[pose.Child] = (pose, isStationary);
             return DropReason.None;
         }
@@ -103,13 +103,14 @@ namespace Nowpose.Session.Cell
         static bool IsOvertaken(ControlTime stamp, ControlTime newest) =>
             stamp <= newest && !ArrivalOrder.IsFarBehind(stamp, newest);
 
-        // Returns a frame of the tree that neither is shown nor has children, and whose source has probably ended; −1 if there is none.
+        // Returns a frame of the tree that neither is shown nor has children, and whose source has probably ended; −1 if there is none, or while the
+        // places of all frames are needed for a change of parent.
         int FindUnused(string except)
         {
-            for (var i = 0; _now.HasValue && i < _tree.Count; i++)
+            for (var i = 0; _now.HasValue && !_tree.IsHandingOver && i < _tree.Count; i++)
             {
                 var name = _tree[i].Name;
-                if (_tree[i].IsSilentAt(_now.Value, MaxSilence) && name != except && !_shown.ContainsKey(name) && !_tree.HasChildren(name)) return i;
+                if (_tree[i].IsAbandonedAt(_now.Value, MaxSilence) && name != except && !_shown.ContainsKey(name) && !_tree.HasChildren(name)) return i;
             }
             return -1;
         }

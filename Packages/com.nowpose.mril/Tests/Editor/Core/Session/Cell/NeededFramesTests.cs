@@ -80,12 +80,76 @@ namespace Nowpose.Tests.Core.Session.Cell
 
             for (var i = 0; i < leaves; i++) cell.Session.Frames.Leave("box");
             cell.Run(15);
+            ShowAnother(cell);
+
+            Assert.That(cell.Session.Frames.Find("box"), Is.SameAs(shown));
+        }
+
+        // The tracker has lost the object in the gripper, and nothing shows it for a while.
+        [Test]
+        public void Leave_ObjectInAGripper_IsKept()
+        {
+            var (cell, _) = NewCell("box");
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                if (t < Close + 0.5) cell.Send("world", "box", t, At(1, 0));
+            };
+            cell.Send("grip", 19, 0);
+            Until(cell, Close);
+            cell.Send("grip", Close, 1);
+            Until(cell, Close + 1);
+            var gripped = Find(cell, "box");
+            Assert.That(gripped.Reach?.IsReleased, Is.False);
+
+            cell.Session.Frames.Leave("box");
+            Until(cell, Close + 15);
+            ShowAnother(cell);
+
+            Assert.That(Find(cell, "box"), Is.SameAs(gripped));
+        }
+
+        [Test]
+        public void Add_TheNewParentOfAnObject_DoesNotReplaceTheFormerOneBeforeTheChange()
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("box");
+            Receive(cell, 0, true, "fixture");
+            cell.Sampling = t =>
+            {
+                if (t < 21) cell.Send("world", "shuttle", t, At(3, 0));
+                if (t < 32) cell.Send("shuttle", "box", t, At(1, 0));
+            };
+            Until(cell, 32);
+
+            cell.Send("fixture", "box", cell.Now, At(3, 0));
+            cell.Run(1, t => Assert.That(Find(cell, "box").World.X, Is.EqualTo(4).Within(1e-6), $"{t} s"));
+            Assert.That(Find(cell, "shuttle"), Is.Not.Null);
+        }
+
+        [Test]
+        public void Add_OneUnusedFrameAndTooManyOthers_DropsAllButOne()
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("box");
+            cell.Send("world", "box", cell.Now, At(1, 0));
+            cell.Run(1);
+            cell.Session.Frames.Leave("box");
+            cell.Run(15);
+
+            foreach (var name in new[] { "fixture", "table" })
+                Receive(cell, 0, true, Enumerable.Range(0, ProtocolLimits.Frames / 2 + 2).Select(i => name + i).ToArray());
+            cell.Run(1);
+
+            Assert.That(cell.Session.Drops[DropReason.TooManyFrames], Is.EqualTo(4));
+        }
+
+        static void ShowAnother(CellSession cell)
+        {
             cell.Session.Frames.Need("other");
             cell.Send("world", "other", cell.Now, At(1, 0));
             cell.Run(1);
-
-            Assert.That(cell.Session.Frames.Find("other"), Is.Not.Null);
-            Assert.That(cell.Session.Frames.Find("box"), Is.SameAs(shown));
+            Assert.That(Find(cell, "other"), Is.Not.Null);
         }
 
         static void Receive(CellSession cell, double stamp, bool isStationary, params string[] frames) => cell.Session.Listener.FramesReceived(

@@ -114,6 +114,53 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Open + 2, t => Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current), $"{t} s"));
         }
 
+        // At first, the predicted poses say that the box is within reach of a gripper that then holds another object.
+        [Test]
+        public void StateOf_GripIsWithdrawnAfterTheCarrierMoved_IsStillHeld()
+        {
+            var (cell, grip) = NewCell("box");
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "shuttle", t, At(1 + 0.2 * Math.Max(0, Math.Min(t, Open + 2.5) - Open - 1.5), 0));
+                cell.Send("shuttle", "box", t, At(0.05, 0.02));
+            };
+            Move(cell);
+            Until(cell, Open + 3);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held));
+            var (tree, box) = (cell.Session.Frames.Tree, cell.Session.Frames.Tree.IndexOf("box"));
+            var released = tree[box].Reach;
+
+            tree.Put(box, new ReachPlace(grip, "tool_centre_point", At(0, 0), ControlTime.FromSeconds(Open + 3), isReleased: false));
+            tree.Put(box, released);
+            Until(cell, Open + 4);
+
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held));
+        }
+
+        [Test]
+        public void StateOf_GripAndReleaseInOneFrameAndTheCarrierMoves_IsHeld()
+        {
+            var (cell, grip) = NewCell("box");
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "shuttle", t, At(1 + 0.2 * Math.Max(0, t - Open), 0));
+                cell.Send("shuttle", "box", t, At(0.05, 0.02));
+            };
+            cell.Send("grip", 19, 0);
+            Until(cell, Close);
+            var (tree, box) = (cell.Session.Frames.Tree, cell.Session.Frames.Tree.IndexOf("box"));
+
+            tree.Put(box, new ReachPlace(grip, "tool_centre_point", At(0, 0), ControlTime.FromSeconds(Close - 0.2), isReleased: false));
+            tree.Put(box, new ReachPlace(grip, "world", At(1.05, 0.02), ControlTime.FromSeconds(Close - 0.1), isReleased: true));
+            Until(cell, Open - 0.5);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
+            Until(cell, Open + 2);
+
+            Assert.That(Find(cell, "box").GripFault, Is.EqualTo(FrameMessages.CarrierMoved));
+        }
+
         static PoseState StateOf(CellSession cell) => cell.Session.Frames.StateOf(Find(cell, "box"));
 
         static void Publish(CellSession cell, double x) => cell.Session.Listener.FramesReceived(
