@@ -25,6 +25,9 @@ sealed class ObjectMotion(string name, Func<double, ObjectPose> at, double noise
 
     public string Name => name;
 
+    /// <summary>Returns a motion through poses, one per row of the recording.</summary>
+    public static Func<double, ObjectPose> Through(ObjectPose[] poses) => t => poses[Math.Clamp((int)Math.Round(t * RowsPerSecond), 0, Rows - 1)];
+
     /// <summary>Seed of the noise.</summary>
     public int Seed { get; init; }
 

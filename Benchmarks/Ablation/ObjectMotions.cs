@@ -41,7 +41,7 @@ static class ObjectMotions
             var (step, angle) = (distance(to) - distance(from), turned(to));
             poses[row] = new ObjectPose(poses[row - 1].X + step * Math.Cos(angle), poses[row - 1].Y + step * Math.Sin(angle), angle);
         }
-        return t => poses[Math.Clamp((int)Math.Round(t * RowsPerSecond), 0, ObjectMotion.Rows - 1)];
+        return ObjectMotion.Through(poses);
     }
 
     // Distance of a drive that is switched between constant speeds at random times: forwards, backwards or off.

@@ -19,19 +19,20 @@ static class TurningMotions
         .. new[] { double.PositiveInfinity, 2, 0.5 }.SelectMany((ramp, i) => Turning(seed + 10 * i, ramp)),
         new("tracker, at rest", _ => default, Noise, AngleNoise),
         new("tracker at rest, coarse", _ => default, 2e-3, 0.02),
-        new("tracker, first turns", Driven(seed + 50, _ => 0.6, Changes(seed + 51, 0.8, 3, 8), 2, 2), Noise, AngleNoise),
-        new("tracker, first start", Driven(seed + 52, Changes(seed + 53, 0.6, 3, 8), _ => 0, 2, 2), Noise, AngleNoise),
+        new("tracker, first turns", Driven(seed + 50, _ => 0.6, Changes(seed + 51, 0.8, 3, 8), 2), Noise, AngleNoise),
+        new("tracker, first start", Driven(seed + 52, Changes(seed + 53, 0.6, 3, 8), _ => 0, 2), Noise, AngleNoise),
     ];
 
-    /// <param name="ramp">Maximum change of the speeds per second: m/s² and rad/s².</param>
+    /// <inheritdoc cref="Driven" path="/param[@name='ramp']"/>
     static IEnumerable<ObjectMotion> Turning(int seed, double ramp)
     {
         var name = double.IsFinite(ramp) ? FormattableString.Invariant($", {ramp:0.0} per s") : ", at once";
-        yield return new("first turns" + name, Driven(seed, _ => 0.6, Changes(seed, 0.8, 3, 8), ramp, ramp));
-        yield return new("turns in place" + name, Driven(seed + 1, _ => 0, Changes(seed + 1, 1, 2, 6), ramp, ramp));
-        yield return new("conveyor" + name, Driven(seed + 2, Changes(seed + 2, 0.4, 2, 8), _ => 0, ramp, ramp));
-        yield return new("conveyor, two speeds" + name, Driven(seed + 3, t => 0.2 + Changes(seed + 3, 0.3, 2, 6)(t), _ => 0, ramp, ramp));
-        yield return new("vehicle" + name, Driven(seed + 4, Changes(seed + 4, 0.7, 1, 6), Changes(seed + 5, 0.6, 1, 6), ramp, ramp));
+        var speeds = Changes(seed + 3, 0.3, 2, 6);
+        yield return new("first turns" + name, Driven(seed, _ => 0.6, Changes(seed, 0.8, 3, 8), ramp));
+        yield return new("turns in place" + name, Driven(seed + 1, _ => 0, Changes(seed + 1, 1, 2, 6), ramp));
+        yield return new("conveyor" + name, Driven(seed + 2, Changes(seed + 2, 0.4, 2, 8), _ => 0, ramp));
+        yield return new("conveyor, two speeds" + name, Driven(seed + 3, t => 0.2 + speeds(t), _ => 0, ramp));
+        yield return new("vehicle" + name, Driven(seed + 4, Changes(seed + 4, 0.7, 1, 6), Changes(seed + 5, 0.6, 1, 6), ramp));
     }
 
     /// <summary>A speed that alternates between 0 and a random share of its maximum in either direction.</summary>
@@ -51,7 +52,8 @@ static class TurningMotions
     /// <param name="phase">Shifts the changes against the samples.</param>
     /// <param name="speed">Commanded speed, m/s, at a time in s.</param>
     /// <param name="rate">Commanded yaw rate, rad/s.</param>
-    static Func<double, ObjectPose> Driven(int phase, Func<double, double> speed, Func<double, double> rate, double speedRamp, double rateRamp)
+    /// <param name="ramp">Maximum change of both speeds per second: m/s² and rad/s².</param>
+    static Func<double, ObjectPose> Driven(int phase, Func<double, double> speed, Func<double, double> rate, double ramp)
     {
         var poses = new ObjectPose[ObjectMotion.Rows];
         var (shift, step) = (new Random(phase).NextDouble() * 0.1, Row / Steps);
@@ -61,8 +63,8 @@ static class TurningMotions
             for (var i = 0; i < Steps; i++)
             {
                 var time = shift + (row - 1) * Row + i * step;
-                v += Math.Clamp(speed(time) - v, -speedRamp * step, speedRamp * step);
-                w += Math.Clamp(rate(time) - w, -rateRamp * step, rateRamp * step);
+                v += Math.Clamp(speed(time) - v, -ramp * step, ramp * step);
+                w += Math.Clamp(rate(time) - w, -ramp * step, ramp * step);
                 angle += w * step;
                 (x, y) = (x + v * step * Math.Cos(angle - w * step / 2), y + v * step * Math.Sin(angle - w * step / 2));
             }
@@ -70,6 +72,6 @@ static class TurningMotions
             poses[row] = new ObjectPose(x, y, angle);
         }
 
-        return t => poses[Math.Clamp((int)Math.Round(t / Row), 0, poses.Length - 1)];
+        return ObjectMotion.Through(poses);
     }
 }

@@ -28,9 +28,9 @@ static class HeadsetTable
         Row(HeadsetTexts.PoseRow, HeadsetTexts.Pose(pose.State, Text(pose.CurrentAfterS, "0.0", " s"), Text(100 * pose.CurrentShare, "0.0", " %")));
         Row(HeadsetTexts.OutageDuration, Text(pose.LongestNotCurrentS, "0.00", " s"));
         if (result.MissingJoints.Count > 0) Row(HeadsetTexts.MissingJoints, string.Join(", ", result.MissingJoints));
-        foreach (var joint in result.Joints) Row(HeadsetTexts.Joint(joint.Name), JointOf(joint));
-        foreach (var part in result.ObjectsNotCurrent) Row(HeadsetTexts.Object(part.Name), PartOf(part));
-        foreach (var part in result.SignalsNotCurrent) Row(HeadsetTexts.Signal(part.Name), PartOf(part));
+        foreach (var joint in result.Joints) Row(HeadsetTexts.Joint(joint.Name), StateOf(joint.State, joint.SinceS, joint.Reason));
+        foreach (var part in result.ObjectsNotCurrent) Row(HeadsetTexts.Object(part.Name), NotCurrent(part));
+        foreach (var part in result.SignalsNotCurrent) Row(HeadsetTexts.Signal(part.Name), NotCurrent(part));
         foreach (var outage in result.Outages)
             Row(
                 HeadsetTexts.Outage(Text(outage.FromS, "0.0", ""), Text(outage.ToS ?? result.Seconds, "0.0", " s")),
@@ -43,12 +43,10 @@ static class HeadsetTable
         console.Write(grid);
     }
 
-    static string JointOf(HeadsetResult.JointResult joint) =>
-        joint.State + (joint.SinceS == null ? "" : HeadsetTexts.Duration(Text(joint.SinceS, "0", " s")))
-        + (joint.Reason.Length == 0 ? "" : ": " + joint.Reason);
+    static string NotCurrent(HeadsetResult.PartResult part) => StateOf(HeadsetTexts.NotCurrentPart, part.SinceS, part.Reason);
 
-    static string PartOf(HeadsetResult.PartResult part) =>
-        HeadsetTexts.NotCurrentPart + (part.SinceS == null ? "" : HeadsetTexts.Duration(Text(part.SinceS, "0", " s"))) + ": " + part.Reason;
+    static string StateOf(string state, double? sinceS, string reason) =>
+        state + (sinceS == null ? "" : HeadsetTexts.Duration(Text(sinceS, "0", " s"))) + (reason.Length == 0 ? "" : ": " + reason);
 
     static void AddStretch(Action<string, string> row, int number, HeadsetResult.StretchResult stretch)
     {

@@ -89,7 +89,7 @@ public class SimulatedCellTests
 
         var stamp = await SampleOf(cell, new MessageHub());
 
-        Assert.That(stamp, Is.GreaterThan(restarted - Timing.AcquisitionMax), "samples that were due while there was no hub are skipped");
+        Assert.That(stamp, Is.GreaterThan(restarted - Timing.AcquisitionMax), "samples that were due without a hub are skipped");
     }
 
     [Test]
