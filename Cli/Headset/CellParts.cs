@@ -1,7 +1,6 @@
-using Nowpose.Frames;
-using Nowpose.Messages;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
+using Nowpose.Session.Cell;
 
 namespace Nowpose.Cli.Headset;
 
@@ -16,42 +15,28 @@ sealed class CellParts
     {
         _session = session;
         session.Frames.Judged += OnPose;
-        session.Signals.Need();
+        session.Signals.NeedAll();
     }
 
     /// <summary>Predicts the objects that have arrived for the first time. Call it after each frame, because the session calls the handler within one.</summary>
     public void Update()
     {
-        foreach (var name in _added) _session.Frames.Need(name);
+        foreach (var name in _added)
+            if (!_session.Frames.Tree.IsLink(name)) _session.Frames.Need(name);
         _added.Clear();
     }
 
-    /// <summary>Gets the objects that have a reason of their own for not being current, sorted by name.</summary>
-    public IReadOnlyList<HeadsetResult.PartResult> Objects(HeadsetTime now) =>
-    [
-        .. from name in _frames.Order(StringComparer.Ordinal)
-           where !_session.Frames.Tree.IsLink(name)
-           let frame = _session.Frames.Find(name)
-           where _session.Frames.StateOf(frame) is PoseState.Held or PoseState.Incomplete
-           select new HeadsetResult.PartResult(name, AgeOf(_session.Frames.HeldSince(frame), now), new FrameFault().Of(frame, _session.Frames.Tree)),
-    ];
+    /// <summary>Gets the objects that are not current, as the diagnostics list them.</summary>
+    public IReadOnlyList<HeadsetResult.PartResult> Objects(HeadsetTime now) => Results(_session.Cell.Faults(now).Objects);
 
     /// <summary>Gets the same for the signals.</summary>
-    public IReadOnlyList<HeadsetResult.PartResult> Signals(HeadsetTime now) =>
-    [
-        .. from index in Enumerable.Range(0, _session.Signals.Table.Count)
-           let name = _session.Signals.Table[index].Name
-           let fault = _session.Signals.FaultOf(name, _session.CanReceiveSignals)
-           where fault.Reason is not null and not SignalMessages.ClockUnsynchronised
-           orderby name
-           select new HeadsetResult.PartResult(name, AgeOf(fault.Since, now), fault.Reason),
-    ];
+    public IReadOnlyList<HeadsetResult.PartResult> Signals(HeadsetTime now) => Results(_session.Cell.Faults(now).Signals);
+
+    static HeadsetResult.PartResult[] Results(IReadOnlyList<PartStatus> parts) =>
+        [.. parts.Select(part => new HeadsetResult.PartResult(part.Name, part.Age?.TotalSeconds, part.Reason))];
 
     void OnPose(in FrameTransform pose, bool isStationary, HeadsetTime arrival, DropReason reason)
     {
         if (reason == DropReason.None && _frames.Add(pose.Child)) _added.Add(pose.Child);
     }
-
-    double? AgeOf(ControlTime? since, HeadsetTime now) =>
-        _session.Clock.ModelAt(now) is { IsKnown: true } clock ? (clock.ToControl(now) - since)?.TotalSeconds : null;
 }

@@ -156,7 +156,7 @@ public sealed class HubSource : IDisposable
     }
 
     // Whether the names take up half of the maximum length, so that they may not fit in one message with the numbers of each joint.
-    static bool AreLong(string[] names) => names.Sum(MessageParts.BytesOf) > ProtocolLimits.MessageBytes / 2;
+    static bool AreLong(string[] names) => names.Sum(RosMessageWriter.MaxBytesOf) > ProtocolLimits.MessageBytes / 2;
 
     /// <summary>Gets the cell-wide names of a robot's joints. Returns the same array for a robot without a namespace.</summary>
     internal static string[] InCell(string robot, string[] names) =>

@@ -20,14 +20,11 @@ static class MessageParts
     /// <summary>Upper bound of the length of a signal without its name: quotation marks, separators, and a number.</summary>
     const int SignalBytes = 32;
 
-    // Maximum number of bytes per UTF-16 code unit: a control or rare character is written as \uXXXX; others need at most 3 bytes of UTF-8.
-    const int BytesPerCharacter = 6;
-
     public static IEnumerable<TransformsMessage> Of(TransformsMessage message) => Divided(
-        message, message.Count, i => TransformBytes + BytesOf(message[i].Child) + BytesOf(message[i].Parent), Part);
+        message, message.Count, i => TransformBytes + RosMessageWriter.MaxBytesOf(message[i].Child) + RosMessageWriter.MaxBytesOf(message[i].Parent), Part);
 
     public static IEnumerable<SignalsMessage> Of(SignalsMessage message) =>
-        Divided(message, message.Count, i => SignalBytes + BytesOf(message[i].Name), Part);
+        Divided(message, message.Count, i => SignalBytes + RosMessageWriter.MaxBytesOf(message[i].Name), Part);
 
     /// <summary>Creates a message with some of the transforms.</summary>
     public static TransformsMessage Part(TransformsMessage message, Predicate<int> isIn)
@@ -76,13 +73,5 @@ static class MessageParts
         }
 
         if (count > 0) yield return start == 0 ? message : part(message, index => index >= start);
-    }
-
-    /// <summary>Returns an upper bound of the length of a string in JSON, in bytes.</summary>
-    public static int BytesOf(string name)
-    {
-        var bytes = 0;
-        foreach (var c in name) bytes += char.IsAsciiLetterOrDigit(c) || c is '_' or '/' or '.' or '-' or ' ' ? 1 : BytesPerCharacter;
-        return bytes;
     }
 }

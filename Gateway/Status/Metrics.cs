@@ -125,6 +125,8 @@ static class Metrics
         Add("nowpose_headset_application_latency_seconds", "L_app.", "l_app_ms", Milli);
         Add("nowpose_headset_visualisation_latency_seconds", "L_visu.", "l_visu_ms", Milli);
         Add("nowpose_headset_render_seconds", "Render time of the last frame.", "render_ms", Milli);
+        Add("nowpose_headset_objects_not_current", "Objects that the headset shows and that are not current.", "objects_not_current", 1);
+        Add("nowpose_headset_signals_not_current", "Signals that the headset uses and that are not current.", "signals_not_current", 1);
         Add("nowpose_headset_error_reduction_ratio", "Share of the uncompensated error that the prediction removes.", "reduction", 1);
     }
 

@@ -224,6 +224,7 @@ public class PlayedNamespaceTests : PlayedParts
         _session.transform.Find("part").gameObject.SetActive(false);
         Run(0.1);
         Assert.That(FaultsNow(), Is.EqualTo($"object lid: {FrameMessages.PosesStopped}; signal closed: {signal.Fault}"), "a hidden object is not shown");
+        Assert.That(_session.Session.Listener.Diagnostics().Values.Select(pair => pair.Key).Where(key => key.StartsWith("object_") || key.StartsWith("signal_")), Is.EqualTo(new[] { "object_status/lid", "signal_status/closed" }), "the diagnostics name the same parts");
         Run(1, t => SendPose("world", "lid", t, Along(1)));
         signal.gameObject.SetActive(false);
         Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("", "1 current")));

@@ -81,7 +81,7 @@ sealed class SignalStatusTopic : IDisposable
         var reported = _reported.Select(one => new Row(
             one.Name, one.Report.State, now - (utcNow - one.Report.Since), InputException.OneLine(one.Report.Reason, MaxReasonLength)));
         var rows = reported.Concat(_ended.AsEnumerable().Reverse()).DistinctBy(one => one.Signal).Take(ProtocolLimits.Signals)
-            .TakeWhile(one => (bytes += MessageParts.BytesOf(one.Signal) + MessageParts.BytesOf(one.Reason)) <= MaxBytes);
+            .TakeWhile(one => (bytes += RosMessageWriter.MaxBytesOf(one.Signal) + RosMessageWriter.MaxBytesOf(one.Reason)) <= MaxBytes);
         var values = rows.Select(one => KeyValuePair.Create(one.Signal, string.Create(
             CultureInfo.InvariantCulture, $"{JointDataStates.Of(one.State)} {one.Since.SinceEpoch.TotalSeconds:0.000} {one.Reason}"))).ToList();
         _source.PublishSignalStatus(new DiagnosticsMessage(now, "gateway", values, values.Count == 0 ? 0 : 2, "signals"));

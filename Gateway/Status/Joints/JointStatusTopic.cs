@@ -34,7 +34,7 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
         var troubled = joints.Where(row => row.Source != UnpublishedJoints.NoSource).GroupBy(joint => joint.Name, StringComparer.Ordinal).Select(rows => rows.MinBy(row => row.State))
             .Where(row => row.State != JointDataState.Live).ToList();
         var longest = Math.Min(MaxReasonLength, MaxReasonsLength / Math.Clamp(troubled.Count, 1, ProtocolLimits.Joints));
-        int BytesOf(JointSnapshot row) => MessageParts.BytesOf(row.Name) + MessageParts.BytesOf(InputException.OneLine(ReasonOf(row), longest));
+        int BytesOf(JointSnapshot row) => RosMessageWriter.MaxBytesOf(row.Name) + RosMessageWriter.MaxBytesOf(InputException.OneLine(ReasonOf(row), longest));
         // If there are too many joints, or their names are too long, the most recent failures have priority.
         if (troubled.Count > ProtocolLimits.Joints || troubled.Sum(BytesOf) > MaxBytes)
         {

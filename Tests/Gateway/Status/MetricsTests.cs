@@ -188,12 +188,13 @@ public class MetricsTests
     [TestCase("a word of a later release", "other")]
     public void Of_PoseStateOfAHeadset_IsAKnownStateOrOther(string pose, string expected)
     {
-        var text = Metrics.Of(Snapshot(Words("goggles", ("pose", pose), ("missing_joints", "a,b"), ("current_share", 0.25))), new ForwardingTimes());
+        var text = Metrics.Of(Snapshot(Words("goggles", ("pose", pose), ("missing_joints", "a,b"), ("current_share", 0.25), ("objects_not_current", 3.0))), new ForwardingTimes());
 
         Assert.That(text, Does.Contain($"nowpose_headset_pose_state{{headset=\"goggles\",state=\"{expected}\"}} 1"));
         Assert.That(text.Split('\n').Count(line => line.StartsWith("nowpose_headset_pose_state{", StringComparison.Ordinal)), Is.EqualTo(7));
         Assert.That(text, Does.Contain("nowpose_headset_current_share_ratio{headset=\"goggles\"} 0.25"));
         Assert.That(text, Does.Contain("nowpose_headset_missing_joints{headset=\"goggles\"} 2"));
+        Assert.That(text, Does.Contain("nowpose_headset_objects_not_current{headset=\"goggles\"} 3").And.Not.Contain("nowpose_headset_signals_not_current{"));
     }
 
     [Test]

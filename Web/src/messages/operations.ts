@@ -43,6 +43,10 @@ export const operationsLabels = {
   profileMismatch: (reason: string) => `the latency profile does not match this headset: ${reason}`,
   errorWithheld: (reason: string) => `the headset withholds its pose errors, because its frames may be late: ${reason}`,
   missingJoints: (joints: string) => `missing joints: ${joints}`,
+  object: (name: string, state: string) => `object ${name}: ${state}`,
+  signal: (name: string, state: string) => `signal ${name}: ${state}`,
+  objectsNotListed: (count: number) => `objects not current and not listed: ${count}`,
+  signalsNotListed: (count: number) => `signals not current and not listed: ${count}`,
   lastFailure: (reason: string) => `last failure: ${reason}`,
   refusedValues: (reasons: string) => `refused values: ${reasons}`,
 };

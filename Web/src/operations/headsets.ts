@@ -102,11 +102,26 @@ function noteOf(headset: Headset): string {
   const withheld = textOf(headset, 'error_withheld');
   return [
     missing && operationsLabels.missingJoints(missing),
+    ...partsOf(headset, 'object_status/', 'objects_not_current', operationsLabels.object, operationsLabels.objectsNotListed),
+    ...partsOf(headset, 'signal_status/', 'signals_not_current', operationsLabels.signal, operationsLabels.signalsNotListed),
     mismatch && operationsLabels.profileMismatch(mismatch),
     withheld && operationsLabels.errorWithheld(withheld),
   ]
     .filter(Boolean)
     .join('; ');
+}
+
+/** Returns the objects or signals that are not current on a headset: those that the headset lists, and the number of the others. */
+function partsOf(
+  headset: Headset,
+  prefix: 'object_status/' | 'signal_status/',
+  count: string,
+  label: (name: string, state: string) => string,
+  notListed: (count: number) => string,
+): string[] {
+  const listed = Object.keys(headset).filter(key => key.startsWith(prefix));
+  const others = (numberOf(headset, count) ?? 0) - listed.length;
+  return [...listed.map(key => label(key.slice(prefix.length), textOf(headset, key))), ...(others > 0 ? [notListed(others)] : [])];
 }
 
 function rangeOf(headset: Headset): string {

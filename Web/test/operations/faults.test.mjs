@@ -153,6 +153,20 @@ describe('the operations page with faults', () => {
     assert.equal(note, `missing joints: a, b; ${operationsLabels.profileMismatch('made for HoloLens 2')}; ${operationsLabels.errorWithheld('outside range')}`);
   });
 
+  it('names the objects and signals that are not current on a headset in its row', async () => {
+    Object.assign(gateway.state.headsets[0], {
+      objects_not_current: 3, 'object_status/box': 'not current for 4 s: gone', 'object_status/lid': 'not current: why', signals_not_current: 1,
+    });
+    const page = await open();
+
+    const note = await page.locator('#headsets .note p').first().innerText();
+    const expected = [
+      operationsLabels.object('box', 'not current for 4 s: gone'), operationsLabels.object('lid', 'not current: why'),
+      operationsLabels.objectsNotListed(1), operationsLabels.signalsNotListed(1),
+    ];
+    assert.equal(note, expected.join('; '));
+  });
+
   it('shows a coarse clock with its error, but not as a fault', async () => {
     Object.assign(gateway.state.headsets[0], { state: 'coarse', pose: 'coarse', error_bound_us: 9000, estimated_error_us: 3000 });
     Object.assign(gateway.state.clock, { state: 'coarse', estimated_error_us: 4000, error_bound_us: 7000 });

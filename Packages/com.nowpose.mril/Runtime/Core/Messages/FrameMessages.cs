@@ -19,6 +19,10 @@ namespace Nowpose.Messages
         /// <param name="frame">A frame above the object.</param>
         public static string FrameNotCurrent(string frame) => $"frame {Above(frame)}, on which it depends, is not current";
 
+        /// <param name="first">One of the objects.</param>
+        public static string NotCurrent(string first, int count) =>
+            count == 1 ? $"object {first} is not current" : FormattableString.Invariant($"{count} objects are not current, for example {first}");
+
         static string Above(string frame) => InputException.OneLine(frame, ProtocolLimits.NameLength);
 
         /// <param name="fault">Reason why it is unknown what a gripper holds.</param>

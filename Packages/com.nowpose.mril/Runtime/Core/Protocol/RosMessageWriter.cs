@@ -8,6 +8,9 @@ namespace Nowpose.Protocol
     /// <summary>Writes the bodies of publications.</summary>
     static class RosMessageWriter
     {
+        // Maximum number of bytes per UTF-16 code unit: a control or rare character is written as \uXXXX; others need at most 3 bytes of UTF-8.
+        const int BytesPerCharacter = 6;
+
         const long NanosecondsPerSecond = 1_000_000_000;
 
         public static void Write(JsonWriter json, JointStateMessage message, RosTimeForm form)
@@ -163,6 +166,14 @@ namespace Nowpose.Protocol
             Write(json, stamp.Nanoseconds, form);
             Text(json, "frame_id", frame);
             json.WriteEndObject();
+        }
+
+        /// <summary>Returns an upper bound of the length of a string in JSON, in bytes.</summary>
+        public static int MaxBytesOf(string text)
+        {
+            var bytes = 0;
+            foreach (var c in text) bytes += c < 0x80 && (char.IsLetterOrDigit(c) || c == '_' || c == '/' || c == '.' || c == '-' || c == ' ') ? 1 : BytesPerCharacter;
+            return bytes;
         }
 
         static void Text(JsonWriter json, string name, string value)

@@ -71,8 +71,8 @@ namespace Nowpose.Session
         /// <summary>Grippers that grip objects within their reach. Use them only on the thread of <see cref="Tick"/>.</summary>
         internal SessionGrips Grips => _cell.Grips;
 
-        /// <inheritdoc cref="SessionCell.Connection"/>
-        internal ConnectionStart Connection => _cell.Connection;
+        /// <summary>Everything that the session shows of the cell.</summary>
+        internal SessionCell Cell => _cell;
 
         /// <summary>Receives messages from the network or from a simulation. Thread-safe.</summary>
         internal IRosbridgeListener Listener { get; }

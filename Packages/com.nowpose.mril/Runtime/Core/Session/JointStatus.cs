@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using Nowpose.Messages;
 using Nowpose.Protocol;
 
@@ -38,22 +37,11 @@ namespace Nowpose.Session
         internal bool IsRestUncertain => State == JointDataState.Rest && Reason?.StartsWith(StateNames.UncertainRestReason, StringComparison.Ordinal) == true;
 
         /// <summary>State, age and reason in one line, such as "no data for 4 s: node deleted"; allocates.</summary>
-        public string Description => DescriptionWith(Age.HasValue ? " for " + TextOf(Age.Value) : "");
+        public string Description => StateNames.Describe(WordsOf(State), Age, Reason);
 
         /// <summary>Returns the description with a time in the caller's format, such as "no data since 14:03:12: node deleted"; allocates.</summary>
         /// <param name="since">The time as a string; null to omit it.</param>
-        public string DescriptionSince(string since) => DescriptionWith(since == null ? "" : " since " + since);
-
-        string DescriptionWith(string time) => WordsOf(State) + time + (string.IsNullOrEmpty(Reason) ? "" : ": " + Reason);
-
-        /// <summary>Formats a duration in whole seconds, minutes or hours.</summary>
-        static string TextOf(TimeSpan length)
-        {
-            if (length.TotalSeconds < 120) return Text(length.TotalSeconds) + " s";
-            return length.TotalMinutes < 120 ? Text(length.TotalMinutes) + " min" : Text(length.TotalHours) + " h";
-        }
-
-        static string Text(double number) => Math.Floor(number).ToString(CultureInfo.InvariantCulture);
+        public string DescriptionSince(string since) => StateNames.Describe(WordsOf(State), since == null ? "" : " since " + since, Reason);
 
         static string WordsOf(JointDataState state)
         {

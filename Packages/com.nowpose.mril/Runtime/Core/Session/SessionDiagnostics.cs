@@ -5,6 +5,7 @@ using System.Linq;
 using Nowpose.Latency;
 using Nowpose.Messages;
 using Nowpose.Protocol;
+using Nowpose.Session.Cell;
 using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Session
@@ -12,10 +13,16 @@ namespace Nowpose.Session
     /// <summary>Converts statistics to a message of the diagnostics topic; omits unknown values.</summary>
     static class SessionDiagnostics
     {
-        public static DiagnosticsMessage Of(SessionStatistics statistics, string headsetName, ControlTime now)
+        /// <summary>Maximum number of objects, and of signals, that are listed.</summary>
+        public const int MaxParts = 32;
+
+        const int MaxMessageLength = 1000;
+
+        /// <param name="cell">Objects and signals that are not current.</param>
+        public static DiagnosticsMessage Of(SessionStatistics statistics, CellFaults cell, string headsetName, ControlTime now)
         {
-            var values = new List<KeyValuePair<string, string>>();
-            void Add(string key, string value) => values.Add(new KeyValuePair<string, string>(key, value));
+            var values = new DiagnosticValues();
+            void Add(string key, string value) => values.Add(key, value);
             void AddNumber(string key, double? value)
             {
                 if (value.HasValue) Add(key, Number(value.Value));
@@ -24,7 +31,9 @@ namespace Nowpose.Session
 
             Add("version", NowposeVersion.Text);
             Add("state", statistics.Clock.State.Word());
-            AddPose(statistics, Add);
+            AddPose(statistics, values);
+            Add("objects_not_current", Count(cell.Objects.Count));
+            Add("signals_not_current", Count(cell.Signals.Count));
             if (statistics.Offset.HasValue)
             {
                 var nanoseconds = statistics.Offset.Value.HeadsetMinusControl.Ticks * (decimal)ClockTicks.NanosecondsPerTick;
@@ -57,24 +66,34 @@ namespace Nowpose.Session
             AddNumber("error_mm_hold", statistics.HoldErrorMm);
             AddNumber("error_mm", statistics.ErrorMm);
             AddNumber("reduction", statistics.ErrorReduction);
-            AddErrors(statistics, (key, value) => { if (value.HasValue) Add(key, Fine(value.Value)); });
-            Add("samples", statistics.Samples.ToString(CultureInfo.InvariantCulture));
-            Add("dropped", statistics.Dropped.ToString(CultureInfo.InvariantCulture));
-            var (level, message) = Status(statistics);
-            return new DiagnosticsMessage(now, headsetName, values, level, message: message);
+            AddErrors(statistics, (key, value) => { if (value.HasValue) values.AddDetail(key, Fine(value.Value)); });
+            Add("samples", Count(statistics.Samples));
+            Add("dropped", Count(statistics.Dropped));
+            foreach (var part in cell.Objects.Take(MaxParts)) values.AddDetail("object_status/" + part.Name, part.Description);
+            foreach (var part in cell.Signals.Take(MaxParts)) values.AddDetail("signal_status/" + part.Name, part.Description);
+            var (level, message) = Status(statistics, cell);
+            return new DiagnosticsMessage(now, headsetName, values.Pairs, level, message: InputException.OneLine(message, MaxMessageLength));
         }
 
-        static (int Level, string Message) Status(SessionStatistics statistics)
+        static (int Level, string Message) Status(SessionStatistics statistics, CellFaults cell)
         {
-            if (statistics.WorstPose == PoseState.Current)
-            {
-                var warnings = string.Join("; ", Warnings(statistics).Where(text => !string.IsNullOrEmpty(text)));
-                return (warnings.Length == 0 ? 0 : 1, warnings);
-            }
+            var isCurrent = statistics.WorstPose == PoseState.Current;
+            var missing = isCurrent ? "" : MissingJoints(statistics);
+            var warnings = (isCurrent ? Warnings(statistics) : Pose(statistics, missing)).Concat(NotCurrent(cell)).Where(text => !string.IsNullOrEmpty(text));
+            var message = string.Join("; ", warnings);
+            return (message.Length == 0 ? 0 : missing.Length == 0 ? 1 : 2, message);
+        }
 
-            var missing = MissingJoints(statistics);
-            var pose = "the pose is " + PoseOf(statistics);
-            return missing.Length == 0 ? (1, pose) : (2, pose + "; missing joints: " + missing);
+        static IEnumerable<string> Pose(SessionStatistics statistics, string missing)
+        {
+            yield return "the pose is " + PoseOf(statistics);
+            if (missing.Length > 0) yield return "missing joints: " + missing;
+        }
+
+        static IEnumerable<string> NotCurrent(CellFaults cell)
+        {
+            if (cell.Objects.Count > 0) yield return FrameMessages.NotCurrent(cell.Objects[0].Name, cell.Objects.Count);
+            if (cell.Signals.Count > 0) yield return SignalMessages.NotCurrent(cell.Signals[0].Name, cell.Signals.Count);
         }
 
         static IEnumerable<string> Warnings(SessionStatistics statistics)
@@ -114,12 +133,12 @@ namespace Nowpose.Session
             Robots(statistics).Where(robot => robot.DescriptionMatch == RobotDescriptionMatch.Different)
                 .Select(robot => robot.Namespace.Length == 0 ? "main" : robot.Namespace));
 
-        static void AddPose(SessionStatistics statistics, Action<string, string> add)
+        static void AddPose(SessionStatistics statistics, DiagnosticValues values)
         {
-            add("pose", PoseOf(statistics));
-            if (statistics.CurrentShare.HasValue) add("current_share", Number(statistics.CurrentShare.Value));
-            add("missing_joints", MissingJoints(statistics));
-            foreach (var joint in Joints(statistics)) add("joint_status/" + joint.Joint, joint.Description);
+            values.Add("pose", PoseOf(statistics));
+            if (statistics.CurrentShare.HasValue) values.Add("current_share", Number(statistics.CurrentShare.Value));
+            values.Add("missing_joints", MissingJoints(statistics));
+            foreach (var joint in Joints(statistics)) values.AddDetail("joint_status/" + joint.Joint, joint.Description);
         }
 
         static void AddErrors(SessionStatistics statistics, Action<string, double?> add)
@@ -141,6 +160,8 @@ namespace Nowpose.Session
                 add("reduction_uncertainty/" + name, joint.Error?.ReductionUncertainty);
             }
         }
+
+        static string Count(long number) => number.ToString(CultureInfo.InvariantCulture);
 
         // Format for radians, metres and ratios.
         static string Fine(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);

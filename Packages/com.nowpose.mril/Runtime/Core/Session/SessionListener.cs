@@ -52,7 +52,7 @@ namespace Nowpose.Session
         public void Connected(HeadsetTime at)
         {
             _session.VersionMismatch = null;
-            _session.Connection.Set(at);
+            _session.Cell.Connection.Set(at);
         }
 
         public void VersionReceived(string version) => _session.VersionMismatch = NowposeVersion.MismatchOf(version, "the gateway", "this headset");
@@ -73,7 +73,8 @@ namespace Nowpose.Session
             var statistics = _session.Statistics(now);
             _reportedPose = (int)statistics.WorstPose;
             return SessionDiagnostics.Of(
-                statistics, _session.Settings.Connection.HeadsetName, statistics.Clock.IsKnown ? statistics.Clock.ToControl(now) : default);
+                statistics, _session.Cell.Faults(now), _session.Settings.Connection.HeadsetName,
+                statistics.Clock.IsKnown ? statistics.Clock.ToControl(now) : default);
         }
     }
 }

@@ -109,11 +109,12 @@ namespace Nowpose.Unity.Cell
             {
                 _session.Signals.Table.Changed -= Take;
                 _session.Signals.Table.Restarted -= Restart;
+                _session.Signals.Leave(_name);
             }
             Track = null;
             _session = session;
             if (session == null) return;
-            session.Signals.Need();
+            session.Signals.Need(_name);
             session.Signals.Table.Changed += Take;
             session.Signals.Table.Restarted += Restart;
             if (session.Signals.Table.Find(_name) is SignalTrack known && known.IsKnown) Take(known);

@@ -24,8 +24,8 @@ namespace Nowpose.Session.Cell
 
         readonly FrameTree _tree;
         readonly HashSet<string> _needed = new HashSet<string>(StringComparer.Ordinal);
-        // Number of components that show a frame, for each frame that is shown.
-        readonly Dictionary<string, int> _shown = new Dictionary<string, int>(StringComparer.Ordinal);
+        readonly HashSet<string> _roots = new HashSet<string>(StringComparer.Ordinal);
+        readonly ShownNames _shown = new ShownNames();
         readonly Dictionary<string, (FrameTransform Pose, bool IsStationary)> _others =
             new Dictionary<string, (FrameTransform, bool)>(StringComparer.Ordinal);
 
@@ -34,25 +34,32 @@ namespace Nowpose.Session.Cell
 
         public NeededFrames(FrameTree tree) => _tree = tree;
 
+        /// <summary>Names of the frames that components show.</summary>
+        public IReadOnlyCollection<string> Shown => _shown.All;
+
+        public bool IsShown(string name) => _shown.Contains(name);
+
+        /// <summary>Root links of robots. A frame with such a name places its robot.</summary>
+        public IReadOnlyCollection<string> Roots => _roots;
+
         /// <summary>Adds a frame to the tree from now on, even if no pose of the frame has been received yet, because it is shown once more.</summary>
         public void Show(string name)
         {
-            _shown.TryGetValue(name, out var count);
-            _shown[name] = count + 1;
+            _shown.Add(name);
+            Need(name);
+        }
+
+        /// <summary>Adds the frame that places a robot to the tree, if there is one.</summary>
+        public void ShowRoot(string name)
+        {
+            _roots.Add(name);
             Need(name);
         }
 
         /// <summary>Reverses one <see cref="Show"/>.</summary>
         public void Hide(string name)
         {
-            if (!_shown.TryGetValue(name, out var count)) return;
-            if (count > 1)
-            {
-                _shown[name] = count - 1;
-                return;
-            }
-            _shown.Remove(name);
-            if (_tree.IndexOf(name) < 0 && !_tree.HasChildren(name)) _needed.Remove(name);
+            if (_shown.Remove(name) && !_roots.Contains(name) && _tree.IndexOf(name) < 0 && !_tree.HasChildren(name)) _needed.Remove(name);
         }
 
         /// <summary>Adds a frame to the tree from now on, even if no pose of the frame has been received yet.</summary>
@@ -110,7 +117,8 @@ namespace Nowpose.Session.Cell
             for (var i = 0; _now.HasValue && !_tree.IsHandingOver && i < _tree.Count; i++)
             {
                 var name = _tree[i].Name;
-                if (_tree[i].IsAbandonedAt(_now.Value, MaxSilence) && name != except && !_shown.ContainsKey(name) && !_tree.HasChildren(name)) return i;
+                if (_tree[i].IsAbandonedAt(_now.Value, MaxSilence) && name != except && !_shown.Contains(name) && !_roots.Contains(name)
+                    && !_tree.HasChildren(name)) return i;
             }
             return -1;
         }

@@ -10,14 +10,19 @@ namespace Nowpose.Session.Cell
     /// </summary>
     sealed class SessionCell
     {
+        readonly object _gate;
+        ClockModel _clock;
+        bool _canReceiveSignals;
+
         /// <param name="latency">Statistics of L_app, updated with each sample.</param>
         /// <param name="drops">Counts of dropped messages.</param>
         /// <param name="gate">Lock of the session.</param>
         public SessionCell(SessionSettings settings, ApplicationLatency latency, DropCounters drops, Subscriptions subscriptions, object gate)
         {
-            Frames = new SessionFrames(settings.Prediction, subscriptions, drops, Connection);
-            Signals = new SessionSignals(subscriptions, drops, Connection);
-            Grips = new SessionGrips(Signals);
+            _gate = gate;
+            Frames = new SessionFrames(settings.Prediction, subscriptions, drops, Connection, gate);
+            Signals = new SessionSignals(subscriptions, drops, Connection, gate);
+            Grips = new SessionGrips(Signals, gate);
             Robots = new SessionRobots(settings, latency, drops, Frames, subscriptions, gate);
         }
 
@@ -36,6 +41,7 @@ namespace Nowpose.Session.Cell
         /// <param name="canReceiveSignals">Whether values of signals can arrive.</param>
         public void Show(in DisplayMoment moment, bool canReceiveSignals)
         {
+            (_clock, _canReceiveSignals) = (moment.Clock, canReceiveSignals);
             Robots.Show(moment);
             Frames.Take(moment);
             Signals.Show(moment, canReceiveSignals);
@@ -43,6 +49,17 @@ namespace Nowpose.Session.Cell
             Grips.Decide(moment, canReceiveSignals);
             Frames.Show(moment);
             Robots.PlaceRoots();
+        }
+
+        /// <summary>Returns the objects and signals that were shown and not current in the newest frame; allocates. Thread-safe.</summary>
+        /// <param name="now">Headset time for the ages.</param>
+        public CellFaults Faults(HeadsetTime now)
+        {
+            lock (_gate)
+            {
+                var control = _clock.IsKnown ? _clock.ToControl(now) : (ControlTime?)null;
+                return new CellFaults(Frames.Faults(control), Signals.Faults(_canReceiveSignals, control));
+            }
         }
 
         /// <summary>Discards all samples after the control clock stepped or became known. Open grips are decided first from the old samples.</summary>

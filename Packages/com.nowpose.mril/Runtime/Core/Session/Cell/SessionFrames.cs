@@ -1,3 +1,5 @@
+using System;
+using System.Collections.Generic;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Network;
@@ -24,11 +26,14 @@ namespace Nowpose.Session.Cell
         readonly StateTimes _states = new StateTimes();
         readonly NeededFrames _needed;
         readonly DropCounters _drops;
+        readonly object _gate;
         DisplayMoment _moment;
 
-        public SessionFrames(PredictionSettings prediction, Subscriptions subscriptions, DropCounters drops, ConnectionStart connection)
+        /// <param name="gate">Lock of the session.</param>
+        public SessionFrames(PredictionSettings prediction, Subscriptions subscriptions, DropCounters drops, ConnectionStart connection, object gate)
         {
             _drops = drops;
+            _gate = gate;
             _stationaryArrivals = new StationaryArrivals(connection);
             Tree = new FrameTree(prediction.BodiesOfACell());
             _needed = new NeededFrames(Tree);
@@ -52,7 +57,7 @@ namespace Nowpose.Session.Cell
         public void Add(SessionRobot robot)
         {
             Tree.Add(robot);
-            _needed.Show(robot.Root);
+            _needed.ShowRoot(robot.Root);
         }
 
         /// <summary>Places a robot's base at the frame of the cell that has the name of the robot's root link, if there is one.</summary>
@@ -62,22 +67,31 @@ namespace Nowpose.Session.Cell
         }
 
         /// <summary>Predicts a frame from now on, even if no pose of the frame has been received yet. <see cref="Leave"/> reverses it.</summary>
-        public void Need(string name) => _needed.Show(name);
+        public void Need(string name)
+        {
+            lock (_gate) _needed.Show(name);
+        }
 
         /// <summary>
         /// Reverses one <see cref="Need"/>. Another frame may replace the frame when it is no longer needed and its poses have stopped, so do not use its
         /// <see cref="CellFrame"/> afterwards.
         /// </summary>
-        public void Leave(string name) => _needed.Hide(name);
+        public void Leave(string name)
+        {
+            lock (_gate) _needed.Hide(name);
+        }
 
         /// <summary>Places a stationary frame manually until a source publishes it, and shows it from now on.</summary>
         /// <param name="pose">Pose in the world frame.</param>
         /// <returns>Reason why the frame cannot be placed; <see cref="DropReason.None"/> if it is placed.</returns>
         public DropReason Place(string name, in RigidTransform pose)
         {
-            _needed.Need(name);
-            _stationaryArrivals.Remove(name);
-            return _needed.Add(pose.ToTransform(default, FrameParents.World, name), isStationary: true);
+            lock (_gate)
+            {
+                _needed.Need(name);
+                _stationaryArrivals.Remove(name);
+                return _needed.Add(pose.ToTransform(default, FrameParents.World, name), isStationary: true);
+            }
         }
 
         /// <summary>Returns a frame that was requested with <see cref="Need"/>; null if no pose of the frame has been received.</summary>
@@ -113,6 +127,28 @@ namespace Nowpose.Session.Cell
                 case FrameState.Orphan: return BeginningOf(frame);
                 default: return null;
             }
+        }
+
+        /// <summary>
+        /// Returns the shown frames that are not current for a reason of their own, including tracked bases of robots. Call it under the lock of the session.
+        /// </summary>
+        /// <param name="now">Control time for the ages; null while unknown.</param>
+        public List<PartStatus> Faults(ControlTime? now)
+        {
+            var faults = new List<PartStatus>();
+            foreach (var name in _needed.Shown) AddFault(name, Find(name), now, faults);
+            foreach (var root in _needed.Roots)
+                if (!_needed.IsShown(root) && Find(root) is CellFrame moved) AddFault(root, moved, now, faults);
+            return faults;
+        }
+
+        void AddFault(string name, CellFrame frame, ControlTime? now, List<PartStatus> to)
+        {
+            var state = StateOf(frame);
+            // Poses of moving frames wait for the clock.
+            if ((state != PoseState.Incomplete && state != PoseState.Held) || (frame == null && IsWaitingForClock)) return;
+            var since = HeldSince(frame);
+            to.Add(new PartStatus(name, state, since, StateTimes.Age(since, now), new FrameFault().Of(frame, Tree)));
         }
 
         ControlTime? BeginningOf(CellFrame frame) => _states.SinceOf(Tree.IndexOf(frame.Name));

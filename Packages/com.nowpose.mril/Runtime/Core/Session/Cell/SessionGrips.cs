@@ -10,11 +10,14 @@ namespace Nowpose.Session.Cell
     sealed class SessionGrips
     {
         readonly SessionSignals _signals;
+        readonly object _gate;
         readonly List<(ReachGrip Grip, string Signal)> _grips = new List<(ReachGrip, string)>();
         bool _canReceive;
 
-        public SessionGrips(SessionSignals signals)
+        /// <param name="gate">Lock of the session.</param>
+        public SessionGrips(SessionSignals signals, object gate)
         {
+            _gate = gate;
             _signals = signals;
             signals.Table.Changed += Take;
             signals.Table.Restarted += Restart;
@@ -23,17 +26,25 @@ namespace Nowpose.Session.Cell
         /// <summary>Makes a gripper follow a signal from now on. Call it on the thread of <see cref="CompensationSession.Tick"/>.</summary>
         public void Add(ReachGrip grip, string signal)
         {
-            _signals.Need();
-            _grips.Add((grip, signal));
-            if (_signals.Table.Find(signal) is SignalTrack known && known.IsKnown) Change(grip, known);
-            Judge(grip, signal);
+            _signals.Need(signal);
+            lock (_gate)
+            {
+                _grips.Add((grip, signal));
+                if (_signals.Table.Find(signal) is SignalTrack known && known.IsKnown) Change(grip, known);
+                Judge(grip, signal);
+            }
         }
 
         /// <summary>Removes a gripper. An object that it holds follows its own source again.</summary>
         public void Remove(ReachGrip grip)
         {
-            _grips.RemoveAll(each => each.Grip == grip);
-            grip.Leave();
+            lock (_gate)
+            {
+                foreach (var (each, signal) in _grips)
+                    if (each == grip) _signals.Leave(signal);
+                _grips.RemoveAll(each => each.Grip == grip);
+                grip.Leave();
+            }
         }
 
         /// <summary>

@@ -24,15 +24,19 @@ namespace Nowpose.Session.Cell
         readonly DropCounters _drops;
         readonly ConnectionStart _connection;
         readonly SourceEnds _ends = new SourceEnds();
+        readonly ShownNames _shown = new ShownNames();
+        readonly object _gate;
         // The receiving thread replaces the whole dictionary, so readers need no lock.
         volatile Dictionary<string, JointReport> _ended = new Dictionary<string, JointReport>(StringComparer.Ordinal);
 
-        bool _isTimeKnown = true, _isWaitingForClock;
+        bool _isTimeKnown = true, _isWaitingForClock, _areAllShown;
         ClockModel _clock;
         ControlTime? _disconnectedSince;
 
-        public SessionSignals(Subscriptions subscriptions, DropCounters drops, ConnectionStart connection)
+        /// <param name="gate">Lock of the session.</param>
+        public SessionSignals(Subscriptions subscriptions, DropCounters drops, ConnectionStart connection, object gate)
         {
+            _gate = gate;
             _connection = connection;
             _subscriptions = subscriptions;
             _drops = drops;
@@ -62,6 +66,46 @@ namespace Nowpose.Session.Cell
         {
             _subscriptions.Add(RosTopics.Signals, RosTopics.SignalsType);
             _subscriptions.Add(RosTopics.SignalStatus, RosTopics.DiagnosticsType);
+        }
+
+        /// <summary>Subscribes to signals, and lists a signal among the <see cref="Faults"/>, even if no value of it has been received yet.</summary>
+        public void Need(string name)
+        {
+            Need();
+            lock (_gate) _shown.Add(name);
+        }
+
+        /// <summary>Subscribes to signals, and lists every received signal among the <see cref="Faults"/>.</summary>
+        public void NeedAll()
+        {
+            Need();
+            lock (_gate) _areAllShown = true;
+        }
+
+        /// <summary>Reverses one <see cref="Need(string)"/>.</summary>
+        public void Leave(string name)
+        {
+            lock (_gate) _shown.Remove(name);
+        }
+
+        /// <summary>Returns the shown signals that are not current for a reason of their own. Call it under the lock of the session.</summary>
+        /// <param name="isConnected">Whether messages can arrive.</param>
+        /// <param name="now">Control time for the ages; null while unknown.</param>
+        public List<PartStatus> Faults(bool isConnected, ControlTime? now)
+        {
+            var faults = new List<PartStatus>();
+            foreach (var name in _shown.All) AddFault(name, isConnected, now, faults);
+            for (var i = 0; _areAllShown && i < Table.Count; i++)
+                if (!_shown.Contains(Table[i].Name)) AddFault(Table[i].Name, isConnected, now, faults);
+            return faults;
+        }
+
+        void AddFault(string name, bool isConnected, ControlTime? now, List<PartStatus> to)
+        {
+            var (reason, since) = FaultOf(name, isConnected);
+            if (reason == null || reason == SignalMessages.ClockUnsynchronised) return;
+            var state = Table.Find(name)?.IsKnown == true ? PoseState.Held : PoseState.Incomplete;
+            to.Add(new PartStatus(name, state, since, StateTimes.Age(since, now), reason));
         }
 
         /// <summary>

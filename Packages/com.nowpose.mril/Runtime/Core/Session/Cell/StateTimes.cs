@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Nowpose.Frames;
 
@@ -20,6 +21,13 @@ namespace Nowpose.Session.Cell
 
         /// <summary>Returns the time since which a frame has had its state; null if unknown.</summary>
         public ControlTime? SinceOf(int index) => index < _states.Count ? _states[index].Since : null;
+
+        /// <summary>Returns the time since a state began, not negative; null if it is unknown.</summary>
+        public static TimeSpan? Age(ControlTime? since, ControlTime? now)
+        {
+            var age = now - since;
+            return age < TimeSpan.Zero ? TimeSpan.Zero : age;
+        }
 
         /// <summary>Discards all times, because they are no longer valid.</summary>
         public void Restart()

@@ -5,6 +5,7 @@ using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Session.Cell;
 using Nowpose.Session.Hindcast;
 using Nowpose.Simulation;
 using NUnit.Framework;
@@ -191,7 +192,7 @@ namespace Nowpose.Tests.Core.Session
         public void Diagnostics_ErrorIsWithheld_ContainTheReason(bool isLimitReached, string reason)
         {
             var simulated = InsideTheRange(isLimitReached);
-            Dictionary<string, string> Diagnostics() => SessionDiagnostics.Of(Statistics(simulated), "headset", default).Values
+            Dictionary<string, string> Diagnostics() => SessionDiagnostics.Of(Statistics(simulated), CellFaults.None, "headset", default).Values
                 .ToDictionary(each => each.Key, each => each.Value);
             var before = Diagnostics();
 

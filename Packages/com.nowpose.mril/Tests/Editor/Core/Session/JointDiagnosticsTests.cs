@@ -7,6 +7,7 @@ using Nowpose.Latency.Profile;
 using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Session.Cell;
 using Nowpose.Sync;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Session.WatchedSession;
@@ -51,7 +52,7 @@ namespace Nowpose.Tests.Core.Session
             (int, string) StatusOf(SessionStatistics statistics)
             {
                 statistics.WorstPose = PoseState.Current;
-                var message = SessionDiagnostics.Of(statistics, "left", default);
+                var message = SessionDiagnostics.Of(statistics, CellFaults.None, "left", default);
                 return (message.Level, message.Message);
             }
             var watch = new LimitWatch(TestRobot.Model);
@@ -71,7 +72,7 @@ namespace Nowpose.Tests.Core.Session
         public void Diagnostics_RestUncertain_AreAWarningThatNamesTheJointsUntilTheRestIsCertain()
         {
             var simulated = Running();
-            DiagnosticsMessage Diagnostics() => SessionDiagnostics.Of(StatisticsOf(simulated), "left", default);
+            DiagnosticsMessage Diagnostics() => SessionDiagnostics.Of(StatisticsOf(simulated), CellFaults.None, "left", default);
             JointReport Rest(string joint, string reason) => new JointReport(joint, JointDataState.Rest, ControlNow(simulated) - Lengths.Seconds(9), reason);
             const string reason = StateNames.UncertainRestReason + "the stop itself was not observed";
 
@@ -96,7 +97,7 @@ namespace Nowpose.Tests.Core.Session
             const string reason = StateNames.UncertainRestReason + "nothing confirms the last value";
             statistics.ChangeableJointStatuses.Add(new JointStatus("elbow", JointDataState.Rest, null, null, reason));
 
-            var message = SessionDiagnostics.Of(statistics, "left", default);
+            var message = SessionDiagnostics.Of(statistics, CellFaults.None, "left", default);
 
             Assert.That((message.Level, message.Message), Is.EqualTo((1, "joint elbow: " + reason + "; " + DisplayMessages.ProblemOf(statistics))));
         }

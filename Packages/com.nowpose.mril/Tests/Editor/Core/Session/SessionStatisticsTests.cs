@@ -73,7 +73,8 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(before.HardwareId, Is.EqualTo("left"));
             Assert.That(before.Values.Select(v => v.Key), Is.EqualTo(new[]
             {
-                "version", "state", "pose", "missing_joints", "joint_status/shoulder", "joint_status/elbow", "l_visu_ms", "samples", "dropped",
+                "version", "state", "pose", "missing_joints", "joint_status/shoulder", "joint_status/elbow", "objects_not_current", "signals_not_current",
+                "l_visu_ms", "samples", "dropped",
             }));
             Assert.That(before.Values[1].Value, Is.EqualTo("unsynchronised"));
             Assert.That(before.Level, Is.EqualTo(2));

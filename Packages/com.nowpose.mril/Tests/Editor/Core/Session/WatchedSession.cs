@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Session.Cell;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
@@ -35,6 +36,6 @@ namespace Nowpose.Tests.Core.Session
             Report(simulated, new JointReport(joint, state, ControlNow(simulated) - Lengths.Seconds(secondsAgo), reason));
 
         public static Dictionary<string, string> DiagnosticsOf(SimulatedSession simulated) =>
-            SessionDiagnostics.Of(StatisticsOf(simulated), "left", default).Values.ToDictionary(each => each.Key, each => each.Value);
+            SessionDiagnostics.Of(StatisticsOf(simulated), CellFaults.None, "left", default).Values.ToDictionary(each => each.Key, each => each.Value);
     }
 }

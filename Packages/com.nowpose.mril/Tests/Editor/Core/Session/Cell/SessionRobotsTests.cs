@@ -3,6 +3,7 @@ using System.Linq;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Session.Cell;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session.Cell
@@ -236,6 +237,6 @@ namespace Nowpose.Tests.Core.Session.Cell
         const string OtherUrdf = "<robot name='other'><link name='base'/></robot>";
 
         static DiagnosticsMessage DiagnosticsOf(CellSession cell) =>
-            SessionDiagnostics.Of(cell.Session.Statistics(HeadsetTime.FromSeconds(cell.Now)), "left", default);
+            SessionDiagnostics.Of(cell.Session.Statistics(HeadsetTime.FromSeconds(cell.Now)), CellFaults.None, "left", default);
     }
 }

@@ -122,7 +122,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             var cell = new CellSession();
             for (var k = 0; k < ProtocolLimits.Signals; k++) cell.Send("s" + k, 19.5, k);
             cell.Run(0.1);
-            cell.Session.Connection.Set(HeadsetTime.FromSeconds(cell.Now));
+            cell.Session.Cell.Connection.Set(HeadsetTime.FromSeconds(cell.Now));
 
             cell.Send("new", cell.Now, 0.5);
             for (var k = 0; k < ProtocolLimits.Signals - 1; k++) cell.Send("s" + k, cell.Now, k);
