@@ -151,17 +151,6 @@ public class PlayedNamespaceTests : PlayedParts
         Assert.That((rig.IsFollowing, rig.Flange, own != null), Is.EqualTo((true, flange, true)));
     }
 
-    RobotRig Second(string urdf, RigPose shows = RigPose.Displayed)
-    {
-        var made = new GameObject("Second");
-        made.SetActive(false);
-        made.transform.SetParent(_session.transform, false);
-        var rig = made.AddComponent<RobotRig>().With("_robotNamespace", "arm2").With("_shows", shows);
-        if (urdf != null) rig.With("_description", RobotDescriptionAsset.Create("second", urdf));
-        made.SetActive(true);
-        return rig;
-    }
-
     [Test]
     public void Rig_WithNamespaceButNoDescription_StatesWhatToAssign()
     {

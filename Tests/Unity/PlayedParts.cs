@@ -58,6 +58,18 @@ public abstract class PlayedParts
         return made.AddComponent<T>();
     }
 
+    // A rig of the robot arm2 below the session; without a description if the text is null.
+    protected RobotRig Second(string urdf, RigPose shows = RigPose.Displayed)
+    {
+        var made = new GameObject("Second");
+        made.SetActive(false);
+        made.transform.SetParent(_session.transform, false);
+        var rig = made.AddComponent<RobotRig>().With("_robotNamespace", "arm2").With("_shows", shows);
+        if (urdf != null) rig.With("_description", RobotDescriptionAsset.Create("second", urdf));
+        made.SetActive(true);
+        return rig;
+    }
+
     protected void SendPose(string parent, string child, double t, in RigidTransform pose) => _session.Session.Listener.FramesReceived(
         new TransformsMessage(pose.ToTransform(At(t), parent, child)), false, HeadsetTime.FromSeconds(1000 + t + Latency));
 

@@ -1,8 +1,10 @@
 using Nowpose.Frames;
+using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -15,7 +17,7 @@ public class PlayedPathTests : PlayedParts
     {
         var (rig, path, line) = NewPath();
         Run(1);
-        Assert.That((line.enabled, path.DrawnSeconds), Is.EqualTo((false, 0f)), "no plan");
+        Assert.That((line.enabled, path.DrawnSeconds, path.Fault), Is.EqualTo((false, 0f, PathMessages.NoPlan)));
 
         SendPlan(_cell.Now, 3);
         Run(0.2);
@@ -82,19 +84,64 @@ public class PlayedPathTests : PlayedParts
     [TestCase(false)]
     public void PlannedPath_BaseMoves_IsHiddenUntilTheBaseIsStationary(bool isRootFrame)
     {
-        var (rig, _, line) = NewPath();
+        var (rig, path, line) = NewPath();
         Run(0.1);
         var carrier = isRootFrame ? _session.Session.Robots[0].Root : "cart";
         if (!isRootFrame) rig.transform.SetParent(Below<TrackedObject>("cart", _session.transform).transform, false);
         Run(1, t => SendPose("world", carrier, t, Along(0.5 * t)));
         SendPlan(_cell.Now, 6);
         Run(1, t => SendPose("world", carrier, t, Along(0.5 * t)));
-        Assert.That((_session.Frame.State, line.enabled), Is.EqualTo((PoseState.Current, false)));
+        Assert.That((_session.Frame.State, line.enabled, path.Fault), Is.EqualTo((PoseState.Current, false, PathMessages.BaseMoves)));
 
         _session.Session.Listener.FramesReceived(
             new TransformsMessage(Along(1).ToTransform(default, "world", carrier)), true, HeadsetTime.FromSeconds(1000 + _cell.Now));
         Run(0.5);
         Assert.That((_session.Frame.State, line.enabled), Is.EqualTo((PoseState.Current, true)));
+    }
+
+    // The base of the carried robot is at rest below the base of the other rig, and moves below one of its links.
+    [TestCase("", 4e-4, 1.5e-3)]
+    [TestCase("arm_link_2", 2e-3, 6e-3)]
+    public void PlannedPath_RigBelowAnotherRig_ContainsThePlannedMotionOfTheOther(string link, double within, double moved)
+    {
+        var (rig, path, line) = NewPath();
+        Run(0.1);
+        var carrier = Below<RobotRig>("Carrier", _session.transform);
+        Run(0.1);
+        rig.transform.SetParent(link.Length == 0 ? carrier.transform : carrier.Link(link), false);
+        rig.transform.localPosition = new Vector3(1, 2, -3);
+        Run(1);
+        Assert.That(path.Fault, Is.EqualTo(PathMessages.NoPlan));
+
+        SendPlan(_cell.Now, 3);
+        Run(0.2);
+        Assert.That((path.Fault, line.enabled), Is.EqualTo(((string)null, true)));
+        var expected = line.GetPosition(line.positionCount - 1);
+        Assert.That(Vector3.Distance(line.GetPosition(0), rig.Tool.position), Is.LessThan(within), "begins at the displayed tool");
+        var (start, baseStart) = (rig.Tool.position, rig.transform.position);
+        Run(1);
+        Assert.That(Vector3.Distance(expected, rig.Tool.position), Is.LessThan(within), "one second later, the tool is where the line ended");
+        Assert.That(Vector3.Distance(start, rig.Tool.position), Is.GreaterThan(moved), "the tool moves");
+        Assert.That(Vector3.Distance(baseStart, rig.transform.position), link.Length == 0 ? Is.LessThan(1e-5) : Is.GreaterThan(moved));
+        Assert.That(_cell.AllocatedIn(() => _cell.Run(0.5, _session)), Is.Zero);
+    }
+
+    [Test]
+    public void PlannedPath_CarryingRigWithoutPlan_StatesTheReason()
+    {
+        var (rig, path, line) = NewPath();
+        var carrier = Second(RobotFiles.LoadText("youbot"));
+        Run(1);
+        rig.transform.SetParent(carrier.Link("arm_link_2"), false);
+        SendPlan(_cell.Now, 6);
+        Run(0.5);
+        Assert.That((path.Fault, line.enabled), Is.EqualTo((PathMessages.CarrierNotCurrent, false)), "without data");
+
+        var joints = RobotFiles.Load("youbot").MovingJoints.Select(joint => joint.Name).ToArray();
+        Run(1, t => _session.Session.Listener.Received(
+            new JointStateMessage(At(t), joints, [.. joints.Select(_ => 0.01)]), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2"));
+
+        Assert.That((path.Fault, line.enabled), Is.EqualTo((PathMessages.CarrierWithoutPlan, false)));
     }
 
     (RobotRig Rig, PlannedPath Path, LineRenderer Line) NewPath()

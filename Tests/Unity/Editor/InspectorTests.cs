@@ -93,7 +93,7 @@ public sealed class InspectorTests : EditorFixture
         Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.StrokeShare + ": 0 %").And.Contain("Value: –"));
         Assert.That(GuiRecorder.Texts.Count(text => text == "State: " + SignalMessages.NoConnection), Is.EqualTo(3), "part, signal and gripper");
         Assert.That(GuiRecorder.Texts, Does.Contain("Holds: unknown").And.Contain("Drawn ahead: nothing").And.Contain("Moved by hand: no"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("State: " + ObjectMessages.NotPlaced));
+        Assert.That(GuiRecorder.Texts, Does.Contain("State: " + ObjectMessages.NotPlaced).And.Contain("State: " + path.Fault));
     }
 
     [TestCase(0.0115, "gripper_finger_joint_l: 11.5 mm")]

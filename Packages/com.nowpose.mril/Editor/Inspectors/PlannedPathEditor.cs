@@ -11,6 +11,7 @@ namespace Nowpose.Editor.Inspectors
         {
             var shown = (PlannedPath)target;
             EditorGUILayout.LabelField("Drawn ahead", shown.DrawnSeconds > 0 ? LiveText.Number(shown.DrawnSeconds, "0.00", " s") : "nothing");
+            EditorGUILayout.LabelField("State", shown.Fault ?? "drawn");
         }
     }
 }

@@ -1,8 +1,8 @@
 using System;
 using Nowpose.Kinematics;
 using Nowpose.Session;
-using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
+using Nowpose.Unity.Robot;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -11,8 +11,8 @@ namespace Nowpose.Unity
     /// <summary>Draws the path that the tool will take, if the control system publishes its set-points.</summary>
     /// <remarks>
     /// The line starts at the displayed tool. It ends where the plan ends, or at the time given in the Inspector. It is hidden while the pose is
-    /// not current, while no plan is known, while the robot does not follow its plan, and while the robot stands on something that moves, because the
-    /// plan does not contain the motion of the base.
+    /// not current, while no plan is known, while the robot does not follow its plan, and while the robot stands on an object that can move, because
+    /// set-points do not contain the motion of the object. If another robot carries the robot on a link, the line contains the planned motion of both.
     /// </remarks>
     [AddComponentMenu("Nowpose/Planned Path")]
     [DisallowMultipleComponent]
@@ -34,10 +34,16 @@ namespace Nowpose.Unity
         RobotRig _source;
         MrilSession _session;
         LineRenderer _line;
+        readonly CarryingRigs _carriers = new CarryingRigs();
         Vector3[] _places = Array.Empty<Vector3>();
+        int _count;
+        bool _isCarrierUnplanned;
 
         /// <summary>Time from the first to the last point of the line, in s; 0 while the line is hidden.</summary>
         public float DrawnSeconds { get; private set; }
+
+        /// <summary>Reason why the line is hidden, in one line; null while it is drawn.</summary>
+        public string Fault { get; private set; } = StatusMessages.NoSession;
 
         void OnEnable()
         {
@@ -87,38 +93,37 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
-            var robot = _source.Robot;
-            var count = robot != null && frame.DisplayTime is ControlTime displayTime && robot.Frame.State == PoseState.Current && IsBaseFixed(robot)
-                ? Plan(robot, displayTime)
-                : 0;
-            if (count < 2) Hide();
-            else Draw(count);
+            Fault = FaultIn(frame);
+            if (Fault == null) Draw(_count);
+            else Clear();
         }
 
-        // Without a frame of its own, the robot stands on the object or robot above the rig.
-        bool IsBaseFixed(SessionRobot robot)
+        string FaultIn(DisplayFrame frame)
         {
-            if (robot.HasRootFrame) return robot.HasFixedRootFrame;
-            for (var at = _source.transform; at != null; at = at.parent)
-            {
-                if (at.TryGetComponent<ICellObject>(out var shown)) return shown.IsFixed;
-                if (at.TryGetComponent<RobotRig>(out var other) && other != _source) return false;
-            }
-            return true;
+            var robot = _source.Robot;
+            if (robot == null) return StatusMessages.RobotNotAdded;
+            if (!(frame.DisplayTime is ControlTime displayTime)) return StatusMessages.ReasonOf(PoseState.Unsynchronised);
+            if (robot.Frame.State != PoseState.Current) return StatusMessages.ReasonOf(robot.Frame.State, robot.Frame.IsLimitedByBase);
+            if (_carriers.Find(_source) is string unknown) return unknown;
+            _count = Plan(robot, displayTime);
+            return _count >= 2 ? null : _isCarrierUnplanned ? PathMessages.CarrierWithoutPlan : PathMessages.NoPlan;
         }
 
         int Plan(SessionRobot robot, ControlTime displayTime)
         {
             var wanted = 1 + (int)Math.Round(_aheadSeconds / Step);
             if (_places.Length != wanted) _places = new Vector3[wanted];
-            var count = 0;
-            for (; count < wanted; count++)
+            var link = robot.Robot.IndexOfLink(robot.Robot.ToolLink.Name);
+            _isCarrierUnplanned = false;
+            for (var count = 0; count < wanted; count++)
             {
                 var at = displayTime + ClockTicks.Span(count * Step);
-                if (!robot.TryPlanTool(at, out var tool)) break;
+                if (!robot.TryPlan(link, at, out var tool)) return count;
                 _places[count] = _source.transform.TransformPoint(UnityFrame.ToUnity(tool).Position());
+                _isCarrierUnplanned = !_carriers.TryMove(at, ref _places[count]);
+                if (_isCarrierUnplanned) return count;
             }
-            return count;
+            return wanted;
         }
 
         void Draw(int count)
@@ -130,6 +135,12 @@ namespace Nowpose.Unity
         }
 
         void Hide()
+        {
+            Fault = StatusMessages.NoSession;
+            Clear();
+        }
+
+        void Clear()
         {
             DrawnSeconds = 0;
             if (_line != null) _line.enabled = false;

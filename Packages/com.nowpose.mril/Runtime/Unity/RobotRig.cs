@@ -117,6 +117,13 @@ namespace Nowpose.Unity
         /// <summary>Returns the transform of a link; null if the robot has no such link, and before <see cref="Bind"/>.</summary>
         public Transform Link(string name) => _hierarchy?.Link(name);
 
+        /// <inheritdoc cref="RigHierarchy.LinkAbove"/>
+        internal int LinkAbove(Transform below, out Transform place)
+        {
+            place = null;
+            return _hierarchy?.LinkAbove(below, out place) ?? -1;
+        }
+
         /// <summary>
         /// Sets the fields of the Inspector that select the shown robot, and follows it from now on. A script can call this method at any time,
         /// for example after it has added the component.

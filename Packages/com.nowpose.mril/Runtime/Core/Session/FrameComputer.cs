@@ -78,16 +78,19 @@ namespace Nowpose.Session
             return _linkPosesAt[link];
         }
 
-        /// <summary>Gets the planned pose of the tool in the robot's base frame at a given time, however far in the future.</summary>
-        /// <returns>False if a joint between base and tool has no plan for that time.</returns>
-        public bool TryPlanTool(ControlTime at, out RigidTransform tool)
+        /// <summary>Gets the planned pose of a link in the robot's base frame at a given time, however far in the future.</summary>
+        /// <returns>False if a joint between base and link has no plan for that time, or if no joint moves the link.</returns>
+        public bool TryPlan(int link, ControlTime at, out RigidTransform pose)
         {
             MakeScratch();
-            var isPlanned = _tracks.TryPlan(at, _toolJoints, _positionsAt);
+            var isPlanned = _tracks.TryPlan(at, _jointsOfLinks[link], _positionsAt);
             if (isPlanned) _kinematics.Compute(_positionsAt, _linkPosesAt);
-            tool = isPlanned ? _linkPosesAt[_toolLink] : RigidTransform.Identity;
+            pose = isPlanned ? _linkPosesAt[link] : RigidTransform.Identity;
             return isPlanned;
         }
+
+        /// <summary>Gets whether a joint moves a link relative to the robot's base.</summary>
+        public bool IsMovedByJoints(int link) => _jointsOfLinks[link].Length > 0;
 
         void MakeScratch()
         {

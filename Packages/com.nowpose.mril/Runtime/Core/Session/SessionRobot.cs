@@ -78,8 +78,11 @@ namespace Nowpose.Session
 
         public RigidTransform PoseAt(int link, ControlTime at, out PoseOrigin origin) => _computer.LinkPoseAt(link, at, out origin);
 
-        /// <inheritdoc cref="FrameComputer.TryPlanTool"/>
-        public bool TryPlanTool(ControlTime at, out RigidTransform tool) => _computer.TryPlanTool(at, out tool);
+        /// <inheritdoc cref="FrameComputer.TryPlan"/>
+        public bool TryPlan(int link, ControlTime at, out RigidTransform pose) => _computer.TryPlan(link, at, out pose);
+
+        /// <inheritdoc cref="FrameComputer.IsMovedByJoints"/>
+        public bool IsMovedByJoints(int link) => _computer.IsMovedByJoints(link);
 
         /// <summary>Predicts the joints to the display time of a frame.</summary>
         public void Show(in DisplayMoment moment)

@@ -51,6 +51,19 @@ namespace Nowpose.Unity.Robot
             return index < 0 ? null : _links[index];
         }
 
+        /// <summary>Returns the index of the link that is an object or is above it, the nearest one; −1 if there is none.</summary>
+        /// <param name="below">An object below the rig.</param>
+        /// <param name="place">The transform of the link; null if there is none.</param>
+        public int LinkAbove(Transform below, out Transform place)
+        {
+            for (place = below; !(place is null); place = place.parent)
+            {
+                var index = Array.IndexOf(_links, place);
+                if (index >= 0) return index;
+            }
+            return -1;
+        }
+
         /// <summary>Moves the links to joint positions.</summary>
         /// <param name="joints">One position per moving joint of the model, in rad or m.</param>
         public void Apply(ReadOnlySpan<double> joints)
