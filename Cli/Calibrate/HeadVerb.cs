@@ -54,7 +54,7 @@ static class HeadVerb
         var profile = earlier.With(new HeadMotionLatency(result.LatencyMs, result.UncertaintyMs));
         var page = earlier.WithWarnings(HeadPage.Of(result, profile, earlier.Conditions));
         Shared.Finish(parsed, output, profile, page, result.Json);
-        return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+        return ExitStatus.Done;
     }
 
     /// <returns>The result; null if the run was cancelled before enough pictures were read.</returns>

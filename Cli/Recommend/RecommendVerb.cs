@@ -52,7 +52,7 @@ static class RecommendVerb
             recommendations.Select(recommendation => (recommendation, new BlendCost(recommendation, () => report(++runs), cancel)))));
         if (json) Console.Out.WriteLine(RecommendJson.Of(path, recording.Traits, results));
         else RecommendTable.Write(ResultConsole.Create(), path, recording.Traits, results);
-        return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+        return ExitStatus.Done;
     }
 
     static (RecordingTraits Traits, ISubject[] Subjects) OfMotion(string path, (double SamplingMs, double LatencyMs)[] conditions)

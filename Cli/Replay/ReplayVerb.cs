@@ -81,7 +81,7 @@ static class ReplayVerb
                 Print(WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation)), json);
             }
         }
-        return cancellation.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+        return ExitStatus.Done;
     }
 
     static void Print(ReplayResult result, bool json)

@@ -55,7 +55,7 @@ static class SyncVerb
             Console.Error.WriteLine(ConsoleMessages.DroppedExchanges(file, count, log.Count, fault));
         if (replay.Steps > 0)
             Console.Error.WriteLine(ConsoleMessages.ClockSteps(file, replay.Steps));
-        return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+        return ExitStatus.Done;
     }
 
     // Collects the text first: the console flushes after every line, which would take longer than the estimator.

@@ -37,21 +37,22 @@ static class UnityVerb
         {
             path, mrtk3, webSocket, samples, package, onConflict, check, json,
         };
-        verb.SetAction(parsed =>
+        verb.SetAction((parsed, cancel) =>
         {
             var settings = new PreparationSettings(
                 parsed.GetValue(mrtk3), parsed.GetValue(webSocket), parsed.GetValue(samples) ?? [], parsed.GetValue(package),
                 Enum.Parse<ConflictRule>(parsed.GetValue(onConflict), ignoreCase: true));
-            return Run(parsed.GetValue(path), settings, parsed.GetValue(check), parsed.GetValue(json));
+            return RunAsync(parsed.GetValue(path), settings, parsed.GetValue(check), parsed.GetValue(json), cancel);
         });
         return verb;
     }
 
-    static int Run(string path, PreparationSettings settings, bool isCheck, bool isJson)
+    static async Task<int> RunAsync(string path, PreparationSettings settings, bool isCheck, bool isJson, CancellationToken cancel)
     {
         try
         {
-            var preparation = Preparation.Plan(UnityProject.Open(path), settings);
+            // Ctrl-C ends the reading at once. A preparation that has begun is completed.
+            var preparation = await Task.Run(() => Preparation.Plan(UnityProject.Open(path), settings), CancellationToken.None).WaitAsync(cancel);
             var backup = isCheck ? null : preparation.Apply();
             if (isCheck && preparation.Obstacle is { } obstacle) Console.Error.WriteLine(ConsoleMessages.WouldFail(obstacle));
             foreach (var note in preparation.Notes) Console.Error.WriteLine(ConsoleMessages.Line(note));

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Help;
+using System.CommandLine.Invocation;
 using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Options;
@@ -38,7 +39,13 @@ public static class Invocation
                 return Fail(program, ExitStatus.BadInput, OptionMessages.SeeHelp(Complaint(parsed)));
             // A null timeout disables the library's signal handling, which returns the same status for every signal.
             var configuration = new InvocationConfiguration { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null };
-            return await parsed.InvokeAsync(configuration, end.Token);
+            var run = parsed.Action is AsynchronousCommandLineAction
+                ? parsed.InvokeAsync(configuration, end.Token)
+                // A command without a token cannot end itself, for example while it reads a file that does not end.
+                : Task.Run(() => parsed.InvokeAsync(configuration, end.Token), CancellationToken.None).WaitAsync(end.Token);
+            var status = await run;
+            // The result of an interrupted command is partial, even if the command has written it.
+            return status == ExitStatus.Done && end.Token.IsCancellationRequested ? Ended() : status;
         }
         catch (WrongEntriesException bad)
         {
@@ -51,12 +58,14 @@ public static class Invocation
         }
         catch (OperationCanceledException)
         {
-            return end.IsInterrupt ? ExitStatus.Interrupted : whenTerminated;
+            return Ended();
         }
         catch (Exception failure)
         {
             return Fail(program, ExitStatus.Failed, place(failure.Message));
         }
+
+        int Ended() => end.IsInterrupt ? ExitStatus.Interrupted : whenTerminated;
     }
 
     // Prefers the error about an unknown command. The library lists it after the error that no command was given.

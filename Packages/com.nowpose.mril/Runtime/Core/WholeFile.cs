@@ -18,7 +18,8 @@ namespace Nowpose
             try
             {
                 using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
-                if (file.Length > maxBytes) throw new InputException(FileMessages.TooLong(path, file.Length, maxBytes));
+                // A pipe has no length.
+                if (file.CanSeek && file.Length > maxBytes) throw new InputException(FileMessages.TooLong(path, file.Length, maxBytes));
                 using var reader = new StreamReader(file, Encoding.UTF8);
                 return reader.ReadToEnd();
             }
