@@ -47,7 +47,7 @@ public sealed partial class MessageCatalogueTests
 
     /// <summary>Catalogues of states, results and log lines, which need no remedy.</summary>
     static readonly string[] OfStatuses =
-        ["BaseStatusMessages", "ConsoleMessages", "PlantClockMessages", "PoseMessages", "StampMessages", "StatusMessages"];
+        ["BaseStatusMessages", "ConsoleMessages", "PathMessages", "PlantClockMessages", "PoseMessages", "StampMessages", "StatusMessages"];
 
     /// <summary>
     /// Texts of the other catalogues that need no remedy: statuses, results, names, and parts of a message that contains the remedy elsewhere.
@@ -73,8 +73,8 @@ public sealed partial class MessageCatalogueTests
         ["FigureErrors"] = ["NotAValue", "NotFinite"],
         ["FrameMessages"] =
         [
-            "FileLine", "FiniteNumber", "FrameNotCurrent", "FrameUnknown", "List", "MayBeGripped", "NoPose", "Object", "OfFrame", "OfTransform",
-            "PosesStopped", "Text",
+            "FileLine", "FiniteNumber", "FrameNotCurrent", "FrameUnknown", "List", "MayBeGripped", "NoPose", "NotCurrent", "Object", "OfFrame",
+            "OfTransform", "PosesStopped", "Text",
         ],
         ["HeadsetMessages"] = ["AtEnd", "CurrentAgain", "NeverCurrent", "Pose"],
         ["KeyFileMessages"] = ["Renewed"],
@@ -97,7 +97,8 @@ public sealed partial class MessageCatalogueTests
         ["RequestMessages"] = ["Closed", "ClosedForRate", "Dropped", "NotAccepted"],
         ["RobotMessages"] = ["OfRobot"],
         ["SessionMessages"] = ["Description", "DescriptionUnusable", "PlausibleAgain", "Recording", "Stale", "Synchronised", "WithinRange"],
-        ["SignalMessages"] = ["ClockUnsynchronised", "NoConnection", "NoValue", "OlderThanConnection", "StampMismatch"],
+        ["SessionFileMessages"] = ["AtByte"],
+        ["SignalMessages"] = ["ClockUnsynchronised", "NoConnection", "NoValue", "NotCurrent", "OlderThanConnection", "StampMismatch"],
         ["SimulationMessages"] = ["Error", "Read", "Written"],
         ["SweepMessages"] = ["Responds"],
         ["SyncServerMessages"] = ["Closed", "NotAccepted"],
