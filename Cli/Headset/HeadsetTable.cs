@@ -7,11 +7,15 @@ namespace Nowpose.Cli.Headset;
 /// <summary>Prints the result as a table.</summary>
 static class HeadsetTable
 {
+    /// <summary>Maximum length of a label or a value in characters.</summary>
+    const int MaxLength = 2000;
+
     public static void Print(HeadsetResult result, IAnsiConsole console)
     {
         console.WriteLine(HeadsetTexts.Title(result.Robot));
         var grid = new Grid().AddColumn().AddColumn();
-        void Row(string label, string value) => grid.AddRow(Markup.Escape(label), Markup.Escape(value));
+        // Names from the network may contain characters that control a terminal.
+        void Row(string label, string value) => grid.AddRow(Shown(label), Shown(value));
         if (result.VersionMismatch != null) Row(HeadsetTexts.Versions, result.VersionMismatch);
         var clock = result.Clock;
         Row(HeadsetTexts.ClockRow, HeadsetTexts.Clock(
@@ -42,6 +46,8 @@ static class HeadsetTable
         Row(RunTexts.CountsRow, RunTexts.Counts(result.Frames, result.Samples, result.Dropped));
         console.Write(grid);
     }
+
+    static string Shown(string text) => Markup.Escape(InputException.OneLine(text, MaxLength));
 
     static string NotCurrent(HeadsetResult.PartResult part) => StateOf(HeadsetTexts.NotCurrentPart, part.SinceS, part.Reason);
 

@@ -33,8 +33,7 @@ sealed class SessionFileReader : IDisposable
     public int Line { get; private set; }
 
     /// <summary>Gets whether a path has the extension of a session file.</summary>
-    public static bool IsSession(string path) => path != null
-        && (path.EndsWith(".jsonl", StringComparison.OrdinalIgnoreCase) || path.EndsWith(".jsonl.gz", StringComparison.OrdinalIgnoreCase));
+    public static bool IsSession(string path) => RecordingText.IsSession(path);
 
     /// <summary>Reads the lines below the header. Skips lines of unknown kinds.</summary>
     /// <exception cref="InputException">A line has another format. The message names file, line and field.</exception>
@@ -112,5 +111,7 @@ sealed class SessionFileReader : IDisposable
         }
     }
 
-    static string OneLine(JsonException broken) => broken.Message.ReplaceLineEndings(" ");
+    // The library counts lines from 0 within this line of the file, which contradicts the line number of the file.
+    static string OneLine(JsonException broken) =>
+        broken.Message.Split(" LineNumber:")[0].ReplaceLineEndings(" ").TrimEnd('.') + SessionFileMessages.AtByte(broken.BytePositionInLine + 1);
 }

@@ -21,7 +21,8 @@ static class MessageParts
     const int SignalBytes = 32;
 
     public static IEnumerable<TransformsMessage> Of(TransformsMessage message) => Divided(
-        message, message.Count, i => TransformBytes + RosMessageWriter.MaxBytesOf(message[i].Child) + RosMessageWriter.MaxBytesOf(message[i].Parent), Part);
+        message, message.Count,
+        i => TransformBytes + RosMessageWriter.MaxBytesOf(message[i].Child) + RosMessageWriter.MaxBytesOf(message[i].Parent), Part);
 
     public static IEnumerable<SignalsMessage> Of(SignalsMessage message) =>
         Divided(message, message.Count, i => SignalBytes + RosMessageWriter.MaxBytesOf(message[i].Name), Part);

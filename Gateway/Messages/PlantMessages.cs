@@ -8,10 +8,17 @@ static class PlantMessages
     public static string AcquisitionTime(TimeSpan max) =>
         FormattableString.Invariant($"must be from 0 ms to the maximum, {max.TotalMilliseconds} ms");
 
-    public const string RigidBody = "the recording is of a rigid body; a recording with one column for each joint of the robot is needed";
+    /// <param name="file">Path of the recording.</param>
+    public static string RigidBody(string file) =>
+        $"{file}: is the motion of a rigid body; a recording with one column for each joint of the robot is needed";
 
-    public static string ColumnCount(int columns, string names, string robot, int joints) =>
-        $"the recording has {columns} columns ({names}), but robot {robot} has {joints} joints that move independently; remove "
+    /// <param name="file">Path of the recording.</param>
+    /// <param name="columns">Names of the columns that are not joints of the robot, although others are.</param>
+    public static string UnknownColumns(string file, string columns, string robot, string joints) =>
+        $"{file}: robot {robot} has no joint {columns}, although other columns have names of its joints, which are {joints}; correct the header";
+
+    public static string ColumnCount(string file, int columns, string names, string robot, int joints) =>
+        $"{file}: the recording has {columns} columns ({names}), but robot {robot} has {joints} joints that move independently; remove "
         + "columns, or choose a robot with at least one such joint for each column";
 
     public static string NoRobot(string allowed) => $"no robot is named; {allowed}";

@@ -27,6 +27,9 @@ public sealed class MotionRecording
     /// <summary>Whether the columns are the position (m) and the unit quaternion of a rigid body instead of joints.</summary>
     public bool IsBody { get; internal init; }
 
+    /// <summary>Path of the file, for messages; empty if the motion was not read from a file.</summary>
+    public string Source { get; internal init; } = "";
+
     /// <summary>Time of the first row as given in the file, s.</summary>
     public double Start { get; }
 
@@ -40,6 +43,7 @@ public sealed class MotionRecording
     /// <exception cref="InputException">The file cannot be read or has another format. The message names file, line and field.</exception>
     public static MotionRecording Read(string path)
     {
+        if (RecordingText.IsSession(path)) throw new InputException(MotionFileMessages.Session(path));
         using var text = RecordingText.Open(path);
         using var reader = new MotionRecordingReader(path, text);
         return reader.Read();
@@ -84,7 +88,7 @@ public sealed class MotionRecording
         return new MotionRecording(
             _names, Start + times[0], [.. times.Select(t => t - times[0])],
             _positions[(first * _names.Length)..((last + 1) * _names.Length)])
-        { IsBody = IsBody };
+        { IsBody = IsBody, Source = Source };
     }
 
     int FirstRowAfter(double seconds)

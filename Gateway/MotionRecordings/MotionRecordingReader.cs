@@ -39,7 +39,7 @@ sealed class MotionRecordingReader : IDisposable
             throw RecordingText.Unreadable(_path, e);
         }
         if (_times.Count < 2) throw new InputException(MotionFileMessages.TooFewRows(_path, _times.Count));
-        return new MotionRecording(_header[1..], _start, [.. _times], [.. _positions]) { IsBody = _isBody };
+        return new MotionRecording(_header[1..], _start, [.. _times], [.. _positions]) { IsBody = _isBody, Source = _path };
     }
 
     public void Dispose() => _csv.Dispose();
@@ -100,9 +100,11 @@ sealed class MotionRecordingReader : IDisposable
     {
         var text = _csv[column];
         if (text.Length == 0) throw Wrong(MotionFileMessages.EmptyField(Shown(_header[column])));
-        if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value))
+        // Python and C write inf, which is not a number in .NET.
+        var isInfinity = text.TrimStart('-', '+').Equals("inf", StringComparison.OrdinalIgnoreCase);
+        if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) && !isInfinity)
             throw Wrong(MotionFileMessages.NotANumber(Shown(_header[column]), Shown(text)));
-        if (!double.IsFinite(value)) throw Wrong(MotionFileMessages.NotFinite(Shown(_header[column]), Shown(text)));
+        if (isInfinity || !double.IsFinite(value)) throw Wrong(MotionFileMessages.NotFinite(Shown(_header[column]), Shown(text)));
         if (Math.Abs(value) > MaxMagnitude)
             throw Wrong(MotionFileMessages.TooLarge(Shown(_header[column]), Shown(text), MaxMagnitude));
         return value;

@@ -6,6 +6,10 @@ namespace Nowpose.Gateway.MotionRecordings;
 /// <summary>Opens text files that users name, plain or compressed with gzip.</summary>
 public static class RecordingText
 {
+    /// <summary>Gets whether a path has the name of a recorded session, which is not a motion.</summary>
+    public static bool IsSession(string path) => path != null
+        && (path.EndsWith(".jsonl", StringComparison.OrdinalIgnoreCase) || path.EndsWith(".jsonl.gz", StringComparison.OrdinalIgnoreCase));
+
     /// <summary>Opens a text file, and unpacks it while it is read if its name ends in <c>.gz</c>. The caller disposes the reader.</summary>
     /// <exception cref="InputException">The file does not exist or cannot be opened.</exception>
     public static TextReader Open(string path)

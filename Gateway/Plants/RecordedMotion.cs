@@ -15,19 +15,20 @@ public sealed class RecordedMotion : IMotion
     readonly double[] _rest;
 
     /// <summary>
-    /// Assigns the columns to joints by name. If any column has a name that is not a joint of the robot, assigns all columns in the order of
-    /// the robot's joints, without mimic joints.
+    /// Assigns the columns to joints by name. If no column has the name of a joint of the robot, assigns all columns in the order of the robot's
+    /// joints, without mimic joints.
     /// </summary>
     /// <remarks>
     /// A joint without a column stays at 0 or, if its limits exclude 0, at the limit nearest to 0. A mimic joint without a column follows the joint
     /// that it mimics.
     /// </remarks>
     /// <exception cref="InputException">
-    /// The recording is of a rigid body or has more columns than the robot has joints, or the robot has too many joints.
+    /// The recording is of a rigid body, has more columns than the robot has joints, or has names of joints in only some of its columns; or the
+    /// robot has too many joints.
     /// </exception>
     public RecordedMotion(MotionRecording recording, RobotModel robot)
     {
-        if (recording.IsBody) throw new InputException(PlantMessages.RigidBody);
+        if (recording.IsBody) throw new InputException(PlantMessages.RigidBody(recording.Source));
         _recording = recording;
         _robot = robot;
         JointNames = PlantJoints.NamesOf(robot);
@@ -53,7 +54,12 @@ public sealed class RecordedMotion : IMotion
     static int[] ByName(MotionRecording recording, RobotModel robot)
     {
         var joints = recording.Names.Select(robot.IndexOfMovingJoint).ToArray();
-        return joints.Contains(-1) ? null : joints;
+        if (!joints.Contains(-1)) return joints;
+        // A misspelt name among names of joints must not move another joint.
+        var unknown = recording.Names.Where((_, column) => joints[column] < 0).ToArray();
+        if (unknown.Length == joints.Length) return null;
+        throw new InputException(PlantMessages.UnknownColumns(
+            recording.Source, string.Join(", ", unknown), robot.Name, string.Join(", ", robot.MovingJoints.Select(joint => joint.Name))));
     }
 
     static int[] InOrder(MotionRecording recording, RobotModel robot)
@@ -61,7 +67,7 @@ public sealed class RecordedMotion : IMotion
         var joints = robot.MovingJoints.Where(joint => joint.Mimic == null).Select(joint => joint.MovingIndex).ToArray();
         if (recording.Names.Count > joints.Length)
             throw new InputException(
-                PlantMessages.ColumnCount(recording.Names.Count, string.Join(", ", recording.Names), robot.Name, joints.Length));
+                PlantMessages.ColumnCount(recording.Source, recording.Names.Count, string.Join(", ", recording.Names), robot.Name, joints.Length));
         return joints[..recording.Names.Count];
     }
 }

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Plants;
 using Nowpose.Headless.Tests.Cli;
@@ -33,10 +34,25 @@ public class RecordedPlantTests
     [Test]
     public void At_ColumnsWithOtherNames_MovesTheJointsInOrder()
     {
-        var motion = Played("t,q1,elbow_joint", "ur5");
+        var motion = Played("t,q1,q2", "ur5");
 
         Assert.That(At(motion, 0.5), Is.EqualTo(new[] { 0.2, 0.4, 0, 0, 0, 0 }).Within(1e-12));
     }
+
+    [Test]
+    public void RecordedMotion_OneOfTheColumnsIsNoJoint_ThrowsWithFileAndColumn()
+    {
+        using var file = new TemporaryFile("t,wrist_3_joint,elbow_jiont\n" + Rows);
+
+        var error = Assert.Throws<InputException>(() => new RecordedMotion(MotionRecording.Read(file.Path), RobotFiles.Load("ur5")));
+
+        Assert.That(error.Message, Does.StartWith(file.Path + ":").And.Contain(" elbow_jiont,").And.Contain("elbow_joint"));
+    }
+
+    [Test]
+    public void Read_Session_ThrowsWithTheFile() =>
+        Assert.That(
+            () => MotionRecording.Read("session.jsonl"), Throws.TypeOf<InputException>().With.Message.EqualTo(MotionFileMessages.Session("session.jsonl")));
 
     // A robot may have as many joints as a rigid body has columns.
     [Test]
@@ -49,7 +65,7 @@ public class RecordedPlantTests
             + "</robot>", "seven");
         var recording = MotionRecording.Read(file.Path);
 
-        Assert.That(() => new RecordedMotion(recording, robot), Throws.TypeOf<InputException>());
+        Assert.That(() => new RecordedMotion(recording, robot), Throws.TypeOf<InputException>().With.Message.StartsWith(file.Path + ":"));
     }
 
     [TestCase(0, 0.1)]

@@ -34,6 +34,14 @@ public class HeadsetTableTests
 
     static Constraint HasRow(string label, string value) => Does.Match($"{Regex.Escape(label)} +{Regex.Escape(value)}");
 
+    [Test]
+    public void Print_NameWithControlCharacters_IsPrintedWithoutThem()
+    {
+        var text = Printed(Result() with { ObjectsNotCurrent = [new HeadsetResult.PartResult("bo\u001b[2J\nx", 1, "gone")] });
+
+        Assert.That(text, HasRow("object bo [2J x", "not current for 1 s: gone").And.Not.Contains("\u001b"));
+    }
+
     [TestCase(-0.04, " 0.0 ppm")]
     [TestCase(0.04, " 0.0 ppm")]
     [TestCase(-0.06, " -0.1 ppm")]

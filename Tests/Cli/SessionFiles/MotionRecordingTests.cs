@@ -144,6 +144,7 @@ public class MotionRecordingTests
         ["t,a\n0,1\n1,0x10\n2,3\n", ":3: " + MotionFileMessages.NotANumber("'a'", "'0x10'")],
         ["t,a\n0,NaN\n1,1\n", ":2: " + MotionFileMessages.NotFinite("'a'", "'NaN'")],
         ["t,a\n0,1\n1,1e999\n", ":3: " + MotionFileMessages.NotFinite("'a'", "'1e999'")],
+        ["t,a\n0,1\n1,-inf\n", ":3: " + MotionFileMessages.NotFinite("'a'", "'-inf'")],
         ["t,a\n0,1\n-Infinity,1\n", ":3: " + MotionFileMessages.NotFinite("'t'", "'-Infinity'")],
         ["t,a\n0,1\n2,2\n1,3\n", ":4: " + MotionFileMessages.TimeOrder("t", "'1'")],
         ["t_s,a\n0,1\n1,2\n\n1,3\n", ":5: " + MotionFileMessages.TimeOrder("t_s", "'1'")],

@@ -95,7 +95,8 @@ public class StationaryFramesTests
             () => Nowpose.Gateway.CommandLine.RunAsync(["serve", "--stationary", _path, "--ws-port", "0", "--sync-port", "0"]).Bounded());
 
         Assert.That(status, Is.EqualTo(2));
-        Assert.That(CapturedConsole.Lines(errors).Single(), Does.Contain(isMissing ? $"{_path}: cannot be read" : $"{_path}, line 2: is not a tf2_msgs/TFMessage"));
+        Assert.That(CapturedConsole.Lines(errors).Single(), Does.Contain(
+            isMissing ? $"{_path}: cannot be read" : FrameMessages.FileLine(_path, 2, FrameMessages.NotTransforms(DropReason.WrongType))));
     }
 
     [Test]

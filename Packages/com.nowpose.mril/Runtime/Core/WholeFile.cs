@@ -81,6 +81,7 @@ namespace Nowpose
         static bool IsOfFiles(Exception fault) =>
             fault is IOException || fault is UnauthorizedAccessException || fault is ArgumentException || fault is NotSupportedException;
 
-        static string FirstLine(string message) => message.Split('\n')[0].TrimEnd();
+        // The messages of .NET end with a full stop, but the reason is part of a sentence.
+        static string FirstLine(string message) => message.Split('\n')[0].TrimEnd().TrimEnd('.');
     }
 }

@@ -6,6 +6,7 @@ using System.Linq;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 using Nowpose.Messages;
+using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Frames
@@ -46,7 +47,8 @@ namespace Nowpose.Frames
                 if (!(transforms[i] is JObject one)) continue;
                 var child = one["child_frame_id"] is { Type: JTokenType.String } name ? (string)name : "";
                 var problem = ProblemOf(one, fault, fault == DropReason.DuplicateName && !children.Add(child));
-                if (problem != null) return child.Length == 0 ? FrameMessages.OfTransform(i + 1, problem) : FrameMessages.OfFrame(child, problem);
+                if (problem != null) return child.Length == 0 ? FrameMessages.OfTransform(i + 1, problem)
+                        : FrameMessages.OfFrame(InputException.OneLine(child, MaxValueLength), problem);
             }
 
             return null;
@@ -58,6 +60,7 @@ namespace Nowpose.Frames
             {
                 case DropReason.MissingField: return Missing(one);
                 case DropReason.WrongType: return WrongType(one);
+                case DropReason.NameTooLong: return LongName(one);
                 case DropReason.NotFinite: return Number(one, value => !IsFinite(value) && !IsWrongType(value), FrameMessages.FiniteNumber);
                 case DropReason.OutOfRange:
                     var most = TransformsReader.MaxCoordinate;
@@ -85,6 +88,14 @@ namespace Nowpose.Frames
                 if (one.SelectToken(field) is { } value && value.Type != type)
                     return FrameMessages.WrongField(field, Shown(value), type == JTokenType.String ? FrameMessages.Text : FrameMessages.Object);
             return Number(one, IsWrongType, FrameMessages.FiniteNumber);
+        }
+
+        static string LongName(JObject one)
+        {
+            foreach (var (field, type) in Fields)
+                if (type == JTokenType.String && one.SelectToken(field) is { Type: JTokenType.String } name && ((string)name).Length > ProtocolLimits.NameLength)
+                    return FrameMessages.LongName(field, ((string)name).Length, ProtocolLimits.NameLength);
+            return null;
         }
 
         static string Number(JObject one, Predicate<JToken> isWrong, string allowed)

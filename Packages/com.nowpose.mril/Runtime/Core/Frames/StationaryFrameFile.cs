@@ -22,7 +22,8 @@ namespace Nowpose.Frames
             var json = new JsonUtf8Reader(utf8, Nesting);
             var message = new TransformsReader().Read(ref json, isStatic: true);
             if (message != null && json.End()) return message;
-            var fault = InvalidStationaryFrame.Describe(text, json.Fault) ?? WordsOf(json.Fault);
+            var fault = string.IsNullOrWhiteSpace(text) ? FrameMessages.FileEmpty
+                : InvalidStationaryFrame.Describe(text, json.Fault) ?? WordsOf(json.Fault);
             throw new InputException(FrameMessages.FileLine(path, LineAt(utf8, json.Position), fault));
         }
 
@@ -53,7 +54,7 @@ namespace Nowpose.Frames
                 case DropReason.OwnParent: return FrameMessages.OwnParent;
                 case DropReason.DuplicateName: return FrameMessages.ChildTwice;
                 case DropReason.TooManyFrames: return FrameMessages.TooManyFrames(ProtocolLimits.Frames);
-                case DropReason.MissingField: return FrameMessages.FieldMissing;
+                case DropReason.MissingField: return FrameMessages.NoTransforms;
                 default: return FrameMessages.NotTransforms(fault);
             }
         }

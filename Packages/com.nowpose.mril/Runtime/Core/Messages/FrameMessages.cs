@@ -46,7 +46,8 @@ namespace Nowpose.Messages
 
         public const string FileNumber = "a number is not finite; correct it";
         public const string OwnParent = "a frame is its own parent; correct its header.frame_id";
-        public const string FieldMissing = "a field is missing; add it";
+        public const string NoTransforms = "the list transforms is missing or empty; add at least one frame";
+        public const string FileEmpty = "the file is empty; write a tf2_msgs/TFMessage in JSON";
 
         public const string ChildTwice = "a child_frame_id occurs twice; remove one";
 
@@ -75,6 +76,9 @@ namespace Nowpose.Messages
 
         public static string FileLine(string path, int line, string fault) => $"{path}, line {line}: {fault}";
 
-        public static string NotTransforms(DropReason fault) => $"is not a tf2_msgs/TFMessage in JSON ({fault}); correct the file";
+        public static string LongName(string field, int length, int max) =>
+            FormattableString.Invariant($"has {field} with {length} characters; allowed: {max}");
+
+        public static string NotTransforms(DropReason fault) => $"the file is not a tf2_msgs/TFMessage in JSON ({fault}); correct the file";
     }
 }

@@ -4,6 +4,7 @@ using System.Linq;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Messages;
+using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using NUnit.Framework;
 
@@ -88,6 +89,11 @@ namespace Nowpose.Tests.Core.Frames
             },
             new object[] { "\"y\": 0.0,", "", 17, FrameMessages.OfFrame("box", FrameMessages.NoField("transform.translation.y")) },
             new object[] { "\"y\": 0.0,", "\"y\": 0.0;", 15, FrameMessages.NotTransforms(DropReason.NotJson) },
+            new object[]
+            {
+                "\"frame_id\": \"world\"", "\"frame_id\": \"" + new string('n', 1000) + "\"", 9,
+                FrameMessages.OfFrame("box", FrameMessages.LongName("header.frame_id", 1000, ProtocolLimits.NameLength)),
+            },
         };
 
         [TestCaseSource(nameof(InvalidContents))]
@@ -105,10 +111,23 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(fault.Message, Is.EqualTo(FrameMessages.FileLine(_path, line, words)));
         }
 
-        [TestCase("")]
+        [TestCase("", FrameMessages.FileEmpty)]
+        [TestCase("{}", FrameMessages.NoTransforms)]
+        [TestCase("{\"transforms\": []}", FrameMessages.NoTransforms)]
+        public void Load_NoFrames_IsRefusedWithTheReason(string text, string reason)
+        {
+            File.WriteAllText(_path, text);
+
+            var fault = Assert.Throws<InputException>(() => StationaryFrameFile.Load(_path));
+
+            Assert.That(fault.Message, Is.EqualTo(FrameMessages.FileLine(_path, 1, reason)));
+        }
+
+        [Test]
+        public void Load_NoFile_IsRefusedWithOneSentence() =>
+            Assert.That(() => StationaryFrameFile.Load(_path + "x"), Throws.InstanceOf<InputException>().With.Message.Not.Contains(".;"));
+
         [TestCase("[]")]
-        [TestCase("{}")]
-        [TestCase("{\"transforms\": []}")]
         [TestCase("{\"transforms\": 3}")]
         [TestCase("\0\u0001rubbish")]
         public void Load_OtherContent_IsRefusedWithAOneLineMessage(string text)
