@@ -3,6 +3,7 @@ using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Recording;
 using Nowpose.Session;
@@ -52,6 +53,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         RecordingFault = recorder == null ? null : HeadsetVerdict.RecordingFaultOf(recorder.Problem, recorder.LostLines);
         var result = Result(session, robot, _clock.Now - start);
         var statistics = session.Statistics(_clock.Now);
+        if (statistics.Samples > 0) Notes = [.. HeadsetVerdict.NotesOf(statistics).Select(note => RobotMessages.OfRobot(robot.Name, note))];
         WhyFailed = HeadsetVerdict.FailureOf(result.Pose, statistics, _wasTimeTrusted, result.Outages);
         if (WhyFailed != null && statistics.Samples == 0 && statistics.SampleLink.State == LinkState.Connected)
             WhyFailed = OtherNamespaces(cancel) ?? WhyFailed;
@@ -63,6 +65,9 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
 
     /// <summary>Reason why the recording is incomplete, in one line; null if it is complete or not requested. Set by <see cref="Play"/>.</summary>
     public string RecordingFault { get; private set; }
+
+    /// <summary>Reasons why the pose may be wrong although it is current, in one line each. Set by <see cref="Play"/>.</summary>
+    public IReadOnlyList<string> Notes { get; private set; } = [];
 
     public bool HasFailed => WhyFailed != null || RecordingFault != null;
 

@@ -72,6 +72,7 @@ static class HeadsetVerb
         ConsoleProgress.Run(settings.Seconds, report => result = run.Play(report, cancel));
         if (isJson) Console.Out.WriteLine(result.Json());
         else HeadsetTable.Print(result, ResultConsole.Create());
+        foreach (var note in run.Notes) Console.Error.WriteLine(ConsoleMessages.Line(note));
         if (run.RecordingFault != null) Console.Error.WriteLine(ConsoleMessages.Line(run.RecordingFault));
         if (cancel.IsCancellationRequested) return ExitStatus.Interrupted;
         if (run.WhyFailed != null) Console.Error.WriteLine(ConsoleMessages.Line(run.WhyFailed));

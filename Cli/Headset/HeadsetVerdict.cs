@@ -1,4 +1,5 @@
 using Nowpose.Cli.Messages;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Session;
 
@@ -27,13 +28,25 @@ static class HeadsetVerdict
         var share = pose.CurrentShareOfRun ?? 0;
         if (pose.CurrentAfterS != null && share >= MinCurrentShare) return null;
         if (!wasTimeTrusted) return HeadsetMessages.NoClock(statistics.SyncLink.Detail);
-        if (statistics.Samples == 0) return HeadsetMessages.NoJoints(statistics.SampleLink.Detail);
+        if (statistics.Samples == 0)
+            return IsOtherRobot(statistics)
+                ? HeadsetMessages.NoJointsOfRobot(RobotMessages.DescriptionDiffers)
+                : HeadsetMessages.NoJoints(statistics.SampleLink.State == LinkState.Connected ? null : statistics.SampleLink.Detail);
         var joints = JointStatusText.Of(statistics.JointStatuses.Where(joint => joint.IsMissing));
         var why = joints.Length > 0 ? joints : LinkFaultOf(statistics) ?? LongestOf(outages) ?? HeadsetMessages.AtEnd(pose.State);
         return pose.CurrentAfterS == null
             ? HeadsetMessages.NeverCurrent(why)
             : HeadsetMessages.RarelyCurrent(100 * share, 100 * MinCurrentShare, why);
     }
+
+    /// <summary>Gets the reasons why the displayed pose may be wrong although it is current, in one line each.</summary>
+    public static IEnumerable<string> NotesOf(SessionStatistics statistics)
+    {
+        if (IsOtherRobot(statistics)) yield return RobotMessages.DescriptionDiffers;
+        if (statistics.BeyondLimits != null) yield return statistics.BeyondLimits.Words;
+    }
+
+    static bool IsOtherRobot(SessionStatistics statistics) => statistics.RobotDescriptionMatch == RobotDescriptionMatch.Different;
 
     /// <summary>Gets the known reason why a pose is not current: a failed connection, or joints without data. The text contains no times.</summary>
     public static string ReasonOf(SessionStatistics statistics, IEnumerable<JointStatus> missing) =>

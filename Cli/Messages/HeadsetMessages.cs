@@ -25,7 +25,14 @@ static class HeadsetMessages
         FormattableString.Invariant($"--record: {lines} lines are missing, because the disk was too slow; record to a faster disk");
 
     public static string NoClock(string reason) => $"the clock was never synchronised: {reason}; run longer (--seconds), or check the connection to the gateway";
-    public static string NoJoints(string reason) => $"no joint positions arrived: {reason}; check that a source publishes them to the gateway";
+
+    /// <param name="reason">Fault of the connection; null if there is none.</param>
+    public static string NoJoints(string reason) =>
+        "no joint positions arrived" + (reason == null ? "" : ": " + reason) + "; check that a source publishes them to the gateway";
+
+    /// <param name="reason">Reason why the positions that arrived are not of this robot, with the remedy.</param>
+    public static string NoJointsOfRobot(string reason) => $"no joint positions of this robot arrived: {reason}";
+
     public static string AtEnd(string state) => $"at the end, the pose is {state}";
     public static string NeverCurrent(string reason) => $"the pose was never current; {reason}";
 

@@ -76,7 +76,7 @@ public sealed partial class MessageCatalogueTests
             "FileLine", "FiniteNumber", "FrameNotCurrent", "FrameUnknown", "List", "MayBeGripped", "NoPose", "NotCurrent", "Object", "OfFrame",
             "OfTransform", "PosesStopped", "Text",
         ],
-        ["HeadsetMessages"] = ["AtEnd", "CurrentAgain", "NeverCurrent", "Pose"],
+        ["HeadsetMessages"] = ["AtEnd", "CurrentAgain", "NeverCurrent", "NoJointsOfRobot", "Pose"],
         ["KeyFileMessages"] = ["Renewed"],
         ["KinematicsMessages"] = ["BeyondLimits", "FixedJoint", "Title", "UnknownJoint"],
         ["LimitMessages"] = ["MoreLines"],

@@ -2,6 +2,9 @@ using Nowpose.Network;
 using NUnit.Framework;
 using Nowpose.Cli.Headset;
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Plants;
+using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Session;
 
@@ -51,6 +54,32 @@ public class HeadsetVerdictTests
         var pose = Pose((before, PoseState.Unsynchronised), (current, PoseState.Current), (after, PoseState.Held));
 
         Assert.That(HeadsetVerdict.FailureOf(pose, Statistics(), true, []), isGood ? Is.Null : Is.Not.Null);
+    }
+
+    // The positions of another robot have other joint names.
+    [Test]
+    public void FailureOf_NoSamplesForAnotherDescription_StatesIt()
+    {
+        var statistics = Statistics(samples: 0);
+        statistics.RobotDescriptionMatch = RobotDescriptionMatch.Different;
+
+        Assert.That(
+            HeadsetVerdict.FailureOf(Pose((10, PoseState.Incomplete)), statistics, true, []),
+            Is.EqualTo(HeadsetMessages.NoJointsOfRobot(RobotMessages.DescriptionDiffers)));
+    }
+
+    [Test]
+    public void NotesOf_PoseThatMayBeWrong_StatesTheReasons()
+    {
+        var robot = RobotFiles.Load("youbot");
+        var watch = new LimitWatch(robot);
+        for (var i = 0; i < 3; i++) watch.Add(0, 45);
+        var statistics = Statistics();
+        Assert.That(HeadsetVerdict.NotesOf(statistics), Is.Empty);
+
+        (statistics.BeyondLimits, statistics.RobotDescriptionMatch) = (watch.Present, RobotDescriptionMatch.Different);
+
+        Assert.That(HeadsetVerdict.NotesOf(statistics), Is.EqualTo(new[] { RobotMessages.DescriptionDiffers, watch.Present.Words }));
     }
 
     [Test]
