@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Protocol;
@@ -55,11 +56,14 @@ namespace Nowpose.Session.Cell
         /// <param name="now">Headset time for the ages.</param>
         public CellFaults Faults(HeadsetTime now)
         {
+            List<PartStatus> objects, signals;
             lock (_gate)
             {
                 var control = _clock.IsKnown ? _clock.ToControl(now) : (ControlTime?)null;
-                return new CellFaults(Frames.Faults(control), Signals.Faults(_canReceiveSignals, control));
+                objects = Frames.Faults(control);
+                signals = Signals.Faults(_canReceiveSignals, control);
             }
+            return new CellFaults(objects, signals);
         }
 
         /// <summary>Discards all samples after the control clock stepped or became known. Open grips are decided first from the old samples.</summary>
