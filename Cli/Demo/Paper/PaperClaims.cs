@@ -1,6 +1,7 @@
 using MathNet.Numerics.Distributions;
 using MathNet.Numerics.Statistics;
 using Nowpose.Cli.Figures.Clocks;
+using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Demo.Paper;
@@ -39,7 +40,10 @@ static class PaperClaims
         var measured = repeats.Select(rule.Measure).Where(value => value is double number && double.IsFinite(number));
         double[] values = [.. measured.Select(value => value.Value)];
         if (values.Length == 0)
-            return new(rule.Figure, rule.Claim, rule.Paper, null, null, rule.Unit, false) { NotMeasured = "not measured: " + ReasonOf(rule, repeats) };
+        {
+            var reason = $"{Verdict.NotMeasured.Words()}: {ReasonOf(rule, repeats)}";
+            return new(rule.Figure, rule.Claim, rule.Paper, null, null, rule.Unit, false) { NotMeasured = reason };
+        }
         var mean = values.Average();
         double? uncertainty = values.Length < 2 ? null
             : StudentT.InvCDF(0, 1, values.Length - 1, Confidence) * values.StandardDeviation() / Math.Sqrt(values.Length);

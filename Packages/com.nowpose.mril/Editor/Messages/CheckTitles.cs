@@ -3,6 +3,10 @@ namespace Nowpose.Editor.Messages
     /// <summary>Titles of the checks in the set-up window, and labels of their buttons.</summary>
     static class CheckTitles
     {
+        public static string BuildTarget(string player) => $"Build target is {player}";
+        public static string Feature(string feature) => $"OpenXR feature {feature}";
+        public static string OpenXrOption(string option, string value) => $"OpenXR {option} is {value}";
+
         public const string ApiLevel = "Api Compatibility Level is .NET Standard 2.1";
         public const string CameraBackground = "Main camera clears to black with alpha 0";
         public const string ClearToBlack = "Clear to black with alpha 0";

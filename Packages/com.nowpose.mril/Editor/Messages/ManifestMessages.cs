@@ -30,6 +30,9 @@ namespace Nowpose.Editor.Messages
 
         public static string NotUtf8(string file) => $"{file}: the file is not UTF-8; save it as UTF-8";
 
+        public static string OtherVersion(string place, string package, string version, string needed) =>
+            $"{place}: {package} is {version}; {needed} is needed";
+
         public static string VersionUnreadable(string package, string version, string needed) =>
             $"{package} is kept at {version}, which does not state a version; {needed} is needed; check that it has this version";
 

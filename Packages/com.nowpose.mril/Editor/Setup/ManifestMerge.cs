@@ -92,7 +92,7 @@ namespace Nowpose.Editor.Setup
                 return;
             }
             var needed = isExact ? package.Reference : package.Bounds;
-            var conflict = _manifest.PlaceOf(entry) + ": " + package.Name + " is " + version + "; " + needed + " is needed";
+            var conflict = ManifestMessages.OtherVersion(_manifest.PlaceOf(entry), package.Name, version, needed);
             if (_rule != ConflictRule.Replace)
             {
                 _conflicts.Add(conflict);

@@ -23,7 +23,7 @@ namespace Nowpose.Editor.Setup
         /// <param name="id">Id of the feature in OpenXR's settings.</param>
         /// <param name="without">State of a project in which the feature is not enabled.</param>
         public static ProjectCheck Feature(string name, string why, string id, CheckState without = CheckState.Missing) => new ProjectCheck(
-            "OpenXR feature " + name, why,
+            CheckTitles.Feature(name), why,
             project => project.IsFeatureOn(id) switch
             {
                 true => CheckResult.Good("ticked"),
@@ -40,7 +40,7 @@ namespace Nowpose.Editor.Setup
         public static ProjectCheck Option(string title, string why, string field, string[] names)
         {
             const int wanted = 1;
-            return new ProjectCheck("OpenXR " + title + " is " + names[wanted], why,
+            return new ProjectCheck(CheckTitles.OpenXrOption(title, names[wanted]), why,
                 project =>
                 {
                     if (!(project.OpenXrOption(field) is int value)) return CheckResult.Missing(CheckResults.NoOpenXrSettings);

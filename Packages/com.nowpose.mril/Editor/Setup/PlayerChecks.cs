@@ -55,7 +55,7 @@ namespace Nowpose.Editor.Setup
             });
 
         public static ProjectCheck BuildTarget(HeadsetPlatform platform) => new ProjectCheck(
-            "Build target is " + platform.Player, CheckReasons.BuildTarget(platform.Headset),
+            CheckTitles.BuildTarget(platform.Player), CheckReasons.BuildTarget(platform.Headset),
             project => project.OtherTarget == null
                 ? CheckResult.Good(project.Platform.Player) : CheckResult.Missing(CheckResults.BuildTarget(project.OtherTarget)),
             "Switch to " + platform.ShortPlayer,

@@ -111,7 +111,7 @@ namespace Nowpose.Mrtk3
             if (_nudgeWords == null || tenths == _shownNudge) return;
             _shownNudge = tenths;
             _nudgeWords.text = tenths == int.MaxValue
-                ? "L_visu by the runtime"
+                ? Mrtk3Messages.VisuByRuntime
                 : string.Format(CultureInfo.InvariantCulture, "L_visu {0:+0.0;-0.0;0.0} ms", tenths / 10.0);
         }
     }

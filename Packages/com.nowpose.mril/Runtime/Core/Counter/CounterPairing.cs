@@ -15,7 +15,7 @@ namespace Nowpose.Counter
         /// Number of measurements (brackets). In each, the target is read between two readings of the counter. An interrupt may disturb a few of
         /// them, but never all.
         /// </summary>
-        const int Brackets = 32;
+        internal const int Brackets = 32;
 
         readonly long _frequency, _targetFrequency, _count, _reading;
 

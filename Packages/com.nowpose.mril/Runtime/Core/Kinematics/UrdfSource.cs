@@ -108,7 +108,7 @@ namespace Nowpose.Kinematics
             var isDtd = e.Message.Contains("DTD", StringComparison.OrdinalIgnoreCase);
             // For a document type declaration, the reader reports an earlier line.
             var line = isDtd ? 1 + text.Take(text.IndexOf("<!DOCTYPE", StringComparison.Ordinal)).Count(c => c == '\n') : e.LineNumber;
-            var reason = isDtd ? UrdfMessages.DocumentType : "not well-formed XML: " + e.Message;
+            var reason = isDtd ? UrdfMessages.DocumentType : UrdfMessages.NotWellFormed(e.Message);
             return new InputException(_name + ":" + Math.Max(1, line) + ": " + reason, e);
         }
 

@@ -38,6 +38,8 @@ namespace Nowpose.Messages
         public static string TooDeep(string file, int line, int max) =>
             $"{file}:{line}: elements are nested more than {max} levels deep; check that it is a URDF";
 
+        public static string NotWellFormed(string reason) => $"not well-formed XML: {reason}";
+
         public const string DocumentType = "a document type (DTD) with its entities is not allowed in a URDF; remove it";
         public const string NoLinks = "the robot has no links; it needs at least one <link>";
         public const string LinkTwice = "another link has the same name; rename one of them";

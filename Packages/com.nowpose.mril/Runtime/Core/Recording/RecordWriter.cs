@@ -84,7 +84,7 @@ namespace Nowpose.Recording
             // Catches every exception, because an uncaught exception would end the application.
             catch (Exception failure)
             {
-                _problem = "recording " + _settings.Path + " has stopped: " + failure.Message.Replace('\r', ' ').Replace('\n', ' ');
+                _problem = RecordingMessages.Stopped(_settings.Path, failure.Message.Replace('\r', ' ').Replace('\n', ' '));
                 _state = RecordingState.Failed;
             }
             CompleteFlushes();

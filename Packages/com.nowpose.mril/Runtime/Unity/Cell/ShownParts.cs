@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Nowpose.Unity.Messages;
 
 namespace Nowpose.Unity.Cell
 {
@@ -87,7 +88,7 @@ namespace Nowpose.Unity.Cell
             }
             if (_count == _parts.Count && former == _notCurrent) return;
             _count = _parts.Count;
-            Summary = _count == 0 ? "" : _notCurrent == 0 ? _count + " current" : "! " + _notCurrent + " not current";
+            Summary = _count == 0 ? "" : _notCurrent == 0 ? _count + " current" : StatusMessages.NotCurrent(_notCurrent);
         }
     }
 }

@@ -12,6 +12,7 @@ namespace Nowpose.Unity.Messages
         public static string AngleNotFinite(double degrees) =>
             FormattableString.Invariant($"the angle {degrees}° is not finite; pass a finite angle in degrees");
 
+        public const string BeingPlacedLabel = "being placed";
         public const string FollowsMarker = "the base follows a marker that is being moved";
         public const string NotLocated = "no marker has located the base";
         public const string Restored = "the base has its pose from an earlier run; look at a marker to confirm it";
@@ -19,6 +20,7 @@ namespace Nowpose.Unity.Messages
         public const string NotConfirmedLabel = "base not confirmed";
         public const string MovedLabel = "base or marker moved";
         public const string Moved = "a marker is not at its expected position";
+        public const string LostLabel = "base lost";
         public const string Lost = "the headset has lost the position of the base";
     }
 }

@@ -3,6 +3,8 @@ namespace Nowpose.Unity.Messages
     /// <summary>Messages about missing references and functions of the components for MRTK3. Each message states a remedy.</summary>
     static class Mrtk3Messages
     {
+        public const string VisuByRuntime = "L_visu by the runtime";
+
         public static string PromptWithoutPairing(string component) =>
             $"consent prompt '{component}' has no cell pairing on its object or a parent; assign one";
 

@@ -5,7 +5,9 @@ namespace Nowpose.Unity.Messages
     /// <summary>Names of the states of a pose, and reasons why a pose is not current.</summary>
     static class PoseMessages
     {
+        public const string GripperNotMoved = "gripper not moved";
         public const string GripperUnattached = "the gripper is disabled or is not attached to a link of an active rig";
+        public const string RigNotMoved = "rig not moved";
         public const string RigDisabled = "the rig is disabled or cannot show the robot";
         public const string SessionPaused = "the session is disabled or paused";
         public const string NotPlaced = "it was placed neither by hand nor by a source";

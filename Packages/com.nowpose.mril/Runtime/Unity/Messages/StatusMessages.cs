@@ -30,6 +30,8 @@ namespace Nowpose.Unity.Messages
         public const string BeyondLimits = "! beyond its limits";
         public const string SameRobot = "same as gateway's";
         public const string OtherRobot = "! differs";
+        public const string LatencyImplausible = "implausible display times";
+        public const string LatencySet = "as set";
         public const string LatenciesDiffer = "runtime and calibration differ";
         public const string LatencyPredicted = "predicted by the runtime";
         public const string RenderingTooLong = "rendering takes too long";
@@ -104,6 +106,7 @@ namespace Nowpose.Unity.Messages
         /// <param name="time">Time of day or date.</param>
         public static string Since(string time) => "since " + time;
 
+        public static string NotCurrent(int count) => "! " + count + " not current";
         public static string FurtherParts(int count) => "! and " + count + " more";
 
         /// <summary>Returns the reason why a robot's pose is not current; empty if it is current.</summary>

@@ -30,11 +30,11 @@ namespace Nowpose.Unity.Rendering
                 // The robot does not fade while the user places the base: the user must compare the displayed robot with the real robot.
                 case BaseAnchorState.Searching:
                     return _isBeingPlaced
-                        ? look.Also("being placed", BaseMessages.FollowsMarker, 0)
+                        ? look.Also(BaseMessages.BeingPlacedLabel, BaseMessages.FollowsMarker, 0)
                         : look.Also(BaseMessages.NotLockedLabel, BaseMessages.NotLocated, 0.8f);
                 case BaseAnchorState.Restored: return look.Also(BaseMessages.NotConfirmedLabel, BaseMessages.Restored, 0);
                 case BaseAnchorState.Moved: return look.Also(BaseMessages.MovedLabel, BaseMessages.Moved, 0.5f);
-                case BaseAnchorState.Lost: return look.Also("base lost", BaseMessages.Lost, 0.5f);
+                case BaseAnchorState.Lost: return look.Also(BaseMessages.LostLabel, BaseMessages.Lost, 0.5f);
                 default: return look;
             }
         }

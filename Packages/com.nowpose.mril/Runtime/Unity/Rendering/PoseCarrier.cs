@@ -34,8 +34,8 @@ namespace Nowpose.Unity.Rendering
 
         /// <summary>Returns the look of a part while its carrier does not follow the session. The part is then at an old pose.</summary>
         public PoseLook Unmoved(PoseLook look) => IsGripper
-            ? look.With("gripper not moved", PoseMessages.GripperUnattached)
-            : look.With("rig not moved", PoseMessages.RigDisabled);
+            ? look.With(PoseMessages.GripperNotMoved, PoseMessages.GripperUnattached)
+            : look.With(PoseMessages.RigNotMoved, PoseMessages.RigDisabled);
 
         bool IsGripper => _gripper is object;
 

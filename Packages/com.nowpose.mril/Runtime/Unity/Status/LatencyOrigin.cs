@@ -18,10 +18,10 @@ namespace Nowpose.Unity.Status
 
         public string Of(SessionStatistics statistics)
         {
-            if (statistics.IsDisplayTimeImplausible) return "implausible display times";
+            if (statistics.IsDisplayTimeImplausible) return StatusMessages.LatencyImplausible;
             if (statistics.IsDisplayTimeInconsistent) return StatusMessages.LatenciesDiffer;
             if (statistics.IsLightPredicted) return StatusMessages.LatencyPredicted;
-            if (statistics.Profile == null) return "as set";
+            if (statistics.Profile == null) return StatusMessages.LatencySet;
             if (statistics.Profile != _profile || statistics.ProfileMismatches != _mismatches)
             {
                 _profile = statistics.Profile;
