@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using NUnit.Framework;
+using Nowpose.Messages;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
@@ -34,37 +35,37 @@ namespace Nowpose.Tests.Core.Anchoring
         [Test]
         public void Words_NoMarkers_StateTheReason()
         {
-            Assert.That(new BaseTracker(new AnchoringSettings()).Words, Is.EqualTo("placed by hand"));
+            Assert.That(new BaseTracker(new AnchoringSettings()).Words, Is.EqualTo(BaseStatusMessages.Placed));
             _cell.IsInView = _ => false;
-            Assert.That(Words(9), Is.EqualTo("looking for markers"));
-            Assert.That(Words(2), Is.EqualTo("looking for markers; allow access to the camera if it is blocked"));
+            Assert.That(Words(9), Is.EqualTo(BaseStatusMessages.Looking(isBlind: false, null)));
+            Assert.That(Words(2), Is.EqualTo(BaseStatusMessages.Looking(isBlind: true, null)));
             _cell.Tracker.SourceProblem = "no XR Origin";
-            Assert.That(Words(), Is.EqualTo("looking for markers; no XR Origin"));
+            Assert.That(Words(), Is.EqualTo(BaseStatusMessages.Looking(isBlind: false, "no XR Origin")));
             _cell.Tracker.SourceProblem = null;
             Words(3);
             _cell.IsInView = _ => true;
-            Assert.That(Words(3), Is.EqualTo("locked by 3 markers"));
+            Assert.That(Words(3), Is.EqualTo(BaseStatusMessages.Locked(3)));
         }
 
         [Test]
         public void Words_FromFirstSightingToLock_StateProgress()
         {
             _cell.IsInView = payload => payload != "b";
-            Assert.That(Words(1), Is.EqualTo("2 of 3 markers in view: keep looking at them"));
-            Assert.That(Words(1), Is.EqualTo("locked by 2 markers"));
+            Assert.That(Words(1), Is.EqualTo(BaseStatusMessages.Gathers(2, 3)));
+            Assert.That(Words(1), Is.EqualTo(BaseStatusMessages.Locked(2)));
         }
 
         [Test]
         public void Words_UnsuitableView_StateTheRemedy()
         {
             Report(RigidTransform.FromXyzRpy(1.2, -0.4, 3, 0, 1.5, 0));
-            Assert.That(Words(), Is.EqualTo("marker 'a' is too far away: move to within 2.5 m of it"));
+            Assert.That(Words(), Is.EqualTo("marker 'a' " + BaseStatusMessages.TooFar("2.5")));
             Report(RigidTransform.FromXyzRpy(-0.3, -0.4, -0.5, 0, 0, 0));
-            Assert.That(Words(), Is.EqualTo("marker 'a' is seen too obliquely: stand in front of it"));
+            Assert.That(Words(), Is.EqualTo("marker 'a' " + BaseStatusMessages.TooOblique));
             Report(RigidTransform.FromXyzRpy(1.2, -0.4, 0.3, 0, -1, 0));
-            Assert.That(Words(), Is.EqualTo("marker 'a' is behind you: look at it"));
+            Assert.That(Words(), Is.EqualTo("marker 'a' " + BaseStatusMessages.Behind));
             Report(ageSeconds: 1);
-            Assert.That(Words(), Is.EqualTo("marker 'a' is no longer in view: look at it"));
+            Assert.That(Words(), Is.EqualTo("marker 'a' " + BaseStatusMessages.NotInView));
         }
 
         [Test]
@@ -73,7 +74,7 @@ namespace Nowpose.Tests.Core.Anchoring
             _cell.IsInView = payload => payload == "a";
             (_cell.NoiseMetres, _cell.OutlierShare) = (0.04, 0);
 
-            Assert.That(Words(3), Does.Match("^the poses of marker 'a' scatter by (3|4)\\d mm, 0\\.\\d°: move closer and keep still$"));
+            Assert.That(Words(3), Does.Match("^" + BaseStatusMessages.Scatters("marker 'a'", "(3|4)\\d mm, 0\\.\\d°") + "$"));
         }
 
         [Test]
@@ -82,10 +83,10 @@ namespace Nowpose.Tests.Core.Anchoring
             Words(3);
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866, 0.25, 0, 0, 0, 2);
 
-            Assert.That(Words(3), Does.Match("^marker 'b' is (99|100|101) mm, 0\\.\\d° from its expected position: put it back, or lock again$"));
+            Assert.That(Words(3), Does.Match("^" + BaseStatusMessages.Moved(1, "marker 'b'", "(99|100|101) mm, 0\\.\\d°") + "$"));
             _cell.Tracker.Relock();
-            Assert.That(Words(3), Does.Match("^locked by 2 markers, moved by 0\\.\\d mm, 0\\.\\d\\d°; "
-                + "marker 'b' is (99|100|101) mm, 0\\.\\d° from where the other markers place it$"));
+            Assert.That(Words(3), Does.Match("^" + BaseStatusMessages.Locked(2) + BaseStatusMessages.MovedBy("0\\.\\d", "0\\.\\d\\d")
+                + BaseStatusMessages.ConflictOfLock("marker 'b'", 100, "0\\.\\d").Replace("100 mm", "(99|100|101) mm") + "$"));
         }
 
         [Test]
@@ -94,7 +95,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Words(3);
             _cell.Base = RigidTransform.FromXyzRpy(0, 0, 0.03, 0, 0, 0) * _cell.Base;
 
-            Assert.That(Words(1.5), Does.StartWith("3 markers have moved; the worst, marker '"));
+            Assert.That(Words(1.5), Does.Match("^" + BaseStatusMessages.Moved(3, "marker '[abc]'", ".+") + "$"));
         }
 
         [Test]
@@ -104,7 +105,7 @@ namespace Nowpose.Tests.Core.Anchoring
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866 - 0.0433, 0.175, 0, 0, 0, 2);
 
             Assert.That(
-                Words(3), Does.Match("^marker 'a' and marker 'b' disagree by (49|50|51) mm, \\d\\.\\d°: measure their poses again$"));
+                Words(3), Does.Match("^" + BaseStatusMessages.Conflict("marker 'a'", "marker 'b'", "(49|50|51) mm, \\d\\.\\d°") + "$"));
         }
 
         [Test]

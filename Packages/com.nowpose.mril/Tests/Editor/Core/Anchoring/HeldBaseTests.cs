@@ -75,7 +75,8 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Tracker.CorrectedMetres, Is.EqualTo(before.DistanceTo(_cell.Base)).Within(1e-6));
             Assert.That(Tracker.CorrectedRadians, Is.EqualTo(0.02).Within(1e-6));
             Assert.That(Tracker.IsCorrected, Is.True);
-            Assert.That(Tracker.Words, Does.Match("^locked by 3 markers; the headset has moved it by \\d\\d mm, 1\\.1°$"));
+            Assert.That(Tracker.Words, Is.EqualTo(
+                BaseStatusMessages.Locked(3) + BaseStatusMessages.Corrected((int)Math.Round(1000 * Tracker.CorrectedMetres), "1.1")));
         }
 
         [Test]
@@ -232,7 +233,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Tracker.Use("cell", Array.Empty<BaseMarker>());
             _cell.IsInView = _ => false;
             _cell.Run(0.1);
-            Assert.That(Tracker.Words, Is.EqualTo("restored from an earlier run: lock it to confirm it"));
+            Assert.That(Tracker.Words, Is.EqualTo(BaseStatusMessages.Restored(hasMarkers: false, null)));
 
             Tracker.Relock();
             _cell.Run(0.1);

@@ -2,6 +2,7 @@ using System;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using NUnit.Framework;
+using Nowpose.Messages;
 using static Nowpose.Tests.Core.Anchoring.LockedMarkers;
 
 namespace Nowpose.Tests.Core.Anchoring
@@ -132,7 +133,7 @@ namespace Nowpose.Tests.Core.Anchoring
             cell.Run(0.1);
 
             Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
-            Assert.That(cell.Tracker.Words, Does.StartWith("locked by"));
+            Assert.That(cell.Tracker.Words, Does.StartWith(BaseStatusMessages.Locked(markers.Length)));
         }
 
         [Test]

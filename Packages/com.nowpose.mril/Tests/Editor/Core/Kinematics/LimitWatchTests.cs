@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Tests.Core.Session;
 using NUnit.Framework;
 
@@ -83,9 +84,9 @@ namespace Nowpose.Tests.Core.Kinematics
         public void Words_JointBeyondItsLimits_NameJointPositionLimitsAndRemedy()
         {
             Assert.That(Fed(Shoulder, 45, 45, 45.25).Present.Words, Is.EqualTo(
-                "joint 'shoulder': 45.25 rad is outside its limits -3 to 3 rad, and is drawn at the limit; "
-                + "check that the robot description belongs to this robot and that the source sends rad, not degrees"));
-            Assert.That(Fed(Grip, 50, 50, 50).Present.Words, Does.Contain("50 m is outside its limits 0 to 0.05 m").And.EndsWith("sends m, not mm"));
+                RobotMessages.BeyondLimits("shoulder", 45.25, "rad", -3, 3, "degrees")));
+            Assert.That(Fed(Grip, 50, 50, 50).Present.Words, Is.EqualTo(
+                RobotMessages.BeyondLimits(TestRobot.Model.MovingJoints[Grip].Name, 50, "m", 0, 0.05, "mm")));
         }
     }
 }

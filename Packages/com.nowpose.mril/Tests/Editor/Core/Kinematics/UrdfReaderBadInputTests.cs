@@ -12,10 +12,10 @@ namespace Nowpose.Tests.Core.Kinematics
 
         static readonly string[][] NotRobots =
         {
-            new[] { "", "r.urdf:1: not well-formed XML" },
-            new[] { "not a robot", "r.urdf:1: not well-formed XML" },
-            new[] { "<robot>\n<link name='a'>\n</robot>", "r.urdf:3: not well-formed XML" },
-            new[] { "<robot name='r'/><robot name='s'/>", "r.urdf:1: not well-formed XML" },
+            new[] { "", "r.urdf:1: " + UrdfMessages.NotWellFormed("") },
+            new[] { "not a robot", "r.urdf:1: " + UrdfMessages.NotWellFormed("") },
+            new[] { "<robot>\n<link name='a'>\n</robot>", "r.urdf:3: " + UrdfMessages.NotWellFormed("") },
+            new[] { "<robot name='r'/><robot name='s'/>", "r.urdf:1: " + UrdfMessages.NotWellFormed("") },
             new[] { "<sdf version='1'>\n<model/></sdf>", "r.urdf:1: sdf: " + UrdfMessages.Root },
             new[] { "<robot name='r'/>", "r.urdf:1: robot 'r': " + UrdfMessages.NoLinks },
             new[] { "<!DOCTYPE r [<!ENTITY a 'b'>]>\n<robot/>", "r.urdf:1: " + UrdfMessages.DocumentType },

@@ -42,8 +42,7 @@ namespace Nowpose.Tests.Core.Latency
             foreach (var mismatch in mismatches)
                 Assert.That(mismatch.Words, Does.Contain(mismatch.Calibrated).And.Contain(mismatch.Actual).And.Contain("; calibrate "));
             Assert.That(mismatches[2].Words, Is.EqualTo(
-                "latency profile was measured with graphics API 'Direct3D11', but this device has 'Vulkan'; calibrate again, or restore the setting "
-                + "(Project Settings, Player)"));
+                ConditionMessages.Other("graphics API", "Direct3D11", "Vulkan", "Project Settings, Player")));
         }
 
         // The L_visu of another device or refresh rate does not apply to this device. The other conditions change L_visu by a few ms.

@@ -1,8 +1,10 @@
 using System;
 using System.IO;
+using System.Text.RegularExpressions;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 using NUnit.Framework;
+using Nowpose.Messages;
 
 namespace Nowpose.Tests.Core.Latency.Profile
 {
@@ -64,7 +66,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
 
             var fault = Assert.Throws<InputException>(() => LatencyProfileFile.Save(_path, Profile(50)));
 
-            Assert.That(fault.Message, Does.StartWith(_path + ": the latency profile cannot be saved: ").And.Not.Contains("\n"));
+            Assert.That(fault.Message, Does.Match("^" + FileMessages.NotSaved(Regex.Escape(_path), "latency profile", ".+") + "$"));
             Assert.That(LoadedMs(), Is.EqualTo(40));
         }
 
@@ -73,7 +75,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         {
             var fault = Assert.Throws<InputException>(() => LatencyProfileFile.Load(_path));
 
-            Assert.That(fault.Message, Does.StartWith(_path + ": cannot be read: ").And.Not.Contains("\n"));
+            Assert.That(fault.Message, Does.Match("^" + FileMessages.NotRead(Regex.Escape(_path), ".+") + "$"));
         }
 
         [Test]
@@ -83,7 +85,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
             File.WriteAllText(_path, Half(File.ReadAllText(_path)));
 
             Assert.That(Assert.Throws<InputException>(() => LatencyProfileFile.Load(_path)).Message,
-                Is.EqualTo(_path + ": it is not a complete JSON object; calibrate again"));
+                Is.EqualTo(_path + ": " + ProfileMessages.NotComplete));
         }
 
         [Test]
@@ -93,7 +95,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
             File.WriteAllBytes(_path, new byte[1_000_000]);
 
             Assert.That(Assert.Throws<InputException>(() => LatencyProfileFile.Load(_path)).Message,
-                Is.EqualTo(_path + ": file has 1000000 bytes; the limit is 65536"));
+                Is.EqualTo(FileMessages.TooLong(_path, 1_000_000, 65536)));
         }
     }
 }

@@ -36,11 +36,11 @@ namespace Nowpose.Tests.Core.Latency.Profile
 
         [TestCase(double.NaN, 1.1, 60, 300, 15, 15, "visualisation latency", double.NaN, " ms", 0, 500)]
         [TestCase(501, 1.1, 60, 300, 15, 15, "visualisation latency", 501, " ms", 0, 500)]
-        [TestCase(40, -1, 60, 300, 15, 15, "spread of the visualisation latency", -1, " ms", 0, 500)]
+        [TestCase(40, -1, 60, 300, 15, 15, SettingNames.VisualisationSpread, -1, " ms", 0, 500)]
         [TestCase(40, 1, -60, 300, 15, 15, "display rate", -60, " Hz", 0, 1000)]
         [TestCase(40, 1, 60, -1, 15, 15, "measurements", -1, "", 0, int.MaxValue)]
         [TestCase(40, 1, 60, 300, 0, 15, "render time limit", 0, " ms", 0.1, 1000)]
-        [TestCase(40, 1, 60, 300, 15, double.NaN, "maximum measured render time", double.NaN, " ms", 0.1, 1000)]
+        [TestCase(40, 1, 60, 300, 15, double.NaN, SettingNames.MaxRenderTime, double.NaN, " ms", 0.1, 1000)]
         public void LatencyProfile_ValueOutOfRange_ThrowsWithNameValueAndRange(
             double visuMs, double spreadMs, double displayHz, int measurements, double limitMs, double validToMs,
             string name, double value, string unit, double min, double max)
@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         {
             Assert.That(
                 Assert.Throws<InputException>(() => Profile(device: "Holo\nLens")).Message,
-                Is.EqualTo(ConditionMessages.NotOneLine("device", "the model's name", 128)));
+                Is.EqualTo(ConditionMessages.NotOneLine("device", SettingNames.DeviceModel, 128)));
         }
 
         [Test]

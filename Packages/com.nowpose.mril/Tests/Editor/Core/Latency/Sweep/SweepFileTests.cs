@@ -1,10 +1,12 @@
 using System;
 using System.IO;
 using System.Linq;
+using System.Text.RegularExpressions;
 using System.Threading;
 using Nowpose.Latency;
 using Nowpose.Latency.Sweep;
 using NUnit.Framework;
+using Nowpose.Messages;
 
 namespace Nowpose.Tests.Core.Latency.Sweep
 {
@@ -97,7 +99,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
             var judged = Finished(file);
 
             Assert.That(judged, Is.Null);
-            Assert.That(file.Problem, Does.StartWith("sweep log " + file.Path + " cannot be written: ").And.Not.Contain("\n"));
+            Assert.That(file.Problem, Does.Match("^" + SweepMessages.LogNotWritten(Regex.Escape(file.Path), ".+") + "$"));
         }
     }
 }

@@ -32,10 +32,10 @@ namespace Nowpose.Tests.Core.Latency.Sweep
             Assert.That(plan.Duration, Is.EqualTo(new TimeSpan(0, 2, 6)));
         }
 
-        [TestCase(2_000_001, 10, 5, 1, "maximum load of the sweep, vertices", 2_000_001, "", 1000, 2_000_000)]
-        [TestCase(2_000_000, 1, 5, 1, "steps of the sweep", 1, "", 2, 100)]
-        [TestCase(2_000_000, 10, 0, 1, "duration of a load", 0, " s", 0.5, 600)]
-        [TestCase(2_000_000, 10, 5, double.NaN, "time for a load to settle", double.NaN, " s", 0, 60)]
+        [TestCase(2_000_001, 10, 5, 1, SettingNames.MaxSweepLoad, 2_000_001, "", 1000, 2_000_000)]
+        [TestCase(2_000_000, 1, 5, 1, SettingNames.SweepSteps, 1, "", 2, 100)]
+        [TestCase(2_000_000, 10, 0, 1, SettingNames.LoadTime, 0, " s", 0.5, 600)]
+        [TestCase(2_000_000, 10, 5, double.NaN, SettingNames.SettlingTime, double.NaN, " s", 0, 60)]
         public void Constructor_ValueOutOfRange_NamesTheValue(
             int most, int steps, double seconds, double settle, string name, double value, string unit, double min, double max)
         {
