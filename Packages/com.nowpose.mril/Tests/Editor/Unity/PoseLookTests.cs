@@ -1,6 +1,7 @@
 using System.Linq;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using NUnit.Framework;
 
@@ -44,7 +45,7 @@ namespace Nowpose.Tests.Unity
             Assert.That(look.Fade, Is.EqualTo(fade));
             Assert.That(look.IsDrawn, Is.True);
             Assert.That(look.IsHatched, Is.True);
-            Assert.That(look.Label, Does.Contain("outside range"));
+            Assert.That(look.Label, Does.Contain(PoseMessages.Of(PoseState.OutsideRange)));
         }
 
         [Test]

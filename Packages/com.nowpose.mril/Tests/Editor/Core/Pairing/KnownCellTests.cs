@@ -156,7 +156,7 @@ namespace Nowpose.Tests.Core.Pairing
             _pairing.Frame();
             _pairing.Look(Other);
 
-            Assert.That(_pairing.Flow.Question, Does.StartWith("Use cell"));
+            Assert.That(_pairing.Flow.Question, Is.EqualTo(PairingMessages.Use("Press 4", "Press 3")));
         }
     }
 }

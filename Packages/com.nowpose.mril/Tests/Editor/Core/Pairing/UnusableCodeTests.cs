@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Pairing
 
             Assert.That(_pairing.Sent.Count, Is.EqualTo(1));
             Assert.That(changes & PairingChange.Problem, Is.EqualTo(PairingChange.Problem));
-            Assert.That(_pairing.Flow.Problem, Does.Contain("h is missing"));
+            Assert.That(_pairing.Flow.Problem, Does.EndWith(PairingCodeMessages.FieldMissing('h')));
         }
 
         [Test]

@@ -99,7 +99,7 @@ namespace Nowpose.Tests.Core.Recording
 
             Assert.That(flush.Wait(TimeSpan.FromMinutes(1)), "the wait for the flush ends");
             Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed));
-            Assert.That(recorder.Problem, Is.EqualTo("recording disk has stopped: No space left on device"));
+            Assert.That(recorder.Problem, Is.EqualTo(RecordingMessages.Stopped("disk", "No space left on device")));
             recorder.Dispose();
         }
 
@@ -122,7 +122,7 @@ namespace Nowpose.Tests.Core.Recording
             recorder.Dispose();
 
             Assert.That(states, Is.All.EqualTo(PoseState.Current));
-            Assert.That(recorder.Problem, Is.EqualTo("recording disk has stopped: No space left on device"));
+            Assert.That(recorder.Problem, Is.EqualTo(RecordingMessages.Stopped("disk", "No space left on device")));
             Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed), "the state does not change");
             Assert.That(disk.IsClosed);
             Assert.That(disk.Refusals, Is.LessThanOrEqualTo(2), "one failed write and one failed close, without further retries");
@@ -150,7 +150,7 @@ namespace Nowpose.Tests.Core.Recording
 
                 Assert.That(last, Is.EqualTo(PoseState.Current));
                 Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed));
-                Assert.That(recorder.Problem, Does.StartWith("recording " + folder.FullName + " has stopped: ").And.Not.Contain("\n"));
+                Assert.That(recorder.Problem, Does.StartWith(RecordingMessages.Stopped(folder.FullName, "")).And.Not.Contain("\n"));
                 Assert.That(recorder.LostLines, Is.EqualTo(0));
             }
             finally

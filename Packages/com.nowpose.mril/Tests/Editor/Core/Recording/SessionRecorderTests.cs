@@ -5,6 +5,7 @@ using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Recording;
@@ -130,7 +131,7 @@ namespace Nowpose.Tests.Core.Recording
             run.Close();
 
             var last = run.Of("statistics").Last();
-            Assert.That((string)last["error_withheld"], Is.EqualTo(hasLimit ? "render time not measured" : null));
+            Assert.That((string)last["error_withheld"], Is.EqualTo(hasLimit ? StateNames.RenderTimeNotMeasured : null));
             Assert.That((last["tool_mm"] == null, last["tool_of_run_mm"] == null), Is.EqualTo((hasLimit, hasLimit)));
         }
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Session.Cell;
@@ -188,7 +189,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [TestCase(true, "outside range")]
-        [TestCase(false, "beyond measured range")]
+        [TestCase(false, StateNames.BeyondMeasured)]
         public void Diagnostics_ErrorIsWithheld_ContainTheReason(bool isLimitReached, string reason)
         {
             var simulated = InsideTheRange(isLimitReached);

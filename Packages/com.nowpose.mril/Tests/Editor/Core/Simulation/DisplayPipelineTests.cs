@@ -193,7 +193,7 @@ namespace Nowpose.Tests.Core.Simulation
         {
             Assert.That(
                 Assert.Throws<InputException>(() => new DisplayPipelineSettings(refreshMs: 20, plateauMs: 10)).Message,
-                Is.EqualTo(SettingMessages.OutOfRange("visualisation latency while frames are ready in time", 10, " ms", 20, 500)));
+                Is.EqualTo(SettingMessages.OutOfRange(SettingNames.VisualisationInTime, 10, " ms", 20, 500)));
         }
     }
 }

@@ -2,6 +2,7 @@ using System.Linq;
 using System.Text.RegularExpressions;
 using Nowpose.Editor;
 using Nowpose.Editor.Inspectors;
+using Nowpose.Editor.Messages;
 using Nowpose.Latency;
 using Nowpose.Session;
 using Nowpose.Simulation;
@@ -25,7 +26,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [TestCase(false, false, "as calibrated")]
-        [TestCase(true, false, "predicted by the runtime")]
+        [TestCase(true, false, InspectorTexts.Predicted)]
         [TestCase(false, true, "implausible, 8123.40 ms ahead")]
         public void Rows_DisplayTime_NameItsSource(bool isPredicted, bool isImplausible, string expected)
         {

@@ -1,6 +1,7 @@
 using Nowpose.Tests.Core.Kinematics;
 using Nowpose.Unity;
 using NUnit.Framework;
+using Nowpose.Unity.Messages;
 
 namespace Nowpose.Tests.Unity.Robot
 {
@@ -42,7 +43,7 @@ namespace Nowpose.Tests.Unity.Robot
         [TestCase(null)]
         public void Read_NoText_NamesTheAsset(string text)
         {
-            Assert.That(Assert.Throws<InputException>(() => Asset(text).Read()).Message, Does.Contain("'My Robot'").And.Contain("no URDF"));
+            Assert.That(Assert.Throws<InputException>(() => Asset(text).Read()).Message, Is.EqualTo(RigMessages.NoUrdf("My Robot")));
         }
 
         [Test]

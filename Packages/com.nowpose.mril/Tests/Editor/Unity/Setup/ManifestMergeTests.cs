@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using Newtonsoft.Json.Linq;
 using Nowpose.Editor;
@@ -83,7 +84,7 @@ namespace Nowpose.Tests.Unity.Setup
 
             Assert.That(refused.Text, Is.EqualTo(before));
             Assert.That(refused.Conflicts.Single(), Is.EqualTo(
-                File + ":3: com.unity.b is " + version + "; 1.5.0 or newer, but older than 3.0.0 is needed"));
+                ManifestMessages.OtherVersion(File + ":3", "com.unity.b", version, "1.5.0" + CheckResults.OrNewer(new Version(3, 0, 0)))));
             Assert.That(replaced.Text, Is.EqualTo(before.Replace(version, "2.0.0")));
             Assert.That(replaced.Conflicts, Is.Empty);
             Assert.That(replaced.Changes, Has.Count.EqualTo(1));
@@ -98,7 +99,8 @@ namespace Nowpose.Tests.Unity.Setup
             var merge = Merge(before, Plain);
 
             Assert.That(merge.Text, Is.EqualTo(before));
-            Assert.That(merge.Notes.Single(), Does.StartWith("com.unity.b is kept at " + version));
+            Assert.That(merge.Notes.Single(), Is.EqualTo(
+                ManifestMessages.VersionUnreadable("com.unity.b", version, "1.5.0" + CheckResults.OrNewer(new Version(3, 0, 0)))));
         }
 
         [Test]
@@ -108,7 +110,7 @@ namespace Nowpose.Tests.Unity.Setup
 
             merge.Need(Plain, isExact: true);
 
-            Assert.That(merge.Conflicts.Single(), Does.EndWith("com.unity.b is 2.0.1; 2.0.0 is needed"));
+            Assert.That(merge.Conflicts.Single(), Is.EqualTo(ManifestMessages.OtherVersion(File + ":1", "com.unity.b", "2.0.1", "2.0.0")));
         }
 
         [Test]
@@ -147,7 +149,8 @@ namespace Nowpose.Tests.Unity.Setup
 
             Assert.That(
                 refused.Conflicts.Single(),
-                Does.StartWith(File + ":3: com.microsoft.mixedreality.openxr comes from the registry https://old.example"));
+                Is.EqualTo(
+                    ManifestMessages.OtherRegistry(File + ":3", "com.microsoft.mixedreality.openxr", "https://old.example", Url, isShared: false)));
             Assert.That(refused.CanReplaceAll);
             Assert.That(kept.Text, Does.Contain("https://old.example").And.Contain("\"com.microsoft.mixedreality.openxr\":\"1.11.2\""));
             Assert.That(((JArray)JObject.Parse(kept.Text)["scopedRegistries"]).Count, Is.EqualTo(1));

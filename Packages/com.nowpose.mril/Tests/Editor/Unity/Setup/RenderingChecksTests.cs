@@ -1,4 +1,5 @@
 using Nowpose.Editor;
+using Nowpose.Editor.Messages;
 using Nowpose.Editor.Setup;
 using NUnit.Framework;
 using UnityEngine.Rendering;
@@ -53,7 +54,7 @@ namespace Nowpose.Tests.Unity.Setup
             var check = RenderingChecks.GraphicsJobs;
 
             Assert.That(State(check, _project), Is.EqualTo("Unknown"));
-            Assert.That(check.Fix(_project), Does.Contain("build target"));
+            Assert.That(check.Fix(_project), Is.EqualTo(CheckFixes.BuildTarget));
             Assert.That(_project.UsesGraphicsJobs, Is.Null);
         }
 
@@ -89,7 +90,7 @@ namespace Nowpose.Tests.Unity.Setup
             var check = PlayerChecks.InputHandling;
 
             Assert.That(State(check, _project), Is.EqualTo("Unknown"));
-            Assert.That(check.Fix(_project), Does.Contain("Active Input Handling"));
+            Assert.That(check.Fix(_project), Is.EqualTo(CheckFixes.InputHandling(CheckTitles.InputSystem)));
             Assert.That(_project.SettingsOpened, Is.EqualTo(1));
         }
 
@@ -120,10 +121,15 @@ namespace Nowpose.Tests.Unity.Setup
             Assert.That(State(check, _project), Is.EqualTo("Good"));
         }
 
-        [TestCase(0.02f, "Missing", "0.02 m; at a distance of 1.5 m, one depth step is 1.72 mm")]
-        [TestCase(0.1f, "Good", "0.1 m")]
-        [TestCase(0.3f, "Good", "0.3 m")]
-        [TestCase(0.85f, "Advice", "0.85 m; objects closer to the eyes are not drawn")]
+        static readonly object[][] NearClips =
+        {
+            new object[] { 0.02f, "Missing", CheckResults.NearClip("0.02 m", 1.72, 1.5) },
+            new object[] { 0.1f, "Good", "0.1 m" },
+            new object[] { 0.3f, "Good", "0.3 m" },
+            new object[] { 0.85f, "Advice", CheckResults.FarNearClip("0.85 m") },
+        };
+
+        [TestCaseSource(nameof(NearClips))]
         public void NearClip_MainCamera_IsCheckedAgainstTheDepthResolutionAndFixed(float near, string state, string found)
         {
             _project.NearClipMetres = near;

@@ -1,4 +1,5 @@
 using Nowpose.Editor;
+using Nowpose.Editor.Messages;
 using Nowpose.Editor.Setup;
 using NUnit.Framework;
 
@@ -52,9 +53,8 @@ namespace Nowpose.Tests.Unity.Setup
 
             var found = PackageChecks.MrtkGeneration.Look(project).Found;
 
-            Assert.That(found, Does.StartWith(Core + " 4.0.0-pre.2, " + Interaction + " 3.0.4 are not supported"));
-            Assert.That(found, Does.Contain("nowpose unity PATH --mrtk3 --on-conflict replace"));
-            Assert.That(found, Does.Contain(Core + " 3.3.0, " + Interaction + " 2.6.3"));
+            Assert.That(found, Is.EqualTo(CheckResults.NotSupported(
+                Core + " 4.0.0-pre.2, " + Interaction + " 3.0.4", 2, Core + " 3.3.0, " + Interaction + " 2.6.3")));
         }
 
         [Test]

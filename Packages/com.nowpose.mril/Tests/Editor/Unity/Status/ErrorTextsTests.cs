@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 using Nowpose.Session;
 using Nowpose.Session.Hindcast;
 using Nowpose.Unity.Status;
@@ -23,10 +24,10 @@ namespace Nowpose.Tests.Unity.Status
 
         [TestCase(ErrorWithheldReason.None, "–|")]
         [TestCase(ErrorWithheldReason.OutsideRange, "–|outside range")]
-        [TestCase(ErrorWithheldReason.BeyondMeasured, "–|beyond measured range")]
-        [TestCase(ErrorWithheldReason.OtherSource, "–|limit is for another source")]
-        [TestCase(ErrorWithheldReason.NoRenderTime, "–|render time not measured")]
-        [TestCase(ErrorWithheldReason.LongerThanRefresh, "–|frames miss refreshes")]
+        [TestCase(ErrorWithheldReason.BeyondMeasured, "–|" + StateNames.BeyondMeasured)]
+        [TestCase(ErrorWithheldReason.OtherSource, "–|" + StateNames.OtherSourceLimit)]
+        [TestCase(ErrorWithheldReason.NoRenderTime, "–|" + StateNames.RenderTimeNotMeasured)]
+        [TestCase(ErrorWithheldReason.LongerThanRefresh, "–|" + StateNames.FramesMissRefreshes)]
         public void Update_ErrorIsWithheld_ShowsTheReasonBesideTheMissingError(object reason, string expected)
         {
             var statistics = new SessionStatistics { ErrorWithheld = (ErrorWithheldReason)reason };

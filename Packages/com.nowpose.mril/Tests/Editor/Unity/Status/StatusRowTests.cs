@@ -1,8 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Messages;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Status;
 using NUnit.Framework;
 using static Nowpose.Tests.Unity.Status.StatusRows;
@@ -41,7 +43,7 @@ namespace Nowpose.Tests.Unity.Status
             var rows = Enumerable.Range((int)StatusRow.FirstPart, 6).Select(row => (StatusRow)row).ToArray();
             var named = count <= 6 ? count : 5;
             Assert.That(rows.Take(named).Select(texts.ValueOf), Is.EqualTo(Enumerable.Range(0, named).Select(i => "! object box_" + i)));
-            Assert.That(rows.Take(named).Select(texts.NoteOf), Is.All.EqualTo("no new poses are arriving"));
+            Assert.That(rows.Take(named).Select(texts.NoteOf), Is.All.EqualTo(FrameMessages.PosesStopped));
             Assert.That(texts.ValueOf(StatusRow.LastPart), Is.EqualTo(count < 6 ? "" : count == 6 ? "! object box_5" : "! and 15 more"));
             Assert.That(rows.Count(texts.IsShown), Is.EqualTo(Math.Min(6, count)));
         }
@@ -76,7 +78,7 @@ namespace Nowpose.Tests.Unity.Status
 
             texts.Update(new SessionStatistics { Pose = pose }, Loopback, "test", null, parts: parts);
 
-            Assert.That(texts.ValueOf(StatusRow.Objects), Is.EqualTo("! 2 not current"));
+            Assert.That(texts.ValueOf(StatusRow.Objects), Is.EqualTo(StatusMessages.NotCurrent(2)));
             Assert.That(texts.ValueOf(StatusRow.FirstPart), Is.EqualTo("! object lid"));
             Assert.That(texts.IsShown(StatusRow.SecondPart), Is.False);
         }
@@ -100,7 +102,7 @@ namespace Nowpose.Tests.Unity.Status
             now = now.AddSeconds(600.4);
             Assert.That(Label(1608), Is.SameAs(label), "the two clocks are not read at the same moment");
             now = now.AddDays(1);
-            Assert.That(Label(1608 + 86400), Is.EqualTo("since Mar 5"));
+            Assert.That(Label(1608 + 86400), Is.EqualTo(StatusMessages.Since("Mar 5")));
             texts.Update(new SessionStatistics(), Loopback, "test", null, parts: parts);
             Assert.That(texts.LabelOf(StatusRow.FirstPart), Is.Empty, "the control time is not known");
         }
@@ -112,7 +114,7 @@ namespace Nowpose.Tests.Unity.Status
 
             texts.Update(new SessionStatistics { Pose = PoseState.Held, IsLimitedByBase = true }, Loopback, "test", null);
 
-            Assert.That((texts.ValueOf(StatusRow.Pose), texts.NoteOf(StatusRow.Pose)), Is.EqualTo(("! held", "its base is not current")));
+            Assert.That((texts.ValueOf(StatusRow.Pose), texts.NoteOf(StatusRow.Pose)), Is.EqualTo(("! held", StatusMessages.BaseNotCurrent)));
         }
 
         sealed class Part : IShownPart
@@ -120,7 +122,7 @@ namespace Nowpose.Tests.Unity.Status
             public Part(string title) => Title = title;
 
             public string Title { get; }
-            public string Fault => "no new poses are arriving";
+            public string Fault => FrameMessages.PosesStopped;
             public bool IsFaultCommon { get; set; }
             public ControlTime? FaultSince { get; set; }
         }

@@ -5,10 +5,12 @@ using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Tests.Core.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Status;
 using NUnit.Framework;
@@ -34,8 +36,8 @@ namespace Nowpose.Tests.Unity.Status
             var shownMessage = texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
             texts.Update(statistics, Loopback, "test", "settings: worse");
 
-            Assert.That(texts.ValueOf(StatusRow.Robot), Is.EqualTo("! beyond its limits"));
-            Assert.That(shownMessage, Does.Contain("joint 'shoulder': 45 rad is outside its limits -3 to 3 rad"));
+            Assert.That(texts.ValueOf(StatusRow.Robot), Is.EqualTo(StatusMessages.BeyondLimits));
+            Assert.That(shownMessage, Is.EqualTo("! " + RobotMessages.BeyondLimits("shoulder", 45, "rad", -3, 3, "degrees")));
             Assert.That(texts.ValueOf(StatusRow.Message), Is.EqualTo("! settings: worse"));
         }
 
@@ -67,20 +69,20 @@ namespace Nowpose.Tests.Unity.Status
 
             texts.Update(statistics, Loopback, "test", null);
 
-            Assert.That(texts.ValueOf(StatusRow.Message).Replace('\n', ' '), Does.StartWith("! the gateway has version 9.9.9"));
+            Assert.That(texts.ValueOf(StatusRow.Message).Replace('\n', ' '), Is.EqualTo("! " + statistics.VersionMismatch));
         }
 
         [Test]
         public void Update_NewSession_ShowsUnknownValues()
         {
-            Assert.That(Row(StatusRow.Pose), Does.StartWith("! no positions yet"));
-            Assert.That(Row(StatusRow.Clock), Is.EqualTo("! no response yet|"));
+            Assert.That(Row(StatusRow.Pose), Does.StartWith("! " + PoseMessages.Of(PoseState.Incomplete)));
+            Assert.That(Row(StatusRow.Clock), Is.EqualTo(StatusMessages.Of(ClockState.Unsynchronised) + "|"));
             Assert.That(Row(StatusRow.ApplicationLatency), Is.EqualTo("–|"));
             Assert.That(Row(StatusRow.Horizon), Is.EqualTo("–|"));
-            Assert.That(Row(StatusRow.RenderTime), Is.EqualTo("–|not measured"));
+            Assert.That(Row(StatusRow.RenderTime), Is.EqualTo("–|" + RenderTimeNames.NameOf(RenderTimeSourceKind.None)));
             Assert.That(Row(StatusRow.Reduction), Is.EqualTo("–|"));
             Assert.That(Row(StatusRow.Error), Is.EqualTo("–|"));
-            Assert.That(Row(StatusRow.Connection), Does.StartWith("not connected|"));
+            Assert.That(Row(StatusRow.Connection), Does.StartWith(StatusMessages.Of(LinkState.Idle, LinkState.Idle) + "|"));
             Assert.That(Row(StatusRow.Robot), Is.EqualTo("–|"));
         }
 
@@ -114,7 +116,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(PoseState.Current, ClockState.Coarse, "current|clock ± 3.1 ms")]
         [TestCase(PoseState.Current, ClockState.Holdover, "current|clock ± 3.1 ms")]
         [TestCase(PoseState.Current, ClockState.Synchronised, "current|")]
-        [TestCase(PoseState.Held, ClockState.Coarse, "! held|too few recent samples")]
+        [TestCase(PoseState.Held, ClockState.Coarse, "! held|" + StatusMessages.TooFewSamples)]
         public void Update_PoseWithACoarseClock_ShowsTheErrorBesideThePose(PoseState pose, ClockState state, string expected)
         {
             var clock = new ClockModel(default, default, 0, Ms(14), state, estimatedError: Ms(3.14));
@@ -146,9 +148,9 @@ namespace Nowpose.Tests.Unity.Status
             Assert.That(Row(StatusRow.VisualisationLatency, new SessionStatistics { VisualisationLatency = Ms(40.2), Profile = profile }), Is.EqualTo(expected));
         }
 
-        [TestCase(false, false, "47.0 ms|as set")]
-        [TestCase(true, false, "47.0 ms|predicted by the runtime")]
-        [TestCase(true, true, "! 47.0 ms|runtime and calibration differ")]
+        [TestCase(false, false, "47.0 ms|" + StatusMessages.LatencySet)]
+        [TestCase(true, false, "47.0 ms|" + StatusMessages.LatencyPredicted)]
+        [TestCase(true, true, "! 47.0 ms|" + StatusMessages.LatenciesDiffer)]
         public void Update_VisualisationLatency_NamesItsSource(bool isPredicted, bool isInconsistent, string expected)
         {
             var statistics = new SessionStatistics
@@ -166,7 +168,7 @@ namespace Nowpose.Tests.Unity.Status
             var row = Row(StatusRow.Pose, new SessionStatistics { Pose = PoseState.OutsideRange, OutsideRange = response }).Split('|');
 
             Assert.That(row[0], Is.EqualTo("! " + PoseLook.Of(PoseState.OutsideRange, response).Label));
-            Assert.That(row[1], Is.EqualTo("rendering takes too long"));
+            Assert.That(row[1], Is.EqualTo(StatusMessages.RenderingTooLong));
         }
 
         [TestCase(RenderTimeSourceKind.DisplayGpuTime, "9.5 ms|GPU time from headset")]
@@ -180,12 +182,12 @@ namespace Nowpose.Tests.Unity.Status
 
         [TestCase(RangeState.Inside, RangeUnknownReason.None, "inside|")]
         [TestCase(RangeState.Outside, RangeUnknownReason.None, "! outside|")]
-        [TestCase(RangeState.Unknown, RangeUnknownReason.NoLimit, "–|no limit is known")]
+        [TestCase(RangeState.Unknown, RangeUnknownReason.NoLimit, "–|" + StatusMessages.NoLimit)]
         [TestCase(RangeState.Unknown, RangeUnknownReason.NoRenderTime, "–|not measured")]
         [TestCase(RangeState.Unknown, RangeUnknownReason.TooFewFrames, "–|measuring")]
-        [TestCase(RangeState.Unknown, RangeUnknownReason.LongerThanRefresh, "–|frames miss refreshes")]
-        [TestCase(RangeState.Unknown, RangeUnknownReason.BeyondMeasured, "–|beyond measured range")]
-        [TestCase(RangeState.Unknown, RangeUnknownReason.OtherSource, "–|limit is for another source")]
+        [TestCase(RangeState.Unknown, RangeUnknownReason.LongerThanRefresh, "–|" + StateNames.FramesMissRefreshes)]
+        [TestCase(RangeState.Unknown, RangeUnknownReason.BeyondMeasured, "–|" + StateNames.BeyondMeasured)]
+        [TestCase(RangeState.Unknown, RangeUnknownReason.OtherSource, "–|" + StateNames.OtherSourceLimit)]
         public void Update_Range_ShowsTheReasonIfUnknown(RangeState range, object reason, string expected)
         {
             Assert.That(Row(StatusRow.Range, new SessionStatistics { Range = range, RangeUnknownReason = (RangeUnknownReason)reason }), Is.EqualTo(expected));
@@ -226,7 +228,7 @@ namespace Nowpose.Tests.Unity.Status
             Assert.That(Note(TransportSecurity.Plain, Loopback), Is.EqualTo("within this machine"));
         }
 
-        [TestCase(RobotDescriptionMatch.Same, "same as gateway's|youBot")]
+        [TestCase(RobotDescriptionMatch.Same, StatusMessages.SameRobot + "|youBot")]
         [TestCase(RobotDescriptionMatch.Different, "! differs|youBot")]
         [TestCase(RobotDescriptionMatch.Unknown, "–|youBot")]
         public void Update_Robot_ShowsWhetherTheDescriptionMatches(object match, string expected)

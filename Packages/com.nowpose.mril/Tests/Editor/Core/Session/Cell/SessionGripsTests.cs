@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Session;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Session.Cell.GripScene;
@@ -204,7 +205,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Close);
 
             Assert.That(grip.Held, Is.Null);
-            Assert.That(grip.Fault, Does.Contain("held object is unknown"));
+            Assert.That(grip.Fault, Is.EqualTo(FrameMessages.ArmWithoutData));
 
             cell.Send("grip", Close, 0);
             Until(cell, Close + 1);
