@@ -79,7 +79,7 @@ describe('plant clock', () => {
 
     clock.detach();
 
-    await assert.rejects(gateway.services.get('/nowpose/plant_time/cell').answer(), /not connected/);
+    await assert.rejects(gateway.services.get('/nowpose/plant_time/cell').answer(), { message: clockMessages.notConnected });
     assert.ok(clock.isSettled);
   });
 
@@ -95,7 +95,7 @@ describe('plant clock', () => {
 
     assert.equal(await attached, false);
     assert.equal(gateway.services.size, 0);
-    await assert.rejects(clock.read(), /not connected/);
+    await assert.rejects(clock.read(), { message: clockMessages.notConnected });
   });
 
   it('Request_PlantConnected_ReturnsTimesAndResolution', async () => {

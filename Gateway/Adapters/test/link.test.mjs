@@ -42,7 +42,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     for (const data of [version, `${version}-rc.1`, '9.9.9', '9.9.9', '10.0.0-rc.1+5ed38b99']) bridge.send({ op: 'publish', topic: '/nowpose/version', msg: { data } });
 
     await run.said('10.0.0-rc.1+5ed38b99');
-    assert.doesNotMatch(run.err, new RegExp(`gateway has version ${version.replaceAll('.', '\\.')}`));
+    assert.doesNotMatch(run.err, like(gatewayMessages.otherVersion(version, ANY)));
     assert.equal(run.err.split('9.9.9').length, 2);
     assert.match(run.err, new RegExp(`9\\.9\\.9.*${version.replaceAll('.', '\\.')}`));
     await until(() => bridge.state, 'diagnostics');
@@ -82,7 +82,6 @@ describe('link to the gateway', { concurrency: 3 }, () => {
 
     await run.said(like(gatewayMessages.notTrusted(ANY)));
 
-    assert.match(run.err, /set gateway\.pin/);
     assert.equal(bridge.headers.length, 0);
   });
 

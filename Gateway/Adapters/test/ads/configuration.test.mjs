@@ -5,9 +5,9 @@ import { wrongIn } from '../checking.mjs';
 import { check } from '../program.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { configuration } from './cell.mjs';
-import { messages } from '../messages.mjs';
+import { like, messages } from '../messages.mjs';
 
-const { adsSettingMessages, configurationMessages } = messages;
+const { adsSettingMessages, configurationMessages, summaryMessages } = messages;
 
 describe('ads configuration', () => {
   const good = configuration({ port: 48898, url: 'ws://127.0.0.1:47011' });
@@ -16,7 +16,8 @@ describe('ads configuration', () => {
     const { status, out } = await check(t, temporaryFile('ads.yaml', good));
 
     assert.equal(status, 0);
-    assert.match(out, /: ADS ads:\/\/127\.0\.0\.1:48898\/5\.24\.12\.7\.1\.1:851, NO SECURITY; t_k .* 10 ms, .* 10 ms; joints arm_joint_1, /);
+    const stamps = summaryMessages.stamps(summaryMessages.adsStamp, 10, 10);
+    assert.match(out, like(`: ADS ads://127.0.0.1:48898/5.24.12.7.1.1:851, NO SECURITY; ${stamps}; joints arm_joint_1, `));
   });
 
   for (const [name, from, to, expected] of [

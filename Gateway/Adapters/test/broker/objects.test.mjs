@@ -6,9 +6,9 @@ import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { bridge, clockOf, halls, jointStatus, publish, secondsAgo, served, state } from './halls.mjs';
 import { missing } from './mosquitto.mjs';
-import { messages } from '../messages.mjs';
+import { ANY, like, messages } from '../messages.mjs';
 
-const { brokerMessages } = messages;
+const { brokerMessages, configurationMessages } = messages;
 
 const transform = (stamp, child, x, parent = 'world') => ({
   header: { stamp, frame_id: parent }, child_frame_id: child, transform: { translation: { x, y: 0, z: 0 }, rotation: { x: 0, y: 0, z: 0, w: 1 } },
@@ -93,5 +93,5 @@ describe('objects over a broker', { skip: missing, concurrency: 3 }, () => {
 
   it('Check_NamespaceListedTwice_NamesItsLine', () => assert.match(wrongIn(temporaryFile('broker.yaml',
     'plant:\n  kind: broker\n  direction: publish\n  endpoint: mqtt://127.0.0.1\n  topic: a\n  namespaces: [arm1, arm1]\n'))[0],
-  /line 6: plant\.namespaces\[1\]: value "arm1" occurs twice/));
+  like(`line 6: plant.namespaces[1]: ${configurationMessages.valueTwice('arm1', ANY)}`)));
 });

@@ -94,10 +94,10 @@ test('an unsupported option causes a status, and the request is served without t
 
   assert.deepEqual([...statuses].map(([id, { level }]) => [id, level]), [
     ['cbor', 'warning'], ['fragment', 'warning'], ['type', 'error'], ['slash', 'error'], ['call', 'warning']]);
-  assert.match(statuses.get('cbor').msg, /compression cbor is not supported/);
-  assert.match(statuses.get('fragment').msg, /fragment_size 500 is not supported/);
-  assert.match(statuses.get('type').msg, /has the type sensor_msgs\/JointState, not std_msgs\/String/);
-  assert.match(statuses.get('slash').msg, /must begin with a slash: use \/joint_states/);
+  assert.match(statuses.get('cbor').msg, /\bcbor\b/);
+  assert.match(statuses.get('fragment').msg, /\bfragment_size 500\b/);
+  assert.match(statuses.get('type').msg, /\bsensor_msgs\/JointState\b.*\bstd_msgs\/String\b/);
+  assert.match(statuses.get('slash').msg, / \/joint_states\b/);
   assert.match((await within(description, 'the description')).data, /<robot/);
 });
 

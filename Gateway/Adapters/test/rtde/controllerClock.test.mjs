@@ -3,6 +3,9 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
 import { seeded } from '../seeded.mjs';
+import { messages } from '../messages.mjs';
+
+const { rtdeMessages } = messages;
 
 const { ControllerClock } = await parts('rtde/controllerClock');
 
@@ -171,9 +174,9 @@ describe('rtde clock', () => {
 
   it('Clock_RobotSendsNoData_ThrowsAnError', () => {
     const link = new Link({ seed: 1 });
-    assert.throws(() => link.clock.at(0n), /sends no data/);
+    assert.throws(() => link.clock.at(0n), { message: rtdeMessages.noData });
     link.play(3000);
 
-    assert.throws(() => link.clock.at(4200n * MS), /sends no data/);
+    assert.throws(() => link.clock.at(4200n * MS), { message: rtdeMessages.noData });
   });
 });
