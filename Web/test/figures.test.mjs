@@ -6,6 +6,8 @@ import { explainedTerms } from './glossary.mjs';
 import { contrast, hasInk, luminance, settled } from './inks.mjs';
 import { messages } from './messages.mjs';
 
+const { criterionLabels } = messages;
+
 const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>&lt;b&gt;"\'';
 const PLOTS = 5;
 
@@ -45,7 +47,7 @@ describe('the figures page', () => {
     assert.match(words[0], /The paper says[^]*large parts of the range of T\s*s the quadratic[^]*Schnierle & Röck 2022, Fig\. 13a/);
     assert.match(words[0], /We measure[^]*Measured: best at 50 ms\.[^]*the cubic is better at 10 ms[^]*Beyond the paper[^]*adaptive leaves 50 %/);
     const signs = await page.locator('#fig-13a .sign').evaluateAll(all => all.map(s => s.getAttribute('aria-label')));
-    assert.deepEqual(signs, ['met:', 'not met:']);
+    assert.deepEqual(signs, [`${criterionLabels.met}:`, `${criterionLabels.notMet}:`]);
   });
 
   it('draws plots in the colours of their signals, with units on the axes and a description', async () => {

@@ -8,8 +8,11 @@ import { after, before, describe, it } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { Browser } from './browser.mjs';
 import { explainedTerms } from './glossary.mjs';
+import { messages } from './messages.mjs';
 import { readBlocks, readElement } from './qr.mjs';
 import { skipWithout } from './required.mjs';
+
+const { pairingLabels } = messages;
 
 const path = relative => fileURLToPath(new URL(relative, import.meta.url));
 const gateway = ['Debug', 'Release'].map(kind => path(`../../Gateway/bin/${kind}/net10.0/Nowpose.Gateway.dll`)).filter(existsSync)
@@ -62,8 +65,8 @@ describe('pairing', { skip: skipWithout(gateway !== undefined, 'the gateway is n
     const { text: current, left_s: left } = await (await fetch(`${facts.pair}/code`, body({}))).json();
     assert.equal(text, current);
     assert.ok(left > 200 && left <= 300, `${left} s`);
-    assert.match(await page.textContent('#left'), /valid for [45]:\d\d/);
-    assert.equal(await page.textContent('#key'), 'no encryption', 'as the headset asks of a gateway without TLS');
+    assert.match(await page.textContent('#left'), new RegExp(pairingLabels.validFor('[45]:\\d\\d')));
+    assert.equal(await page.textContent('#key'), pairingLabels.noEncryption, 'as the headset asks of a gateway without TLS');
   });
 
   it('explains terms of the glossary on hover', async () => assert.deepEqual(await explainedTerms(page), ['Cell', 'Gateway']));

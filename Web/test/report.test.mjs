@@ -9,7 +9,7 @@ import { report } from './sample.mjs';
 
 const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>&lt;b&gt;"\'';
 const PLOTS = 6;
-const { claimTitles, plotMessages, reportLabels } = messages;
+const { claimTitles, plotMessages, plotValueMessages, reportLabels } = messages;
 
 let browser;
 before(async () => { browser = await Browser.start(); });
@@ -118,7 +118,7 @@ describe('a report of a run with a load', () => {
     assert.deepEqual(page.complaints, []);
     assert.equal(await page.locator('#range .plot canvas').count(), 2);
     const words = await page.locator('#range .plot').first().getAttribute('aria-label');
-    assert.match(words, /render time: 4 to 17.ms.*limit: 15 to 15.ms.*Alarm from 4\.10 to 7\.50.s\./);
+    assert.match(words, new RegExp(`render time: 4 to 17.ms.*limit: 15 to 15.ms.*${plotValueMessages.alarm('4.10', '7.50.s')}`));
     assert.ok(await shadedShare(page, 5.5) > 0.5, 'during the alarm');
     assert.ok(await shadedShare(page, 2) < 0.1, 'before the alarm, only the line of the limit');
   });
@@ -126,7 +126,7 @@ describe('a report of a run with a load', () => {
   it('states that no alarm occurred', async () => {
     const page = await browser.open({ ...report(), range: { ...range, alarms: [] } });
 
-    assert.match(await page.locator('#range .plot').first().getAttribute('aria-label'), /No alarm\./);
+    assert.match(await page.locator('#range .plot').first().getAttribute('aria-label'), new RegExp(plotValueMessages.noAlarm));
     assert.ok(await shadedShare(page, 5.5) < 0.1);
   });
 });

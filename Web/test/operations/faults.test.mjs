@@ -4,7 +4,7 @@ import { describe, it } from 'node:test';
 import { messages } from '../messages.mjs';
 import { becomes, cells, gateway, open } from './page.mjs';
 
-const { emptyMessages, captionLabels, operationsLabels, operationsMessages, stateLabels } = messages;
+const { emptyMessages, captionLabels, clockLabels, levelLabels, operationsLabels, operationsMessages, stateLabels } = messages;
 
 describe('the operations page with faults', () => {
   const ago = seconds => new Date(Date.now() - 1000 * seconds).toISOString();
@@ -26,8 +26,8 @@ describe('the operations page with faults', () => {
     const page = await open();
 
     assert.equal(await page.title(), 'Press 3 · cell-pc · Nowpose 0.2.0');
-    assert.equal(await page.textContent('#place'), 'host cell-pc · Nowpose gateway 0.2.0');
-    assert.equal(await page.textContent('#status'), 'OK: 5 joints live, 2 headsets');
+    assert.equal(await page.textContent('#place'), `${operationsLabels.host('cell-pc')} · ${operationsLabels.gateway('0.2.0')}`);
+    assert.equal(await page.textContent('#status'), `${levelLabels.ok}: 5 joints live, 2 headsets`);
     assert.equal(await page.getAttribute('#status', 'class'), 'level ok');
     assert.ok(await page.locator('#alarms').isHidden());
     assert.ok((await page.textContent('#events')).includes(emptyMessages.events));
@@ -95,7 +95,8 @@ describe('the operations page with faults', () => {
 
     assert.deepEqual([await badge('arm_joint_1').innerText(), await badge('arm_joint_1').getAttribute('class')], [stateLabels.uncertainRest, 'level warning']);
     assert.equal(await note('arm_joint_1'), `no change is reported; ${why}`);
-    assert.deepEqual([await badge('arm_joint_2').innerText(), await badge('arm_joint_2').getAttribute('class')], ['assumed at rest', 'level rest']);
+    assert.deepEqual(
+      [await badge('arm_joint_2').innerText(), await badge('arm_joint_2').getAttribute('class')], [stateLabels.assumedAtRest, 'level rest']);
 
     Object.assign(gateway.state.joints[0], { state: 'live', reason: '', uncertain: null });
     await badge('arm_joint_1').and(page.locator('.ok')).waitFor();
@@ -150,7 +151,8 @@ describe('the operations page with faults', () => {
 
     assert.deepEqual((await cells(page, 'left door')).slice(1, 3), ['incomplete', '40']);
     const note = await page.locator('#headsets .note p').first().innerText();
-    assert.equal(note, `missing joints: a, b; ${operationsLabels.profileMismatch('made for HoloLens 2')}; ${operationsLabels.errorWithheld('outside range')}`);
+    const { errorWithheld, missingJoints, profileMismatch } = operationsLabels;
+    assert.equal(note, [missingJoints('a, b'), profileMismatch('made for HoloLens 2'), errorWithheld('outside range')].join('; '));
   });
 
   it('names the objects and signals that are not current on a headset in its row', async () => {
@@ -173,9 +175,10 @@ describe('the operations page with faults', () => {
     Object.assign(gateway.state.plant_clocks[0], { state: 'coarse', estimated_error_us: 4000, error_bound_us: 7000 });
     const page = await open();
 
-    assert.deepEqual((await cells(page, 'left door')).slice(0, 2), Array(2).fill('coarse, ±\u00a03\u00a0ms'));
-    assert.equal(await page.textContent('#clock'), 'coarse, ±\u00a04\u00a0ms, of press');
-    assert.equal((await page.locator(`[aria-label="${captionLabels.clocks}"] tr:has(th:text-is("press")) td`).allInnerTexts())[1], 'coarse, ±\u00a04\u00a0ms');
+    assert.deepEqual((await cells(page, 'left door')).slice(0, 2), Array(2).fill(stateLabels.coarse('3\u00a0ms')));
+    assert.equal(await page.textContent('#clock'), `${stateLabels.coarse('4\u00a0ms')}, ${clockLabels.clockOf('press')}`);
+    const press = page.locator(`[aria-label="${captionLabels.clocks}"] tr:has(th:text-is("press")) td`);
+    assert.equal((await press.allInnerTexts())[1], stateLabels.coarse('4\u00a0ms'));
     assert.equal(await page.locator('#headsets tr:has-text("left door") .level').getAttribute('class'), 'level ok');
   });
 
@@ -183,7 +186,8 @@ describe('the operations page with faults', () => {
     Object.assign(gateway.state.adapters[0], { 'refused/bad_status': 7, 'refused/nan': 2, 'refused/late': 0 });
     const page = await open();
 
-    assert.equal(await page.locator('[aria-label="Plant connections"] .note p').first().innerText(), 'refused values: bad_status 7, nan 2');
+    const note = page.locator('[aria-label="Plant connections"] .note p').first();
+    assert.equal(await note.innerText(), operationsLabels.refusedValues('bad_status 7, nan 2'));
   });
 
   it('shows a fault of the gateway itself in place of OK', async () => {
@@ -191,8 +195,8 @@ describe('the operations page with faults', () => {
 
     gateway.isSilent = true;
 
-    await becomes(page, '#status', 'Not known');
-    assert.match(await page.title(), /^Not known: Press 3/);
+    await becomes(page, '#status', levelLabels.unknown);
+    assert.ok((await page.title()).startsWith(`${levelLabels.unknown}: Press 3`));
     assert.equal(await page.getAttribute('#status', 'class'), 'level unknown');
   });
 

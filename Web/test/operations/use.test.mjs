@@ -37,8 +37,8 @@ describe('actions', () => {
 
     await page.locator('#record').focus();
     await page.keyboard.press('Enter');
-    await becomes(page, '#recording', 'recording press-3.jsonl: 12 lines');
-    assert.equal(await page.textContent('#record'), 'Stop recording');
+    await becomes(page, '#recording', recorderLabels.recording('press-3.jsonl', '12 lines'));
+    assert.equal(await page.textContent('#record'), recorderLabels.stop);
     assert.equal(await page.getAttribute('#record', 'aria-pressed'), null, 'the text already states it');
     await page.click('#record');
     await becomes(page, '#recording', 'stopped');
