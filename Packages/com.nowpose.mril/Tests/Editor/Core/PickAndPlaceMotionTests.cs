@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core
                 var acceleration = Differences(velocity);
                 var jerk = Differences(acceleration);
 
-                Assert.That(q, Has.All.InRange(joint.Limits.Lower, joint.Limits.Upper), joint.Name);
+                Assert.That(q, Is.Not.Empty.And.All.InRange(joint.Limits.Lower, joint.Limits.Upper), joint.Name);
                 Assert.That(velocity.Max(Math.Abs), Is.LessThanOrEqualTo(joint.Limits.Velocity), joint.Name);
                 Assert.That(acceleration.Max(Math.Abs), Is.LessThanOrEqualTo(MaxAcceleration * 1.001), joint.Name);
                 Assert.That(jerk.Max(Math.Abs), Is.LessThanOrEqualTo(MaxJerk * 1.01), joint.Name);

@@ -50,8 +50,9 @@ namespace Nowpose.Tests.Unity
             Assert.That(rigs.Length, Is.EqualTo(2));
             foreach (var rig in rigs) Assert.That(rig.Shown("_session"), Is.SameAs(_session), rig.name);
             Assert.That(_cell.GetComponent<RenderTimeSource>().Shown("_session"), Is.SameAs(_session));
-            foreach (var look in _cell.GetComponentsInChildren<PoseAppearance>(true))
-                Assert.That(look.Shown("_session"), Is.SameAs(_session), look.name);
+            var looks = _cell.GetComponentsInChildren<PoseAppearance>(true);
+            Assert.That(looks, Is.Not.Empty);
+            foreach (var look in looks) Assert.That(look.Shown("_session"), Is.SameAs(_session), look.name);
             Assert.That(panel.Shown("_session"), Is.SameAs(_session));
             Assert.That(((Component)panel.Shown("_cell")).transform.IsChildOf(panel.transform), Is.True);
             Assert.That(panel.GetComponent<BodyFollow>(), Is.Not.Null);

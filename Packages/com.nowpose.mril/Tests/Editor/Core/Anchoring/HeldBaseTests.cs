@@ -162,11 +162,11 @@ namespace Nowpose.Tests.Core.Anchoring
             Lock();
             _cell.Run(1);
             var before = Tracker.Base.Value;
-            (_anchors.Held[0].State, _anchors.Held[0].Problem) = (SpatialAnchorState.Failed, "the device has removed the anchor");
+            (_anchors.Held[0].State, _anchors.Held[0].Problem) = (SpatialAnchorState.Failed, "no anchor");
             _cell.Base = Shift(0.4) * _cell.Base;
 
             _cell.Run(3);
-            Assert.That((Tracker.State, Tracker.Words), Is.EqualTo((BaseAnchorState.Lost, "the device has removed the anchor")));
+            Assert.That((Tracker.State, Tracker.Words), Is.EqualTo((BaseAnchorState.Lost, "no anchor")));
             Assert.That(Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
 
             Tracker.Relock();

@@ -35,6 +35,7 @@ namespace Nowpose.Tests.Core.Frames
 
             tree.Evaluate(At((double)Reference["display_s"]));
 
+            Assert.That(given["world"], Is.Not.Empty);
             foreach (var expected in (JObject)given["world"])
             {
                 var frame = tree[tree.IndexOf(expected.Key)];

@@ -30,6 +30,7 @@ namespace Nowpose.Tests.Core.Kinematics
             var model = UrdfFiles.Robot(name);
             var reference = JObject.Parse(UrdfFiles.Text("reference_poses.json"))["robots"].Single(r => (string)r["robot"] == name);
 
+            Assert.That(reference["cases"], Is.Not.Empty);
             foreach (var situation in reference["cases"])
             {
                 var poses = Poses(model, (JObject)situation["joints"]);

@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Latency
             var problem = DepthSubmissionMessages.ProblemOf(depth);
 
             var isFine = depth == DepthSubmission.Unknown || depth == DepthSubmission.Active;
-            Assert.That(problem, isFine ? Is.Null : Does.Match("^depth (is not|might not be) submitted: .+; (set|tag|check) "));
+            Assert.That(problem, isFine ? Is.Null : Does.Match("^depth .+: .+; .+"));
         }
 
         [Test]
@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Latency
                 names.Add(LatencyNames.DepthSubmission.NameOf(depth));
 
             Assert.That(names, Is.Unique);
-            Assert.That(names, Has.All.Match("^[a-z_]+$"));
+            Assert.That(names, Is.Not.Empty.And.All.Match("^[a-z_]+$"));
         }
     }
 }

@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Core.Recording
             simulated.Run(10, (frame, _) => states.Add(frame.State));
             recorder.Dispose();
 
-            Assert.That(states, Is.All.EqualTo(PoseState.Current));
+            Assert.That(states, Is.Not.Empty.And.All.EqualTo(PoseState.Current));
             Assert.That(recorder.Problem, Is.EqualTo(RecordingMessages.Stopped("disk", "No space left on device")));
             Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed), "the state does not change");
             Assert.That(disk.IsClosed);

@@ -124,7 +124,7 @@ namespace Nowpose.Tests.Unity.Robot
             Assert.That(MaterialOf(rig, "arm_link_5"), Is.SameAs(arm));
             Assert.That(MaterialOf(rig, "gripper_palm_link"), Is.SameAs(tool));
             Assert.That(MaterialOf(rig, "gripper_finger_link_r"), Is.SameAs(tool));
-            Assert.That(rig.GetComponentsInChildren<MeshFilter>().Select(filter => filter.sharedMesh), Is.All.Not.Null);
+            Assert.That(rig.GetComponentsInChildren<MeshFilter>().Select(filter => filter.sharedMesh), Is.Not.Empty.And.All.Not.Null);
         }
 
         [Test]

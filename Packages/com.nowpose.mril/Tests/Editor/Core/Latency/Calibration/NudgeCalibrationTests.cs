@@ -81,8 +81,8 @@ namespace Nowpose.Tests.Core.Latency.Calibration
 
         static readonly object[][] InvalidSettings =
         {
-            new object[] { 0, 40, SettingMessages.OutOfRange("speed of the tool", 0, " mm/s", 1, 10000) },
-            new object[] { double.NaN, 40, SettingMessages.OutOfRange("speed of the tool", double.NaN, " mm/s", 1, 10000) },
+            new object[] { 0, 40, SettingMessages.OutOfRange(SettingNames.ToolSpeed, 0, " mm/s", 1, 10000) },
+            new object[] { double.NaN, 40, SettingMessages.OutOfRange(SettingNames.ToolSpeed, double.NaN, " mm/s", 1, 10000) },
             new object[] { 500, -1, SettingMessages.OutOfRange("visualisation latency", -1, " ms", 0, 500) },
         };
 

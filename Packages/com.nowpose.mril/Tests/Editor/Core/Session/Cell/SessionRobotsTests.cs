@@ -142,9 +142,9 @@ namespace Nowpose.Tests.Core.Session.Cell
             isBaseSent = true;
             cell.Run(2);
 
-            Assert.That(before, Is.All.EqualTo(PoseState.Current));
-            Assert.That(stopped, Is.All.EqualTo(PoseState.Held));
-            Assert.That(cell.Session.Robots.Select(robot => robot.Frame.State), Is.All.EqualTo(PoseState.Current));
+            Assert.That(before, Is.Not.Empty.And.All.EqualTo(PoseState.Current));
+            Assert.That(stopped, Is.Not.Empty.And.All.EqualTo(PoseState.Held));
+            Assert.That(cell.Session.Robots.Select(robot => robot.Frame.State), Is.Not.Empty.And.All.EqualTo(PoseState.Current));
         }
 
         [TestCase("")]
