@@ -1,5 +1,6 @@
 using NUnit.Framework;
 using Nowpose.Gateway;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
@@ -62,14 +63,14 @@ public class DisplayedTopicTests
         await headset.RoundTripAsync();
 
         await other.SendAsync(Said("h1"));
-        await other.ExpectErrorAsync("the name h1 belongs to another source");
+        await other.ExpectErrorAsync(CellMessageFaults.Of("the name h1", DropReason.JointTaken));
         await other.SendAsync(Shown("h1"));
-        await other.ExpectErrorAsync("the name h1 belongs to another source");
+        await other.ExpectErrorAsync(CellMessageFaults.Of("the name h1", DropReason.JointTaken));
         time.Advance(TimeSpan.FromSeconds(3));
         await other.SendAsync(Said("h1"));
         await other.RoundTripAsync();
         await headset.SendAsync(Shown("h1"));
-        await headset.ExpectErrorAsync("the name h1 belongs to another source");
+        await headset.ExpectErrorAsync(CellMessageFaults.Of("the name h1", DropReason.JointTaken));
         await other.Socket.CloseAsync(System.Net.WebSockets.WebSocketCloseStatus.NormalClosure, "", default).Bounded();
         await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "the other has disconnected");
 

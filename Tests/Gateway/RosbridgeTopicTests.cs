@@ -231,7 +231,7 @@ public class RosbridgeTopicTests
         await first.RoundTripAsync();
 
         await second.SendAsync(Gateways.StateText(2));
-        await second.ExpectErrorAsync("a belongs to another source");
+        await second.ExpectErrorAsync(CellMessageFaults.Of("a", DropReason.JointTaken));
         await second.SendAsync(Gateways.StateText(2, "gripper"));
         await second.RoundTripAsync();
 

@@ -1,4 +1,5 @@
 using Nowpose.Gateway;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using NUnit.Framework;
 
@@ -61,7 +62,7 @@ public class RobotNamespaceTests
 
         await _second.SendAsync(State("arm1", 2));
 
-        await _second.ExpectErrorAsync("a belongs to another source, rosbridge 127.0.0.1 (JointTaken)");
+        await _second.ExpectErrorAsync($"{CellMessageFaults.Of("a", DropReason.JointTaken)}, rosbridge 127.0.0.1 ({DropReason.JointTaken})");
         _first.Dispose();
         await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the first has disconnected");
         await _second.SendAsync(State("arm1", 2));
@@ -79,7 +80,7 @@ public class RobotNamespaceTests
 
         Assert.That((await _second.ReceiveAsync()).Data, Is.EqualTo("<robot name='two'/>"));
         await _second.SendAsync(RosbridgeWriter.PublishString("/arm2/robot_description", "<robot name='three'/>"));
-        await _second.ExpectErrorAsync("the robot belongs to another source");
+        await _second.ExpectErrorAsync(CellMessageFaults.Of("the robot", DropReason.JointTaken));
         await _second.SubscribeAsync(RosTopics.RobotDescription);
     }
 
@@ -106,7 +107,7 @@ public class RobotNamespaceTests
         foreach (var robot in new[] { "1arm", "arm-1", "a/b", new string('r', 33) })
         {
             await _first.SendAsync($"{{\"op\":\"{op}\",\"topic\":\"/{robot}/joint_states\"{rest}}}");
-            await _first.ExpectErrorAsync($"{op} /{robot}/joint_states dropped: the namespace of a robot must be a letter");
+            await _first.ExpectErrorAsync($"{op} /{robot}/joint_states dropped: {DropMessages.Of(DropReason.InvalidNamespace)}");
         }
 
         Assert.That(_gateway.Drops[DropReason.InvalidNamespace], Is.EqualTo(4));
@@ -122,9 +123,9 @@ public class RobotNamespaceTests
     public async Task Request_WrongType_ReceivesAStatusWithTheCorrectType(string topic, string type)
     {
         await _first.SendAsync(RosbridgeWriter.Subscribe(topic, "sensor_msgs/Image"));
-        await _first.ExpectErrorAsync($"subscribe {topic} dropped: {topic} has the type {type}, not sensor_msgs/Image");
+        await _first.ExpectErrorAsync($"subscribe {topic} dropped: {RequestMessages.OtherType(topic, type, "sensor_msgs/Image")}");
         await _first.SendAsync(RosbridgeWriter.Advertise(topic, "sensor_msgs/Image"));
-        await _first.ExpectErrorAsync($"advertise {topic} dropped: {topic} has the type {type}, not sensor_msgs/Image");
+        await _first.ExpectErrorAsync($"advertise {topic} dropped: {RequestMessages.OtherType(topic, type, "sensor_msgs/Image")}");
     }
 
     [Test]
@@ -135,7 +136,7 @@ public class RobotNamespaceTests
         await _first.RoundTripAsync();
 
         await _second.SendAsync(State("arm16", 1));
-        await _second.ExpectErrorAsync("robot arm16 exceeds the maximum of 16 robots in namespaces (TooManyRobots)");
+        await _second.ExpectErrorAsync($"{CellMessageFaults.Of("robot arm16", DropReason.TooManyRobots)} ({DropReason.TooManyRobots})");
         await _second.SendAsync(RosbridgeWriter.Advertise("/arm16/joint_states", null));
         await _second.ExpectErrorAsync("TooManyRobots");
         await _second.SendAsync(RosbridgeWriter.PublishString("/arm16/robot_description", "<robot/>"));

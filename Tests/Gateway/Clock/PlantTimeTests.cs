@@ -2,6 +2,7 @@ using System.Diagnostics;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
@@ -181,7 +182,7 @@ public class PlantTimeTests
 
         await second.SendAsync("""{"op":"advertise_service","service":"/nowpose/plant_time/plc","type":"nowpose/PlantTime"}""");
 
-        await second.ExpectErrorAsync("belongs to another source");
+        await second.ExpectErrorAsync(DropMessages.Of(DropReason.JointTaken));
     }
 
     [Test]
@@ -222,7 +223,7 @@ public class PlantTimeTests
         await headset.SubscribeAsync(RosTopics.JointStates);
         using var rival = await RawRosbridgeClient.ConnectAsync(gateway);
         await rival.SendAsync("{\"op\":\"advertise_service\",\"service\":\"/nowpose/plant_time/opcua\",\"type\":\"nowpose/PlantTime\"}");
-        await rival.ExpectErrorAsync("belongs to another source");
+        await rival.ExpectErrorAsync(DropMessages.Of(DropReason.JointTaken));
 
         var count = Stopwatch.GetTimestamp();
         var state = new JointStateMessage(opcua.AtCount(count), ["a"], [0.5]);

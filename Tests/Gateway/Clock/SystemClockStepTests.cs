@@ -222,8 +222,8 @@ public class SystemClockStepTests
 
         Assert.That((await GetAsync("/readyz")).Text, Is.EqualTo("ready\n"));
         Assert.That(Status().GetProperty("text").GetString(), Does.Match(
-            "^source rosbridge 127[.]0[.]0[.]1 sends time stamps in the future: they are [0-9]+ ms ahead of the control clock [(]since [^)]*[)][.] "
-                + "Set the clock of the source, or let its adapter offer that clock[.]$"));
+            $"^{EventTexts.SourceInFuture("rosbridge 127[.]0[.]0[.]1")}: {EventTexts.FutureBy("[0-9]+ ms")} [(]since [^)]*[)][.] "
+                + $"{StampMessages.SourceRemedy}$"));
     }
 
     /// <summary>Simulates the system's clock and counter. A test can correct the clock and advance the counter.</summary>

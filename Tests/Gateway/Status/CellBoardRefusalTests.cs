@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status;
 using Nowpose.Gateway.Status.Cell;
 using Nowpose.Protocol;
@@ -21,7 +22,10 @@ public class CellBoardRefusalTests : CellBoardFixture
 
         Assert.That(_board.Frames(At(5)), Is.EqualTo(new[]
         {
-            new FrameView("box", null, "gateway", "refused", null, "the gateway drops the samples of gateway: is wrong (NotFinite)") { Since = start },
+            new FrameView("box", null, "gateway", "refused", null, RequestMessages.Dropped("gateway", "is wrong", DropReason.NotFinite))
+            {
+                Since = start,
+            },
         }));
 
         _time.Advance(CellBoard.RefusedFor);

@@ -51,7 +51,7 @@ public class LimitAlarmTests
 
         Assert.That(_alarm.Joints, Is.EqualTo(new[] { "elbow_joint" }));
         Assert.That(_lines, Has.Count.EqualTo(1));
-        Assert.That(_lines[0], Does.StartWith("joint 'elbow_joint': 90 rad is outside its limits -6.283 to 6.283 rad"));
+        Assert.That(_lines[0], Is.EqualTo(RobotMessages.BeyondLimits("elbow_joint", 90, "rad", -2 * Math.PI, 2 * Math.PI, "degrees")));
     }
 
     [Test]

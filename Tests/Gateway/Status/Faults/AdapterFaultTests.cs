@@ -83,8 +83,8 @@ public class AdapterFaultTests
         string[] expected =
         [
             "waiting",
-            "adapter lathe does not report: its program ended with status 1 and is started again (since 2026-11-20 12:00:00 UTC). "
-                + "Read the adapter's lines in the gateway's log.",
+            $"adapter lathe {EventTexts.DoesNotReport}: {EventTexts.StartedAgain(EventTexts.ProgramEnded("status 1"))} "
+                + $"(since 2026-11-20 12:00:00 UTC). {EventRemedies.GatewayLog}",
         ];
 
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(expected));

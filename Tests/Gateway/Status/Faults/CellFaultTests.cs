@@ -53,7 +53,8 @@ public class CellFaultTests
         Publish(Frame("orph", "nowhere"));
 
         await _gateway.BeginsAsync("frame", "orph (gateway)");
-        var expected = $"frame orph (gateway) is an orphan: {CellReasons.ParentMissing("nowhere")} (since 2026-11-20 12:00:03 UTC). {EventRemedies.Parent}";
+        var expected = $"frame orph (gateway) {EventTexts.IsOrphan}: {CellReasons.ParentMissing("nowhere")} (since 2026-11-20 12:00:03 UTC). "
+            + EventRemedies.Parent;
         Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)));
 
         Publish(Frame("nowhere"));
@@ -114,7 +115,7 @@ public class CellFaultTests
 
         await _gateway.BeginsAsync("frame", "box (gateway)");
         var one = await _gateway.EventAsync("frame", "box (gateway)");
-        Assert.That(one.GetProperty("what").GetString(), Is.EqualTo("is stale"));
+        Assert.That(one.GetProperty("what").GetString(), Is.EqualTo(EventTexts.Is("stale")));
         Assert.That(one.GetProperty("since_utc").GetString(), Is.EqualTo("2026-11-20T12:00:03.000Z"));
         var expected = $"frame box (gateway) is stale: {CellReasons.PosesStopped} (since 2026-11-20 12:00:03 UTC). {EventRemedies.Source}";
         Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)));
@@ -149,7 +150,8 @@ public class CellFaultTests
         }
 
         await _gateway.BeginsAsync("signal", "grip (plc)");
-        var expected = $"signal grip (plc) has no source: {EventTexts.SourceEnded("plc")} (since 2026-11-20 12:00:03 UTC). {EventRemedies.Source}";
+        var expected = $"signal grip (plc) {EventTexts.HasNoSource}: {EventTexts.SourceEnded("plc")} (since 2026-11-20 12:00:03 UTC). "
+            + EventRemedies.Source;
         Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)));
         Assert.That((await _gateway.GetAsync("/metrics")).Text, Does.Contain("nowpose_signal_state{signal=\"grip\",source=\"plc\",state=\"ended\"} 1\n"));
 

@@ -27,7 +27,8 @@ public class FaultEventTests
 
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(new[]
         {
-            "waiting", "the gateway's own control clock is not served to headsets: its state is converging (since 2026-11-20 12:00:00 UTC)",
+            "waiting",
+            $"{EventTexts.ClockNotServed(EventTexts.OwnClock)}: {EventTexts.ClockState("converging")} (since 2026-11-20 12:00:00 UTC)",
         }));
         _gateway.Time.Advance(EventList.StartGrace);
         await _gateway.BeginsAsync("clock", "own");

@@ -2,6 +2,7 @@ using System.Globalization;
 using NUnit.Framework;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Protocol;
 
@@ -46,7 +47,8 @@ public class JointStatusTopicTests
     {
         _topic.Publish([Joint("b", JointDataState.Rest, "no change is reported") with { Uncertainty = "the stop itself was not observed" }]);
 
-        Assert.That(_received.Single().Values.Single().Value, Is.EqualTo("rest 4996.000 may not be at rest: the stop itself was not observed"));
+        Assert.That(_received.Single().Values.Single().Value,
+            Is.EqualTo($"rest 4996.000 {EventTexts.UncertainRestReason}the stop itself was not observed"));
     }
 
     /// <summary>The joint is omitted, because it may have a source at the other gateway of a bridge.</summary>
