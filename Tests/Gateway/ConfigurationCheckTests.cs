@@ -57,17 +57,17 @@ public class ConfigurationCheckTests : ConfigurationFixture
         Assert.That(started.Errors.Single(), Does.Contain("gateway.yaml:2: sync-port "));
     }
 
-    [TestCase("{sync-port: 47999, ws-port: 47999}", "ws-port 47999")]
-    [TestCase("sync-port: 47011", "sync-port 47011")]
-    [TestCase("ws-port: 47010", "ws-port 47010")]
-    public async Task Ports_Equal_AreReportedByCheckAndStart(string entry, string part)
+    [TestCase("{sync-port: 47999, ws-port: 47999}", "ws-port", 47999)]
+    [TestCase("sync-port: 47011", "sync-port", 47011)]
+    [TestCase("ws-port: 47010", "ws-port", 47010)]
+    public async Task Ports_Equal_AreReportedByCheckAndStart(string entry, string option, int port)
     {
         foreach (var isCheck in new[] { true, false })
         {
             var (status, _, errors) = await RunAsync("# comment\n\n" + entry + "\n", isCheck);
 
             Assert.That(status, Is.EqualTo(2));
-            Assert.That(errors.Single(), Does.Contain("gateway.yaml:3: " + part + ": --sync-port and --ws-port are the same"));
+            Assert.That(errors.Single(), Does.EndWith("gateway.yaml:3: " + AddressOptionMessages.SamePorts(option, port)));
         }
     }
 

@@ -1,3 +1,4 @@
+using System.Net;
 using Nowpose.Gateway.Configuration;
 using Nowpose.Gateway.Messages;
 using NUnit.Framework;
@@ -73,7 +74,7 @@ public class ConfigurationTests : ConfigurationFixture
 
         Assert.That(status, Is.EqualTo(2));
         Assert.That(errors, Has.Length.EqualTo(5), string.Join(" | ", errors));
-        Assert.That(errors, Has.Some.Contains(":4: sync-port: occurs twice, first at"));
+        Assert.That(errors, Has.Some.Match(MessagePattern.Of(ConfigurationMessages.KeyTwice(":4", "sync-port", MessagePattern.Any))));
     }
 
     [Test]
@@ -128,7 +129,8 @@ public class ConfigurationTests : ConfigurationFixture
             var (status, _, errors) = await RunAsync("ws-port: 0\nsync-port: 0\ninsecure-lan: true\nbind: 192.0.2.1\n", isCheck);
 
             Assert.That(status, Is.EqualTo(isCheck ? 2 : 1));
-            Assert.That(errors.Single(), Does.Contain("gateway.yaml:4: bind 192.0.2.1: not an address of this machine"));
+            Assert.That(errors.Single(), Does.Match(MessagePattern.Of(
+                "gateway.yaml:4: " + AddressOptionMessages.NotThisMachine(IPAddress.Parse("192.0.2.1"), MessagePattern.Any)["--".Length..])));
         }
     }
 
@@ -158,7 +160,8 @@ public class ConfigurationTests : ConfigurationFixture
 
         var (_, _, errors) = await CheckAsync(string.Join('\n', keys), "--ws-port", "0", "--sync-port", "0");
 
-        foreach (var error in errors) Assert.That(error, Does.Match(@"(tokens\.txt|stationary-objects\.json): cannot be read").Or.Contain("press.yaml: file not found"));
+        Assert.That(errors, Is.Not.Empty.And.All.Match(@"(tokens\.txt|stationary-objects\.json): cannot be read")
+            .Or.Contain(PathMessages.NotFound("press.yaml", "")));
     }
 
     // Returns whether a line is a commented-out entry, "# key: value".

@@ -103,7 +103,7 @@ public sealed class HeadsetFileTests
 
         var error = Assert.Throws<InputException>(() => HeadsetFile.Load(_path));
 
-        Assert.That(error.Message, Is.EqualTo(_path + ", line 2: not an entry of a paired headset; correct or remove the line"));
+        Assert.That(error.Message, Is.EqualTo(HeadsetListMessages.NotAnEntry(_path, 2)));
     }
 
     [TestCase(null, "headset")]

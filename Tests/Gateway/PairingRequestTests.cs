@@ -31,7 +31,7 @@ public sealed class PairingRequestTests
         var answer = await PairingRequest.SendAsync(new ConnectionSettings("127.0.0.1", 1, 1), "token", CancellationToken.None).Bounded();
 
         Assert.That(answer.IsWorthRetrying, Is.True);
-        Assert.That(answer.Problem, Does.StartWith("pairing with 127.0.0.1: "));
+        Assert.That(answer.Problem, Does.StartWith(PairingAnswerMessages.Failed("127.0.0.1", "")));
     }
 
     static readonly string[][] InvalidAnswers =
@@ -48,8 +48,8 @@ public sealed class PairingRequestTests
 
     [TestCaseSource(nameof(InvalidAnswers))]
     [TestCase("HTTP/1.1 302 Found\r\nLocation: http://10.0.0.7/\r\n\r\n", "status 302")]
-    [TestCase("SSH-2.0-OpenSSH\r\n\r\n", "not HTTP/1.1")]
-    [TestCase("\r\n\r\n", "not HTTP/1.1")]
+    [TestCase("SSH-2.0-OpenSSH\r\n\r\n", ConnectionMessages.NotHttp)]
+    [TestCase("\r\n\r\n", ConnectionMessages.NotHttp)]
     public async Task Exchange_InvalidAnswer_IsReportedAsAProblem(string text, string part)
     {
         using var server = new FakeWebSocketServer();

@@ -7,6 +7,7 @@ using Microsoft.AspNetCore.Http;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Codes;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using NUnit.Framework;
 
@@ -72,7 +73,7 @@ public class VlcPageTests
         Assert.That(context.Response.StatusCode, Is.EqualTo(503));
         var text = Encoding.UTF8.GetString(((MemoryStream)context.Response.Body).ToArray());
         Assert.That(text.TrimEnd().Split('\n'), Has.Length.EqualTo(1));
-        Assert.That(text, Does.Contain("install Node.js 20"));
+        Assert.That(text, Does.Contain(OperationsMessages.PageMissing));
     }
 
     [Test]

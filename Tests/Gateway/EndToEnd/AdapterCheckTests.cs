@@ -29,7 +29,7 @@ public class AdapterCheckTests : PlantFileFixture
 
         Assert.That(wrong.Lines, Is.EqualTo(new[]
         {
-            $"{second}: its plant has the same name 'absent' as the one in {first}; set another plant.name in one of the two files",
+            AdapterMessages.SameName(second, "absent", first),
         }));
     }
 

@@ -108,7 +108,7 @@ public class AdapterProcessTests : PlantFileFixture
     static PlantFile Plant(string path) => new(path, "absent", "");
 
     static StatusEvent EventOf(GatewayServer gateway) =>
-        gateway.Events.Read().SingleOrDefault(one => one.Condition is { Kind: "adapter", What: "does not report" });
+        gateway.Events.Read().SingleOrDefault(one => one.Condition is { Kind: "adapter", What: EventTexts.DoesNotReport });
 
     static IDisposable ListenTo(GatewayServer gateway, TaskCompletionSource<DiagnosticsMessage> received) =>
         gateway.Hub.Subscribe(RosTopics.Diagnostics, message =>

@@ -171,7 +171,7 @@ public class RecordingsTests
 
         watch.LookUnlessBusy();
 
-        Assert.That(log, Does.Contain("recordings: the folder could not be checked (InvalidOperationException: the log is full)"));
+        Assert.That(log, Does.Contain($"{RecorderMessages.FolderNotChecked} (InvalidOperationException: the log is full)"));
     }
 
     [Test]

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using NUnit.Framework;
 
@@ -61,6 +62,6 @@ public class PrecautionTests
     {
         await using var gateway = await Gateways.StartAsync();
 
-        Assert.That(gateway.Warnings.Any(line => line.Contains("runs as root")), Is.EqualTo(Environment.IsPrivilegedProcess));
+        Assert.That(gateway.Warnings.Contains(PrecautionMessages.Root), Is.EqualTo(Environment.IsPrivilegedProcess));
     }
 }
