@@ -1,4 +1,6 @@
 using NUnit.Framework;
+using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Headless.Tests.Cli;
 
@@ -27,7 +29,7 @@ public class CommandLineTests
         var run = await CliRun.OfAsync("sync", "no-such-file.csv");
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors.TrimEnd(), Is.EqualTo("nowpose: no-such-file.csv: file not found; correct the path"));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo(ConsoleMessages.Line(PathMessages.NotFound("no-such-file.csv"))));
     }
 
     [TestCase("--help")]

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Messages;
 using Nowpose.Messages;
 using NUnit.Framework;
 
@@ -123,9 +124,16 @@ public class KinematicsVerbTests
         Assert.That(run.Complaints, Has.Length.EqualTo(1));
     }
 
-    [TestCase("no-such-robot", "no-such-robot: file not found; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file is needed")]
-    [TestCase(".", ".: is a folder; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file is needed")]
-    [TestCase(" ", "no robot is named; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file is needed")]
+    static readonly string Robots = PlantMessages.Robots("youbot, ur5, ur3e, ur5e, ur10e, ur16e");
+
+    static readonly string[][] UnknownRobots =
+    [
+        ["no-such-robot", PathMessages.NotFound("no-such-robot", Robots)],
+        [".", PlantMessages.IsAFolder(".", Robots)],
+        [" ", PlantMessages.NoRobot(Robots)],
+    ];
+
+    [TestCaseSource(nameof(UnknownRobots))]
     public async Task Kinematics_UnknownRobot_ListsTheAllowedNames(string robot, string message)
     {
         var run = await CliRun.OfAsync("kinematics", robot);

@@ -4,6 +4,7 @@ using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 using Nowpose.Latency.Sweep;
+using Nowpose.Messages;
 using Nowpose.Vision;
 using NUnit.Framework;
 
@@ -206,25 +207,25 @@ public sealed class BadInputTests : CalibrationFolder
     // The picture file is empty, so this error shows that the profile is checked before any picture is read.
     [Test]
     public async Task Vlc_EarlierProfileHasAnotherVersion_FailsBeforeReadingPictures() => await RefusedWith(
-        "earlier.json: the latency profile has version 2; this release of Nowpose reads versions up to 1", "vlc", Write("a.png", []), "--profile", ProfileOfAnotherVersion());
+        "earlier.json: " + ProfileMessages.NewerVersion(2, 1), "vlc", Write("a.png", []), "--profile", ProfileOfAnotherVersion());
 
     [Test]
     public async Task Vlc_EarlierProfileOfAnotherDevice_FailsBeforeReadingPictures() => await RefusedWith(
-        "earlier.json: latency profile was measured on device 'Quest 3', but this device is 'HoloLens 2'",
+        "earlier.json: " + ConditionMessages.OtherDevice("Quest 3", "HoloLens 2"),
         "vlc", Write("a.png", []), "--sweep", Write("sweep.csv", [SweepLog.Header, "5,0,4,display_gpu_time,HoloLens 2,60"]),
         "--profile", ProfileOfAnother("Quest 3"));
 
     [Test]
     public async Task Sine_EarlierProfileHasAnotherVersion_Fails() => await RefusedWith(
-        "the latency profile has version 2", "sine", Write("jog.csv", []), "--visu-ms", "40", "--profile", ProfileOfAnotherVersion());
+        ProfileMessages.NewerVersion(2, 1), "sine", Write("jog.csv", []), "--visu-ms", "40", "--profile", ProfileOfAnotherVersion());
 
     [Test]
     public async Task Nudge_EarlierProfileHasAnotherVersion_Fails() =>
-        await RefusedWith("the latency profile has version 2", [.. Nudge, "--profile", ProfileOfAnotherVersion()]);
+        await RefusedWith(ProfileMessages.NewerVersion(2, 1), [.. Nudge, "--profile", ProfileOfAnotherVersion()]);
 
     [Test]
     public async Task Nudge_EarlierProfileOfAnotherDevice_Fails() => await RefusedWith(
-        "latency profile was measured on device 'Quest 3', but this device is 'HoloLens 2'",
+        ConditionMessages.OtherDevice("Quest 3", "HoloLens 2"),
         [.. Nudge, "--device", "HoloLens 2", "--profile", ProfileOfAnother("Quest 3")]);
 
     [TestCase("0")]

@@ -1,5 +1,6 @@
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
@@ -30,8 +31,7 @@ public sealed class EarlierProfileTests : CalibrationFolder
 
         Assert.That(WarningsOf(earlier), Is.EqualTo(new[]
         {
-            "--sweep: the log was written with graphics API 'Direct3D11', but the options state 'Vulkan'; the pictures must show this sweep: "
-                + "correct the options, or repeat the sweep and its pictures with the same settings",
+            CalibrationMessages.OtherSweep("graphics API", "Direct3D11", "Vulkan"),
             "other",
         }));
         Assert.That(earlier.Conditions, Is.EqualTo(new DisplayConditions("HoloLens 2", 60, "Vulkan")));
@@ -44,9 +44,7 @@ public sealed class EarlierProfileTests : CalibrationFolder
 
         var earlier = EarlierProfile.Read(path, DisplayConditions.Unknown, Vulkan);
 
-        Assert.That(WarningsOf(earlier)[0], Is.EqualTo(
-            $"--profile: {path} was measured with graphics API 'Direct3D11', but this measurement has 'Vulkan'; "
-            + "the values that are kept from the profile may be wrong: repeat the load sweep"));
+        Assert.That(WarningsOf(earlier)[0], Is.EqualTo(CalibrationMessages.OtherProfile(path, "graphics API", "Direct3D11", "Vulkan")));
     }
 
     [Test]

@@ -71,9 +71,9 @@ public sealed class HeadResultTests
 
     static readonly object[][] TooLittle =
     [
-        [new SwungPictures { AmplitudePx = 2 }, "the control code moves at "],
-        [new SwungPictures { Count = 40 }, "36 pictures are close enough in time to their neighbours"],
-        [new SwungPictures { PeriodSeconds = 60, AmplitudePx = 3000 }, "turn it at least twice in each direction"],
+        [new SwungPictures { AmplitudePx = 2 }, HeadMotionMessages.TooSlow(0, 0).Split(" 0 ")[0]],
+        [new SwungPictures { Count = 40 }, HeadMotionMessages.TooFewPictures(36, 0).Split(';')[0]],
+        [new SwungPictures { PeriodSeconds = 60, AmplitudePx = 3000 }, HeadMotionMessages.TooFewTurns(0, 0, 0).Split(": ")[1]],
     ];
 
     [TestCaseSource(nameof(TooLittle))]

@@ -5,6 +5,7 @@ using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Sweep;
+using Nowpose.Messages;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
@@ -67,7 +68,7 @@ public sealed class VlcEvaluationTests
         Assert.That(evaluation.Profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(0.3));
         Assert.That(evaluation.Profile.Spread.TotalMilliseconds, Is.LessThan(2));
         Assert.That(evaluation.Profile.Range, Is.Null);
-        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("this source does not respond to load"));
+        Assert.That(evaluation.Page.Warnings, Has.Some.Contains(SweepMessages.NoResponse("|", 0, "").Split('|')[0]));
         Assert.That(evaluation.Profile.Measurements, Is.InRange(0.4 * result.Read.Count, 0.75 * result.Read.Count), "only the pictures of the plateau are counted");
     }
 
@@ -84,7 +85,7 @@ public sealed class VlcEvaluationTests
         Assert.That(evaluation.Profile.RenderTimeSource, Is.EqualTo(RenderTimeSourceKind.EngineGpuTime));
         Assert.That(evaluation.Pictures.Select(picture => picture.RenderMs), Has.None.EqualTo(30));
         Assert.That(evaluation.Page.Warnings, Has.Some.EqualTo(
-            "252 of 2520 render times of the sweep were measured with a source other than engine_gpu_time and are not used"));
+            VlcMessages.OtherSource(252, 2520, "engine_gpu_time")));
     }
 
     [Test]
@@ -175,7 +176,7 @@ public sealed class VlcEvaluationTests
         var evaluation = Evaluate(new VlcResult(pictures), null);
 
         Assert.That(evaluation.Profile, Is.Null);
-        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("too much for one constant value"));
+        Assert.That(evaluation.Page.Warnings, Has.Some.Contains(VlcMessages.Scatters(null)["L_visu scatters by ".Length..]));
     }
 
     /// <summary>L_visu scatters too much for a profile, and a quarter of the pictures are late.</summary>

@@ -163,6 +163,8 @@ public class DisplayFigureTests
 
         var (loads, steps) = (Figure11.LoadCriteria(sweep, StoredMs), Figure11.RangeCriteria(sweep, StoredMs, LimitMs, LimitMs));
 
+        Assert.That(loads, Has.Count.GreaterThan(1));
+        Assert.That(steps, Has.Count.GreaterThan(2));
         foreach (var criterion in loads.Skip(1))
             Assert.That((criterion.IsMet, criterion.Measured.Contains(Figure11Texts.IndividuallyTooSmall("", "1.4 million ("))),
                 Is.EqualTo((true, true)));

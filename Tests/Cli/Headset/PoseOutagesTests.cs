@@ -1,5 +1,6 @@
 using NUnit.Framework;
 using Nowpose.Cli.Headset;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Headless.Tests.Cli.Headset;
 
@@ -32,7 +33,7 @@ public class PoseOutagesTests
 
         Assert.That(_lines, Is.EqualTo(new[]
         {
-            "at 5.5 s: the pose is held; joint a3: no data: node deleted", "at 7.0 s: the pose is current again, after 2.0 s",
+            HeadsetMessages.Pose(5.5, "held", "joint a3: no data: node deleted"), HeadsetMessages.CurrentAgain(7, 2),
         }));
         var outage = _outages.Result().Single();
         Assert.That((outage.FromS, outage.ToS, outage.Pose, outage.Reason), Is.EqualTo((5.0, (double?)7.0, "held", "joint a3: no data: node deleted")));

@@ -1,4 +1,6 @@
 using NUnit.Framework;
+using Nowpose.Cli.Messages;
+using Nowpose.Editor.Messages;
 using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
 
 namespace Nowpose.Headless.Tests.Cli.Unity;
@@ -14,10 +16,12 @@ public class UnityConflictTests
 
         var refused = await project.RunAsync();
         Assert.That(project.Manifest, Is.EqualTo(manifest));
-        AssertRefused(refused, project.At("Packages/manifest.json") + ":3: org.nuget.mathnet.numerics is 4.15.0; 5.0.0 or newer is needed");
+        var conflict = ManifestMessages.OtherVersion(
+            project.At("Packages/manifest.json") + ":3", "org.nuget.mathnet.numerics", "4.15.0", "5.0.0 or newer");
+        AssertRefused(refused, conflict);
 
         var kept = await project.RunAsync("--on-conflict", "keep");
-        Assert.That(kept.Errors, Does.Contain("the entry is kept"));
+        Assert.That(kept.Errors, Does.Contain(UnityProjectMessages.EntryKept(conflict)));
         Assert.That(Dependencies(project)["org.nuget.mathnet.numerics"], Is.EqualTo("4.15.0"));
 
         var replaced = await project.RunAsync("--on-conflict", "replace");

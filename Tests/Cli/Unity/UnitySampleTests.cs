@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Editor.Setup;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
@@ -36,7 +37,7 @@ public class UnitySampleTests
 
         var run = await project.RunAsync("--sample", "Virtual Robot Cell");
 
-        AssertRefused(run, project.At(changed) + ": differs from the sample's file");
+        AssertRefused(run, UnityPackageMessages.SampleChanged(project.At(changed), 0));
         Assert.That(project.Read(changed), Is.EqualTo("mine"));
     }
 
@@ -50,7 +51,7 @@ public class UnitySampleTests
 
         var run = await project.RunAsync(["--sample", "Virtual Robot Cell", .. options]);
 
-        AssertRefused(run, project.At(path) + ": is a file where the sample needs a folder; rename or delete it");
+        AssertRefused(run, UnityPackageMessages.FileInTheWay(project.At(path)));
         Assert.That(project.Manifest, Is.EqualTo(Empty));
         Assert.That(project.Backups, Is.Empty);
     }
@@ -64,7 +65,7 @@ public class UnitySampleTests
 
         var run = await project.RunAsync(["--sample", "Virtual Robot Cell", .. options]);
 
-        AssertRefused(run, project.At("Assets/Samples/Nowpose/0.1.0/Virtual Robot Cell") + ": is the sample 'Virtual Robot Cell' of another version");
+        AssertRefused(run, UnityPackageMessages.OtherVersion(project.At("Assets/Samples/Nowpose/0.1.0/Virtual Robot Cell"), "Virtual Robot Cell"));
         Assert.That(project.Manifest, Is.EqualTo(Empty));
         Assert.That(Directory.Exists(project.At("Assets/Samples/Nowpose/0.2.0")), Is.False);
     }
@@ -89,8 +90,9 @@ public class UnitySampleTests
 
         var run = await project.RunAsync("--sample", "Virtual Robot Cell");
 
-        AssertRefused(run, "the sample 'Virtual Robot Cell' cannot be copied: ");
-        Assert.That(run.Errors, Does.Contain("the manifest is not changed; remove the cause, and try again"));
+        AssertRefused(run, "");
+        Assert.That(run.Errors, Does.Match(MessagePattern.Of(
+            UnityPackageMessages.NotCopied(MessagePattern.Any, "Virtual Robot Cell", MessagePattern.Any))));
         Assert.That(project.Manifest, Is.EqualTo(Empty));
         Assert.That(project.Backups, Is.Empty);
     }
@@ -102,7 +104,7 @@ public class UnitySampleTests
 
         var run = await project.RunAsync("--sample", "Virtual");
 
-        AssertRefused(run, "'Virtual' is not a sample of the package; allowed: Virtual Robot Cell, Connect to a Gateway, ");
+        AssertRefused(run, UnityPackageMessages.UnknownSample("Virtual", "Virtual Robot Cell, Connect to a Gateway, "));
         Assert.That(project.Manifest, Is.EqualTo(Empty));
     }
 

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 using Nowpose.Editor.Setup;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
@@ -95,7 +96,7 @@ public class UnityVerbTests
         var scopes = Json(project.Manifest).GetProperty("scopedRegistries").EnumerateArray()
             .SelectMany(registry => registry.GetProperty("scopes").EnumerateArray()).Select(scope => scope.GetString());
         Assert.That(scopes, Is.EqualTo(new[] { "org.nuget", "com.microsoft.mixedreality", "com.microsoft.mrtk" }));
-        Assert.That(run.Output, Does.Contain("Assign MRTK Default").And.Contain("git must be on Unity's PATH"));
+        Assert.That(run.Output, Does.Contain(UnityNextSteps.Profile).And.Contain(UnityNextSteps.Git));
     }
 
     [Test]

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Editor.Messages;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
@@ -51,7 +52,8 @@ public class UnityVersionTests
         var refused = await project.RunAsync("--mrtk3");
         var noted = await project.RunAsync();
 
-        AssertRefused(refused, "org.mixedrealitytoolkit.core is 4.0.0-pre.2; 3.0.0 or newer, but older than 4.0.0 is needed");
+        AssertRefused(refused, ManifestMessages.OtherVersion(
+            "", "org.mixedrealitytoolkit.core", "4.0.0-pre.2", "3.0.0" + CheckResults.OrNewer(new Version(4, 0, 0))));
         Assert.That(noted.ExitStatus, Is.EqualTo(0));
         Assert.That(noted.Errors, Does.Contain("com.unity.xr.interaction.toolkit 3.0.4 is not supported"));
     }
@@ -73,9 +75,10 @@ public class UnityVersionTests
         Directory.CreateDirectory(project.At("Assets"));
 
         AssertRefused(await CliRun.OfAsync("unity", project.At("Assets")), "; enter the project's folder " + project.Root);
-        AssertRefused(await CliRun.OfAsync("unity", project.At("Packages/manifest.json")), "is a file; enter the folder of a Unity project");
-        AssertRefused(await CliRun.OfAsync("unity", project.At("nowhere")), "folder not found");
-        AssertRefused(await CliRun.OfAsync("unity", ""), "PATH is empty");
+        var file = project.At("Packages/manifest.json");
+        AssertRefused(await CliRun.OfAsync("unity", file), UnityProjectMessages.IsAFile(file));
+        AssertRefused(await CliRun.OfAsync("unity", project.At("nowhere")), UnityProjectMessages.NoFolder(project.At("nowhere")));
+        AssertRefused(await CliRun.OfAsync("unity", ""), UnityProjectMessages.NoPath);
         AssertRefused(await CliRun.OfAsync("unity"), "argument");
         AssertRefused(await project.RunAsync("--on-conflict", "maybe"), "maybe");
     }
@@ -87,6 +90,6 @@ public class UnityVersionTests
         using var project = new UnityProjectFolder(Empty);
         project.Write("ProjectSettings/ProjectVersion.txt", text);
 
-        AssertRefused(await project.RunAsync(), "no line 'm_EditorVersion: VERSION'");
+        AssertRefused(await project.RunAsync(), UnityProjectMessages.NoVersion(project.At("ProjectSettings/ProjectVersion.txt")));
     }
 }
