@@ -10,6 +10,7 @@ public class CodeVectorsTests
     {
         var cells = new bool[TimestampCode.CellCount];
 
+        Assert.That(CodeVectors.Read().Select(vector => vector.Kind).Distinct(), Is.EquivalentTo(new[] { "control", "headset" }));
         foreach (var vector in CodeVectors.Read())
         {
             TimestampCode.Draw(vector.ValueMs, vector.Kind == "control" ? CodeKind.Control : CodeKind.Headset, cells);

@@ -66,8 +66,9 @@ public sealed class MetaFileTests
         var script = $"\n  script: {{fileID: 11500000, guid: {importer}, type: 3}}\n";
 
         Assert.That(MetaFile.Format(new AssetEntry("Assets/a.urdf", IsFolder: false), Guid), Does.Contain(script));
-        foreach (var meta in Directory.GetFiles(package, "*.urdf.meta", SearchOption.AllDirectories))
-            Assert.That(File.ReadAllText(meta), Does.Contain(script), meta);
+        Assert.That(
+            Directory.GetFiles(package, "*.urdf.meta", SearchOption.AllDirectories).Select(File.ReadAllText),
+            Is.Not.Empty.And.All.Contains(script));
     }
 
     [TestCase("guid: 0123456789ABCDEF0123456789abcdef\n")]

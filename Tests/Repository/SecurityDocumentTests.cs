@@ -29,6 +29,7 @@ public sealed partial class SecurityDocumentTests
             .Concat(RepositoryFiles.Under("Gateway/Adapters/test", ".mjs")
                 .SelectMany(file => AdapterTest().Matches(RepositoryFiles.Read(file))).Select(match => match.Groups[1].Value)).ToHashSet();
 
+        Assert.That(Rows, Is.Not.Empty);
         foreach (var row in Rows)
         {
             var named = TestName().Matches(row.Split('|')[^2]).Select(match => match.Groups[1].Value).ToArray();

@@ -103,7 +103,7 @@ public sealed class ShaderStructureTests
     {
         var shader = ShaderLabReader.Read(RepositoryFiles.Read(Shaders + "Occluder.shader"), "Occluder.shader");
 
-        Assert.That(shader.SubShaders.Select(s => s.Tags["Queue"]), Is.All.EqualTo("Geometry-10"));
+        Assert.That(shader.SubShaders.Select(s => s.Tags["Queue"]), Is.Not.Empty.And.All.EqualTo("Geometry-10"));
         foreach (var pass in shader.SubShaders.SelectMany(s => s.Passes))
         {
             Assert.That(pass.States["ColorMask"], Is.EqualTo("0"));
@@ -117,7 +117,9 @@ public sealed class ShaderStructureTests
     {
         var shader = ShaderLabReader.Read(RepositoryFiles.Read(Shaders + "Text.shader"), "Text.shader");
 
-        foreach (var program in ShaderFiles.Of(shader with { Path = Shaders + "Text.shader" }))
+        var programs = ShaderFiles.Of(shader with { Path = Shaders + "Text.shader" }).ToArray();
+        Assert.That(programs, Is.Not.Empty);
+        foreach (var program in programs)
         {
             Assert.That(program.Pass.States["ZTest"], Is.EqualTo("LEqual"));
             Assert.That(program.Pass.States["ZWrite"], Is.EqualTo("On"));
@@ -130,7 +132,7 @@ public sealed class ShaderStructureTests
     {
         var shader = ShaderLabReader.Read(RepositoryFiles.Read(Shaders + "Hologram.shader"), "Hologram.shader");
 
-        Assert.That(shader.SubShaders.SelectMany(s => s.Passes).Select(p => p.States["ZWrite"]), Is.All.EqualTo("On"));
+        Assert.That(shader.SubShaders.SelectMany(s => s.Passes).Select(p => p.States["ZWrite"]), Is.Not.Empty.And.All.EqualTo("On"));
     }
 
     [TestCase("}", "", "'(' is expected")]
