@@ -115,7 +115,7 @@ public class BaseAnchorDisplayTests
         _played.Cell.Run(2, _played.Session);
 
         Assert.That(Text("Base 1"), Is.EqualTo("! moved"));
-        Assert.That(Text("Base 2"), Is.EqualTo("100 mm off"));
+        Assert.That(Text("Base 2"), Is.EqualTo("100" + StatusMessages.OffsetSuffix));
         Assert.That(Text("Message 0"), Does.Match("^! base: .*'a'.* (99|100|101) mm, "));
     }
 

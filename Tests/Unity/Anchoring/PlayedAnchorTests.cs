@@ -131,7 +131,7 @@ public class PlayedAnchorTests
         device.State = SpatialAnchorState.Lost;
         _played.Cell.Run(0.1, _played.Session);
         Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Lost));
-        Assert.That(_played.Look().Words, Is.EqualTo("base lost"));
+        Assert.That(_played.Look().Words, Is.EqualTo(BaseMessages.LostLabel));
     }
 
     [Test]
@@ -166,7 +166,7 @@ public class PlayedAnchorTests
         hand.transform.SetPositionAndRotation(new Vector3(0.4f, 1, 2), Quaternion.Euler(0, 30, 0));
         _played.Cell.Run(0.1, _played.Session);
         Assert.That(_played.Anchor.transform.position, Is.EqualTo(new Vector3(0.4f, 1, 2)).Using<Vector3>((a, b) => Vector3.Distance(a, b) < 1e-5));
-        Assert.That(_played.Look(), Is.EqualTo((0.2f, 1f, "being placed")));
+        Assert.That(_played.Look(), Is.EqualTo((0.2f, 1f, BaseMessages.BeingPlacedLabel)));
         hand.EndMove();
         _played.Cell.Run(0.1, _played.Session);
 

@@ -1,6 +1,8 @@
+using System.Text.RegularExpressions;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
+using Nowpose.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Messages;
 using NUnit.Framework;
@@ -72,8 +74,7 @@ public sealed class LatencyProfileLoaderTests
         Assert.That(VisuMs, Is.EqualTo(51));
         Assert.That(_loader.From, Is.EqualTo(Saved));
         Assert.That(_session.Statistics.Profile, Is.SameAs(_loader.Profile));
-        Assert.That(_cell.Messages, Has.Exactly(1).EqualTo("[Nowpose] latency profile: L_visu 51.0 ms ± 1.1 ms by visible light, 2026-11-20; "
-            + "up to 15.0 ms render time, GPU time from headset; from " + Saved));
+        Assert.That(_cell.Messages, Has.Exactly(1).EqualTo("[Nowpose] " + CalibrationMessages.Loaded(Profile(51), Saved)));
     }
 
     [Test]
@@ -117,8 +118,7 @@ public sealed class LatencyProfileLoaderTests
         Play();
 
         Assert.That(VisuMs, Is.EqualTo(52));
-        Assert.That(_loader.Problem, Is.EqualTo(
-            Saved + ": latency profile was measured on device 'HoloLens 2', but this device is 'Stand-in'; calibrate this device"));
+        Assert.That(_loader.Problem, Is.EqualTo($"{Saved}: {ConditionMessages.OtherDevice("HoloLens 2", "Stand-in")}"));
         Assert.That(_cell.Messages, Has.Exactly(1).EqualTo("[Nowpose] " + _loader.Problem));
     }
 
@@ -133,7 +133,7 @@ public sealed class LatencyProfileLoaderTests
         _cell.Frame(_session);
 
         Assert.That(VisuMs, Is.EqualTo(51));
-        Assert.That(_loader.Problem, Does.StartWith(Saved + ": the latency profile has version 2"));
+        Assert.That(_loader.Problem, Is.EqualTo($"{Saved}: {ProfileMessages.NewerVersion(2, 1)}"));
     }
 
     [Test]
@@ -149,8 +149,7 @@ public sealed class LatencyProfileLoaderTests
 
         Assert.That(before, Is.EqualTo(51), "the rate is not compared while it is unknown");
         Assert.That(VisuMs, Is.EqualTo(40));
-        Assert.That(_loader.Problem, Does.EndWith(
-            "latency profile was measured at 60 Hz, but this display runs at 90 Hz; calibrate at this refresh rate"));
+        Assert.That(_loader.Problem, Does.EndWith(ConditionMessages.OtherRate("60", "90")));
     }
 
     [Test]
@@ -165,8 +164,7 @@ public sealed class LatencyProfileLoaderTests
         Assert.That(VisuMs, Is.EqualTo(51));
         Assert.That(_session.Statistics.ProfileMismatches.Single().Field, Is.EqualTo("graphics_api"));
         Assert.That(_cell.Messages, Has.Exactly(1).EqualTo(
-            "[Nowpose] latency profile was measured with graphics API 'Direct3D12', but this device has 'Direct3D11'; calibrate again, or restore "
-            + "the setting (Project Settings, Player)"));
+            "[Nowpose] " + ConditionMessages.Other("graphics API", "Direct3D12", "Direct3D11", "Project Settings, Player")));
     }
 
     [Test]
@@ -183,7 +181,8 @@ public sealed class LatencyProfileLoaderTests
         _cell.Run(0.1, _session);
 
         Assert.That(before, Is.Zero);
-        Assert.That(_cell.Messages, Has.Exactly(1).Contains("reprojection mode 'depth', but this device has 'none'"));
+        Assert.That(_cell.Messages, Has.Exactly(1).EndsWith(
+            ConditionMessages.Other("reprojection mode", "depth", "none", ConditionMessages.PlaceOfReprojection)));
     }
 
     [Test]
@@ -225,7 +224,7 @@ public sealed class LatencyProfileLoaderTests
         _cell.Frame(_session);
 
         Assert.That(isKept, Is.False);
-        Assert.That(_loader.Problem, Does.StartWith(Saved + ": the latency profile cannot be saved: "));
+        Assert.That(_loader.Problem, Does.Match($"^{FileMessages.NotSaved(Regex.Escape(Saved), "latency profile", ".+")}$"));
         Assert.That(_loader.From, Is.EqualTo(LoaderMessages.Unkept));
         Assert.That(_cell.Messages, Has.None.EndsWith("; from " + Saved), "no file has been saved");
         Assert.That(VisuMs, Is.EqualTo(47));

@@ -1,5 +1,6 @@
 using Nowpose.Latency;
 using Nowpose.Latency.Load;
+using Nowpose.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Messages;
 using NUnit.Framework;
@@ -70,7 +71,7 @@ public sealed class LoadGeneratorTests
         Build();
 
         Assert.That(() => _load.Vertices = 2_000_001, Throws.TypeOf<InputException>().With.Message.EqualTo(
-            "load, vertices: 2000001 is out of range; allowed: 0 to 2000000"));
+            SettingMessages.OutOfRange("load, vertices", 2_000_001, "", 0, 2_000_000)));
         _cell.Frame(null);
 
         Assert.That(_load.VerticesShown, Is.EqualTo(50_000));
@@ -152,7 +153,7 @@ public sealed class LoadGeneratorTests
         _load.enabled = false;
         _cell.Frame(null);
 
-        Assert.That(meshes, Has.All.Matches<Mesh>(mesh => !mesh), "destroyed");
+        Assert.That(meshes, Is.Not.Empty.And.All.Matches<Mesh>(mesh => !mesh), "destroyed");
         Assert.That(_load.transform.childCount, Is.Zero);
         Assert.That(_load.VerticesShown, Is.Zero);
         Assert.That(_load.IsReady, Is.False);

@@ -1,6 +1,7 @@
 using System.Text.RegularExpressions;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Sweep;
 using Nowpose.Messages;
 using Nowpose.Unity;
@@ -35,7 +36,7 @@ public sealed class LoadSweepEndTests
 
         Assert.That(_played.Sweep.IsRunning, Is.False);
         Assert.That(_played.Sweep.Problem, Is.EqualTo(
-            "load sweep stopped: reprojection mode changed from 'depth' to 'none' during the sweep; sweep again without changing it"));
+            LoadSweepMessages.Changed(new ConditionMismatch(DisplayCondition.Reprojection, "depth", "none"))));
     }
 
     [Test]
@@ -149,6 +150,6 @@ public sealed class LoadSweepEndTests
 
         _played.Sweep.StartSweep();
 
-        Assert.That(_played.Sweep.Problem, Does.Contain(SettingMessages.OutOfRange("steps of the sweep", 1, "", 2, 100)));
+        Assert.That(_played.Sweep.Problem, Does.Contain(SettingMessages.OutOfRange(SettingNames.SweepSteps, 1, "", 2, 100)));
     }
 }

@@ -107,7 +107,7 @@ public sealed class TimestampDisplayTests
 
         Play();
 
-        Assert.That(Lit(), Has.All.False);
+        Assert.That(Lit(), Is.Not.Empty.And.All.False);
         Assert.That(Text, Is.Empty);
         Assert.That(Words, Is.EqualTo(StatusMessages.ClockNotSynchronised));
         Assert.That(_display.FrameStart, Is.Null);
@@ -122,7 +122,7 @@ public sealed class TimestampDisplayTests
         _cell.IsSyncUp = false;
         _cell.Run(3, _session);
 
-        Assert.That(Lit(), Has.All.False);
+        Assert.That(Lit(), Is.Not.Empty.And.All.False);
         Assert.That(Words, Is.EqualTo(StatusMessages.ClockNotSynchronised));
     }
 
@@ -131,7 +131,7 @@ public sealed class TimestampDisplayTests
     {
         Play(robot: null);
 
-        Assert.That(Lit(), Has.All.False);
+        Assert.That(Lit(), Is.Not.Empty.And.All.False);
         Assert.That(Words, Is.EqualTo(StatusMessages.NoSession));
     }
 

@@ -27,7 +27,7 @@ public class DemoLoadTests
             Is.EqualTo(new[] { "limit_render_ms", "left_s", "found_s", "frames_outside", "alarms" }));
         Assert.That(
             string.Join('\n', new DemoRangeRows(run.Settings, result, score.Range).Rows.Select(row => row.Value)),
-            Does.Contain(Invariant($"left at {range.LeftS:0.0} s")).And.Contain(Invariant($"found again at {range.FoundS:0.0} s")));
+            Does.Contain(DemoTexts.Alarm(Invariant($"{range.LeftS:0.0}"), DemoTexts.FoundAgain(Invariant($"{range.FoundS:0.0}")), alarms: 1)));
         Assert.That(range.Alarms, Is.EqualTo(1));
         Assert.That(range.LeftS, Is.InRange(6.67, 7.0), "the load starts at 6.67 s");
         Assert.That(range.FoundS, Is.InRange(15, 16), "the load ends at 15 s");

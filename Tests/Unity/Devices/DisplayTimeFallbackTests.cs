@@ -96,8 +96,8 @@ public sealed class DisplayTimeFallbackTests
         _played.Runtime.LightOf = t => Right(t);
         _played.Run(3);
 
-        Assert.That(panel, Is.EqualTo(isReported ? "! 40.0 ms|implausible display times" : "40.0 ms|as set"));
-        Assert.That(message.Contains("display times of the runtime are implausible"), Is.EqualTo(isReported));
+        Assert.That(panel, Is.EqualTo(isReported ? "! 40.0 ms|" + StatusMessages.LatencyImplausible : "40.0 ms|" + StatusMessages.LatencySet));
+        Assert.That(message == "! " + DisplayMessages.ImplausibleTimes(null), Is.EqualTo(isReported));
         Assert.That(diagnostic, Is.EqualTo(isReported ? "implausible" : null));
         Assert.That(lines, Is.EqualTo(isReported ? 1 : 0));
         Assert.That(Lines("implausible"), Is.EqualTo(isReported ? 1 : 0), "once, however long it lasts");

@@ -45,7 +45,7 @@ public sealed class QrMarkerManagerTests
         Assert.That(second.Problem, Is.Null);
         Assert.That(manager.defaultTransformMode, Is.EqualTo(TransformMode.MostStable));
         Assert.That(manager.enabledMarkerTypes, Is.EqualTo(new[] { ARMarkerType.QRCode }));
-        Assert.That(_played.Cell.Messages.Count(m => m.Contains("'Second': the marker manager's mode was Center")), Is.EqualTo(1));
+        Assert.That(_played.Cell.Messages, Has.Exactly(1).EndsWith(DeviceMessages.MarkerMode("Second", "Center", "MostStable")));
     }
 
     [Test]
@@ -81,9 +81,8 @@ public sealed class QrMarkerManagerTests
 
         Assert.That(early, Is.Null, "no problem is reported while components may still start");
         Assert.That(_played.Markers.Problem, Does.Contain("WebCam"));
-        Assert.That(
-            _played.Cell.Messages.Count(m => m.StartsWith("[Nowpose] QR markers 'Cell': the device's XR runtime is not running, or does not support the ARMarkerManager", StringComparison.Ordinal)),
-            Is.EqualTo(1));
+        Assert.That(_played.Cell.Messages, Has.Exactly(1).EqualTo(
+            "[Nowpose] " + ComponentMessages.Of("QR markers", "Cell", DeviceMessages.NotOffered("ARMarkerManager", DeviceMessages.QrCodeNeeds))));
         Assert.That(_played.Read(), Is.Empty);
     }
 

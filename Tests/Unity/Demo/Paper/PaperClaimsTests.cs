@@ -60,9 +60,9 @@ public class PaperClaimsTests
         Assert.That(claims.Select(claim => claim.Measured), Is.All.Null);
         Assert.That(claims.Select(claim => claim.Verdict), Is.All.EqualTo(Verdict.NotMeasured.Words()));
         Assert.That(
-            claims.Select(claim => claim.MeasuredText == "not measured: no whole swing"),
+            claims.Select(claim => claim.MeasuredText == $"{Verdict.NotMeasured.Words()}: {Good.SwingProblem}"),
             Is.EqualTo(new[] { false, false, false, false, true, true, true, true, true, false, true, true }), "the clock's claims have its reason");
-        Assert.That(claims[0].MeasuredText, Is.EqualTo("not measured: the clock came late"));
+        Assert.That(claims[0].MeasuredText, Is.EqualTo($"{Verdict.NotMeasured.Words()}: {Good.ClockProblem}"));
     }
 
     [Test]
@@ -71,7 +71,8 @@ public class PaperClaimsTests
         var claims = PaperClaims.Of([Good, Good with { Swings = null }]);
 
         Assert.That(claims.Select(claim => claim.Holds), Is.All.True);
-        Assert.That(claims.Single(claim => claim.Paper == 0.8).MeasuredText, Is.EqualTo("80 % (measured in 1 of 2 repeats: no whole swing)"));
+        Assert.That(
+            claims.Single(claim => claim.Paper == 0.8).MeasuredText, Is.EqualTo($"80 % ({PaperClaimTexts.NotInAll(1, 2, Good.SwingProblem)})"));
     }
 
     // The limit is 75 %. Three repeats with a standard deviation of 1 % have an uncertainty of 2.5 %.

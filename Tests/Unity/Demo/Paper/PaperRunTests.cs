@@ -15,8 +15,8 @@ public class PaperRunTests
     static string Text(IEnumerable<PaperClaim> claims) => string.Join(
         "\n", claims.Select(claim => $"{claim.Holds} {claim.MeasuredText}: {claim.Claim}"));
 
-    static PaperClaim Claim(IEnumerable<PaperClaim> claims, string figure, string begin) =>
-        claims.Single(claim => claim.Figure == figure && claim.Claim.StartsWith(begin, StringComparison.Ordinal));
+    static PaperClaim Claim(IEnumerable<PaperClaim> claims, string figure, string text) =>
+        claims.Single(claim => claim.Figure == figure && claim.Claim == text);
 
     static double VisuMs(LatencyProfile profile) => profile.Visualisation.Length.TotalMilliseconds;
 
@@ -27,10 +27,10 @@ public class PaperRunTests
     {
         var claims = PaperScene.Claims(PaperScene.Play(seed));
 
-        Assert.That(Claim(claims, "8", "The offset").Measured, Is.LessThan(1), Text(claims));
-        Assert.That(Claim(claims, "18", "The end-to-end").Measured, Is.LessThan(4), Text(claims));
-        Assert.That(Claim(claims, "18", "About 80").Measured, Is.InRange(0.75, 0.88), Text(claims));
-        Assert.That(claims.Where(claim => claim.Figure is "16" or "18").Select(claim => claim.Holds), Is.All.True, Text(claims));
+        Assert.That(Claim(claims, "8", PaperClaimTexts.Offset).Measured, Is.LessThan(1), Text(claims));
+        Assert.That(Claim(claims, "18", PaperClaimTexts.Latency).Measured, Is.LessThan(4), Text(claims));
+        Assert.That(Claim(claims, "18", PaperClaimTexts.Reduction).Measured, Is.InRange(0.75, 0.88), Text(claims));
+        Assert.That(claims.Where(claim => claim.Figure is "16" or "18").Select(claim => claim.Holds), Is.Not.Empty.And.All.True, Text(claims));
     }
 
     [Test]
@@ -42,8 +42,8 @@ public class PaperRunTests
         var claims = PaperClaims.Of(repeats);
 
         TestContext.Out.WriteLine(Text(claims));
-        var fit = Claim(claims, "8", "From 10 s on, the fitting error");
-        Assert.That(claims.Where(claim => claim != fit).Select(claim => claim.Holds), Is.All.True, Text(claims));
+        var fit = Claim(claims, "8", FitErrors.Claim);
+        Assert.That(claims.Where(claim => claim != fit).Select(claim => claim.Holds), Is.Not.Empty.And.All.True, Text(claims));
         // Exchanges with a large error even if the clock is exact: 5.5 % are in bursts of 5 to 30 ms, and for 4.6 % of the others the jitter differs
         // by 2 ms or more between the two directions.
         var possible = runs.Average(run => FitErrors.ShareBelow(run.ExchangeErrorsMs));
@@ -91,7 +91,7 @@ public class PaperRunTests
     {
         var claims = PaperScene.Claims(PaperScene.Play(1, network: NetworkProfile.Named(network)));
 
-        Assert.That(Claim(claims, "8", "From 10 s on, the fitting error").Holds, Is.EqualTo(holds), Text(claims));
+        Assert.That(Claim(claims, "8", FitErrors.Claim).Holds, Is.EqualTo(holds), Text(claims));
     }
 
     [Test]
@@ -99,9 +99,9 @@ public class PaperRunTests
     {
         var claims = PaperScene.Claims(PaperScene.Play(1, clockErrorMs: 8));
 
-        Assert.That(Claim(claims, "8", "The offset").Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
-        Assert.That(Claim(claims, "18", "The end-to-end").Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
-        Assert.That(Claim(claims, "18", "The end-to-end").Measured, Is.EqualTo(8).Within(1.5), Text(claims));
+        Assert.That(Claim(claims, "8", PaperClaimTexts.Offset).Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
+        Assert.That(Claim(claims, "18", PaperClaimTexts.Latency).Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
+        Assert.That(Claim(claims, "18", PaperClaimTexts.Latency).Measured, Is.EqualTo(8).Within(1.5), Text(claims));
     }
 
     [Test]
@@ -109,8 +109,8 @@ public class PaperRunTests
     {
         var claims = PaperScene.Claims(PaperScene.Play(1, stampErrorMs: 15));
 
-        Assert.That(Claim(claims, "18", "About 80").Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
-        Assert.That(Claim(claims, "16", "Only the curved").Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
+        Assert.That(Claim(claims, "18", PaperClaimTexts.Reduction).Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
+        Assert.That(Claim(claims, "16", PaperClaimTexts.CurvedPhases).Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
     }
 
     [Test]
@@ -118,9 +118,9 @@ public class PaperRunTests
     {
         var claims = PaperScene.Claims(PaperScene.Play(1, PaperScene.ProfileOf(65)));
 
-        Assert.That(Claim(claims, "8", "The offset").Holds, Is.True, "the clock's result does not depend on L_visu");
-        Assert.That(Claim(claims, "18", "The end-to-end").Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
-        Assert.That(Claim(claims, "18", "The end-to-end").Measured, Is.EqualTo(25).Within(2), Text(claims));
+        Assert.That(Claim(claims, "8", PaperClaimTexts.Offset).Holds, Is.True, "the clock's result does not depend on L_visu");
+        Assert.That(Claim(claims, "18", PaperClaimTexts.Latency).Verdict, Is.EqualTo(Verdict.DoesNotHold.Words()), Text(claims));
+        Assert.That(Claim(claims, "18", PaperClaimTexts.Latency).Measured, Is.EqualTo(25).Within(2), Text(claims));
     }
 
     [Test]
@@ -130,7 +130,9 @@ public class PaperRunTests
         var claims = PaperScene.Claims(run);
 
         Assert.That(run.Swings, Is.Null);
-        Assert.That(claims.Select(claim => (claim.Holds, claim.MeasuredText)), Is.All.EqualTo((false, "not measured: the run was too short")));
+        Assert.That(
+            claims.Select(claim => (claim.Holds, claim.MeasuredText)),
+            Is.Not.Empty.And.All.EqualTo((false, $"{Verdict.NotMeasured.Words()}: {PaperClaimTexts.TooShort}")));
         var figures = PaperFigures.Of([run], claims);
         Assert.That(figures.Select(figure => (figure.Number, figure.Verdict)), Is.EqualTo(new[] { ("8", Verdict.NotMeasured) }));
     }
@@ -143,7 +145,7 @@ public class PaperRunTests
 
         var claims = PaperScene.Claims(run);
 
-        Assert.That(Claim(claims, "8", "The skew").MeasuredText, Does.EndWith(": " + PaperClaimTexts.ClockKnownFrom(12)));
+        Assert.That(Claim(claims, "8", PaperClaimTexts.Skew).MeasuredText, Does.EndWith(": " + PaperClaimTexts.ClockKnownFrom(12)));
     }
 
     // This happens, for example, if the machine paused for a moment during the first repeat.
@@ -172,7 +174,7 @@ public class PaperRunTests
 
         Assert.That(run.Run.Exchanges, Is.Empty);
         Assert.That(figures.Select(figure => (figure.Number, figure.Plots.Count, figure.Table.Rows.Count)), Is.EqualTo(new[] { ("8", 0, 0) }));
-        Assert.That(claims.Select(claim => claim.Verdict), Is.All.EqualTo(Verdict.NotMeasured.Words()));
+        Assert.That(claims.Select(claim => claim.Verdict), Is.Not.Empty.And.All.EqualTo(Verdict.NotMeasured.Words()));
     }
 
     [Test]

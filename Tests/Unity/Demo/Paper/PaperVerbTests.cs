@@ -1,6 +1,7 @@
 using System.Text.Json;
 using Nowpose.Cli.Messages;
 using NUnit.Framework;
+using Nowpose.Messages;
 
 namespace Nowpose.Unity.Tests.Demo.Paper;
 
@@ -53,7 +54,7 @@ public class PaperVerbTests
         ["--profile profile.json --trajectory", DemoMessages.NotWithPaper("--profile, --trajectory")],
         ["--seconds 10", DemoMessages.PaperSeconds(10, 20)],
         ["--visu-ms 10", DemoMessages.VisuWithLoad(10, "--paper", 17)],
-        ["--repeats 0", "--repeats: 0 is out of range"],
+        ["--repeats 0", SettingMessages.OutOfRange("--repeats", 0, "", 1, 100)],
     ];
 
     [TestCaseSource(nameof(Contradicting))]
@@ -73,6 +74,6 @@ public class PaperVerbTests
         var run = await CliRun.OfAsync("demo", "--repeats", "2", "--out", Path.Combine(_folder, "none"));
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.Contain("--repeats: needs --paper"));
+        Assert.That(run.Errors, Does.Contain(DemoMessages.RepeatsWithoutPaper));
     }
 }
