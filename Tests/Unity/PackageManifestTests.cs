@@ -57,8 +57,9 @@ public sealed class PackageManifestTests
     [Test]
     public void PackageManifest_Samples_Exist()
     {
-        if (!Manifest.TryGetProperty("samples", out var samples)) return;
+        var samples = Manifest.GetProperty("samples");
 
+        Assert.That(samples.GetArrayLength(), Is.Positive);
         foreach (var sample in samples.EnumerateArray())
             Assert.That(RepositoryFiles.Exists(RepositoryFiles.Package + "/" + sample.GetProperty("path").GetString()), sample.ToString());
     }

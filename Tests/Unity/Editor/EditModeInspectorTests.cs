@@ -1,6 +1,7 @@
 using Nowpose.Editor;
 using Nowpose.Editor.Messages;
 using Nowpose.Gateway.Plants;
+using Nowpose.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Tests;
 using NUnit.Framework;
@@ -90,7 +91,7 @@ public sealed class EditModeInspectorTests : EditorFixture
 
         Click(rig, BuildButton).OnInspectorGUI();
 
-        Assert.That(GuiRecorder.Texts.Any(text => text.Contains("not well-formed XML")), string.Join("\n", GuiRecorder.Texts));
+        Assert.That(GuiRecorder.Texts.Any(text => text.Contains(UrdfMessages.NotWellFormed(""))), string.Join("\n", GuiRecorder.Texts));
         Assert.That(Undo.Steps, Is.Empty);
         Assert.That(rig.transform.childCount, Is.Zero);
     }

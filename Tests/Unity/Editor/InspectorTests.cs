@@ -179,7 +179,8 @@ public sealed class InspectorTests : EditorFixture
         _played.Play(session, 8);
 
         _played.Inspect(panel).OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Pose: current").And.Contain("L_visu: 40.0 ms, as set").And.Contain("Legible up to: –"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Pose: " + PoseMessages.Of(PoseState.Current))
+            .And.Contain("L_visu: 40.0 ms, " + StatusMessages.LatencySet).And.Contain("Legible up to: –"));
 
         GuiRecorder.Clear();
         panel.enabled = false;

@@ -35,7 +35,7 @@ public sealed class LinkerProtectionTests : EditorFixture
         var kept = XDocument.Load(path).Root.Elements("assembly").ToList();
         var ours = RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime", ".asmdef").Select(Path.GetFileNameWithoutExtension);
         Assert.That(kept.Select(e => (string)e.Attribute("fullname")), Does.Contain("Nowpose.Unity").And.SubsetOf(ours));
-        Assert.That(kept.Select(e => (string)e.Attribute("preserve")), Is.All.EqualTo("all"));
+        Assert.That(kept.Select(e => (string)e.Attribute("preserve")), Is.Not.Empty.And.All.EqualTo("all"));
     }
 
     [Test]
@@ -49,7 +49,9 @@ public sealed class LinkerProtectionTests : EditorFixture
 
         var kept = XDocument.Load(path).Root.Elements("assembly").ToDictionary(
             e => (string)e.Attribute("fullname"), e => (string)e.Attribute("ignoreIfMissing") == "1");
-        foreach (var definition in RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime", ".asmdef"))
+        var definitions = RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime", ".asmdef").ToArray();
+        Assert.That(definitions, Is.Not.Empty);
+        foreach (var definition in definitions)
         {
             var folderOfIt = definition[..(definition.LastIndexOf('/') + 1)];
             var hasComponents = RepositoryFiles.Under(folderOfIt.TrimEnd('/'), ".cs").Any(f => RepositoryFiles.Read(f).Contains("[AddComponentMenu("));

@@ -76,12 +76,12 @@ public sealed class ProjectChecksTests : EditorFixture
     public void BuildTarget_EditorWithoutUwp_NamesTheRemedy()
     {
         EditorUserBuildSettings.HasUwp = false;
-        var check = _reviewed.IndexOf("Build target is Universal Windows Platform");
+        var check = _reviewed.IndexOf(CheckTitles.BuildTarget(HeadsetPlatform.HoloLens2.Player));
 
         _reviewed.Review.Fix(check);
 
         Assert.That(_reviewed.Review.Results[check].State, Is.EqualTo(CheckState.Missing));
-        Assert.That(_reviewed.Review.Advice[check], Does.Contain("Universal Windows Platform Build Support"));
+        Assert.That(_reviewed.Review.Advice[check], Is.EqualTo(CheckFixes.BuildSupport(HeadsetPlatform.HoloLens2.Player)));
     }
 
     [Test]
@@ -90,11 +90,15 @@ public sealed class ProjectChecksTests : EditorFixture
         Project.Open(null);
         _reviewed.Review.Refresh();
 
-        foreach (var title in new[] { "OpenXR feature Mixed Reality Features", "OpenXR Render Mode is Single Pass Instanced" })
+        foreach (var (title, advice) in new[]
+        {
+            (CheckTitles.Feature("Mixed Reality Features"), CheckFixes.Feature("Mixed Reality Features")),
+            (CheckTitles.OpenXrOption("Render Mode", "Single Pass Instanced"), CheckFixes.OpenXrOption("Render Mode", "Single Pass Instanced")),
+        })
         {
             _reviewed.Review.Fix(_reviewed.IndexOf(title));
             Assert.That(_reviewed.Review.Results[_reviewed.IndexOf(title)].State, Is.EqualTo(CheckState.Missing));
-            Assert.That(_reviewed.Review.Advice[_reviewed.IndexOf(title)], Does.StartWith("Project Settings, XR Plug-in Management, OpenXR: "));
+            Assert.That(_reviewed.Review.Advice[_reviewed.IndexOf(title)], Is.EqualTo(advice));
         }
         Assert.That(EditorApplication.MenuItems, Has.Count.EqualTo(2));
     }
@@ -121,23 +125,23 @@ public sealed class ProjectChecksTests : EditorFixture
     [Test]
     public void OpenXrLoader_Fix_OpensTheSettingsAndNamesTheOption()
     {
-        var check = _reviewed.IndexOf("OpenXR starts in the UWP player");
+        var check = _reviewed.IndexOf(CheckTitles.OpenXrLoader(HeadsetPlatform.HoloLens2.ShortPlayer));
 
         _reviewed.Review.Fix(check);
 
         Assert.That(EditorApplication.MenuItems, Is.EqualTo(new[] { "Edit/Project Settings..." }));
-        Assert.That(_reviewed.Review.Advice[check], Does.Contain("Universal Windows Platform: tick OpenXR"));
+        Assert.That(_reviewed.Review.Advice[check], Is.EqualTo(CheckFixes.OpenXrLoader(HeadsetPlatform.HoloLens2.Player)));
     }
 
     [Test]
     public void GraphicsJobs_TargetSwitched_CanBeTurnedOff()
     {
-        var check = _reviewed.IndexOf("Graphics Jobs are off");
+        var check = _reviewed.IndexOf(CheckTitles.GraphicsJobs);
         Assert.That(_reviewed.Review.Results[check].State, Is.EqualTo(CheckState.Unknown));
         _reviewed.Review.Fix(check);
         Assert.That(PlayerSettings.graphicsJobs, "this is a setting of another build target");
 
-        _reviewed.Review.Fix(_reviewed.IndexOf("Build target is Universal Windows Platform"));
+        _reviewed.Review.Fix(_reviewed.IndexOf(CheckTitles.BuildTarget(HeadsetPlatform.HoloLens2.Player)));
         Assert.That(_reviewed.Review.Results[check].State, Is.EqualTo(CheckState.Advice));
         _reviewed.Review.Fix(check);
 
@@ -148,8 +152,8 @@ public sealed class ProjectChecksTests : EditorFixture
     [Test]
     public void Camera_Fixed_CanBeUndoneAndIsSavedWithThePrefabInstance()
     {
-        _reviewed.Review.Fix(_reviewed.IndexOf("Main camera's near clip plane is at 0.1 m"));
-        _reviewed.Review.Fix(_reviewed.IndexOf("Main camera clears to black with alpha 0"));
+        _reviewed.Review.Fix(_reviewed.IndexOf(CheckTitles.NearClip));
+        _reviewed.Review.Fix(_reviewed.IndexOf(CheckTitles.CameraBackground));
 
         Assert.That(_reviewed.Camera.nearClipPlane, Is.EqualTo(0.1f));
         Assert.That((_reviewed.Camera.clearFlags, _reviewed.Camera.backgroundColor), Is.EqualTo((CameraClearFlags.SolidColor, Color.clear)));
@@ -165,14 +169,14 @@ public sealed class ProjectChecksTests : EditorFixture
 
         _reviewed.Review.Refresh();
 
-        Assert.That(_reviewed.Review.Results[_reviewed.IndexOf("Main camera clears to black with alpha 0")].State, Is.EqualTo(CheckState.Missing));
+        Assert.That(_reviewed.Review.Results[_reviewed.IndexOf(CheckTitles.CameraBackground)].State, Is.EqualTo(CheckState.Missing));
     }
 
     [Test]
     public void RenderPipeline_OfTheQualityLevelOrTheDefault_IsNamed()
     {
-        var check = _reviewed.IndexOf("Render pipeline is the built-in one or URP");
-        Assert.That(_reviewed.Review.Results[check].Found, Does.StartWith("built-in"));
+        var check = _reviewed.IndexOf(CheckTitles.RenderPipeline);
+        Assert.That(_reviewed.Review.Results[check].Found, Is.EqualTo(CheckResults.BuiltIn));
 
         var graphics = Keep(ScriptableObject.CreateInstance<GraphicsAssetOfATest>());
         graphics.m_CustomRenderPipeline = Keep(ScriptableObject.CreateInstance<HDRenderPipelineAsset>());
@@ -189,7 +193,7 @@ public sealed class ProjectChecksTests : EditorFixture
     public void UnityVersion_RunningEditor_IsChecked()
     {
         Assert.That(
-            _reviewed.Review.Results[_reviewed.IndexOf("Unity version is recommended")].Found,
+            _reviewed.Review.Results[_reviewed.IndexOf(CheckTitles.UnityVersion)].Found,
             Does.StartWith("2022.3.62f1: " + UnityVersionMessages.Compared2022));
     }
 

@@ -1,7 +1,9 @@
 using Nowpose.Editor;
 using Nowpose.Editor.Inspectors;
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using NUnit.Framework;
+using Nowpose.Unity.Messages;
 using UnityEditor;
 using UnityEngine;
 
@@ -9,7 +11,7 @@ namespace Nowpose.Unity.Tests.Editor;
 
 public sealed class RobotDescriptionInspectorTests : EditorFixture
 {
-    const string LoadLabel = "Load a URDF file …";
+    const string LoadLabel = InspectorTexts.LoadUrdf;
 
     static readonly string Robot =
         "<robot name='two'><link name='a'/><link name='b'/><joint name='elbow' type='revolute'><parent link='a'/><child link='b'/>"
@@ -41,7 +43,7 @@ public sealed class RobotDescriptionInspectorTests : EditorFixture
     {
         Draw(Inspect(""));
 
-        Assert.That(GuiRecorder.Texts, Does.Contain("'Mine': contains no URDF; load the URDF of the robot"));
+        Assert.That(GuiRecorder.Texts, Does.Contain(RigMessages.NoUrdf("Mine")));
         Assert.That(GuiRecorder.Texts, Does.Contain("SHA-256: –"));
     }
 

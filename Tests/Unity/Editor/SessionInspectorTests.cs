@@ -1,7 +1,11 @@
 using Nowpose.Editor.Inspectors;
 using Nowpose.Editor.Messages;
 using Nowpose.Editor.Setup;
+using Nowpose.Messages;
+using Nowpose.Pairing;
+using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Tests;
 using NUnit.Framework;
 using UnityEditor;
@@ -32,8 +36,8 @@ public sealed class SessionInspectorTests : EditorFixture
         Assert.That(editor, Is.InstanceOf<MrilSessionEditor>());
         Assert.That(editor.RequiresConstantRepaint());
         Assert.That(GuiRecorder.Texts, Does.Contain("Robot: –, youbot"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("Pose: current"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("L_visu: 40.0 ms, as set"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Pose: " + PoseMessages.Of(PoseState.Current)));
+        Assert.That(GuiRecorder.Texts, Does.Contain("L_visu: 40.0 ms, " + StatusMessages.LatencySet));
         Assert.That(GuiRecorder.Texts.Single(t => t.StartsWith("End to end: 12", StringComparison.Ordinal)), Does.EndWith(" ms"));
         Assert.That(GuiRecorder.Texts.Single(t => t.StartsWith("L_app 8", StringComparison.Ordinal)), Does.EndWith("ms   (100 ms at the top)"));
         Assert.That(GuiRecorder.Properties, Does.Contain("_settings"));
@@ -83,13 +87,13 @@ public sealed class SessionInspectorTests : EditorFixture
         _played.Play(session, 1);
         EditorGUIUtility.systemCopyBuffer = " nowpose:cell/1?n=desk&h=localhost\n";
 
-        GuiRecorder.Click = "Read the code on the clipboard";
+        GuiRecorder.Click = InspectorTexts.ReadClipboard;
         editor.OnInspectorGUI();
         GuiRecorder.Click = "Refuse";
         editor.OnInspectorGUI();
 
         Assert.That(editor, Is.InstanceOf<CellPairingEditor>());
-        Assert.That(GuiRecorder.Texts, Has.Some.Contains("Connect to cell 'desk'?"));
+        Assert.That(GuiRecorder.Texts, Has.Some.Contains(PairingMessages.Question(CellCode.Parse("nowpose:cell/1?n=desk&h=localhost"), null)));
         Assert.That(pairing.Question, Is.Null);
         Assert.That(File.Exists(file), Is.False, "a refused cell is not stored");
     }

@@ -109,7 +109,7 @@ public sealed class SetupWindowTests : EditorFixture
         Send("Update");
         var texts = Draw();
         Assert.That(texts, Does.Contain(SetupTexts.PackageNotAdded("com.unity.xr.openxr", "offline")));
-        Assert.That(texts, Does.Contain(CheckFixes.BuildSupport("Universal Windows Platform")));
+        Assert.That(texts, Does.Contain(CheckFixes.BuildSupport(HeadsetPlatform.HoloLens2.Player)));
 
         Reload();
 
@@ -123,7 +123,7 @@ public sealed class SetupWindowTests : EditorFixture
 
         _window = Keep(ScriptableObject.CreateInstance<SetupWindow>());
 
-        Assert.That(Draw(), Does.Contain("✓ Build target is Android"));
+        Assert.That(Draw(), Does.Contain("✓ " + CheckTitles.BuildTarget(HeadsetPlatform.AndroidHeadset.Player)));
     }
 
     [Test]

@@ -1,4 +1,6 @@
 using Nowpose.Editor;
+using Nowpose.Editor.Messages;
+using Nowpose.Messages;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEditor;
@@ -66,7 +68,8 @@ public sealed class UrdfImporterTests : EditorFixture
             + Visual("<mesh filename='package://other/a.dae'/>") + Visual("<box size='1 1 1'/>") + "</link>");
 
         Assert.That(robot.transform.Find("base").childCount, Is.EqualTo(1));
-        Assert.That(_imported.Context.Warnings.Single(), Does.StartWith("arm.urdf: mesh 'package://other/a.dae' was not found; searched at Assets/"));
+        Assert.That(_imported.Context.Warnings.Single(), Does.Match(
+            $"^arm.urdf: {MeshMessages.Of(MeshMessages.NotFound("package://other/a.dae", "Assets/.+"))}$"));
         Assert.That(_imported.Context.Errors, Is.Empty);
         Assert.That(_imported.Context.SourceDependencies, Does.Contain("Assets/arm_description/other/a.dae"));
         Assert.That(_imported.Context.SourceDependencies, Does.Contain("Packages/other/a.dae"));
@@ -83,28 +86,38 @@ public sealed class UrdfImporterTests : EditorFixture
         Assert.That(bar.sharedMaterial != null);
     }
 
-    [TestCase("a.stl", "solid a\nfacet\nvertex 0 0\n", "arm.urdf: Assets/arm_description/urdf/a.stl:3: a vertex has 2 numbers; it needs 3; export the mesh again")]
-    [TestCase("a.ply", "ply", "arm.urdf: mesh 'a.ply' has an unsupported format; allowed: STL, OBJ, DAE and FBX")]
-    [TestCase("a.fbx", "broken", "arm.urdf: mesh Assets/arm_description/urdf/a.fbx: Unity has not imported it; see its import log for the reason")]
+    static readonly string[][] InvalidMeshes =
+    [
+        ["a.stl", "solid a\nfacet\nvertex 0 0\n", "Assets/arm_description/urdf/a.stl:3: " + StlMessages.VertexNumbers(2)],
+        ["a.ply", "ply", MeshMessages.Format("a.ply")],
+        ["a.fbx", "broken", MeshMessages.NotImported("Assets/arm_description/urdf/a.fbx")],
+    ];
+
+    [TestCaseSource(nameof(InvalidMeshes))]
     public void Import_MeshInvalid_CausesOneWarningWithTheNameOfTheFile(string file, string content, string warning)
     {
         _imported.Folder.Write("Assets/arm_description/urdf/" + file, content);
 
         _imported.Import($"<link name='base'>{Visual($"<mesh filename='{file}'/>")}{Visual($"<mesh filename='{file}'/>")}</link>");
 
-        Assert.That(_imported.Context.Warnings, Is.EqualTo(new[] { warning }));
+        Assert.That(_imported.Context.Warnings, Is.EqualTo(new[] { "arm.urdf: " + warning }));
         Assert.That(_imported.Context.Errors, Is.Empty);
         Assert.That(_imported.Context.ArtifactDependencies.Concat(_imported.Context.SourceDependencies), file == "a.ply"
             ? Is.Empty
             : Is.EqualTo(new[] { "Assets/arm_description/urdf/" + file }), "imported again once it is repaired");
     }
 
-    [TestCase("<link name='a'/>\n<link name='b'/>", "arm.urdf:3: link 'b': there are two root links, this one and 'a'")]
-    [TestCase("<link", "arm.urdf:3: not well-formed XML")]
+    static readonly string[][] InvalidRobots =
+    [
+        ["<link name='a'/>\n<link name='b'/>", "link 'b': " + UrdfMessages.TwoRoots("'a'")],
+        ["<link", UrdfMessages.NotWellFormed("")],
+    ];
+
+    [TestCaseSource(nameof(InvalidRobots))]
     public void Import_NotARobot_CausesOneErrorWithFileAndLine(string body, string error)
     {
         Assert.That(_imported.Import(body) == null);
-        Assert.That(_imported.Context.Errors.Single(), Does.StartWith(error));
+        Assert.That(_imported.Context.Errors.Single(), Does.StartWith("arm.urdf:3: " + error));
         Assert.That(_imported.Objects(), Is.Empty);
     }
 
@@ -116,7 +129,7 @@ public sealed class UrdfImporterTests : EditorFixture
 
         _imported.Context = Importers.Import(new UrdfImporter(), Urdf).Context;
 
-        Assert.That(_imported.Context.Errors, Is.EqualTo(new[] { "arm.urdf: 16777217 bytes; the maximum is 16777216; check that it is a URDF" }));
+        Assert.That(_imported.Context.Errors, Is.EqualTo(new[] { MeshMessages.UrdfTooLong("arm.urdf", 16777217, 16777216) }));
     }
 
     [Test]

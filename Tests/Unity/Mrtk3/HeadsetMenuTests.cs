@@ -128,7 +128,7 @@ public sealed class HeadsetMenuTests
         _session.Session.DisplayTimeSource = new Ahead();
         Run();
 
-        Assert.That(_nudgeWords.text, Is.EqualTo("L_visu by the runtime"));
+        Assert.That(_nudgeWords.text, Is.EqualTo(Mrtk3Messages.VisuByRuntime));
     }
 
     sealed class Ahead : IDisplayTimeSource

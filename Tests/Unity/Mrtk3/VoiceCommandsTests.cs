@@ -1,5 +1,6 @@
 using MixedReality.Toolkit;
 using Nowpose.Mrtk3;
+using Nowpose.Unity.Messages;
 using Nowpose.UnityPlayer;
 using NUnit.Framework;
 using UnityEngine;
@@ -120,7 +121,7 @@ public sealed class VoiceCommandsTests
         Assert.That(_speech.Calls, Is.EqualTo(1));
         Assert.That(_player.Logs.Select(l => l.Message), Is.EqualTo(new[]
         {
-            "[Nowpose] voice commands 'Voice': keyword recognition is not supported on this platform; use the menu instead",
+            "[Nowpose] " + Mrtk3Messages.VoiceNotSupported("Voice"),
         }));
     }
 
@@ -131,7 +132,7 @@ public sealed class VoiceCommandsTests
 
         Assert.That(_player.Logs.Select(l => (l.Type, l.Message)), Is.EqualTo(new[]
         {
-            (LogType.Log, "[Nowpose] voice commands 'Voice': keyword recognition is not running; use the menu instead"),
+            (LogType.Log, "[Nowpose] " + Mrtk3Messages.VoiceNotRunning("Voice")),
         }));
     }
 }

@@ -1,4 +1,5 @@
 using Nowpose.Anchoring;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Unity;
 using Nowpose.Unity.Messages;
@@ -65,7 +66,7 @@ public class CellPairingTests
         _played.Pairing.Accept();
         _played.Frames();
 
-        Assert.That(_played.Pairing.Words, Does.Contain("look at the code"));
+        Assert.That(_played.Pairing.Words, Is.EqualTo(PairingMessages.LookAtCode("press")));
         Assert.That(_played.Session.Session.SampleLink.State, Is.EqualTo(LinkState.Idle));
         Assert.That(_played.Anchor.Cell, Is.EqualTo("press"), "the marker may be looked for already");
     }

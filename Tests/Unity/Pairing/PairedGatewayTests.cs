@@ -97,7 +97,7 @@ public class PairedGatewayTests
         File.WriteAllText(_gateway.ListPath, "");
         RestartPlaying();
         await SoonAsync(() => _session.Session?.SampleLink.IsTokenRefused == true && _pairing.Guidance != null, "refused");
-        Assert.That(_pairing.Guidance, Does.Contain("no longer accepts this headset; look at the code"));
+        Assert.That(_pairing.Guidance, Is.EqualTo(PairingMessages.TokenRefused(_pairing.Cell)));
 
         _shown.Texts.Add((await _gateway.ShownAsync()).Text);
         await SoonAsync(() => IsConnected, "connected");

@@ -1,4 +1,6 @@
 using Nowpose.Anchoring;
+using Nowpose.Messages;
+using Nowpose.Pairing;
 using Nowpose.Unity;
 using Nowpose.Unity.Messages;
 using NUnit.Framework;
@@ -31,7 +33,7 @@ public class PairingEventsTests
 
         actions.ForgetCell();
         _played.Frames();
-        Assert.That(_played.Pairing.Question, Does.StartWith("Forget cell 'desk'?"));
+        Assert.That(_played.Pairing.Question, Is.EqualTo(PairingMessages.Forget(CellCode.Parse(Desk))));
         Assert.That(_played.Pairing.Cell, Is.EqualTo("desk"));
         _played.Pairing.Accept();
         _played.Frames();
@@ -143,6 +145,7 @@ public class PairingEventsTests
 
         _played.Frames(10);
 
-        Assert.That(_played.Cell.Messages.Where(m => m.Contains("code")), Has.Exactly(1).Items.And.All.Contains("[Nowpose] cell code: h is missing"));
+        Assert.That(_played.Cell.Messages.Where(m => m.Contains("code")),
+            Is.EqualTo(new[] { "[Nowpose] cell code: " + PairingCodeMessages.FieldMissing('h') }));
     }
 }
