@@ -3,6 +3,7 @@ using Nowpose.Latency;
 using Nowpose.Session;
 using Nowpose.Unity;
 using NUnit.Framework;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity.Tests;
@@ -112,7 +113,7 @@ public sealed class CellActionsTests
 
         _actions.SetOpacity(0.5f);
 
-        Assert.That(looks.Select(look => look.Opacity), Is.All.EqualTo(0.5f));
+        Assert.That(looks.Select(look => look.Opacity), Is.Not.Empty.And.All.EqualTo(0.5f));
         Assert.That((box.GetComponent<PoseAppearance>().Opacity, held.GetComponent<PoseAppearance>().Opacity), Is.EqualTo((1f, 1f)));
     }
 
@@ -277,8 +278,8 @@ public sealed class CellActionsTests
         lone.SetNudgeMs(3);
         Run(0.1);
 
-        Assert.That(_cell.Messages, Has.Some.Contains("cell actions 'Buttons' have no session; assign one"));
-        Assert.That(_cell.Messages, Has.Some.Contains("cell actions 'Buttons' have no ghost; assign one"));
+        Assert.That(_cell.Messages, Has.Some.Contains(ComponentMessages.NoAction("Buttons", "session")));
+        Assert.That(_cell.Messages, Has.Some.Contains(ComponentMessages.NoAction("Buttons", "ghost")));
         Assert.That(lone.Opacity, Is.EqualTo(1));
     }
 }

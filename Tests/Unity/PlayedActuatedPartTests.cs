@@ -66,7 +66,8 @@ public class PlayedActuatedPartTests : PlayedParts
         appearance.Refresh();
         Run(1);
         Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
-        Assert.That((IsHatched(moved), IsHatched(other), appearance.Look.Label), Is.EqualTo((true, false, "signal not current")), jaw.Fault);
+        Assert.That(
+            (IsHatched(moved), IsHatched(other), appearance.Look.Label), Is.EqualTo((true, false, ObjectMessages.SignalNotCurrent)), jaw.Fault);
 
         SendSignal("jaw", _cell.Now - 1, 1);
         Run(0.5);
@@ -120,7 +121,8 @@ public class PlayedActuatedPartTests : PlayedParts
         Run(1, Send);
         SendSignal("jaw", _cell.Now - 1, 1);
         Run(0.5, Send);
-        Assert.That((IsHatched(moved), IsHatched(shown), appearance.Look.Label), Is.EqualTo((true, false, "signal not current")), "the slide has no value");
+        Assert.That((IsHatched(moved), IsHatched(shown), appearance.Look.Label),
+            Is.EqualTo((true, false, ObjectMessages.SignalNotCurrent)), "the slide has no value");
 
         SendSignal("slide", _cell.Now - 1, 1);
         Run(0.5, Send);

@@ -115,8 +115,8 @@ public class PlayedGripTests : PlayedParts
         var (_, grip, _) = NewGrip("hand");
         Run(1);
 
-        Assert.That(grip.Fault, Does.Match("^the robot '.+' has no link 'hand'; correct Link$"));
-        Assert.That(_cell.Messages, Has.Exactly(1).Matches("grip by reach 'grip': the robot '.+' has no link 'hand'"));
+        Assert.That(grip.Fault, Does.Match($"^{ObjectMessages.NoLink(".+", "hand")}$"));
+        Assert.That(_cell.Messages, Has.Exactly(1).EndsWith("grip by reach 'grip': " + grip.Fault));
         Assert.That(FaultsNow(), Does.Contain("gripper grip: " + grip.Fault));
     }
 

@@ -103,7 +103,7 @@ public class PlayedGripperTests
 
         var fault = _played.Cell.Player.Logs.Single();
         Assert.That(fault.Type, Is.EqualTo(LogType.Error));
-        Assert.That(fault.Message, Does.Contain("'Lost Gripper'").And.Contain("assign a rig"));
+        Assert.That(fault.Message, Is.EqualTo("[Nowpose] " + ComponentMessages.GripperWithoutRig("Lost Gripper")));
         Assert.That(fault.Context, Is.SameAs(gripper));
     }
 

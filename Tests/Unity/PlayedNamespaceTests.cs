@@ -110,7 +110,8 @@ public class PlayedNamespaceTests : PlayedParts
         _session.enabled = false;
 
         Assert.That(FaultsNow(), Is.EqualTo($"robot arm2: {StatusMessages.NoSession}; object box: {StatusMessages.NoSession}"));
-        Assert.That((_session.Parts.Summary, box.State, _session.Parts.SinceOf(0)), Is.EqualTo(("! 2 not current", PoseState.Incomplete, (ControlTime?)null)));
+        Assert.That((_session.Parts.Summary, box.State, _session.Parts.SinceOf(0)), Is.EqualTo((
+            StatusMessages.NotCurrent(2), PoseState.Incomplete, (ControlTime?)null)));
     }
 
     // The uncompensated robot stands on the newest pose of its base, not on the predicted one.
@@ -177,7 +178,7 @@ public class PlayedNamespaceTests : PlayedParts
         Run(0.5, t => SendPose("world", "box", t, Along(t)));
 
         Assert.That(FaultsNow(), Does.StartWith($"object fixture: {FrameMessages.FrameUnknown("unknown")}; object world: "));
-        Assert.That((_session.Parts.FaultCount, _session.Parts.Summary), Is.EqualTo((2, "! 3 not current")));
+        Assert.That((_session.Parts.FaultCount, _session.Parts.Summary), Is.EqualTo((2, StatusMessages.NotCurrent(3))));
     }
 
     [Test]
@@ -201,14 +202,14 @@ public class PlayedNamespaceTests : PlayedParts
         var parts = _session.Parts;
         Run(6, t => SendPose("world", "part", t, Along(0.1 * t)));
 
-        Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("object lid: " + FrameMessages.NoPose, "! 1 not current")));
+        Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("object lid: " + FrameMessages.NoPose, StatusMessages.NotCurrent(1))));
 
         SendPose("world", "lid", _cell.Now - Latency, Along(1));
         Run(2);
 
         Assert.That(FaultsNow(), Is.EqualTo($"object part: {FrameMessages.PosesStopped}; object lid: {FrameMessages.PosesStopped}"));
         AssertStoppedBefore(2);
-        Assert.That(parts.Summary, Is.EqualTo("! 2 not current"));
+        Assert.That(parts.Summary, Is.EqualTo(StatusMessages.NotCurrent(2)));
         var signal = Below<CellSignal>("closed", _session.transform);
         _session.transform.Find("part").gameObject.SetActive(false);
         Run(0.1);

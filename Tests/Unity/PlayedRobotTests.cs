@@ -134,7 +134,8 @@ public class PlayedRobotTests
         _played.Cell.Run(1, _played.Session);
 
         var fault = _played.Cell.Player.Logs.Single(log => log.Type is LogType.Error or LogType.Exception);
-        Assert.That(fault.Message, Does.StartWith("[Nowpose] ").And.Contain("'arm_link_3'").And.Contain("is missing"));
+        Assert.That(fault.Message, Does.Match(
+            "^.Nowpose. " + RigMessages.MissingLink("youbot", "arm_link_2", ".+", "arm_link_3", "arm_joint_3", "is missing")));
         Assert.That(_played.Rig.IsFollowing, Is.False);
         Assert.That(ghost.GetComponent<RobotRig>().Joints.ToArray(), Is.EqualTo(_played.Session.Frame.HeldJoints.ToArray()));
     }
@@ -161,7 +162,7 @@ public class PlayedRobotTests
         rig.Bind(RobotFiles.Load("ur5"));
         rig.Bind(RobotFiles.Load("youbot"));
 
-        Assert.That(_played.Cell.Messages.Single(), Does.Contain("'Plain' has no material").And.Contain("magenta"));
+        Assert.That(_played.Cell.Messages.Single(), Is.EqualTo("[Nowpose] " + RigMessages.NoMaterial("Plain", hasShader: false)));
         Assert.That(_played.Cell.Player.Logs.Single().Context, Is.SameAs(rig));
     }
 

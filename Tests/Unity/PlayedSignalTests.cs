@@ -1,3 +1,4 @@
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity.Messages;
@@ -209,6 +210,6 @@ public class PlayedSignalTests : PlayedParts
         var signal = Below<CellSignal>("gripper", _session.transform);
         Run(0.5);
 
-        Assert.That((signal.Value, signal.Fault), Is.EqualTo(((double?)null, "no connection")));
+        Assert.That((signal.Value, signal.Fault), Is.EqualTo(((double?)null, SignalMessages.NoConnection)));
     }
 }

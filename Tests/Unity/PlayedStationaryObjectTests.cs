@@ -23,7 +23,7 @@ public class PlayedStationaryObjectTests : PlayedParts
         wrong.EndMove();
 
         Assert.That(File.ReadAllText(file), Is.EqualTo(before));
-        Assert.That(wrong.Fault, Does.StartWith("the frame 'xxx").And.Contain("allowed: 1 to 128 characters, not 'world'"));
+        Assert.That(wrong.Fault, Is.EqualTo(ObjectMessages.InvalidFrame(wrong.name)));
         Assert.That(_cell.Player.Logs.Count(log => log.Type == LogType.Error), Is.EqualTo(1));
     }
 
@@ -53,7 +53,7 @@ public class PlayedStationaryObjectTests : PlayedParts
         Run(1, Send);
         Assert.That(FaultsNow(), Does.Contain("object fixture: " + ObjectMessages.NotPlaced));
         var look = fixture.GetComponent<PoseAppearance>().Look;
-        Assert.That((look.Label, look.IsDrawn, look.IsHatched), Is.EqualTo(("not placed", true, true)));
+        Assert.That((look.Label, look.IsDrawn, look.IsHatched), Is.EqualTo((StatusMessages.NotPlaced, true, true)));
 
         fixture.BeginMove();
         fixture.transform.SetPositionAndRotation(new Vector3(2, 2.5f, 3), Quaternion.Euler(0, 30, 0));
@@ -123,7 +123,7 @@ public class PlayedStationaryObjectTests : PlayedParts
 
         Run(0.1);
 
-        Assert.That(_cell.Messages, Has.Exactly(1).Matches("stationary-objects.json, line 1: .*; the file is kept as .*; place the objects again"));
+        Assert.That(_cell.Messages, Has.Exactly(1).Matches(ObjectMessages.PlacesLost("stationary-objects.json, line 1: .*", ".*")));
         Assert.That((File.Exists(path), File.Exists(path + ".bad")), Is.EqualTo((false, true)));
     }
 }

@@ -25,7 +25,7 @@ public class AppearanceLifeTests
         var built = _played.Rig.GetComponentsInChildren<Renderer>()
             .Where(r => r != _played.Tool && r.gameObject != _played.Label.gameObject).ToList();
         Assert.That(_played.Rig.Model, Is.Not.Null);
-        Assert.That(built.Select(r => r.isVisible), Is.All.False);
+        Assert.That(built.Select(r => r.isVisible), Is.Not.Empty.And.All.False);
     }
 
     [Test]

@@ -1,5 +1,6 @@
 using Nowpose.Prefabs;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.UnityPlayer;
 using NUnit.Framework;
 using UnityEngine;
@@ -76,7 +77,7 @@ public sealed class FontTextureTests
 
         _renderer.gameObject.SetActive(true);
 
-        Assert.That(_player.Logs.Single().Message, Does.Contain("has no font material").And.Contain("sub-asset of the font"));
+        Assert.That(_player.Logs.Single().Message, Is.EqualTo("[Nowpose] " + ComponentMessages.NoFontMaterial(_renderer.name)));
     }
 
     [Test]

@@ -1,4 +1,5 @@
 using Nowpose.Latency;
+using Nowpose.Session;
 using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
@@ -65,8 +66,8 @@ public class PoseAppearanceTests
 
         _played.Play(2);
 
-        Assert.That(wasVisible, Is.All.False, "not in the first frame either");
-        Assert.That(_played.Label.text, Is.EqualTo("no positions yet"));
+        Assert.That(wasVisible, Is.Not.Empty.And.All.False, "not in the first frame either");
+        Assert.That(_played.Label.text, Is.EqualTo(PoseMessages.Of(PoseState.Incomplete)));
         Assert.That(_played.Label.GetComponent<Renderer>().isVisible, Is.True);
     }
 
@@ -80,7 +81,7 @@ public class PoseAppearanceTests
         Assert.That(_played.Tool.isVisible, Is.True);
         Assert.That(_played.Look(_played.Tool).Fade, Is.GreaterThan(0.5));
         Assert.That(_played.Look(_played.Tool).Hatch, Is.EqualTo(1));
-        Assert.That(_played.Label.text, Is.EqualTo("not synchronised"));
+        Assert.That(_played.Label.text, Is.EqualTo(PoseMessages.Of(PoseState.Unsynchronised)));
     }
 
     [Test]
@@ -111,7 +112,7 @@ public class PoseAppearanceTests
 
         Assert.That(_played.Look(_played.Tool).Fade, Is.GreaterThan(0.2));
         Assert.That(_played.Look(_played.Tool).Hatch, Is.EqualTo(1));
-        Assert.That(_played.Label.text, Is.EqualTo("outside range"));
+        Assert.That(_played.Label.text, Is.EqualTo(PoseMessages.Of(PoseState.OutsideRange)));
     }
 
     [Test]
@@ -129,7 +130,7 @@ public class PoseAppearanceTests
         Assert.That(paused.Item1.Hatch, Is.EqualTo(1), "the stripes appear before the next frame");
         Assert.That(paused.text, Is.EqualTo(StatusMessages.NoSession));
         Assert.That(paused.isVisible, Is.True);
-        Assert.That(resumed, Is.EqualTo("no positions yet").Or.EqualTo("not synchronised"));
+        Assert.That(resumed, Is.EqualTo(PoseMessages.Of(PoseState.Incomplete)).Or.EqualTo(PoseMessages.Of(PoseState.Unsynchronised)));
         Assert.That(_played.Look(_played.Tool), Is.EqualTo((0f, 0f)));
     }
 

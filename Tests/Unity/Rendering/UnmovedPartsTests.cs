@@ -1,6 +1,7 @@
 using Nowpose.Session;
 using Nowpose.Unity;
 using NUnit.Framework;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 using static Nowpose.Unity.Tests.Rendering.PlayedAppearance;
 
@@ -27,7 +28,7 @@ public class UnmovedPartsTests
 
         Assert.That(_played.Session.Frame.State, Is.EqualTo(PoseState.Current));
         Assert.That(_played.Tool.isVisible, Is.False);
-        Assert.That(_played.Label.text, Is.EqualTo("rig not moved"));
+        Assert.That(_played.Label.text, Is.EqualTo(PoseMessages.RigNotMoved));
     }
 
     [Test]
@@ -63,7 +64,7 @@ public class UnmovedPartsTests
 
         Assert.That(_played.Session.Frame.State, Is.EqualTo(PoseState.Current));
         Assert.That(_played.Tool.isVisible, Is.False);
-        Assert.That(_played.Label.text, Is.EqualTo("rig not moved"));
+        Assert.That(_played.Label.text, Is.EqualTo(PoseMessages.RigNotMoved));
     }
 
     [Test]
@@ -119,7 +120,7 @@ public class UnmovedPartsTests
         _played.Run(0.1);
 
         Assert.That(part.isVisible, Is.False);
-        Assert.That(words.text, Is.EqualTo("gripper not moved"));
+        Assert.That(words.text, Is.EqualTo(PoseMessages.GripperNotMoved));
     }
 
     [Test]
@@ -137,7 +138,7 @@ public class UnmovedPartsTests
 
         Assert.That(part.isVisible, Is.False);
         Assert.That(_played.Tool.isVisible, Is.True);
-        Assert.That(_played.Label.text, Is.EqualTo("gripper not moved"));
+        Assert.That(_played.Label.text, Is.EqualTo(PoseMessages.GripperNotMoved));
     }
 
     [Test]

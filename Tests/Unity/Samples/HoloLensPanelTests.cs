@@ -1,4 +1,5 @@
 using MixedReality.Toolkit.UX;
+using Nowpose.Messages;
 using Nowpose.Pairing;
 using Nowpose.Protocol;
 using Nowpose.Unity;
@@ -112,20 +113,20 @@ public sealed class HoloLensPanelTests
         var pin = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
         var codes = ShownCodes.Below(_sample.Session);
         Show(codes, 1);
-        Assert.That(Message, Is.EqualTo("look at the robot's marker"));
+        Assert.That(Message, Is.EqualTo(PairingMessages.LookAtMarker));
 
         codes.Texts.Add(new CellCode("desk", "127.0.0.1", pin, MarkerOffset.Parse("0.5,0,0", ""), 0.1, 1, 1).Text);
         Show(codes, 2);
         _sample.Press("Accept");
         Show(codes, 1);
-        Assert.That(Message, Is.EqualTo("cell 'desk': look at the code that its gateway shows"));
+        Assert.That(Message, Is.EqualTo(PairingMessages.LookAtCode("desk")));
 
         // The pairing with this code fails, because its port is closed.
         codes.Texts.Add(new TokenCode(pin, "AAAAAAAAAAAAAAAAAAAAAA").Text);
         await Soon.BecomesAsync(() =>
         {
             Show(codes, 0.3);
-            return Message.StartsWith("! pairing with 127.0.0.1: ", StringComparison.Ordinal);
+            return Message.StartsWith("! " + PairingAnswerMessages.Failed("127.0.0.1", ""), StringComparison.Ordinal);
         }, "the panel says why pairing fails");
     }
 }

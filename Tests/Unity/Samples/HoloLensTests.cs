@@ -154,6 +154,7 @@ public sealed class HoloLensTests
     {
         var buttons = _sample.Roots.SelectMany(r => r.GetComponentsInChildren<PressableButton>(true)).ToList();
 
+        Assert.That(buttons, Is.Not.Empty);
         foreach (var button in buttons)
         {
             var words = button.GetComponentsInChildren<TextMeshProUGUI>(true)

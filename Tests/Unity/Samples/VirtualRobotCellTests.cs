@@ -18,7 +18,7 @@ public class VirtualRobotCellTests
 
         sample.Run(20);
 
-        Assert.That(sample.States, Is.All.EqualTo(PoseState.Current));
+        Assert.That(sample.States, Is.Not.Empty.And.All.EqualTo(PoseState.Current));
         Assert.That(Rms(sample.HoldErrors), Is.GreaterThan(0.02), "there is a gap to close");
         Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(MinReduction));
         Assert.That(sample.Session.Statistics.ErrorReduction, Is.GreaterThan(MinReduction), "the panel shows it, too");
@@ -135,7 +135,7 @@ public class VirtualRobotCellTests
 
         sample.Start().Run(0.5);
 
-        Assert.That(Complaints(sample)[0], Does.StartWith("[Nowpose] control system").And.Contain(named));
+        Assert.That(Complaints(sample)[0], Does.StartWith("[Nowpose] control system '").And.EndsWith($"' has no {named}; assign one"));
         Assert.That(Complaints(sample).Where(text => text.Contains("Exception")), Is.Empty);
         Assert.That(sample.Control.enabled, Is.False);
     }

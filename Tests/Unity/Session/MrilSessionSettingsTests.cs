@@ -1,7 +1,9 @@
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Session;
 using Nowpose.Unity;
 using NUnit.Framework;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Session;
@@ -35,9 +37,9 @@ public class MrilSessionSettingsTests
 
         var fault = _cell.Player.Logs.Single();
         Assert.That(fault.Type, Is.EqualTo(LogType.Error));
-        Assert.That(fault.Message, Does.StartWith("[Nowpose] ").And.Contain("visualisation latency: 900 ms"));
+        Assert.That(fault.Message, Is.EqualTo("[Nowpose] " + session.Problem));
         Assert.That(fault.Context, Is.SameAs(session));
-        Assert.That(session.Problem, Does.Contain("900 ms"));
+        Assert.That(session.Problem, Does.Contain(SettingMessages.OutOfRange("visualisation latency", 900, " ms", 0, LatencyProfile.MaxVisuMs)));
         Assert.That(session.Session, Is.Null);
         Assert.That(others, Is.GreaterThan(10));
 
@@ -109,7 +111,7 @@ public class MrilSessionSettingsTests
 
         session.gameObject.SetActive(true);
 
-        Assert.That(_cell.Messages.Single(), Does.Contain("assign a Session Settings asset"));
+        Assert.That(_cell.Messages.Single(), Is.EqualTo("[Nowpose] " + ComponentMessages.NoSettings(session.name)));
     }
 
     [Test]

@@ -1,7 +1,9 @@
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Session;
 using Nowpose.Unity;
 using NUnit.Framework;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 using UnityEngine.Events;
 
@@ -69,7 +71,8 @@ public class MrilSessionTests
         Assert.That(session.Statistics.BeyondLimits, Is.Not.Null);
     }
 
-    static bool IsOfLimits(string message) => message.Contains("is outside its limits", StringComparison.Ordinal);
+    static bool IsOfLimits(string message) =>
+        message.Contains(RobotMessages.BeyondLimits("", 0, "", 0, 0, "").Split(", ")[1].Split(';')[0], StringComparison.Ordinal);
 
     [Test]
     public void Events_ClockAndSamplesStartAndStop_AreEachRaisedOnce()
@@ -94,7 +97,7 @@ public class MrilSessionTests
         Render(10, 900);
 
         Assert.That(raised, Is.EqualTo(new[] { "Lost" }));
-        Assert.That(_cell.Messages.Count(m => m.StartsWith("[Nowpose] clock synchronised", StringComparison.Ordinal)), Is.EqualTo(1));
+        Assert.That(_cell.Messages.Count(m => m.StartsWith("[Nowpose] " + SessionMessages.Synchronised, StringComparison.Ordinal)), Is.EqualTo(1));
         Assert.That(_cell.Messages.Count(), Is.EqualTo(6), string.Join('\n', _cell.Messages));
         Assert.That(_cell.Player.Logs.Select(log => log.Context), Is.All.SameAs(session));
     }

@@ -4,6 +4,7 @@ using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Unity;
 using NUnit.Framework;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 using UnityEngine.Events;
 
@@ -148,7 +149,7 @@ public class SessionListenersTests
         _session.RobotAsset = Robot("ur5");
 
         Assert.That(_session.Session, Is.Null);
-        Assert.That(_session.Problem, Does.Contain("assign a Session Settings asset"));
+        Assert.That(_session.Problem, Is.EqualTo(ComponentMessages.NoSettings(_session.name)));
     }
 
     [Test]
@@ -164,7 +165,7 @@ public class SessionListenersTests
         _session.enabled = false;
 
         Assert.That(_session.isActiveAndEnabled, Is.True);
-        Assert.That(_session.Problem, Does.Contain("assign a Session Settings asset"));
+        Assert.That(_session.Problem, Is.EqualTo(ComponentMessages.NoSettings(_session.name)));
     }
 
     [Test]

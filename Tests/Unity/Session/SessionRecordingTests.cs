@@ -1,6 +1,7 @@
 using Nowpose.Cli.Replay;
 using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Messages;
 using NUnit.Framework;
@@ -157,8 +158,8 @@ public sealed class SessionRecordingTests
             await Soon.BecomesAsync(() => !_recording.IsRecording, "the recording has failed");
             _cell.Run(3, _session);
 
-            Assert.That(_cell.Messages.Count(m => m.Contains("has stopped", StringComparison.Ordinal)), Is.EqualTo(1));
-            Assert.That(_recording.Problem, Does.Contain("has stopped").And.Contain(_recording.Path));
+            Assert.That(_recording.Problem, Does.StartWith(RecordingMessages.Stopped(_recording.Path, "")));
+            Assert.That(_cell.Messages, Has.Exactly(1).EndsWith(_recording.Problem));
             Assert.That(_session.Frame.State, Is.EqualTo(Nowpose.Session.PoseState.Current).Or.EqualTo(Nowpose.Session.PoseState.Unsynchronised));
             Assert.That(_session.Frame.DisplayTime, Is.Not.Null);
         }
@@ -176,8 +177,8 @@ public sealed class SessionRecordingTests
         await Soon.BecomesAsync(() => !_recording.IsRecording, "the file is full");
         _cell.Run(3, _session);
 
-        Assert.That(_cell.Messages.Count(m => m.Contains("maximum size of 0.02 MB", StringComparison.Ordinal)), Is.EqualTo(1));
-        Assert.That(_recording.Problem, Does.Contain("has stopped").And.Contain(_recording.Path));
+        Assert.That(_recording.Problem, Is.EqualTo(RecordingMessages.MaxSize(_recording.Path, "0.02")));
+        Assert.That(_cell.Messages, Has.Exactly(1).EndsWith(_recording.Problem));
         Assert.That(Files, Has.Length.EqualTo(1), "no second file is created");
         Assert.That(_session.Frame.State, Is.EqualTo(Nowpose.Session.PoseState.Current));
     }
@@ -189,8 +190,9 @@ public sealed class SessionRecordingTests
 
         _cell.Run(0.5, _session);
 
-        Assert.That(_cell.Messages.Count(m => m.Contains("maximum size of the recording", StringComparison.Ordinal)), Is.EqualTo(1));
-        Assert.That(_recording.Problem, Does.Contain("-1 MB"));
+        Assert.That(_recording.Problem, Is.EqualTo(ComponentMessages.Of(
+            "session recording", "Cell", SettingMessages.OutOfRange(SettingNames.MaxRecordingSize, -1, " MB", 0.001, 100_000))));
+        Assert.That(_cell.Messages, Has.Exactly(1).EndsWith(_recording.Problem));
     }
 
     [Test]

@@ -2,6 +2,7 @@ using Nowpose.Gateway.Plants;
 using Nowpose.Session;
 using Nowpose.Unity;
 using NUnit.Framework;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Session;
@@ -48,7 +49,7 @@ public class SessionRobotTests
         Assert.That(session.Session.Robot, Is.SameAs(session.Robot));
         Assert.That(changes, Is.EqualTo(1));
         Assert.That(session.Frame.State, Is.EqualTo(PoseState.Current));
-        Assert.That(_cell.Messages.Count(m => m.Contains("describes robot 'ur5'")), Is.EqualTo(1));
+        Assert.That(_cell.Messages.Count(m => m.Contains(SessionMessages.Description("ur5"))), Is.EqualTo(1));
     }
 
     [Test]
@@ -113,7 +114,7 @@ public class SessionRobotTests
         }
 
         Assert.That(session.Robot, Is.Null);
-        Assert.That(_cell.Messages.Single(), Does.Contain("/robot_description").And.Contain("cannot be used"));
+        Assert.That(_cell.Messages.Single(), Does.StartWith("[Nowpose] " + SessionMessages.DescriptionUnusable("/robot_description:")));
     }
 
     [Test]

@@ -27,6 +27,7 @@ public class StatusPanelLayoutTests
         var ground = _played.Sheet.Find("Ground").GetComponent<MeshRenderer>();
         var area = ground.bounds;
         Assert.That(ground.sharedMaterial, Is.SameAs(material));
+        Assert.That(_played.Texts, Is.Not.Empty);
         foreach (var text in _played.Texts)
         {
             Assert.That(text.transform.position.z, Is.LessThan(area.min.z), text.name);

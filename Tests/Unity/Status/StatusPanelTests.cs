@@ -221,7 +221,7 @@ public class StatusPanelTests
         _played.Panel.enabled = true;
         _played.Run(0.1);
 
-        Assert.That(disabled, Is.All.Empty);
+        Assert.That(disabled, Is.Not.Empty.And.All.Empty);
         Assert.That(_played.Row("L_app").Value, Is.EqualTo("80.0 ms"), "the text is shown again immediately");
     }
 
@@ -265,7 +265,7 @@ public class StatusPanelTests
         _played.Play(10);
 
         Assert.That(_played.Row("Pose").Value, Is.EqualTo("current"));
-        Assert.That(_played.Row("Objects").Value, Is.EqualTo("! 1 not current"));
+        Assert.That(_played.Row("Objects").Value, Is.EqualTo(StatusMessages.NotCurrent(1)));
         Assert.That(_played.Text("FirstPart 1"), Is.EqualTo("! object lid"));
         Assert.That(_played.Text("FirstPart 2"), Is.EqualTo(FrameMessages.NoPose));
         Assert.That(_played.Text("SecondPart 1"), Is.Empty);

@@ -63,6 +63,7 @@ public sealed class StatusPanelViewTests(string scene)
         {
             _cells.Show(texts);
 
+            Assert.That(Texts, Is.Not.Empty, what);
             foreach (var text in Texts)
             {
                 foreach (var corner in SeenText.Corners(text)) Assert.That(SeenText.IsInView(corner, _head), $"{what}: {text.name} '{text.text}'");

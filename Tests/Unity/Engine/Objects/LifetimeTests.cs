@@ -204,7 +204,7 @@ public sealed class LifetimeTests : PlayerFixture
         Object.DestroyImmediate(mesh);
 
         Assert.That(mesh != null);
-        Assert.That(Player.Logs.Select(l => l.Message), Has.All.Contains("Destroying assets is not permitted"));
+        Assert.That(Player.Logs.Select(l => l.Message), Is.Not.Empty.And.All.Contains("Destroying assets is not permitted"));
     }
 
     [Test]
