@@ -39,7 +39,7 @@ public sealed class HeadsetScenesTests
 
         Assert.That(camera.backgroundColor, Is.EqualTo(new Color(0, 0, 0, 0)));
         Assert.That(camera.nearClipPlane, Is.EqualTo(0.1f));
-        Assert.That(Regex.Matches(RepositoryFiles.Read(path), "m_ClearFlags: (.*)").Select(m => m.Groups[1].Value), Is.All.EqualTo("2"), "a colour");
+        Assert.That(camera.clearFlags, Is.EqualTo(CameraClearFlags.SolidColor));
     }
 
     [TestCaseSource(nameof(Scenes))]
