@@ -57,7 +57,10 @@ public sealed partial class MessageCatalogueTests
         ["AccessMessages"] = ["ClosedForNewer", "FormerContentUsed", "OtherLinesUsed", "Refused", "TooManyWrongLog"],
         ["AdapterMessages"] = ["Ended"],
         ["AppearanceMessages"] = ["NoMaterial", "NotFadeable"],
-        ["BaseMessages"] = ["FollowsMarker", "Lost", "MovedLabel", "NotConfirmedLabel", "NotLocated", "NotLockedLabel"],
+        ["BaseMessages"] =
+        [
+            "BeingPlacedLabel", "FollowsMarker", "Lost", "LostLabel", "MovedLabel", "NotConfirmedLabel", "NotLocated", "NotLockedLabel",
+        ],
         ["CalibrationMessages"] = ["Of"],
         ["CellMessageFaults"] = ["ChildTwice", "Frame", "Has", "Named", "NoName", "Of", "OwnParent", "StampZero", "Twice"],
         ["ComponentMessages"] = ["GripperWithoutJoint", "Of"],
@@ -84,6 +87,7 @@ public sealed partial class MessageCatalogueTests
         ["LoaderMessages"] = ["Unkept"],
         ["ManifestMessages"] = ["TooDeep", "Twice"],
         ["MeshMessages"] = ["Of"],
+        ["Mrtk3Messages"] = ["VisuByRuntime"],
         ["ObjectMessages"] = ["FingerNotMoved", "OutsideStroke", "RobotUnknown", "SignalNotCurrent"],
         ["OperationsMessages"] = ["LoggedIn", "NoTokenNeeded", "UnknownTokenLog"],
         ["OptionMessages"] = ["SeeHelp"],
@@ -94,6 +98,7 @@ public sealed partial class MessageCatalogueTests
         ["PairingServiceMessages"] = ["NotStoredLog", "TokenGiven", "WrongCodeLog"],
         ["ProfileMessages"] = ["OtherKind"],
         ["RecorderMessages"] = ["Begun", "Deleted", "Ended", "FolderNotChecked", "UnknownName"],
+        ["RecordingMessages"] = ["Stopped"],
         ["RequestMessages"] = ["Closed", "ClosedForRate", "Dropped", "NotAccepted"],
         ["RobotMessages"] = ["OfRobot"],
         ["SessionMessages"] = ["Description", "DescriptionUnusable", "PlausibleAgain", "Recording", "Stale", "Synchronised", "WithinRange"],
@@ -104,6 +109,7 @@ public sealed partial class MessageCatalogueTests
         ["SyncServerMessages"] = ["Closed", "NotAccepted"],
         ["UnityProjectMessages"] = ["Backup", "EntryKept", "Version"],
         ["UnityVersionMessages"] = ["Compared2022", "NotComparedNewest"],
+        ["UrdfMessages"] = ["NotWellFormed"],
         ["VlcMessages"] = ["NothingRead", "OtherSource", "Result"],
     };
 
