@@ -28,6 +28,6 @@ public sealed class NodeProgramTests
 
     [Test]
     public void Start_ScriptMissing_StatesTheReasonAndASuggestion() => Assert.That(
-        () => NodeProgram.Start("Node.js is needed to read", Path.Combine(_folder, "script.mjs"), []),
-        Throws.InstanceOf<InputException>().With.Message.StartsWith("Node.js is needed to read; ").And.Message.Contains("build again"));
+        () => NodeProgram.Start("Node.js is needed", Path.Combine(_folder, "script.mjs"), []),
+        Throws.InstanceOf<InputException>().With.Message.StartsWith("Node.js is needed; ").And.Message.Contains("build again"));
 }
