@@ -1,6 +1,6 @@
-using NUnit.Framework;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Messages;
+using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli;
 

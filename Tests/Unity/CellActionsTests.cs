@@ -2,8 +2,8 @@ using System.Reflection;
 using Nowpose.Latency;
 using Nowpose.Session;
 using Nowpose.Unity;
-using NUnit.Framework;
 using Nowpose.Unity.Messages;
+using NUnit.Framework;
 using UnityEngine;
 
 namespace Nowpose.Unity.Tests;

@@ -2,8 +2,8 @@ using Nowpose.Editor;
 using Nowpose.Editor.Inspectors;
 using Nowpose.Editor.Messages;
 using Nowpose.Unity;
-using NUnit.Framework;
 using Nowpose.Unity.Messages;
+using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
 

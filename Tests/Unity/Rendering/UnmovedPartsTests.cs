@@ -1,7 +1,7 @@
 using Nowpose.Session;
 using Nowpose.Unity;
-using NUnit.Framework;
 using Nowpose.Unity.Messages;
+using NUnit.Framework;
 using UnityEngine;
 using static Nowpose.Unity.Tests.Rendering.PlayedAppearance;
 

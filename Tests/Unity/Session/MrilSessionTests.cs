@@ -2,8 +2,8 @@ using Nowpose.Latency;
 using Nowpose.Messages;
 using Nowpose.Session;
 using Nowpose.Unity;
-using NUnit.Framework;
 using Nowpose.Unity.Messages;
+using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Events;
 

@@ -3,8 +3,8 @@ using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Unity;
-using NUnit.Framework;
 using Nowpose.Unity.Messages;
+using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Events;
 

@@ -1,8 +1,8 @@
 using Nowpose.Gateway.Plants;
 using Nowpose.Session;
 using Nowpose.Unity;
-using NUnit.Framework;
 using Nowpose.Unity.Messages;
+using NUnit.Framework;
 using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Session;

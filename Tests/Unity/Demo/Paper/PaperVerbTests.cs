@@ -1,7 +1,7 @@
 using System.Text.Json;
 using Nowpose.Cli.Messages;
-using NUnit.Framework;
 using Nowpose.Messages;
+using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo.Paper;
 

@@ -1,8 +1,8 @@
 using System.Collections.Generic;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
-using NUnit.Framework;
 using Nowpose.Messages;
+using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring
 {

@@ -1,8 +1,8 @@
 using System;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
-using NUnit.Framework;
 using Nowpose.Messages;
+using NUnit.Framework;
 using static Nowpose.Tests.Core.Anchoring.LockedMarkers;
 
 namespace Nowpose.Tests.Core.Anchoring

@@ -1,7 +1,7 @@
 using Nowpose.Tests.Core.Kinematics;
 using Nowpose.Unity;
-using NUnit.Framework;
 using Nowpose.Unity.Messages;
+using NUnit.Framework;
 
 namespace Nowpose.Tests.Unity.Robot
 {

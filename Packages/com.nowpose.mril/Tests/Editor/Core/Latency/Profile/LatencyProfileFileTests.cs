@@ -3,8 +3,8 @@ using System.IO;
 using System.Text.RegularExpressions;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
-using NUnit.Framework;
 using Nowpose.Messages;
+using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Latency.Profile
 {

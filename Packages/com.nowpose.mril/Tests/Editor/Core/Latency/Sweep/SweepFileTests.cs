@@ -5,8 +5,8 @@ using System.Text.RegularExpressions;
 using System.Threading;
 using Nowpose.Latency;
 using Nowpose.Latency.Sweep;
-using NUnit.Framework;
 using Nowpose.Messages;
+using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Latency.Sweep
 {
