@@ -183,7 +183,7 @@ public class SyncVerbTests
         Assert.That(run.Errors, Does.Contain(ExchangeFileMessages.TimeOrder(instants.Path, line, 5, 5)));
     }
 
-    [TestCase("ransac", "RANSAC, as in the paper")]
+    [TestCase("ransac", SyncPageTexts.Ransac)]
     [TestCase("default", "default")]
     public async Task Sync_PageOption_WritesFigure8AndItsData(string estimator, string name)
     {

@@ -1,6 +1,6 @@
-using NUnit.Framework;
 using Nowpose.Cli.Messages;
 using Nowpose.Editor.Messages;
+using NUnit.Framework;
 using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
 
 namespace Nowpose.Headless.Tests.Cli.Unity;
@@ -54,18 +54,20 @@ public class UnityConflictTests
         Assert.That(project.Manifest, Does.Contain("https://unitynuget-registry.openupm.com").And.Not.Contain("azurewebsites"));
     }
 
-    [TestCase(
-        """ "url": "https://own.example", "scopes": ["org.nuget"] """, "refuse", "Correct the manifest, or use --on-conflict keep or replace.")]
-    [TestCase(
-        """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "refuse", "with the needed url. Correct the manifest, or use --on-conflict keep.")]
-    [TestCase(
-        """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "replace", "with the needed url. Correct the manifest, or use --on-conflict keep.")]
-    [TestCase(""" "scopes": ["org.nuget"] """, "replace", "comes from a registry without url; ")]
-    public async Task Unity_ConflictingRegistry_SuggestsTheApplicableRules(string registry, string rule, string offer)
+    [TestCase("https://own.example", false, "refuse", "keep or replace")]
+    [TestCase("https://own.example", true, "refuse", "keep")]
+    [TestCase("https://own.example", true, "replace", "keep")]
+    [TestCase(null, false, "replace", "keep")]
+    public async Task Unity_ConflictingRegistry_SuggestsTheApplicableRules(string url, bool isShared, string rule, string applicable)
     {
+        var registry = (url == null ? "" : $"\"url\": \"{url}\", ") + "\"scopes\": [\"org.nuget\"" + (isShared ? ", \"a\"]" : "]");
         using var project = new UnityProjectFolder($$"""{ "scopedRegistries": [{ "name": "x", {{registry}} }] }""");
 
-        AssertRefused(await project.RunAsync("--on-conflict", rule), offer);
+        var refused = await project.RunAsync("--on-conflict", rule);
+
+        AssertRefused(refused, "");
+        Assert.That(refused.Errors, Does.Match(MessagePattern.Of(UnityProjectMessages.Conflicts(
+            ManifestMessages.OtherRegistry(MessagePattern.Any, "org.nuget.mathnet.numerics", url, MessagePattern.Any, isShared), applicable))));
         Assert.That((await project.RunAsync("--on-conflict", "keep")).ExitStatus, Is.EqualTo(0));
     }
 
