@@ -26,11 +26,11 @@ namespace Nowpose.Frames
         /// </summary>
         const int MinConsecutive = 2;
 
-        readonly ScatterDetector _positions = new ScatterDetector(components: 3);
-        readonly ScatterDetector _rotations = new ScatterDetector(components: 3);
-        readonly double[] _vector = new double[3];
+        const int Components = 3;
+
+        readonly PositionWindow _positions = new PositionWindow(ScatterDetector.Window, Components), _rotations = new PositionWindow(ScatterDetector.Window, Components);
+        readonly ScatterDetector _position = new ScatterDetector(Components), _rotation = new ScatterDetector(Components);
         RigidTransform _rest, _first;
-        bool _isFirst;
         double _metres, _radians;
         int _different;
 
@@ -39,13 +39,14 @@ namespace Nowpose.Frames
         {
             _positions.Clear();
             _rotations.Clear();
-            _isFirst = true;
+            _position.Reset();
+            _rotation.Reset();
         }
 
         /// <summary>Returns whether a pose differs from the first pose by more than the noise measured so far.</summary>
         public bool HasMoved(in RigidTransform pose)
         {
-            if (_isFirst) return false;
+            if (_positions.Count == 0) return false;
             Release(_first);
             return IsDifferent(pose);
         }
@@ -55,24 +56,23 @@ namespace Nowpose.Frames
         public void Release(in RigidTransform rest)
         {
             _rest = rest;
-            _metres = Math.Max(SamePosition, MaxDifference * _positions.Noise);
-            _radians = Math.Max(SameRotation, MaxDifference * _rotations.Noise);
+            _metres = Math.Max(SamePosition, MaxDifference * _position.Noise);
+            _radians = Math.Max(SameRotation, MaxDifference * _rotation.Noise);
             _different = 0;
         }
 
         /// <summary>Adds a pose of the source that is newer than the previous poses.</summary>
         public void Add(in RigidTransform pose)
         {
-            if (_isFirst) _first = pose;
-            _isFirst = false;
-            Add(_positions, new Vector3D(pose.X, pose.Y, pose.Z));
-            Add(_rotations, UnitQuaternion.Of(_first.Inverse * pose).Log());
+            if (_positions.Count == 0) _first = pose;
+            Add(_position, _positions, new Vector3D(pose.X, pose.Y, pose.Z));
+            Add(_rotation, _rotations, UnitQuaternion.Of(_first.Inverse * pose).Log());
         }
 
-        void Add(ScatterDetector detector, in Vector3D vector)
+        static void Add(ScatterDetector detector, PositionWindow window, in Vector3D vector)
         {
-            (_vector[0], _vector[1], _vector[2]) = (vector.X, vector.Y, vector.Z);
-            detector.Add(_vector);
+            window.Add(0, stackalloc[] { vector.X, vector.Y, vector.Z });
+            detector.Add(window.Positions, window.Count);
         }
 
         /// <summary>

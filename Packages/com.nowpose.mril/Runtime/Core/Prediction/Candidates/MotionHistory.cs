@@ -1,5 +1,6 @@
 using System;
 using System.Runtime.CompilerServices;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Candidates
 {
@@ -38,11 +39,8 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         public const double Rounding = 1e-6;
 
-        // The newest samples, newest first; the components of a position are adjacent.
-        readonly double[] _times = new double[Neighbours];
-        readonly double[] _positions;
+        readonly PositionWindow _newest;
         readonly double[] _maxDisplacements;
-        int _samples;
         double _start;
 
         /// <param name="components">Number of components of a position.</param>
@@ -50,7 +48,7 @@ namespace Nowpose.Prediction.Candidates
         {
             Components = components;
             Points = new double[Capacity * components];
-            _positions = new double[Neighbours * components];
+            _newest = new PositionWindow(Neighbours, components);
             _maxDisplacements = new double[components];
         }
 
@@ -67,7 +65,7 @@ namespace Nowpose.Prediction.Candidates
         public double[] Points { get; }
 
         /// <summary>Position of the sample before the newest one; interpolated if the sample was wrong.</summary>
-        public ReadOnlySpan<double> Previous => _positions.AsSpan(Components, Components);
+        public ReadOnlySpan<double> Previous => _newest[1];
 
         /// <summary>Clears the history and sets the grid step.</summary>
         /// <param name="step">Grid step in s.</param>
@@ -75,7 +73,7 @@ namespace Nowpose.Prediction.Candidates
         {
             Step = step;
             Count = 0;
-            _samples = 0;
+            _newest.Clear();
             Array.Clear(_maxDisplacements, 0, Components);
         }
 
@@ -83,37 +81,29 @@ namespace Nowpose.Prediction.Candidates
         /// <param name="position">One number per component.</param>
         public void Add(double time, ReadOnlySpan<double> position)
         {
-            if (_samples == 0) _start = time;
-            else if (!(time > _times[0])) return;
-            Array.Copy(_times, 0, _times, 1, Neighbours - 1);
-            Array.Copy(_positions, 0, _positions, Components, (Neighbours - 1) * Components);
-            _times[0] = time;
-            position.CopyTo(_positions);
-            if (_samples < Neighbours)
+            if (_newest.Count == 0)
             {
+                _start = time;
                 // Until there are enough samples, the first one is repeated backwards in time.
-                for (var i = _samples + 1; i < Neighbours; i++)
-                {
-                    _times[i] = _times[i - 1] - Step;
-                    Array.Copy(_positions, (i - 1) * Components, _positions, i * Components, Components);
-                }
-                _samples++;
+                for (var i = Neighbours - 1; i > 0; i--) _newest.Add(time - i * Step, position);
             }
-            if (_samples == Neighbours)
-                for (var c = 0; c < Components; c++) ReplaceSpike(c);
-            for (; TimeOf(Count) <= _times[1] + Rounding * Step; Count++) Interpolate(TimeOf(Count), PlaceOf(Count));
+            else if (!(time > _newest.Times[0])) return;
+            _newest.Add(time, position);
+            for (var c = 0; c < Components; c++) ReplaceSpike(c);
+            for (; TimeOf(Count) <= _newest.Times[1] + Rounding * Step; Count++) Interpolate(TimeOf(Count), PlaceOf(Count));
         }
 
         // A wrong sample would reappear in a forecast whenever the motion repeats.
         void ReplaceSpike(int component)
         {
-            double newest = _positions[component], before = _positions[2 * Components + component];
-            ref var middle = ref _positions[Components + component];
+            var (times, positions) = (_newest.Times, _newest.Positions);
+            double newest = positions[component], before = positions[2 * Components + component];
+            ref var middle = ref positions[Components + component];
             ref var max = ref _maxDisplacements[component];
             double to = middle - before, from = newest - middle;
             var less = Math.Min(Math.Abs(to), Math.Abs(from));
             if (to * from >= 0) max = Math.Max(max, less);
-            else if (max > 0 && less > SpikeRatio * max) middle = before + (newest - before) * (_times[1] - _times[2]) / (_times[0] - _times[2]);
+            else if (max > 0 && less > SpikeRatio * max) middle = before + (newest - before) * (times[1] - times[2]) / (times[0] - times[2]);
         }
 
         /// <summary>Returns the place of a grid point in <see cref="Points"/>. The point must be one of the newest <see cref="Capacity"/>.</summary>
@@ -141,11 +131,12 @@ namespace Nowpose.Prediction.Candidates
         // Cubic Hermite between samples 2 and 1, with slopes of the parabolas through their neighbours.
         void Interpolate(double time, int place)
         {
-            double h0 = _times[2] - _times[3], h1 = _times[1] - _times[2], h2 = _times[0] - _times[1], x = time - _times[2];
+            var (times, positions) = (_newest.Times, _newest.Positions);
+            double h0 = times[2] - times[3], h1 = times[1] - times[2], h2 = times[0] - times[1], x = time - times[2];
             for (var c = 0; c < Components; c++)
             {
-                double p1 = _positions[Components + c], p2 = _positions[2 * Components + c];
-                double d0 = (p2 - _positions[3 * Components + c]) / h0, d1 = (p1 - p2) / h1, d2 = (_positions[c] - p1) / h2;
+                double p1 = positions[Components + c], p2 = positions[2 * Components + c];
+                double d0 = (p2 - positions[3 * Components + c]) / h0, d1 = (p1 - p2) / h1, d2 = (positions[c] - p1) / h2;
                 var m1 = (d0 * h1 + d1 * h0) / (h0 + h1);
                 var m2 = (d1 * h2 + d2 * h1) / (h1 + h2);
                 var square = (3 * d1 - 2 * m1 - m2) / h1;

@@ -68,11 +68,7 @@ namespace Nowpose.Prediction.Candidates
         readonly LagSearch _search;
         readonly MotionOverlay _overlay;
 
-        // The newest samples, newest first; the components of a position are adjacent.
-        readonly double[] _times = new double[MaxCompared];
-        readonly double[] _positions;
-        int _samples;
-
+        readonly PositionWindow _newest;
         readonly int[] _found = new int[LagSearch.Kept];
         readonly double[] _refined = new double[LagSearch.Kept];
         readonly double[] _lags = new double[LagSearch.Kept];
@@ -97,7 +93,7 @@ namespace Nowpose.Prediction.Candidates
             _history = new MotionHistory(components);
             _overlay = new MotionOverlay(_history);
             _search = new LagSearch(_history);
-            _positions = new double[MaxCompared * components];
+            _newest = new PositionWindow(MaxCompared, components);
             _offsets = new double[LagSearch.Kept * components];
             Reset();
         }
@@ -108,22 +104,22 @@ namespace Nowpose.Prediction.Candidates
         public override bool Solve(MotionState motion)
         {
             var (time, meanInterval) = (motion.NewestTime, motion.Timing.MeanInterval);
-            if (_samples > 0 && time - _times[0] > _maximumGap) Reset();
+            if (_newest.Count > 0 && time - _newest.Times[0] > _maximumGap) Reset();
             var before = _matches;
             _matches = 0;
-            Keep(time, motion.Newest);
+            _newest.Add(time, motion.Newest);
             if (_interval == 0) Begin(meanInterval);
             else if (meanInterval > MaxIntervalRatio * _interval || meanInterval * MaxIntervalRatio < _interval)
             {
                 // A single gap does not change the mean interval enough to restart.
                 Reset();
-                Keep(time, motion.Newest);
+                _newest.Add(time, motion.Newest);
             }
             else
             {
                 _history.Add(time, motion.Newest);
                 // A wrong sample would impair the comparisons of the next samples. At rest, what the history replaces may be noise.
-                if (motion.IsPreviousWrong) _history.Previous.CopyTo(_positions.AsSpan(_components));
+                if (motion.IsPreviousWrong) _history.Previous.CopyTo(_newest[1]);
                 _search.Update(MinLag);
                 var isSoon = time - _matchedAt < _matchInterval;
                 if (before > 0 && (isSoon || motion.StillSamples > MaxStill)) KeepMatches(before);
@@ -134,10 +130,10 @@ namespace Nowpose.Prediction.Candidates
 
         public override double At(double ahead, int component)
         {
-            var (index, position) = (_history.IndexOf(_times[0] + ahead), 0.0);
+            var (index, position) = (_history.IndexOf(_newest.Times[0] + ahead), 0.0);
             for (var i = 0; i < _matches; i++)
                 position += _weights[i] * (_history.At(index - _lags[i], component) + _offsets[i * _components + component]);
-            return position - _positions[component];
+            return position - _newest.Positions[component];
         }
 
         public override void Reset()
@@ -146,20 +142,12 @@ namespace Nowpose.Prediction.Candidates
             _history.Start(0);
             _search.Start();
             Array.Clear(_found, 0, _found.Length);
-            _matches = _samples = 0;
+            _newest.Clear();
+            _matches = 0;
         }
 
         // At a smaller lag, the history does not cover the continuation.
         int MinLag => (int)Math.Ceiling(ForecastTable.Span / _history.Step) + MotionHistory.Margin;
-
-        void Keep(double time, ReadOnlySpan<double> position)
-        {
-            _samples = Math.Min(_samples + 1, MaxCompared);
-            Array.Copy(_times, 0, _times, 1, _samples - 1);
-            Array.Copy(_positions, 0, _positions, _components, (_samples - 1) * _components);
-            _times[0] = time;
-            position.CopyTo(_positions);
-        }
 
         // Keeps the matches between two searches and during a standstill.
         void KeepMatches(int matches)
@@ -172,17 +160,17 @@ namespace Nowpose.Prediction.Candidates
         // The grid step is a multiple of the sampling interval, so that samples lie on grid points and need no interpolation.
         void Begin(double interval)
         {
-            if (_samples <= MinIntervals) return;
+            if (_newest.Count <= MinIntervals) return;
             _interval = interval;
             _history.Start(_interval * Math.Ceiling(MinStep / _interval - MotionHistory.Rounding));
             _search.Start();
-            for (var i = MinIntervals; i >= 0; i--) _history.Add(_times[i], _positions.AsSpan(i * _components, _components));
+            for (var i = MinIntervals; i >= 0; i--) _history.Add(_newest.Times[i], _newest[i]);
         }
 
         void Match(double stillDistance)
         {
-            _matchedAt = _times[0];
-            _overlay.Take(_times, _positions, SamplesInWindow(stillDistance));
+            _matchedAt = _newest.Times[0];
+            _overlay.Take(_newest.Times, _newest.Positions, SamplesInWindow(stillDistance));
             _refinedNext = (_refinedNext + 1) % LagSearch.Kept;
             var min = double.PositiveInfinity;
             for (var i = 0; i < _search.Count; i++)
@@ -212,20 +200,20 @@ namespace Nowpose.Prediction.Candidates
             (_refined[place], _refined[i]) = (_refined[i], _refined[place]);
         }
 
-        bool HasContinuation(double lag) => _history.Covers(_history.IndexOf(_times[0]) - lag)
-            && _history.Covers(_history.IndexOf(_times[0] + ForecastTable.Span) - lag);
+        bool HasContinuation(double lag) => _history.Covers(_history.IndexOf(_newest.Times[0]) - lag)
+            && _history.Covers(_history.IndexOf(_newest.Times[0] + ForecastTable.Span) - lag);
 
         // In motion, only the samples since the start of the motion are compared, because the duration of the preceding rest varies.
         int SamplesInWindow(double stillDistance)
         {
             var full = 1;
-            while (full < _samples && _times[0] - _times[full] <= Window) full++;
+            while (full < _newest.Count && _newest.Times[0] - _newest.Times[full] <= Window) full++;
             var moving = 0;
             while (moving + 1 < full && Displacement(moving) > stillDistance) moving++;
             return moving < MinMoving ? full : Math.Min(full, moving + 2);
         }
 
-        double Displacement(int age) => Vectors.Distance(_positions, age * _components, _positions, (age + 1) * _components, _components);
+        double Displacement(int age) => Vectors.Distance(_newest.Positions, age * _components, _newest.Positions, (age + 1) * _components, _components);
 
         void Weigh(double min)
         {

@@ -59,9 +59,6 @@ namespace Nowpose.Prediction.Mixing
         /// </summary>
         const double MaxScatterRatio = 1;
 
-        /// <summary>Maximum difference that counts as rounding, in m or rad. A position that never changes needs no forecast.</summary>
-        public const double Rounding = 1e-9;
-
         const int Hold = ForecasterSet.Hold, Line = ForecasterSet.Line;
 
         readonly int _components, _points;
@@ -76,11 +73,11 @@ namespace Nowpose.Prediction.Mixing
         readonly PendingForecasts _pending;
         readonly DistanceLimit _distance = new DistanceLimit();
 
-        // The first position, and the table of the displayed forecast.
-        readonly double[] _first, _table;
+        // The table of the displayed forecast.
+        readonly double[] _table;
 
         double _forgettingFactor, _lineUntil;
-        bool _hasMoved, _wasReported;
+        bool _wasReported;
 
         /// <param name="limits">Horizon cap, and for a joint the limits of its drive.</param>
         /// <param name="forecasters">Forecasters of the mixture, which other motions may use in turn.</param>
@@ -94,13 +91,13 @@ namespace Nowpose.Prediction.Mixing
             _scatter = new ScatterDetector(components);
             _weights = new MixtureWeights(forecasters.Prior(isReported: false));
             _pending = new PendingForecasts(components, forecasters, candidates, _weights);
-            (_first, _table) = (new double[components], new double[ForecastTable.Points * components]);
+            _table = new double[ForecastTable.Points * components];
             Reset();
         }
 
         public override int RequiredSamples => 2;
 
-        public override int MaxSamples => _forecasters.MaxSamples;
+        public override int MaxSamples => Math.Max(_forecasters.MaxSamples, ScatterDetector.Window);
 
         public override double Span => ForecastTable.Span;
 
@@ -113,10 +110,9 @@ namespace Nowpose.Prediction.Mixing
                 _forgettingFactor = Math.Exp(-motion.Timing.Interval / TimeConstant);
                 DetectJump(motion);
                 DetectChangePoint(motion);
-                DetectFirstMotion(motion);
-                if (_hasMoved) Learn(motion);
+                Learn(motion);
             }
-            if (_hasMoved) Forecast(motion);
+            Forecast(motion);
             return motion.Timing.ConnectedSamples >= 2;
         }
 
@@ -127,13 +123,13 @@ namespace Nowpose.Prediction.Mixing
             foreach (var candidate in _candidates) candidate.Reset();
             _jumps.Reset();
             _changePoints.Reset();
-            _scatter.Clear();
+            _scatter.Reset();
             _weights.Reset(_forecasters.Prior(isReported: false));
             _pending.Clear();
             _distance.Clear();
             Array.Clear(_table, 0, _table.Length);
             _lineUntil = double.NegativeInfinity;
-            _hasMoved = _wasReported = false;
+            _wasReported = false;
         }
 
         bool Uses(PredictionParts part) => (_parts & part) != 0;
@@ -154,24 +150,16 @@ namespace Nowpose.Prediction.Mixing
             else _changePoints.Add(motion, _forgettingFactor, _jumps.IsUnconfirmed);
         }
 
-        void DetectFirstMotion(MotionState motion)
-        {
-            if (_hasMoved) return;
-            if (double.IsNegativeInfinity(motion.PreviousTime)) Array.Copy(motion.Newest, _first, _components);
-            for (var c = 0; c < _components; c++) _hasMoved |= Math.Abs(motion.Newest[c] - _first[c]) > Rounding;
-        }
-
         void Learn(MotionState motion)
         {
             // After a gap or a jump, earlier forecasts are wrong for a reason that no forecaster can know.
             if (motion.Timing.ConnectedSamples == 1 || IsVelocityUnknown)
             {
                 _pending.Clear();
-                _scatter.Clear();
                 _distance.Release();
             }
             Score(motion);
-            if (Uses(PredictionParts.Scatter)) _scatter.Add(motion.Newest);
+            if (Uses(PredictionParts.Scatter)) _scatter.Add(motion.Displacements, Math.Min(motion.Count, _jumps.SamplesSince));
             if (_scatter.HasLeft && IsFirstMove(motion)) _lineUntil = motion.NewestTime + motion.Timing.Horizon + motion.Timing.Interval;
             foreach (var candidate in _candidates) candidate.Add(motion, _points);
         }

@@ -17,6 +17,9 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Errors above this, in m or rad, are not scored: their squares would remain in every mean.</summary>
         const double MaxError = 1e9;
 
+        /// <summary>Maximum difference of forecasts that counts as rounding, in m or rad.</summary>
+        const double Rounding = 1e-9;
+
         /// <summary>Maximum number of pending forecasts: half a second of samples at 180 Hz.</summary>
         const int Capacity = 96;
 
@@ -105,7 +108,7 @@ namespace Nowpose.Prediction.Mixing
             for (var i = 0; i < forecasts.Length; i += _components)
             {
                 if (!(Vectors.Distance(forecasts, i, _truth, 0, _components) < MaxError)) return false;
-                differ |= Vectors.Distance(forecasts, i, forecasts, Line * _components, _components) > Mixture.Rounding;
+                differ |= Vectors.Distance(forecasts, i, forecasts, Line * _components, _components) > Rounding;
             }
             // From a rest without noise, all forecasts are equal. Their error at a start would hide the differences between the forecasters for seconds.
             if (!differ) return false;
@@ -119,9 +122,7 @@ namespace Nowpose.Prediction.Mixing
 
         void ScoreCandidates(Expectation expected, double time)
         {
-            // After a break, the mixture is wrong for a moment, which proves nothing for a candidate if a line is not.
-            var line = Vectors.Distance(_truth, 0, expected.Forecasts, Line * _components, _components);
-            var error = Math.Min(Vectors.Distance(expected.Mixture, _truth), line);
+            var error = Vectors.Distance(expected.Mixture, _truth);
             for (var i = 0; i < _candidates.Length; i++)
             {
                 if (!expected.HasCandidate[i]) continue;

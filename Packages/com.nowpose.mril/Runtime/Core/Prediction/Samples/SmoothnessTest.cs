@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Samples
 {
@@ -29,16 +30,16 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Number of samples: the newest one and three, which determine a quadratic.</summary>
         const int Kept = 4;
 
-        // The newest samples, newest first: reported stamps, times on the line, and positions, whose components are adjacent.
-        readonly double[] _reported = new double[Kept], _onLine = new double[Kept], _positions;
+        // The newest samples with reported stamps, and their times on the line.
+        readonly PositionWindow _newest;
+        readonly double[] _onLine = new double[Kept];
         readonly int _components;
-        int _count;
         double _mean;
 
         /// <param name="components">Number of components of a position.</param>
         public SmoothnessTest(int components)
         {
-            (_components, _positions) = (components, new double[Kept * components]);
+            (_components, _newest) = (components, new PositionWindow(Kept, components));
             Reset();
         }
 
@@ -48,14 +49,13 @@ namespace Nowpose.Prediction.Samples
         /// <param name="onLine">Time of the sample on the line, in s.</param>
         public void Add<TSample>(in TSample sample, double onLine) where TSample : struct, ISample<TSample>
         {
-            Array.Copy(_reported, 0, _reported, 1, Kept - 1);
+            Span<double> position = stackalloc double[_components];
+            for (var c = 0; c < _components; c++) position[c] = sample[c];
+            _newest.Add(sample.Time, position);
             Array.Copy(_onLine, 0, _onLine, 1, Kept - 1);
-            Array.Copy(_positions, 0, _positions, _components, (Kept - 1) * _components);
-            (_reported[0], _onLine[0]) = (sample.Time, onLine);
-            for (var c = 0; c < _components; c++) _positions[c] = sample[c];
-            if (_count < Kept) _count++;
-            if (_count < Kept) return;
-            double errorReported = ErrorOf(_reported), errorOnLine = ErrorOf(_onLine);
+            _onLine[0] = onLine;
+            if (_newest.Count < Kept) return;
+            double errorReported = ErrorOf(_newest.Times), errorOnLine = ErrorOf(_onLine);
             if (!(errorReported > 0 && errorOnLine > 0)) return;
             var vote = Math.Log10(errorReported / errorOnLine);
             _mean += VoteWeight * (Math.Min(Math.Max(vote, -MaxVote), MaxVote) - _mean);
@@ -63,7 +63,7 @@ namespace Nowpose.Prediction.Samples
 
         public void Reset()
         {
-            _count = 0;
+            _newest.Clear();
             _mean = InitialMean;
         }
 
@@ -76,7 +76,7 @@ namespace Nowpose.Prediction.Samples
                 var error = 0.0;
                 for (var i = 1; i < Kept; i++)
                 {
-                    var term = _positions[i * _components + c] - _positions[c];
+                    var term = _newest.Positions[i * _components + c] - _newest.Positions[c];
                     for (var j = 1; j < Kept; j++)
                         if (j != i) term *= (times[0] - times[j]) / (times[i] - times[j]);
                     error += term;

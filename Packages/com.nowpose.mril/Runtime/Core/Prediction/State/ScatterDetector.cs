@@ -9,8 +9,11 @@ namespace Nowpose.Prediction.State
     /// </remarks>
     sealed class ScatterDetector
     {
-        /// <summary>Window: number of newest samples that are examined. MinSamples: minimum number for a decision.</summary>
-        const int Window = 12, MinSamples = 4;
+        /// <summary>Number of newest samples that are examined.</summary>
+        public const int Window = 12;
+
+        /// <summary>Minimum number of samples for a decision.</summary>
+        const int MinSamples = 4;
 
         /// <summary>
         /// Limits for samples that scatter. MaxProgress: maximum ratio of progress to path length. MinRoughness: minimum ratio of second to first
@@ -33,20 +36,12 @@ namespace Nowpose.Prediction.State
         const double Smoothing = 1 / 16.0;
 
         readonly int _components;
-
-        // The newest samples, newest first; the components of a sample are adjacent.
-        readonly double[] _samples;
         readonly double[] _mean;
-        int _count;
         int _sinceScatter;
         double _meanStep;
 
         /// <param name="components">Number of components of a position.</param>
-        public ScatterDetector(int components)
-        {
-            _components = components;
-            (_samples, _mean) = (new double[Window * components], new double[components]);
-        }
+        public ScatterDetector(int components) => (_components, _mean) = (components, new double[components]);
 
         /// <summary>Whether the newest samples only scatter; false for samples that do not differ.</summary>
         public bool Scatters { get; private set; }
@@ -57,54 +52,54 @@ namespace Nowpose.Prediction.State
         /// <summary>Mean distance between consecutive samples that only scatter; 0 after a motion, and for samples that do not differ.</summary>
         public double Noise { get; private set; }
 
-        /// <summary>Adds a sample that is newer than all previous samples.</summary>
-        public void Add(double[] position)
+        /// <summary>Examines the samples after one has been added that is newer than all previous samples.</summary>
+        /// <param name="samples">Positions, relative to any place, newest first; the components of a position are adjacent.</param>
+        /// <param name="count">Number of newest samples without a gap or a jump.</param>
+        public void Add(double[] samples, int count)
         {
-            HasLeft = Scatters && DistanceFromScatter(position) > MinStartRatio * Math.Max(_meanStep, Noise);
-            Array.Copy(_samples, 0, _samples, _components, _samples.Length - _components);
-            Array.Copy(position, _samples, _components);
-            _count = Math.Min(_count + 1, Window);
-            Scatters = _count >= MinSamples && IsScatter();
+            count = Math.Min(count, Window);
+            HasLeft = Scatters && count > 1 && DistanceFromScatter(samples, count) > MinStartRatio * Math.Max(_meanStep, Noise);
+            Scatters = count >= MinSamples && IsScatter(samples, count);
             _sinceScatter = Scatters ? 0 : Math.Min(_sinceScatter + 1, Window);
             if (_sinceScatter >= Window) Noise = 0;
             else if (Scatters) Noise += (_meanStep - Noise) * (Noise > 0 ? Smoothing : 1);
         }
 
-        public void Clear()
+        public void Reset()
         {
-            _count = 0;
             Scatters = HasLeft = false;
             Noise = 0;
         }
 
-        double DistanceFromScatter(double[] position)
+        // Distance of the newest sample from the mean of the others, or from the last of them if that is smaller.
+        double DistanceFromScatter(double[] samples, int count)
         {
             Array.Clear(_mean, 0, _components);
-            for (var i = 0; i < _count * _components; i++) _mean[i % _components] += _samples[i] / _count;
-            return Math.Min(Vectors.Distance(position, _mean), Vectors.Distance(position, 0, _samples, 0, _components));
+            for (var i = _components; i < count * _components; i++) _mean[i % _components] += samples[i] / (count - 1);
+            return Math.Min(Vectors.Distance(samples, 0, _mean, 0, _components), Vectors.Distance(samples, 0, samples, _components, _components));
         }
 
-        bool IsScatter()
+        bool IsScatter(double[] samples, int count)
         {
             double path = 0, bends = 0;
-            for (int i = 0, end = (_count - 1) * _components; i < end; i += _components)
+            for (int i = 0, end = (count - 1) * _components; i < end; i += _components)
             {
                 var (squares, bend) = (0.0, 0.0);
                 for (var at = i; at < i + _components; at++)
                 {
-                    var step = _samples[at] - _samples[at + _components];
+                    var step = samples[at] - samples[at + _components];
                     squares += step * step;
                     if (i + _components == end) continue;
-                    var difference = step - _samples[at + _components] + _samples[at + 2 * _components];
+                    var difference = step - samples[at + _components] + samples[at + 2 * _components];
                     bend += difference * difference;
                 }
                 path += Math.Sqrt(squares);
                 bends += Math.Sqrt(bend);
             }
-            _meanStep = path / (_count - 1);
-            var progress = Vectors.Distance(_samples, 0, _samples, (_count - 1) * _components, _components);
-            var (maxProgress, minRoughness) = _count < Window ? (MaxFirstProgress, MinFirstRoughness) : (MaxProgress, MinRoughness);
-            return progress < maxProgress * path && bends / (_count - 2) > minRoughness * _meanStep;
+            _meanStep = path / (count - 1);
+            var progress = Vectors.Distance(samples, 0, samples, (count - 1) * _components, _components);
+            var (maxProgress, minRoughness) = count < Window ? (MaxFirstProgress, MinFirstRoughness) : (MaxProgress, MinRoughness);
+            return progress < maxProgress * path && bends / (count - 2) > minRoughness * _meanStep;
         }
     }
 }

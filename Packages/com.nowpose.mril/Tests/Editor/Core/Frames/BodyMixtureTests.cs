@@ -41,14 +41,6 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(body.At(199 * Interval + Latency).AngleTo(rotation.At(0, 0, 0)), Is.Zero);
         }
 
-        [Test]
-        public void At_DifferencesWithinRounding_HoldsTheNewestSample()
-        {
-            var body = Fed(k => new Vector3D(0.7 + 4e-11 * k, 0, 0), 20);
-
-            Assert.That(body.PositionAt(3), Is.EqualTo(new Vector3D(0.7 + 4e-11 * 19, 0, 0)));
-        }
-
         /// <summary>
         /// The displacement between two samples of a slow motion is within the rounding tolerance, but the sum of the displacements is not.
         /// </summary>

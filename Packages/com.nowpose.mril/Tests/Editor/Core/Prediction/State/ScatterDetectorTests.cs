@@ -10,10 +10,20 @@ namespace Nowpose.Tests.Core.Prediction.State
 {
     public class ScatterDetectorTests
     {
-        static void Add(ScatterDetector detector, in Vector3D position) => detector.Add(new[] { position.X, position.Y, position.Z });
+        readonly PositionWindow _window = new PositionWindow(ScatterDetector.Window, components: 3);
 
-        static bool Scatters(Func<double, PoseSample> motion, int samples, double interval)
+        [SetUp]
+        public void ClearWindow() => _window.Clear();
+
+        void Add(ScatterDetector detector, in Vector3D position)
         {
+            _window.Add(time: 0, new[] { position.X, position.Y, position.Z });
+            detector.Add(_window.Positions, _window.Count);
+        }
+
+        bool Scatters(Func<double, PoseSample> motion, int samples, double interval)
+        {
+            _window.Clear();
             var detector = new ScatterDetector(components: 3);
             for (var k = 0; k < samples; k++) Add(detector, motion(k * interval).Position);
             return detector.Scatters;
