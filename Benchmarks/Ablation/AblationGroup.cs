@@ -20,11 +20,15 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
     /// <summary>Seeds that were not used to tune a predictor.</summary>
     static readonly int[] Seeds = [6101, 6102, 6103];
 
+    /// <summary>Limits of <see cref="Motions.MovesOfOneDrive"/>. The limits of the other motions are unknown.</summary>
+    static readonly PredictionLimits DriveLimits = new(horizonCap: double.PositiveInfinity, maximumGap: double.PositiveInfinity,
+        velocity: 1000, acceleration: 5000, jerk: 50_000);
+
     static readonly Func<int, AxisMotion>[] SimulatedMotions =
     [
         _ => Motions.PaperSwing(), seed => Motions.FastMoves(seed), seed => Motions.GentleMoves(seed), seed => Motions.SoftMoves(seed),
         seed => Motions.Trapezoids(seed), seed => Motions.Waves(seed), seed => Motions.EmergencyStops(seed), seed => Motions.Ringing(seed),
-        seed => Motions.Jumps(seed), seed => Motions.Repeats(seed, new CycleVariation(0.05, 1, 0.01)),
+        seed => Motions.Jumps(seed), seed => Motions.Repeats(seed, new CycleVariation(0.05, 1, 0.01)), Motions.MovesOfOneDrive,
     ];
 
     public string Name => name;
@@ -56,7 +60,7 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
         .. from motion in SimulatedMotions
            from condition in Conditions
            select new AblationRun([Label(motion(0).Name, condition)], (predictor, without) => [Math.Sqrt(Seeds.Average(seed => Square(
-               PredictionStudy.Run(motion(seed), SettingsOf(condition, seed) with { StampError = stampError }, () => Joint(predictor, without)).Predicted.Rms)))]),
+               PredictionStudy.Run(motion(seed), SettingsOf(condition, seed) with { StampError = stampError }, () => Joint(predictor, LimitsOf(motion), without)).Predicted.Rms)))]),
     ]);
 
     static StudySettings SettingsOf((double Interval, double Latency) condition, int seed) =>
@@ -68,7 +72,7 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
            let recording = MotionRecording.Read(path)
            from condition in Conditions
            select new AblationRun([Label(Path.GetFileName(path), condition)], (predictor, without) =>
-               [new ReplayRun(path, recording, Replayed(condition), () => Joint(predictor, without)).Run().Rms]),
+               [new ReplayRun(path, recording, Replayed(condition), () => Joint(predictor, PredictionLimits.Unlimited, without)).Run().Rms]),
     ]);
 
     static AblationGroup Objects(string name, ObjectMotion[] motions) => new(name,
@@ -91,8 +95,10 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
     static ReplaySettings Replayed((double Interval, double Latency) condition) =>
         new() { SamplingInterval = condition.Interval, Latency = condition.Latency };
 
-    static JointPredictor Joint(string predictor, PredictionParts without) => without == PredictionParts.None
-        ? Predictors.Create(predictor, PredictionLimits.Unlimited) : Predictors.Adaptive(PredictionLimits.Unlimited, PredictionParts.Joint & ~without);
+    static PredictionLimits LimitsOf(Func<int, AxisMotion> motion) => motion == Motions.MovesOfOneDrive ? DriveLimits : PredictionLimits.Unlimited;
+
+    static JointPredictor Joint(string predictor, PredictionLimits limits, PredictionParts without) => without == PredictionParts.None
+        ? Predictors.Create(predictor, limits) : Predictors.Adaptive(limits, PredictionParts.Joint & ~without);
 
     static BodyPredictor Object(string predictor, PredictionParts without) =>
         new(predictor, PredictionLimits.Unlimited, parts: PredictionParts.Object & ~without);

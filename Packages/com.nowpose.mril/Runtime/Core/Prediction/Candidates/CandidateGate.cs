@@ -13,12 +13,6 @@ namespace Nowpose.Prediction.Candidates
     sealed class CandidateGate
     {
         /// <summary>
-        /// Time constant of the forgetting factor at a standstill, in s. Few forecasts of starts are scored, so a false start would otherwise prevent
-        /// the use of a candidate for many cycles. With 2 s, the error of a repeated cycle of the virtual cell is 2.5 times as large.
-        /// </summary>
-        const double StillTimeConstant = 1;
-
-        /// <summary>
         /// Minimum mean square error of the mixture, relative to the mean square displacement. If the mixture is more accurate, a candidate cannot
         /// improve the forecast visibly, but can spoil it: without this minimum, the error on one conveyor was 2.1 times that of a line.
         /// </summary>
@@ -40,8 +34,9 @@ namespace Nowpose.Prediction.Candidates
         /// </param>
         /// <param name="maxStillErrorRatio">The same for forecasts from a standstill.</param>
         /// <param name="timeConstant">
-        /// Time constant of the forgetting in motion, in s. A pause without scores counts as at most one time constant, so that the errors of the last
-        /// motion are not forgotten before the next. Otherwise, conveyors that are switched at random times have up to 1.2 times the error of a line.
+        /// Time constant of the forgetting, in s. In motion, a pause without scores counts as at most one time constant, so that the errors of the
+        /// last motion are not forgotten before the next. Otherwise, conveyors that are switched at random times have up to 1.2 times the error of a
+        /// line. At a standstill, few forecasts of starts are scored, so a false start would otherwise prevent the use of a candidate for many cycles.
         /// </param>
         public CandidateGate(double maxErrorRatio, double maxStillErrorRatio, double timeConstant)
         {
@@ -65,9 +60,7 @@ namespace Nowpose.Prediction.Candidates
 
         /// <summary>Scores a forecast against the sample at the forecast time.</summary>
         /// <param name="error">Error of the candidate.</param>
-        /// <param name="mixture">
-        /// Error of the mixture, or of the line if it is smaller: after an abrupt change, an error of the mixture must not favour the candidate.
-        /// </param>
+        /// <param name="mixture">Error of the mixture.</param>
         /// <param name="displacement">The larger of the true and the forecast displacement.</param>
         /// <param name="wasStill">Whether the joint stood still when the forecast was made.</param>
         /// <param name="time">Time of the sample, in s; not before that of the previous score.</param>
@@ -78,9 +71,8 @@ namespace Nowpose.Prediction.Candidates
             // An overflow must not enter the sums.
             if (!(error * error + mixture * mixture + displacement * displacement < double.PositiveInfinity)) return;
             ref var record = ref wasStill ? ref _still : ref _moving;
-            var elapsed = time - record.Time;
-            var forgettingFactor = record.Scores == 0 ? 0 : wasStill ? Math.Exp(-elapsed / StillTimeConstant)
-                : Math.Exp(-Math.Min(elapsed / _timeConstant, 1));
+            var elapsed = (time - record.Time) / _timeConstant;
+            var forgettingFactor = record.Scores == 0 ? 0 : Math.Exp(-(wasStill ? elapsed : Math.Min(elapsed, 1)));
             record.Candidate = forgettingFactor * record.Candidate + error * error;
             record.Mixture = forgettingFactor * record.Mixture + mixture * mixture;
             record.Displacement = forgettingFactor * record.Displacement + displacement * displacement;

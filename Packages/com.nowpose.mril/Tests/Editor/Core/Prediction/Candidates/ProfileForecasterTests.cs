@@ -57,18 +57,6 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             Assert.That(said, Is.LessThan(10));
         }
 
-        // The mixture is not asked for a forecast before the first displacement.
-        [Test]
-        public void Solve_FirstSampleIsTheStartOfAMove_ReturnsTrue()
-        {
-            var move = new SevenPhaseProfile(500, 1000, 5000, 50_000);
-            var motion = TestPredictors.Motion(new[] { 0, Interval, 2 * Interval }, new[] { 7, 7, 7 + move.PositionAt(0.03) });
-            var forecaster = new ProfileForecaster(Limits);
-
-            Assert.That(forecaster.Solve(motion));
-            Assert.That(forecaster.At(0.05, 0), Is.EqualTo(move.PositionAt(0.08) - move.PositionAt(0.03)).Within(0.05));
-        }
-
         [Test]
         public void At_Rest_StaysAtRest()
         {

@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         }
 
         [Test]
-        public void StillSamples_MotionOfLessThanAThousandthOfTheMaximumSpeed_IsAStandstill() =>
-            Assert.That(MaxStillSamples(k => k < 10 ? k : 9 + 0.9e-3 * (k - 9), 10, 100), Is.EqualTo(90));
+        public void StillSamples_MotionOfLessThanATenThousandthOfTheMaximumSpeed_IsAStandstill() =>
+            Assert.That(MaxStillSamples(k => k < 10 ? k : 9 + 0.9e-4 * (k - 9), 10, 100), Is.EqualTo(90));
     }
 }
