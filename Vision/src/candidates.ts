@@ -1,5 +1,5 @@
 import { cv } from './opencv';
-import { isPlausible, type Point, type Quad } from './geometry';
+import { isPlausible, type Quad } from './geometry';
 
 type Mat = InstanceType<typeof cv.Mat>;
 
@@ -83,20 +83,16 @@ function quadsOf(contour: Mat, hull: Mat, corners: Mat): Quad[] {
     cv.approxPolyDP(hull, corners, share * around, true);
     if (corners.rows !== 4) continue;
     const at = corners.data32S;
-    quads.push(clockwise([0, 2, 4, 6].map(i => inPicture(at[i], at[i + 1]))));
+    quads.push(clockwise(Array.from({ length: 8 }, (_, i) => at[i])));
     break;
   }
-  quads.push(clockwise(cv.RotatedRect.points(cv.minAreaRect(hull)).map((p: { x: number; y: number }) => inPicture(p.x, p.y))));
+  quads.push(clockwise(cv.RotatedRect.points(cv.minAreaRect(hull)).flatMap(({ x, y }: { x: number; y: number }) => [x, y])));
   return quads.filter(quad => isPlausible(quad, 0.7 * minSide));
 }
 
-const inPicture = (x: number, y: number): Point => [(x + 0.5) * block, (y + 0.5) * block];
-
-function clockwise(points: Point[]): Quad {
-  let area = 0;
-  points.forEach((p, i) => {
-    const q = points[(i + 1) & 3];
-    area += p[0] * q[1] - q[0] * p[1];
-  });
-  return (area > 0 ? points : points.reverse()) as Quad;
+/** Converts corners in blocks to clockwise corners in px. */
+function clockwise(corners: number[]): Quad {
+  const [x0, y0, x1, y1, x2, y2, x3, y3] = corners.map(at => (at + 0.5) * block);
+  const area = x0 * y1 - y0 * x1 + (x1 * y2 - y1 * x2) + (x2 * y3 - y2 * x3) + (x3 * y0 - y3 * x0);
+  return area > 0 ? [x0, y0, x1, y1, x2, y2, x3, y3] : [x3, y3, x2, y2, x1, y1, x0, y0];
 }

@@ -1,19 +1,19 @@
 import { candidatesIn } from './candidates';
-import { cellLight, pairDeviation, whiteShare, type CellLight } from './cellLight';
-import { areNear, isWithin, scaled, sizeOf, type Quad } from './geometry';
+import { CellLightModel, pairDeviation, whiteShare, type CellLight } from './cellLight';
+import { areNear, cornersOf, isWithin, scaled, sizeOf, type Corners, type Quad } from './geometry';
 import { inPicture, layerFor, layersOf, smooth, type Layer } from './layers';
 import { brightened, coloursOf, lightOf, type Grey, type Light } from './levels';
 import { Matcher } from './match';
 import { cv } from './opencv';
 import { clearestPart, type Placed } from './parts';
-import type { Kind, Pattern } from './pattern';
+import type { Band, Pattern } from './pattern';
 import { minShareOfStart, type Fit } from './refine';
 
 /** A code in a picture. */
 export interface Found extends CellLight {
   kind: string;
   /** Corners in px. The first is the top left corner of the upright code; the others follow clockwise. */
-  corners: Quad;
+  corners: Corners;
   /** Share of the steps of light between cells that agree with the code; at most 1. */
   share: number;
   /** Whether this match is weak and a better one of its kind exists, so that it may be another object. A weak code counts only if it can be read. */
@@ -47,6 +47,8 @@ export class Finder {
   readonly #pattern: Pattern;
   readonly #matcher: Matcher;
   readonly #isFilled: boolean[];
+  /** By kind and hidden band, because a picture needs several fits of the same model. */
+  readonly #models = new Map<string, CellLightModel>();
 
   constructor(pattern: Pattern) {
     this.#pattern = pattern;
@@ -72,7 +74,7 @@ export class Finder {
     const candidates = quads.map((quad, index) => {
       const layer = layerFor(quad, layers);
       return { isClear: index < clearCount, layer, starts: layer.refiner.startsAt(scaled(quad, layer.factor)) };
-    });
+    }).filter(({ starts }) => starts.length > 0);
     const fits: Fit[] = [];
     const placed: Placed[] = [];
     const isKnown = (quad: Quad, { factor }: Layer) => fits.some(fit => isCertain(fit) && isWithin(scaled(quad, 1 / factor), fit.quad));
@@ -110,21 +112,30 @@ export class Finder {
 
   #deviationOf({ kind, quad, hidden }: Fit, light: Light): number {
     const seen = this.#pattern.kinds[this.#matcher.kinds[kind]];
-    return pairDeviation(cellLight(light, quad, this.#pattern, seen, hidden).levels, this.#pattern, seen, hidden!);
+    return pairDeviation(this.#modelOf(kind, hidden).fit(light, quad).levels, this.#pattern, seen, hidden!);
   }
 
   #foundAs({ kind, quad, share }: Fit, isWeak: boolean, light: Light, grey: Grey): Found {
-    const name = this.#matcher.kinds[kind];
-    return { kind: name, corners: quad, share, isWeak, ...this.#cellsIn(light, grey, quad, this.#pattern.kinds[name]) };
+    return { kind: this.#matcher.kinds[kind], corners: cornersOf(quad), share, isWeak, ...this.#cellsIn(light, grey, quad, kind) };
+  }
+
+  #modelOf(kind: number, hidden?: Band): CellLightModel {
+    const key = `${kind} ${hidden}`;
+    let model = this.#models.get(key);
+    if (!model) {
+      model = new CellLightModel(this.#pattern, this.#pattern.kinds[this.#matcher.kinds[kind]], hidden);
+      this.#models.set(key, model);
+    }
+    return model;
   }
 
   /**
    * Measures the cells in the brightest channel of each pixel. If cells are clipped, uses the single channel with the fewest clipped cells among
    * those that show the code.
    */
-  #cellsIn(light: Light, grey: Grey, quad: Quad, kind: Kind): CellLight & Pick<Found, 'white'> {
+  #cellsIn(light: Light, grey: Grey, quad: Quad, kind: number): CellLight & Pick<Found, 'white'> {
     const { pairs, side } = this.#pattern;
-    const cellsIn = (seen: Light) => ({ white: whiteShare(seen, quad, side), ...cellLight(seen, quad, this.#pattern, kind) });
+    const cellsIn = (seen: Light) => ({ white: whiteShare(seen, quad, side), ...this.#modelOf(kind).fit(seen, quad) });
     let best = cellsIn(light);
     if (best.white === 0) return best;
     for (const colour of coloursOf(grey)) {

@@ -1,5 +1,3 @@
-import type { Homography } from './geometry';
-
 /** A grey picture with one byte per pixel, row by row. */
 export interface Grey {
   width: number;
@@ -70,11 +68,12 @@ function lightOfBytes(bytes: Uint8Array | Uint8ClampedArray, first: number, stri
  * Computes the light at points of the unit square, which a homography maps to the picture. The light is interpolated between the centres of
  * pixels; NaN outside the picture.
  *
+ * @param seen Coefficients of the homography; see `setHomography`.
  * @param points u and v of each point, one after another.
  * @param lights Receives the light at the points from `first` to `end`, exclusive.
  */
-export function sampleLight(picture: Light, seen: Homography, points: Float64Array, lights: Float64Array, first: number, end: number): void {
-  const { a, b, c, d, e, f, g, h } = seen;
+export function sampleLight(picture: Light, seen: Float64Array, points: Float64Array, lights: Float64Array, first: number, end: number): void {
+  const [a, b, c, d, e, f, g, h] = [seen[0], seen[1], seen[2], seen[3], seen[4], seen[5], seen[6], seen[7]];
   const { width, height, data } = picture;
   const right = width - 1;
   const bottom = height - 1;

@@ -1,4 +1,4 @@
-import { homography, type Quad } from './geometry';
+import { coefficients, setHomography, type Quad } from './geometry';
 import { sampleLight, type Light } from './levels';
 import { medianOf } from './median';
 import { bands, Expected, isWithinBand, outer, stepsOf, type Band, type Pattern, type Step } from './pattern';
@@ -26,6 +26,7 @@ export class Matcher {
   readonly #outer: { whole: Steps; parts: Steps[] };
   readonly #lights: Float64Array;
   readonly #rises: Float64Array;
+  readonly #seen = new Float64Array(coefficients);
 
   constructor(pattern: Pattern) {
     this.side = pattern.side;
@@ -43,7 +44,7 @@ export class Matcher {
   /**
    * @param reach Distance from the edge of a cell at which light is sampled, in cells; 0.5 is the middle of the cell.
    * @param hidden Band of the code that is ignored.
-   * @param needed Minimum of light times share that the caller requires. If it cannot be reached, the result is an agreement of zero.
+   * @param needed Light times share that the caller requires. If it is not exceeded, the result is an agreement of zero.
    * @param given Light of the code if it is known, so that kinds and orientations of the same quad can be compared.
    */
   agreement(picture: Light, quad: Quad, kind: number, reach: number, hidden?: Band, needed = 0, given?: number): Agreement {
@@ -52,20 +53,22 @@ export class Matcher {
   }
 
   /** Computes the agreement of the outer edge alone, which is independent of kind and orientation of the code. */
-  outerAgreement(picture: Light, quad: Quad, hidden?: Band): Agreement {
-    return this.#agreement(picture, quad, hidden === undefined ? this.#outer.whole : this.#outer.parts[hidden], outerReach, 0);
+  outerAgreement(picture: Light, quad: Quad, hidden?: Band, needed = 0): Agreement {
+    return this.#agreement(picture, quad, hidden === undefined ? this.#outer.whole : this.#outer.parts[hidden], outerReach, needed);
   }
 
   #agreement(picture: Light, quad: Quad, steps: Steps, reach: number, needed: number, given?: number): Agreement {
-    const seen = homography(quad);
+    const seen = this.#seen;
     const points = steps.pointsAt(reach);
     const lights = this.#lights;
     const rises = this.#rises;
     const { count, riseCount, pairCount } = steps;
+    setHomography(quad, seen);
     sampleLight(picture, seen, points, lights, 0, 2 * riseCount);
     for (let i = 0; i < riseCount; i++) rises[i] = lights[2 * i] - lights[2 * i + 1] || 0;
     const light = given ?? medianOf(rises, riseCount);
-    if (!(light > 0)) return none;
+    // The share is at most 1.
+    if (!(light > needed)) return none;
     // medianOf has moved the values that are at least as large as the light to the end. Steps that are not sampled yet are assumed to agree.
     const smaller = given === undefined ? riseCount >> 1 : riseCount;
     let sum = (riseCount - smaller + pairCount) * light;
@@ -81,7 +84,8 @@ export class Matcher {
         sum -= i < riseCount + pairCount ? light - size : size;
       }
     }
-    return { light, share: sum / light / most };
+    const share = sum / light / most;
+    return light * share > needed ? { light, share } : none;
   }
 }
 

@@ -1,4 +1,4 @@
-import { distance, extendedBy, isPlausible, isWithin, scaled, type Quad } from './geometry';
+import { extendedBy, isPlausible, isWithin, scaled, sideOf, type Quad } from './geometry';
 import { inPicture, layerFor, type Layer } from './layers';
 import { Band, bands, isHalf } from './pattern';
 import type { Fit } from './refine';
@@ -59,7 +59,7 @@ export function clearestPart(candidates: Quad[], fits: Placed[], known: Fit[], l
 
 /** Extends a candidate that is too short in one direction to a square, on one side or the other, and refines both results without the added part. */
 function partsAt(candidate: Quad, layers: Layer[], isKnown: (quad: Quad, layer: Layer) => boolean): Placed[] {
-  const [top, right, bottom, left] = candidate.map((p, i) => distance(p, candidate[(i + 1) & 3]));
+  const [top, right, bottom, left] = [0, 1, 2, 3].map(side => sideOf(candidate, side));
   const ratio = (left + right) / (top + bottom);
   const by = Math.max(ratio, 1 / ratio);
   if (by < minRatio || by > maxRatio) return [];

@@ -1,6 +1,7 @@
-import { areNear, centreOf, distance, grownBy, isPlausible, mapped, shiftedBy, sizeOf, turned, type Quad } from './geometry';
+import { areNear, grownBy, isPlausible, shiftedBy, sizeOf, turned, type Quad } from './geometry';
 import type { Light } from './levels';
 import type { Agreement, Matcher } from './match';
+import { moves } from './moves';
 import { turnedBand, type Band } from './pattern';
 
 /** A quad, and the agreement of its outer edge. */
@@ -47,6 +48,9 @@ const steps: RefineStep[] = [
   { by: 0.06, reach: 0.2, minShare: 0.5 },
 ];
 
+/** The steps for a fit whose kind and orientation are known. */
+const lastSteps = steps.slice(-3);
+
 /**
  * Sampling distance at the middle of cells. With a larger distance, a start position can be farther from the code, but the scene disturbs the fit
  * more often.
@@ -69,6 +73,17 @@ export const minShareOfStart = 0.35;
 /** Minimum lead of the best kind and orientation over the second-best, in the share of agreeing steps. Two kinds differ in 8 % of the steps. */
 const minLead = 0.02;
 
+/** What a quad is fitted to. */
+interface Target {
+  /** Kind of the code; undefined to fit the outer edge alone. */
+  kind?: number;
+  /** Distance from the edges of cells at which light is sampled, in cells. */
+  reach: number;
+  hidden?: Band;
+  /** The corners stay within a distance from those of this quad, px. */
+  near?: { quad: Quad; distance: number };
+}
+
 /** Moves the corners of a quad to where they best fit a code of any kind. The picture must be smooth at the scale of a cell. */
 export class Refiner {
   readonly #matcher: Matcher;
@@ -82,14 +97,23 @@ export class Refiner {
     this.#picture = picture;
   }
 
-  /** Returns the start positions around a candidate whose outer edges agree best, in decreasing order of agreement. */
+  /** Returns the start positions around a candidate whose outer edges agree best, in decreasing order of agreement. Can be empty. */
   startsAt(candidate: Quad, hidden?: Band): Start[] {
     const cell = sizeOf(candidate) / this.#matcher.side;
-    return sizes
-      .map(size => grownBy(candidate, size))
-      .flatMap(quad => shifts.flatMap(x => shifts.map(y => this.#outer(shiftedBy(quad, x * cell, y * cell), hidden))))
-      .sort(byScore)
-      .slice(0, followed);
+    const best: Start[] = [];
+    for (const size of sizes) {
+      const grown = grownBy(candidate, size);
+      for (const x of shifts)
+        for (const y of shifts) {
+          const quad = shiftedBy(grown, x * cell, y * cell);
+          const found = this.#matcher.outerAgreement(this.#picture, quad, hidden, best.length < followed ? 0 : score(best[followed - 1]));
+          if (!(found.light > 0)) continue;
+          best.push({ quad, hidden, light: found.light, share: found.share });
+          best.sort(byScore);
+          best.length = Math.min(best.length, followed);
+        }
+    }
+    return best;
   }
 
   /** Fits the outer edge of each start position. Returns the results that are worth refining, in decreasing order of agreement. */
@@ -97,16 +121,12 @@ export class Refiner {
     return starts
       .map(start => {
         const cell = sizeOf(start.quad) / this.#matcher.side;
-        const at = (quad: Quad) => this.#matcher.outerAgreement(this.#picture, quad, start.hidden);
-        return outerSteps.reduce((best, step) => climb(best, step * cell, 2, at), start);
+        const target = { reach: middle, hidden: start.hidden };
+        const fitted = outerSteps.reduce((best, step) => this.#climb(best, step * cell, 2, target), start);
+        return this.#alternatives(fitted.quad, middle, fitted.hidden)[0];
       })
-      .map(({ quad, hidden }) => this.#alternatives(quad, middle, hidden)[0])
       .filter(({ share }) => share > minShareOfGuess)
       .sort(byScore);
-  }
-
-  #outer(quad: Quad, hidden?: Band): Start {
-    return { quad, hidden, ...this.#matcher.outerAgreement(this.#picture, quad, hidden) };
   }
 
   /** @param fit The assumed code. Kind and orientation change only if others agree better at the refined position. */
@@ -114,14 +134,13 @@ export class Refiner {
     const found = this.#refined(fit, steps);
     if (found.share < steps.at(-1)!.minShare) return found;
     const best = this.#alternatives(found.quad, middle, found.hidden)[0];
-    const isSame = best.kind === found.kind && best.quad[0] === found.quad[0];
-    return isSame ? found : this.#refined(best, steps.slice(-3));
+    return isSame(best, found) ? found : this.#refined(best, lastSteps);
   }
 
   /** Returns whether all other kinds and orientations agree clearly less. */
   isClear(fit: Fit): boolean {
     const [first, second] = this.#alternatives(fit.quad, this.#reach(fit.kind, inPlace));
-    return first.kind === fit.kind && first.quad[0] === fit.quad[0] && first.share - second.share > minLead;
+    return isSame(first, fit) && first.share - second.share > minLead;
   }
 
   /** Returns the fit with its agreement recomputed without the steps in a band. */
@@ -131,33 +150,63 @@ export class Refiner {
 
   /** Refines, with small steps, a fit whose kind and orientation are known. */
   refineLast(fit: Fit): Fit {
-    return this.#refined(fit, steps.slice(-3));
+    return this.#refined(fit, lastSteps);
   }
 
   #refined(fit: Fit, stepsToTake: RefineStep[]): Fit {
     const { kind, hidden } = fit;
     const cell = sizeOf(fit.quad) / this.#matcher.side;
+    const near = { quad: fit.quad, distance: maxDistance * cell };
     let best = fit;
-    const isNear = (quad: Quad) => areNear(quad, fit.quad, maxDistance * cell);
     for (const { by, reach, minShare } of stepsToTake) {
-      const at = (quad: Quad, needed?: number) => this.#matcher.agreement(this.#picture, quad, kind, this.#reach(kind, reach), hidden, needed);
-      best = climb({ ...best, ...at(best.quad) }, by * cell, 3, at, isNear);
+      const target = { kind, hidden, reach: this.#reach(kind, reach), near };
+      best = this.#climb({ ...best, ...this.#agreement(best.quad, target) }, by * cell, 3, target);
       if (best.share < minShare) break;
     }
     return isPlausible(best.quad, 5 * this.#matcher.side) ? best : fit;
+  }
+
+  /**
+   * Moves, scales and deforms a quad by steps of `by` px as long as this improves its score, for at most `rounds` rounds.
+   * @param start The quad and its agreement with the target.
+   */
+  #climb<T extends Start>(start: T, by: number, rounds: number, target: Target): T {
+    let { quad } = start;
+    let found: Agreement = start;
+    let failed = 0;
+    for (let tries = 0; tries < rounds * moves.length && failed < moves.length; tries++) {
+      const moved = moves[tries % moves.length](quad, by);
+      const at = target.near && !areNear(moved, target.near.quad, target.near.distance) ? found : this.#agreement(moved, target, score(found));
+      if (score(at) > score(found)) {
+        quad = moved;
+        found = at;
+        failed = 0;
+      } else failed++;
+    }
+    return { ...start, quad, light: found.light, share: found.share };
+  }
+
+  /** @param needed Score that the agreement must exceed. If it does not, the result is an agreement of zero. */
+  #agreement(quad: Quad, { kind, reach, hidden }: Target, needed = 0): Agreement {
+    return kind === undefined
+      ? this.#matcher.outerAgreement(this.#picture, quad, hidden, needed)
+      : this.#matcher.agreement(this.#picture, quad, kind, reach, hidden, needed);
   }
 
   /** Returns one fit of the quad for each kind of code in each of the four orientations, the best agreement first. */
   #alternatives(quad: Quad, reach: number, hidden?: Band): Fit[] {
     const { light } = this.#matcher.outerAgreement(this.#picture, quad, hidden);
     return [0, 1, 2, 3]
-      .flatMap(turns =>
-        this.#isFilled.map((_, kind) => {
-          const seen = turned(quad, turns);
-          const band = hidden === undefined ? undefined : turnedBand(hidden, turns);
-          return { quad: seen, kind, hidden: band, ...this.#matcher.agreement(this.#picture, seen, kind, reach, band, 0, light) };
-        }),
-      )
+      .flatMap(turns => {
+        const seen = turned(quad, turns);
+        const band = hidden === undefined ? undefined : turnedBand(hidden, turns);
+        return this.#isFilled.map((_, kind) => ({
+          quad: seen,
+          kind,
+          hidden: band,
+          ...this.#matcher.agreement(this.#picture, seen, kind, reach, band, 0, light),
+        }));
+      })
       .sort(byScore);
   }
 
@@ -169,84 +218,5 @@ export class Refiner {
 const score = ({ light, share }: Agreement) => light * share;
 const byScore = (a: Agreement, b: Agreement) => score(b) - score(a);
 
-/**
- * Moves, scales and deforms a quad by steps of `by` px as long as this improves its score, for at most `rounds` rounds.
- *
- * @param at Returns the agreement of a quad. If its score cannot reach `needed`, the agreement may be zero.
- */
-function climb<T extends Start>(
-  start: T,
-  by: number,
-  rounds: number,
-  at: (quad: Quad, needed: number) => Agreement,
-  isAllowed: (quad: Quad) => boolean = () => true,
-): T {
-  let best = start;
-  let failed = 0;
-  for (let tries = 0; tries < rounds * moves.length && failed < moves.length; tries++) {
-    const quad = moves[tries % moves.length](best.quad, by);
-    const found = isAllowed(quad) ? at(quad, score(best)) : undefined;
-    if (found && score(found) > score(best)) {
-      best = { ...best, quad, ...found };
-      failed = 0;
-    } else failed++;
-  }
-  return best;
-}
-
-type Move = (quad: Quad, by: number) => Quad;
-
-const directions = [
-  [1, 0],
-  [-1, 0],
-  [0, 1],
-  [0, -1],
-];
-const shifted =
-  (dx: number, dy: number): Move =>
-  (quad, by) =>
-    shiftedBy(quad, dx * by, dy * by);
-const cornered =
-  (corner: number, dx: number, dy: number): Move =>
-  (quad, by) => {
-    const moved = quad.slice() as Quad;
-    moved[corner] = [quad[corner][0] + dx * by, quad[corner][1] + dy * by];
-    return moved;
-  };
-const grown =
-  (sign: number): Move =>
-  (quad, by) =>
-    grownBy(quad, 1 + (sign * 1.4 * by) / sizeOf(quad));
-const rotated =
-  (sign: number): Move =>
-  (quad, by) => {
-    const [x, y] = centreOf(quad);
-    const angle = (sign * 1.4 * by) / sizeOf(quad);
-    const c = Math.cos(angle);
-    const s = Math.sin(angle);
-    return mapped(quad, p => [x + (p[0] - x) * c - (p[1] - y) * s, y + (p[0] - x) * s + (p[1] - y) * c]);
-  };
-
-const edged =
-  (side: number, sign: number): Move =>
-  (quad, by) => {
-    // Moves both corners of a side away from the opposite side or towards it.
-    const moved = quad.slice() as Quad;
-    for (const corner of [side, (side + 1) & 3]) {
-      const p = quad[corner];
-      const q = quad[corner === side ? (side + 3) & 3 : (side + 2) & 3];
-      const length = distance(p, q);
-      moved[corner] = [p[0] + (sign * by * (p[0] - q[0])) / length, p[1] + (sign * by * (p[1] - q[1])) / length];
-    }
-    return moved;
-  };
-
-const moves: Move[] = [
-  ...directions.map(([dx, dy]) => shifted(dx, dy)),
-  grown(1),
-  grown(-1),
-  rotated(1),
-  rotated(-1),
-  ...[0, 1, 2, 3].flatMap(side => [edged(side, 1), edged(side, -1)]),
-  ...[0, 1, 2, 3].flatMap(corner => directions.map(([dx, dy]) => cornered(corner, dx, dy))),
-];
+/** Returns whether two fits at the same position have the same kind and orientation. */
+const isSame = (fit: Fit, other: Fit) => fit.kind === other.kind && areNear(fit.quad, other.quad, 0);

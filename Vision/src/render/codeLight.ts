@@ -1,11 +1,11 @@
-import type { Quad } from '../geometry';
+import type { Corners } from '../geometry';
 import { cv } from '../opencv';
 
 type Mat = InstanceType<typeof cv.Mat>;
 
 /** A code to render. */
 export interface DrawnCode {
-  corners: Quad;
+  corners: Corners;
   /** Share of the exposure in which each cell is lit, 0 to 1. */
   lit: number[];
   /** Light of a lit cell; 1 is white, and more is overexposed. */
@@ -69,7 +69,7 @@ function tileOf({ lit, light, dot }: DrawnCode, side: number, size: number): Mat
   return tile;
 }
 
-function boundsOf(corners: Quad, width: number, height: number): [number, number, number, number] {
+function boundsOf(corners: Corners, width: number, height: number): [number, number, number, number] {
   const xs = corners.map(p => p[0]);
   const ys = corners.map(p => p[1]);
   const margin = 0.15 * Math.max(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys));
