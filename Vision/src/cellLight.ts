@@ -108,7 +108,11 @@ const white = 0.97;
 /** Returns the share of cells whose middle is white. Such cells are overexposed, and their light cannot be measured. */
 export function whiteShare(picture: Light, quad: Quad, side: number): number {
   const middles = Array.from({ length: side * side }, (_, cell) => [(cell % side) + 0.5, Math.floor(cell / side) + 0.5]);
-  const lights = lightAt(picture, quad, Float64Array.from(middles.flat(), at => at / side));
+  const lights = lightAt(
+    picture,
+    quad,
+    Float64Array.from(middles.flat(), at => at / side),
+  );
   return lights.filter(light => light >= white).length / lights.length;
 }
 

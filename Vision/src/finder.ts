@@ -1,5 +1,6 @@
 import { candidatesIn } from './candidates';
 import { CellLightModel, pairDeviation, whiteShare, type CellLight } from './cellLight';
+import { edgesIn } from './edges';
 import { areNear, cornersOf, isWithin, scaled, sizeOf, type Corners, type Quad } from './geometry';
 import { inPicture, layerFor, layersOf, smooth, type Layer } from './layers';
 import { brightened, coloursOf, lightOf, type Grey, type Light } from './levels';
@@ -42,6 +43,16 @@ const minLightOfColour = 0.04;
 /** Maximum distance between the corners of two candidates that count as one, in cells. The search around a candidate covers this distance. */
 const maxDistanceOfSame = 0.5;
 
+/** Quads whose corners nearly coincide, represented by the first of them. */
+interface Candidate {
+  /** In px of the picture. */
+  quad: Quad;
+  /** Whether the quad was found in the light itself, not only in its square root. */
+  isClear: boolean;
+  /** Number of the quads. The edge of a code is found with many thresholds and gaps, that of another object only with a few. */
+  votes: number;
+}
+
 /** Finds all codes in a picture. The result does not depend on earlier pictures. */
 export class Finder {
   readonly #pattern: Pattern;
@@ -60,26 +71,27 @@ export class Finder {
     const light = lightOf(grey);
     const picture = searched(brightened(light));
     try {
-      const fits = this.#search(picture, layersOf(picture, picture.cols / grey.width, this.#matcher, this.#isFilled), light);
-      return fits.map(fit => this.#foundAs(fit, isWeak(fit, fits), light, grey));
+      const layers = layersOf(picture, picture.cols / grey.width, this.#matcher, this.#isFilled);
+      const fits = this.#search(layers, light);
+      return fits.map(fit => this.#foundAs({ ...fit, quad: exactly(fit, layers) }, isWeak(fit, fits), light, grey));
     } finally {
       picture.delete();
     }
   }
 
-  /** Refines the candidates in decreasing order of the agreement of their outer edge, and then searches for a partly hidden code. */
-  #search(picture: Mat, layers: Layer[], light: Light): Fit[] {
+  /** Refines the candidates, and then searches for a partly hidden code. Those with the most votes come first, because most of them are codes. */
+  #search(layers: Layer[], light: Light): Fit[] {
     if (layers.length === 0) return [];
-    const { quads, clearCount } = this.#quadsIn(picture, layers[0]);
-    const candidates = quads.map((quad, index) => {
-      const layer = layerFor(quad, layers);
-      return { isClear: index < clearCount, layer, starts: layer.refiner.startsAt(scaled(quad, layer.factor)) };
-    }).filter(({ starts }) => starts.length > 0);
+    const candidates = this.#candidatesIn(layers[0]);
     const fits: Fit[] = [];
     const placed: Placed[] = [];
     const isKnown = (quad: Quad, { factor }: Layer) => fits.some(fit => isCertain(fit) && isWithin(scaled(quad, 1 / factor), fit.quad));
-    for (const { isClear, layer, starts } of candidates.sort((a, b) => b.starts[0].share - a.starts[0].share)) {
-      if (starts[0].share < minShareOfStart || isKnown(starts[0].quad, layer)) continue;
+    for (const { quad, isClear } of [...candidates].sort((a, b) => b.votes - a.votes)) {
+      const layer = layerFor(quad, layers);
+      const start = scaled(quad, layer.factor);
+      if (isKnown(start, layer)) continue;
+      const starts = layer.refiner.startsAt(start);
+      if (starts.length === 0 || starts[0].share < minShareOfStart || isKnown(starts[0].quad, layer)) continue;
       for (const guess of layer.refiner.guesses(starts)) {
         if (guess.light < minLight / 2 || isKnown(guess.quad, layer)) continue;
         const fit = layer.refiner.refine(guess);
@@ -91,23 +103,34 @@ export class Finder {
     const clear = all.filter(code => !isWeak(code, all));
     const codes = all.filter(code => clear.includes(code) || code.share >= minShareOfWeak);
     const isComplete = this.#isFilled.every((_, kind) => clear.filter(code => code.kind === kind).length === 1);
-    const part = isComplete ? clearestPart(quads.slice(0, clearCount), placed, clear, layers, fit => this.#deviationOf(fit, light)) : undefined;
+    const part = isComplete
+      ? clearestPart(
+          candidates.filter(({ isClear }) => isClear).map(({ quad }) => quad),
+          placed,
+          clear,
+          layers,
+          fit => this.#deviationOf(fit, light),
+        )
+      : undefined;
     return part ? [...codes, part] : codes;
   }
 
   /**
-   * Returns candidates in px of the picture: first those found in the light itself, then those found in its square root. `clearCount` is the number
-   * of the former. The root amplifies the steps of a weak code beside a bright one. It also amplifies dark structures, so partly hidden codes are
-   * searched for only among the candidates from the light itself.
+   * Returns candidates in px of the picture: first those found in the light itself, then those found in its square root. The root amplifies the steps
+   * of a weak code beside a bright one. It also amplifies dark structures, so partly hidden codes are searched for only among the candidates from the
+   * light itself.
    */
-  #quadsIn(picture: Mat, { factor }: Layer): { quads: Quad[]; clearCount: number } {
-    const { side } = this.#pattern;
-    const clear = distinct(candidatesIn(picture), side);
-    const root = new cv.Mat();
-    cv.sqrt(picture, root);
-    const quads = distinct([...clear, ...candidatesIn(root)], side).map(quad => scaled(quad, 1 / factor));
-    root.delete();
-    return { quads, clearCount: clear.length };
+  #candidatesIn({ picture, factor }: Layer): Candidate[] {
+    const { ofLight, ofRoot } = edgesIn(picture);
+    const candidates: Candidate[] = [];
+    for (const isClear of [true, false])
+      for (const quad of candidatesIn(isClear ? ofLight : ofRoot)) {
+        const near = (maxDistanceOfSame * sizeOf(quad)) / this.#pattern.side;
+        const same = candidates.find(candidate => isSame(quad, candidate.quad, near));
+        if (same) same.votes++;
+        else candidates.push({ quad, isClear, votes: 1 });
+      }
+    return candidates.map(candidate => ({ ...candidate, quad: scaled(candidate.quad, 1 / factor) }));
   }
 
   #deviationOf({ kind, quad, hidden }: Fit, light: Light): number {
@@ -158,6 +181,15 @@ function searched({ width, height, data }: Light): Mat {
   return picture;
 }
 
+/**
+ * Returns the quad of a code after a last refinement. The search ends at the first certain fit, which can be off by a tenth of a cell. The share of
+ * agreeing steps is not computed again, because its limits apply to the fits of the search.
+ */
+function exactly(fit: Fit, layers: Layer[]): Quad {
+  const layer = layerFor(fit.quad, layers);
+  return inPicture(layer.refiner.refineExactly({ ...fit, quad: scaled(fit.quad, layer.factor) }), layer).quad;
+}
+
 /** Returns whether a fit is strong and unambiguous enough to be a code. */
 const isCode = (fit: Fit, layer: Layer) => fit.light >= minLight && fit.share >= minShare && layer.refiner.isClear(fit);
 
@@ -173,16 +205,6 @@ function isWeak(fit: Fit, codes: Fit[]): boolean {
 function bestOfEach(fits: Fit[]): Fit[] {
   const kept: Fit[] = [];
   for (const fit of fits.sort((a, b) => b.share - a.share)) if (!kept.some(other => isWithin(fit.quad, other.quad))) kept.push(fit);
-  return kept;
-}
-
-/** Keeps one of several candidates whose corners nearly coincide, regardless of the corner with which they start. */
-function distinct(quads: Quad[], side: number): Quad[] {
-  const kept: Quad[] = [];
-  for (const quad of quads) {
-    const near = (maxDistanceOfSame * sizeOf(quad)) / side;
-    if (!kept.some(other => isSame(quad, other, near))) kept.push(quad);
-  }
   return kept;
 }
 

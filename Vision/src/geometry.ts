@@ -54,8 +54,8 @@ export function sideOf(q: Quad, corner: number): number {
 /** Mean length of the sides, px. */
 export const sizeOf = (q: Quad): number => (sideOf(q, 0) + sideOf(q, 1) + sideOf(q, 2) + sideOf(q, 3)) / 4;
 
-export const centreX = (q: Quad): number => (q[0] + q[2] + q[4] + q[6]) / 4;
-export const centreY = (q: Quad): number => (q[1] + q[3] + q[5] + q[7]) / 4;
+const centreX = (q: Quad): number => (q[0] + q[2] + q[4] + q[6]) / 4;
+const centreY = (q: Quad): number => (q[1] + q[3] + q[5] + q[7]) / 4;
 
 export const scaled = (q: Quad, by: number): Quad => [q[0] * by, q[1] * by, q[2] * by, q[3] * by, q[4] * by, q[5] * by, q[6] * by, q[7] * by];
 

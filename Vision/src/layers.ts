@@ -1,5 +1,6 @@
 import { minSide } from './candidates';
 import { scaled, sizeOf, type Quad } from './geometry';
+import type { Light } from './levels';
 import type { Matcher } from './match';
 import { cv } from './opencv';
 import { Refiner, type Fit } from './refine';
@@ -12,6 +13,7 @@ const maxSide = 1.8 * minSide;
 /** A copy of the picture that is scaled by a factor. */
 export interface Layer {
   factor: number;
+  picture: Light;
   refiner: Refiner;
 }
 
@@ -26,10 +28,8 @@ export function layersOf(picture: Mat, whole: number, matcher: Matcher, isFilled
     cv.resize(picture, copy, new cv.Size(Math.round(picture.cols * factor), Math.round(picture.rows * factor)), 0, 0, cv.INTER_AREA);
     if (factor < 1) smooth(copy);
     // Copies the data, because OpenCV's memory moves when it grows.
-    layers.push({
-      factor: factor * whole,
-      refiner: new Refiner(matcher, isFilled, { width: copy.cols, height: copy.rows, data: copy.data32F.slice() }),
-    });
+    const light = { width: copy.cols, height: copy.rows, data: copy.data32F.slice() };
+    layers.push({ factor: factor * whole, picture: light, refiner: new Refiner(matcher, isFilled, light) });
     copy.delete();
   }
   return layers;

@@ -48,6 +48,9 @@ const steps: RefineStep[] = [
   { by: 0.06, reach: 0.2, minShare: 0.5 },
 ];
 
+/** The steps for the fit to a code. All of them have the same sampling distance, so a later one does not undo the result of an earlier one. */
+const exactSteps: RefineStep[] = [0.25, 0.12, 0.06, 0.03].map(by => ({ by, reach: 0.2, minShare: 0 }));
+
 /** The steps for a fit whose kind and orientation are known. */
 const lastSteps = steps.slice(-3);
 
@@ -151,6 +154,11 @@ export class Refiner {
   /** Refines, with small steps, a fit whose kind and orientation are known. */
   refineLast(fit: Fit): Fit {
     return this.#refined(fit, lastSteps);
+  }
+
+  /** Refines a fit to a code once more, without limits of the share of agreeing steps. */
+  refineExactly(fit: Fit): Fit {
+    return this.#refined(fit, exactSteps);
   }
 
   #refined(fit: Fit, stepsToTake: RefineStep[]): Fit {
