@@ -26,6 +26,7 @@ public sealed class VisionPool : IDisposable
     const int MaxEnded = 3;
 
     readonly string _script;
+    readonly int _picturesPerWorker;
     readonly VisionWorker[] _workers;
 
     /// <param name="workers">Maximum number of workers; 0 for one per core, but at most four.</param>
@@ -35,13 +36,18 @@ public sealed class VisionPool : IDisposable
     }
 
     /// <param name="script">Script that the workers run; null for the script of this program. Workers with another script are not reused.</param>
-    internal VisionPool(int workers, string script)
+    /// <param name="picturesPerWorker">Number of pictures for which another worker is started.</param>
+    internal VisionPool(int workers, string script, int picturesPerWorker = PicturesPerWorker)
     {
         _script = script;
+        _picturesPerWorker = picturesPerWorker;
         _workers = new VisionWorker[workers > 0 ? workers : Math.Clamp(Environment.ProcessorCount, 1, MaxWorkers)];
         // Starts the first worker now, so that a missing Node.js is reported immediately. The others start with their first picture.
         _workers[0] = StartedOrKept();
     }
+
+    /// <summary>Number of workers that have been started or taken over from an earlier pool.</summary>
+    internal int WorkerCount => _workers.Count(worker => worker != null);
 
     /// <summary>Analyses all pictures. Returns early when it is cancelled, and then throws no errors.</summary>
     /// <param name="pictures">The pictures. They are enumerated on demand on the calling thread.</param>
@@ -78,7 +84,7 @@ public sealed class VisionPool : IDisposable
             var place = 0;
             foreach (var picture in pictures)
             {
-                if (place == PicturesPerWorker * workers.Count && workers.Count < _workers.Length) workers.Add(Start(workers.Count));
+                if (place == _picturesPerWorker * workers.Count && workers.Count < _workers.Length) workers.Add(Start(workers.Count));
                 queue.Add((place++, picture), stop.Token);
             }
         });

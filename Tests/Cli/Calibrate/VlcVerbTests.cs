@@ -11,6 +11,10 @@ namespace Nowpose.Headless.Tests.Cli.Calibrate;
 /// <summary>Tests the verb <c>calibrate vlc</c>, which reads pictures and writes a latency profile. Needs Node.js, as the build does.</summary>
 public sealed class VlcVerbTests
 {
+    /// <summary>A grey PNG of one pixel.</summary>
+    static readonly byte[] OnePixel = Convert.FromBase64String(
+        "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNgAAAAAgABSK+kcQAAAABJRU5ErkJggg==");
+
     string _folder;
 
     [OneTimeSetUp]
@@ -144,9 +148,8 @@ public sealed class VlcVerbTests
     [Test]
     public async Task Vlc_PictureOfAnotherSize_RejectsItAndStatesBothSizes()
     {
-        // A grey PNG of one pixel, which comes before the other pictures.
-        File.WriteAllBytes(In("a.png"), Convert.FromBase64String(
-            "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNgAAAAAgABSK+kcQAAAABJRU5ErkJggg=="));
+        // Comes before the other pictures.
+        File.WriteAllBytes(In("a.png"), OnePixel);
         string[] good = [.. Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).Take(2)];
 
         var run = await Run([In("a.png"), .. good]);
@@ -155,12 +158,13 @@ public sealed class VlcVerbTests
         Assert.That(run.Errors, Does.Contain("a.png: " + PictureFaults.OtherSize(1, 1, 1280, 720)));
     }
 
-    // Compares the complete result, including pictures that are rejected because of their neighbours or their size.
+    // Compares the complete result, including pictures that are rejected because they are empty or have another size.
     [Test]
     public async Task Vlc_ShuffledPictures_GiveTheSameJson()
     {
-        string[] files = [.. Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).Take(8), In("none.jpg")];
+        string[] files = [.. Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).Take(4), In("none.jpg"), In("small.png")];
         File.WriteAllBytes(In("none.jpg"), []);
+        File.WriteAllBytes(In("small.png"), OnePixel);
         async Task<string> ResultOf(string[] given)
         {
             var run = await Run([.. given, "--sweep", In("sweep.csv"), "--json"]);
@@ -175,7 +179,7 @@ public sealed class VlcVerbTests
 
         var expected = await ResultOf(files);
 
-        Assert.That(expected, Does.Contain("none.jpg"));
+        Assert.That(expected, Does.Contain("none.jpg").And.Contain(PictureFaults.OtherSize(1, 1, 1280, 720)));
         Assert.That(await ResultOf(shuffled), Is.EqualTo(expected));
     }
 
