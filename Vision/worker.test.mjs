@@ -122,6 +122,19 @@ test('finds a second code of which up to 45 % is hidden on one side', async () =
   assert.ok(complete.length >= 14 && found.length >= 0.85 * complete.length, `seeds 400 to 407: ${found.length} of ${complete.length}`);
 });
 
+test('finds corners with an RMS error of less than 0.09 cells', async () => {
+  const drawn = Array.from({ length: 8 }, (_, i) => onePicture(randomOf(500 + i)));
+
+  const answers = await askAll(drawn.map(each => ({ shot: each })));
+
+  const errors = answers.flatMap(({ codes }, i) => drawn[i].codes.flatMap(({ kind, size, corners }) => {
+    const code = codes.find(each => each.kind === kind);
+    return corners.map(([x, y], corner) => 8 * Math.hypot(x - code.corners[corner][0], y - code.corners[corner][1]) / size);
+  }));
+  const rms = Math.sqrt(errors.reduce((sum, error) => sum + error * error, 0) / errors.length);
+  assert.ok(rms < 0.09, `seeds 500 to 507: ${rms} cells`);
+});
+
 test('finds no second code in structured scenes', async () => {
   const answers = await askAll(Array.from({ length: 10 }, (_, scene) => ({ shot: { ...shot([control, headset]), scene: 100 + scene, sceneLight: 0.8 } })));
 
