@@ -14,7 +14,7 @@ export class Log {
   constructor(
     readonly name: string,
     secrets: string[],
-    readonly write: (line: string) => void = line => void process.stderr.write(line),
+    readonly write: (line: string) => void,
     readonly later: (ms: number, then: () => void) => void = (ms, then) => void setTimeout(then, ms).unref(),
   ) {
     this.#secrets = secrets.filter(secret => secret.length > 0);

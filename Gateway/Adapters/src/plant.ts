@@ -6,7 +6,7 @@ import { GatewayLink } from './gateway/link';
 import { description, DIAGNOSTICS, ROBOT_DESCRIPTION, topicOf, VERSION_TOPIC } from './gateway/messages';
 import { AdapterStatus } from './gateway/status';
 import { load } from './kinds';
-import { Log } from './log';
+import type { Log } from './log';
 import { PlantOutput } from './samples/plantOutput';
 import { type Nanoseconds, ofMilliseconds, toMilliseconds } from './times';
 import { compareVersions } from './version';
@@ -20,11 +20,9 @@ const CHANGE_MS = 100;
 const GROUP_MS = 0.5;
 const OLDEST_MS = 10_000;
 
-/** Runs one adapter until the process receives a signal, or until the gateway that started it ends. Returns the exit status. */
-export async function runPlant(configuration: Configuration): Promise<number> {
+/** Runs one adapter until it is aborted. */
+export async function runPlant(configuration: Configuration, log: Log, ending: AbortController): Promise<void> {
   const { plant, robot, robots } = configuration;
-  const log = new Log(`plant/${plant.name}`, configuration.secrets);
-  const ending = new Ending();
   let changed: NodeJS.Timeout | null = null;
   const status = new AdapterStatus(plant.kind, log, () => {
     changed ??= setTimeout(report, CHANGE_MS);
@@ -59,10 +57,9 @@ export async function runPlant(configuration: Configuration): Promise<number> {
     clearInterval(reports);
     clearInterval(checks);
     clearTimeout(changed ?? undefined);
-    ending.now();
+    ending.abort();
     await link;
   }
-  return ending.status;
 
   function report(): void {
     clearTimeout(changed ?? undefined);
@@ -76,34 +73,4 @@ function reportCoarse(status: AdapterStatus, log: Log, coarse: Nanoseconds | nul
   status.detail('clock', steps);
   if (steps === null) return log.resume('clock steps', clockMessages.fineAgain);
   log.change('clock steps', 'coarse', clockMessages.coarse(steps));
-}
-
-/** Detects the events that end the process: SIGTERM, SIGINT and, for a child process, the end of its parent, which closes the pipe. */
-class Ending {
-  readonly #abort = new AbortController();
-  #status = 0;
-
-  constructor() {
-    process.once('SIGTERM', () => this.now());
-    process.once('SIGINT', () => {
-      this.#status = 130;
-      this.now();
-    });
-    if (process.env.NOWPOSE_SUPERVISED === '1')
-      process.stdin
-        .on('close', () => this.now())
-        .on('error', () => this.now())
-        .resume();
-  }
-
-  get signal(): AbortSignal {
-    return this.#abort.signal;
-  }
-  get status(): number {
-    return this.#status;
-  }
-
-  now(): void {
-    this.#abort.abort();
-  }
 }

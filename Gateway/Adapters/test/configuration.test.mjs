@@ -5,7 +5,7 @@ import { describe, it } from 'node:test';
 import { wrongIn } from './checking.mjs';
 import { messages } from './messages.mjs';
 import { parts } from './parts.mjs';
-import { check } from './program.mjs';
+import { check, startProcess } from './program.mjs';
 import { temporaryFile } from './temporary.mjs';
 
 const { KINDS, readConfiguration } = await parts('configuration/configuration', 'configuration/schemaCheck');
@@ -50,7 +50,7 @@ describe('configuration', () => {
   it('Check_StartedByTheGateway_AddsTheContentAsJson', async t => {
     const path = temporaryFile('plant.yaml', GOOD);
 
-    const { status, out } = await check(t, path, { ...process.env, NOWPOSE_SUPERVISED: '1' });
+    const { status, out } = await check(t, path, { NOWPOSE_SUPERVISED: '1' }, startProcess);
 
     const [, content] = out.split('\n');
     assert.deepEqual([status, JSON.parse(content)], [0, { name: 'opcua', joints: ['arm_joint_1', 'arm_joint_2'], passes_unlisted: false, has_objects: false, frames: {}, signals: [], robot: null, robots: {}, warnings: [] }]);

@@ -5,23 +5,21 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { before, describe, it } from 'node:test';
 import { identity } from './opcua/identity.mjs';
-import { configuration } from './opcua/plant.mjs';
+import { configuration } from './rtde/cell.mjs';
 import { freePort } from './freePort.mjs';
 import { parts } from './parts.mjs';
-import { adapters, start, until } from './program.mjs';
+import { adapters, start, startProcess, until } from './program.mjs';
 import { RosbridgeDouble } from './rosbridge.mjs';
-import { temporaryFile } from './temporary.mjs';
 import { ANY, like, messages } from './messages.mjs';
 
 const { gatewayMessages, logMessages } = messages;
 
 const { SendQueue, Log, GatewayLink } = await parts('gateway/sendQueue', 'log', 'gateway/link');
-const JOINTS = [{ joint: 'a', node: 'i=1' }];
 const TOKEN = 'a-token-of-a-source';
 
-async function adapter(test, url, { env, more = '', stdin } = {}) {
-  const path = temporaryFile('plant.yaml', configuration(url, `opc.tcp://127.0.0.1:${await freePort()}`, [], JOINTS, more));
-  return start(test, [path], { env, stdin });
+/** Starts an adapter whose plant does not respond. */
+async function adapter(test, url, { launch = start, ...options } = {}) {
+  return launch(test, [configuration({ url, port: await freePort() })], options);
 }
 
 describe('link to the gateway', { concurrency: 3 }, () => {
@@ -50,7 +48,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
   });
 
   it('Version_Option_PrintsTheVersion', async t => {
-    const run = start(t, ['--version']);
+    const run = startProcess(t, ['--version']);
 
     assert.equal(await run.ended, 0);
     assert.match(run.out, /^\d+\.\d+\.\d+(\+[0-9a-f]{40})?\n$/);
@@ -98,10 +96,10 @@ describe('link to the gateway', { concurrency: 3 }, () => {
 
   it('Robot_Configured_IsPublishedAfterEachConnection', async t => {
     const port = await freePort(), first = await RosbridgeDouble.start(t, { port });
-    const path = temporaryFile('plant.yaml', configuration(first.url, 'opc.tcp://127.0.0.1:9', [], JOINTS) + 'robot: arm.urdf\n');
+    const path = configuration({ url: first.url, port: await freePort(), rest: 'joints: [{ joint: a, index: 0 }]\nrobot: arm.urdf\n' });
     writeFileSync(join(dirname(path), 'arm.urdf'), '<robot name="arm"><joint name="a"/></robot>');
-    start(t, [path]);
-    await until(() => first.published('/robot_description').length > 0, 'the description');
+    const run = start(t, [path]);
+    await until(() => first.published('/robot_description').length > 0, () => run.err);
 
     first.stop();
     const second = await RosbridgeDouble.start(t, { port });
@@ -112,7 +110,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
 
   it('Adapter_ParentProcessEnded_Ends', async t => {
     const bridge = await RosbridgeDouble.start(t);
-    const run = await adapter(t, bridge.url, { env: { NOWPOSE_SUPERVISED: '1' }, stdin: 'pipe' });
+    const run = await adapter(t, bridge.url, { launch: startProcess, env: { NOWPOSE_SUPERVISED: '1' }, stdin: 'pipe' });
     await until(() => bridge.heard.length > 0, 'a message');
 
     run.child.stdin.end();
@@ -122,7 +120,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
 
   for (const [signal, status] of [['SIGTERM', 0], ['SIGINT', 130]]) {
     it(`Signal_${signal}_EndsTheAdapterWithStatus${status}`, { skip: process.platform === 'win32' }, async t => {
-      const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
+      const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url, { launch: startProcess });
       await until(() => bridge.heard.length > 0, 'a message');
 
       run.child.kill(signal);

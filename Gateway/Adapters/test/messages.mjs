@@ -4,7 +4,7 @@ import { parts } from './parts.mjs';
 
 const files = readdirSync(new URL('../src/messages', import.meta.url));
 
-export const messages = await parts(...files.map(file => `messages/${file}`));
+export const messages = await parts(...files.map(file => `messages/${file.slice(0, -3)}`));
 
 /** Placeholder for an argument of a message in the catalogue. It stands for any value. */
 export const ANY = Object.assign(Object('\u0000'), { toFixed: () => '\u0000' });

@@ -20,13 +20,13 @@ ${local}  plain: true
 ${more}joints:
 ${joints ?? [0, 1, 2, 3, 4].map(i => `  - joint: arm_joint_${i + 1}\n    symbol: GVL.aJoints[${i}]\n`).join('')}`;
 
-/** Starts a PLC, a test double of the gateway, and an adapter that connects them. */
-export async function cell(t, { plc = youBot({ cycleMs: 5 }), more, joints, local, server: options } = {}) {
+/** Starts a PLC, a test double of the gateway, and an adapter that connects them, with `launch`. */
+export async function cell(t, { plc = youBot({ cycleMs: 5 }), more, joints, local, server: options, launch = start } = {}) {
   const server = new AdsServer(plc, options), port = await server.listen();
   t.after(() => server.close());
   const bridge = await RosbridgeDouble.start(t);
   const path = temporaryFile('ads.yaml', configuration({ port, url: bridge.url, more, joints, local }));
-  return { plc, server, bridge, port, path, adapter: start(t, [path]) };
+  return { plc, server, bridge, port, path, adapter: launch(t, [path]) };
 }
 
 export const clockOf = bridge => until(async () => (await bridge.call('/nowpose/plant_time/cell')).result, 'the clock');

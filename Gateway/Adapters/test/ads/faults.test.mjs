@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { once } from 'node:events';
 import { createServer } from 'node:net';
 import { describe, it } from 'node:test';
-import { start, until } from '../program.mjs';
+import { start, startProcess, until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
 import { seeded } from '../seeded.mjs';
 import { temporaryFile } from '../temporary.mjs';
@@ -138,7 +138,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
 
     await until(() => bridge.state?.state === 'waiting', () => JSON.stringify(bridge.state));
     assert.deepEqual(bridge.jointStates, []);
-    assert.equal(adapter.child.exitCode, null);
+    assert.equal(adapter.status, undefined);
   });
 
   it('Adapter_NoRoute_ExplainsHowToAddARoute', async t => {
@@ -171,12 +171,11 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     });
 
   it('Adapter_Terminated_DeletesItsNotifications', async t => {
-    const { server, bridge, adapter } = await cell(t);
+    const { server, bridge, adapter } = await cell(t, { launch: startProcess });
     await statesOf(bridge);
 
-    adapter.child.kill('SIGTERM');
+    assert.equal(await adapter.stop(), 0);
 
-    assert.equal(await adapter.ended, 0);
     assert.ok(server.seen.filter(s => s.command === command.deleteNotification).length >= 5);
   });
 });

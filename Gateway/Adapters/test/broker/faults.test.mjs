@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { connectAsync } from 'mqtt';
-import { until } from '../program.mjs';
+import { startProcess, until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
 import { bridge, clockOf, halls, jointStatus, publish, secondsAgo, served, state, TOPIC } from './halls.mjs';
 import { missing, Mosquitto } from './mosquitto.mjs';
@@ -12,7 +12,7 @@ const { brokerMessages, malformedMessages, silenceMessages } = messages;
 
 describe('faults behind a broker', { skip: missing, concurrency: 3 }, () => {
   it('Subscriber_PublisherKilled_ReportsIt', async t => {
-    const { near, far, sync, publisher, subscriber } = await halls(t);
+    const { near, far, sync, publisher, subscriber } = await halls(t, { launch: startProcess });
     await until(() => {
       publish(near, '/joint_states', state(sync.now()));
       return far.joint('a')?.state === 'live';

@@ -7,7 +7,7 @@ import { SyncServer } from './syncServer.mjs';
 
 export const TOPIC = 'nowpose/cell';
 
-export function bridge(t, direction, gateway, broker, more = '', env) {
+export function bridge(t, direction, gateway, broker, more = '', { env, launch = start } = {}) {
   const path = temporaryFile(`${direction}.yaml`, `gateway: { url: "${gateway.url}" }
 plant:
   kind: broker
@@ -16,16 +16,17 @@ plant:
   endpoint: ${broker.url ?? broker}
   topic: ${TOPIC}
 ${more}`);
-  return start(t, [path], { env });
+  return launch(t, [path], { env });
 }
 
 export const clockOf = ({ port }, more = '') => `  clock: { host: 127.0.0.1, port: ${port}${more} }\n`;
 
-/** Starts two gateways, one with the plant (`near`) and one without (`far`), and connects them through a broker and two bridges. */
-export async function halls(t, { more = '', namespaces = [] } = {}) {
+/** Starts two gateways, one with the plant (`near`) and one without (`far`), and connects them through a broker and two bridges, which `launch` starts. */
+export async function halls(t, { more = '', namespaces = [], launch } = {}) {
   const robots = namespaces.length === 0 ? '' : `  namespaces: [${namespaces.join(', ')}]\n`;
   const [near, far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);
-  const publisher = bridge(t, 'publish', near, broker, robots), subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync) + robots + more);
+  const publisher = bridge(t, 'publish', near, broker, robots, { launch });
+  const subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync) + robots + more, { launch });
   await until(() => near.heard.filter(m => m.op === 'subscribe').length === 9 + 3 * namespaces.length, () => publisher.err);
   await until(() => far.state?.state === 'connected', () => subscriber.err);
   // The subscribing bridge forwards no message before the clock of the time stamps is known.

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { describe, it } from 'node:test';
 import { connectAsync } from 'mqtt';
 import { missing, Mosquitto } from '../broker/mosquitto.mjs';
-import { start, until } from '../program.mjs';
+import { start, startProcess, until } from '../program.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile, temporaryFolder } from '../temporary.mjs';
 import { cell, changes, clockAhead, configuration, poses } from './cell.mjs';
@@ -133,14 +133,13 @@ frames:
   });
 
   it('Adapter_FromStartToEnd_PublishesNothingToTheBroker', async t => {
-    const { bridge, client, send, adapter } = await cell(t, { rest: REST }), seen = [];
+    const { bridge, client, send, adapter } = await cell(t, { rest: REST, launch: startProcess }), seen = [];
     client.on('message', topic => seen.push(topic));
     await client.subscribeAsync('#');
 
     await send('cell/elbow', '0.5');
     await until(() => bridge.published('/arm1/joint_states').length >= 1, () => JSON.stringify(bridge.state));
-    adapter.child.kill('SIGTERM');
-    await adapter.ended;
+    assert.equal(await adapter.stop(), 0);
     await send('cell/end', '1');
 
     await until(() => seen.includes('cell/end'), 'the last message');

@@ -14,8 +14,8 @@ export function clockAhead(ms) {
 export const configuration = (url, endpoint, { plant = '', rest = '' }) =>
   `gateway: { url: "${url}" }\nplant:\n  kind: mqtt\n  name: twin\n  endpoint: ${endpoint}\n${plant}${rest}`;
 
-/** Starts a broker, a gateway with its own clock, and the adapter. Resolves when the adapter has subscribed. */
-export async function cell(t, { plant, rest, lines, prepare = async () => {}, env } = {}) {
+/** Starts a broker, a gateway with its own clock, and the adapter with `launch`. Resolves when the adapter has subscribed. */
+export async function cell(t, { plant, rest, lines, prepare = async () => {}, env, launch = start } = {}) {
   const now = clockAhead(60_000);
   const [broker, bridge] = await Promise.all([Mosquitto.start(t, lines), RosbridgeDouble.start(t, { now })]);
   const client = await connectAsync(broker.url, { protocolVersion: 5 });
@@ -23,7 +23,7 @@ export async function cell(t, { plant, rest, lines, prepare = async () => {}, en
   const send = (topic, message, more = {}) =>
     client.publishAsync(topic, typeof message === 'string' ? message : JSON.stringify(message), { qos: 1, ...more });
   await prepare({ send, now });
-  const adapter = start(t, [temporaryFile('mqtt.yaml', configuration(bridge.url, broker.url, { plant, rest }))], { env });
+  const adapter = launch(t, [temporaryFile('mqtt.yaml', configuration(bridge.url, broker.url, { plant, rest }))], { env });
   await until(() => bridge.state?.state === 'connected', () => adapter.err);
   return { broker, bridge, adapter, client, now, send };
 }

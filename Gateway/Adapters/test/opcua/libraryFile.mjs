@@ -2,14 +2,16 @@
 // packages. The file is created once and kept in dist.
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
-import { adapters } from '../program.mjs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+const adapters = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
 
 // The names that the tests and the tested modules import.
 const contents = `
 export { AttributeIds, crypto_utils, DataChangeFilter, DataChangeTrigger, DataType, DataValue, MessageSecurityMode, OPCUAClient, SecurityPolicy,
   setWarningLogger, StatusCodes, TimestampsToReturn, UserTokenType, Variant, VariantArrayType } from 'node-opcua-client';
+export { setDebugLogger, setErrorLogger } from 'node-opcua-debug';
 export { MonitoredItem, OPCUAServer, Subscription } from 'node-opcua-server';
 `;
 

@@ -21,11 +21,11 @@ export function configuration(gateway, endpoint, plant, joints, more = '') {
     + plant.map(entry => `  ${entry}\n`).join('') + (list.length > 0 ? `joints:\n${list.join('')}` : 'joints: []\n');
 }
 
-/** Starts an adapter for a server and a test double of the gateway. */
-export async function adapterFor(test, server, plant, joints, { env, stdin, path, bridge } = {}) {
+/** Starts an adapter for a server and a test double of the gateway, with `launch`. */
+export async function adapterFor(test, server, plant, joints, { env, path, bridge, launch = start } = {}) {
   bridge ??= await RosbridgeDouble.start(test);
   path ??= temporaryFile('plant.yaml', configuration(bridge.url, server.endpoint, plant, joints));
-  const run = start(test, [path], { env, stdin });
+  const run = launch(test, [path], { env });
   return {
     run, bridge, path,
     states: count => until(() => bridge.jointStates.length >= count && bridge.jointStates,

@@ -4,7 +4,7 @@ import { existsSync, readdirSync, readFileSync, renameSync, rmSync, statSync, wr
 import { dirname, join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
 import { wrongIn } from '../checking.mjs';
-import { check } from '../program.mjs';
+import { check, startProcess } from '../program.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { identity } from './identity.mjs';
 import { adapterFor, configuration, OPEN } from './plant.mjs';
@@ -41,15 +41,14 @@ describe('security of OPC UA', () => {
   });
 
   it('AdapterKey_CreatedAtTheFirstStart_IsReadableOnlyByItsOwner', { skip: process.platform === 'win32' }, async t => {
-    const { path, state, run } = await adapterFor(t, server, [trusted(), 'user: {name: nowpose}'], JOINTS, WITH_PASSWORD);
+    const { path, state, run } = await adapterFor(t, server, [trusted(), 'user: {name: nowpose}'], JOINTS, { ...WITH_PASSWORD, launch: startProcess });
     await state(s => s.state === 'connected');
 
     const own = join(dirname(path), 'opcua-certificates', 'own');
 
     assert.equal(statSync(join(own, 'nowpose-key.pem')).mode & 0o777, 0o600);
     assert.deepEqual(readdirSync(own).sort(), ['nowpose-key.pem', 'nowpose.der']);
-    run.child.kill('SIGTERM');
-    assert.equal(await run.ended, 0);
+    assert.equal(await run.stop(), 0);
   });
 
   for (const policy of ['Aes128_Sha256_RsaOaep', 'Aes256_Sha256_RsaPss']) {
@@ -120,7 +119,7 @@ describe('other servers', () => {
 
     const expected = `certificates cannot be stored in ${blocked}/certificates (ENOTDIR); give this user write access, or set plant.security.folder`;
     assert.ok(reason.startsWith(expected), reason);
-    assert.equal(run.child.exitCode, null);
+    assert.equal(run.status, undefined);
   });
 
   it('Adapter_NotTrustedByTheServer_ReportsItsThumbprint', async t => {

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { wrongIn } from '../checking.mjs';
-import { start, until } from '../program.mjs';
+import { start, startProcess, until } from '../program.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { Robot } from './robot.mjs';
@@ -9,11 +9,11 @@ import { messages } from '../messages.mjs';
 
 const { configurationMessages, rosMessages, silenceMessages } = messages;
 
-/** Starts a robot, a test double of the gateway, and an adapter that connects them. Waits until the adapter has subscribed. */
-async function cell(t, options = {}, { plant = '', rest = '' } = {}) {
+/** Starts a robot, a test double of the gateway, and an adapter that connects them, with `launch`. Waits until the adapter has subscribed. */
+async function cell(t, options = {}, { plant = '', rest = '', launch = start } = {}) {
   const robot = await Robot.start(t, options), bridge = await RosbridgeDouble.start(t);
   const path = temporaryFile('ros.yaml', `gateway: { url: "${bridge.url}" }\nplant:\n  kind: ros\n  name: arm\n  endpoint: ${robot.url}\n${plant}${rest}`);
-  const adapter = start(t, [path]);
+  const adapter = launch(t, [path]);
   await until(() => robot.isHeardBy('/joint_states') && bridge.clients.length > 0, () => adapter.err);
   // The adapter forwards no message before the clock of the time stamps is known.
   if (options.now !== null) await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock');
@@ -28,7 +28,7 @@ const plan = (robot, points) => robot.publish('/plan', { header: { stamp: robot.
 describe('ros', { concurrency: 4 }, () => {
   for (const ros of [1, 2])
     it(`Adapter_Ros${ros}_ForwardsJointStatesWithTheirTimeStamps`, async t => {
-      const { robot, bridge } = await cell(t, { ros, aheadMs: 60_000 });
+      const { robot, bridge } = await cell(t, { ros, aheadMs: 60_000 }, { launch: startProcess });
       const stamp = robot.now();
 
       robot.jointState(stamp, ['shoulder', 'elbow'], [0.25, -1.5], [0.5, null]);

@@ -1,8 +1,8 @@
-// Runs the adapter as a process that connects test doubles of a controller and of a gateway.
+// Runs the adapter between test doubles of a controller and of a gateway.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { wrongIn } from '../checking.mjs';
-import { check, until } from '../program.mjs';
+import { check, startProcess, until } from '../program.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { angle, LAG_S, RtdeRobot } from './robot.mjs';
 import { ANY, like, messages } from '../messages.mjs';
@@ -12,7 +12,7 @@ const { configurationMessages, fieldMessages, robotMessages, rtdeMessages, rtdeS
 
 describe('rtde adapter', { concurrency: 4 }, () => {
   it('Adapter_DataPackages_ArePublishedWithTheirTimestamp', async t => {
-    const { bridge, robot } = await cell(t);
+    const { bridge, robot } = await cell(t, undefined, { launch: startProcess });
 
     const states = await statesOf(bridge, 100);
 

@@ -10,11 +10,11 @@ export const JOINTS = ['shoulder_pan_joint', 'shoulder_lift_joint', 'elbow_joint
 export const configuration = ({ url, port, host = '127.0.0.1', more = '', rest = '' }) =>
   temporaryFile('rtde.yaml', `gateway: { url: "${url}" }\nplant: { kind: rtde, name: arm, host: "${host}", port: ${port}${more} }\n${rest}`);
 
-/** Starts a controller, a gateway, and an adapter that connects them. */
-export async function cell(t, robot = new RtdeRobot(), { more, rest } = {}) {
+/** Starts a controller, a gateway, and an adapter that connects them, with `launch`. */
+export async function cell(t, robot = new RtdeRobot(), { more, rest, launch = start } = {}) {
   await robot.listen(t);
   const bridge = await RosbridgeDouble.start(t);
-  return { robot, bridge, adapter: start(t, [configuration({ url: bridge.url, port: robot.port, more, rest })]) };
+  return { robot, bridge, adapter: launch(t, [configuration({ url: bridge.url, port: robot.port, more, rest })]) };
 }
 
 export const statesOf = (bridge, count = 1) => until(() => bridge.jointStates.length >= count && bridge.jointStates, () => `${count} joint states; ${JSON.stringify(bridge.state)}`);
