@@ -1,6 +1,6 @@
 // Damages configurations randomly. Each of them must be valid, or each of its error messages must contain a line number.
 import assert from 'node:assert/strict';
-import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { it } from 'node:test';
 import { wrongIn } from './checking.mjs';
@@ -52,6 +52,8 @@ it('Configuration_RandomlyDamaged_IsValidOrEachErrorHasALine', { timeout: 120_00
   for (let i = 0; i < VARIANTS; i++) {
     let text = EXAMPLES[i % EXAMPLES.length];
     for (let depth = 0; depth <= i % 3; depth++) text = damaged(text, random);
+    // A new file is written 20 times faster than an existing one, which some file systems write to the disk at once.
+    rmSync(path);
     writeFileSync(path, text);
 
     const lines = wrongIn(path), context = `variant ${i} of seed ${SEED}:\n${lines.join('\n')}\n---\n${text}`;

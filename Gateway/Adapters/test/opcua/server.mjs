@@ -11,6 +11,10 @@ import { identity } from './identity.mjs';
 import { OpenStore } from './openStore.mjs';
 
 const URI = 'urn:nowpose:youbot';
+
+/** Key and certificate of all servers of this process, because creating a key takes 0.1 s of processor time. */
+let certificate = null;
+
 // A PLC can sample at any rate, but node-opcua's default minimum interval is 50 ms.
 MonitoredItem.minimumSamplingInterval = 1;
 Subscription.minimumPublishingInterval = 1;
@@ -101,7 +105,7 @@ export class YoubotServer {
   async start() {
     setWarningLogger(() => {});
     this.port ||= await freePort();
-    this.own ??= await identity(URI);
+    this.own ??= await (certificate ??= identity(URI));
     this.store = new OpenStore(this.trusted);
     this.#server = new OPCUAServer({
       port: this.port, hostname: '127.0.0.1', host: '127.0.0.1',

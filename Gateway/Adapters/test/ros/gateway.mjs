@@ -2,6 +2,7 @@
 import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
+import { after, before } from 'node:test';
 import { createInterface } from 'node:readline';
 import { skipWithout } from '../../../../Web/test/required.mjs';
 import { adapters } from '../program.mjs';
@@ -34,4 +35,12 @@ export async function start(test, args = []) {
     return address[0];
   }
   throw new Error(`the gateway wrote no address:\n${output}`);
+}
+
+/** Starts one gateway for all tests of the enclosing suite. Returns a function that gets its address. */
+export function startForSuite(args) {
+  let address, stop;
+  before(async () => { address = await start({ after: end => { stop = end; } }, args); });
+  after(() => stop());
+  return () => address;
 }

@@ -1,10 +1,10 @@
 // Connects roslib, the client library of most ROS web pages, to the built gateway, and tests that the gateway accepts its messages.
 import assert from 'node:assert/strict';
-import test from 'node:test';
+import { describe, it } from 'node:test';
 import * as ROSLIB from 'roslib';
-import { missing as skip, start } from './gateway.mjs';
+import { missing as skip, startForSuite } from './gateway.mjs';
 
-const limit = { timeout: 60000, skip };
+const limit = { timeout: 180_000, skip };
 
 const within = (promise, what) => Promise.race([
   promise, new Promise((_, reject) => setTimeout(() => reject(new Error(`not within a minute: ${what}`)), 60_000).unref())]);
@@ -30,111 +30,117 @@ const now = () => { const ms = Date.now() - 100; return { sec: Math.floor(ms / 1
 
 const state = (stamp, name = ['a'], position = [0.5]) => ({ header: { stamp, frame_id: '' }, name, position, velocity: [], effort: [] });
 
-test('published messages reach subscribers in the format of the type that they requested', limit, async t => {
-  const address = await start(t);
-  const source = await connect(t, address);
-  for (const [type, field] of [['sensor_msgs/JointState', 'secs'], ['sensor_msgs/msg/JointState', 'sec']]) {
-    const ros = await connect(t, address);
-    const heard = new Promise(resolve => topic(ros, '/joint_states', type, { throttle_rate: 0, queue_length: 1 }).subscribe(resolve));
+describe('roslib', limit, () => {
+  const address = startForSuite();
+
+  it('published messages reach subscribers in the format of the type that they requested', async t => {
+    const source = await connect(t, address());
+    for (const [type, field] of [['sensor_msgs/JointState', 'secs'], ['sensor_msgs/msg/JointState', 'sec']]) {
+      const ros = await connect(t, address());
+      const heard = new Promise(resolve => topic(ros, '/joint_states', type, { throttle_rate: 0, queue_length: 1 }).subscribe(resolve));
+      await settled(ros);
+      const stamp = now();
+
+      topic(source, '/joint_states', type, { queue_size: 10, latch: false }).publish(state(stamp));
+
+      const message = await within(heard, type);
+      assert.equal(message.header.stamp[field], stamp.sec, type);
+      assert.deepEqual(message.name, ['a']);
+      assert.deepEqual(message.position, [0.5]);
+    }
+  });
+
+  it('the service returns the time, with and without the slash before its name', async t => {
+    const ros = await connect(t, address());
+
+    for (const name of ['/rosapi/get_time', 'rosapi/get_time']) {
+      const { time } = await call(ros, name);
+      assert.ok(Math.abs(time.sec + time.nanosec / 1e9 - Date.now() / 1000) < 60, name);
+    }
+  });
+
+  it('a call of an unknown service fails with a reason', async t => {
+    const ros = await connect(t, address());
+
+    const failed = await within(new Promise((resolve, reject) => ros.getActionServers(() => reject(new Error('answered')), resolve)), 'getActionServers');
+
+    assert.match(String(failed), /service/);
+  });
+
+  it('an invalid request causes a status with the id of the request', async t => {
+    const ros = await connect(t, address());
+    const statuses = [];
+    ros.on('status', message => statuses.push(message));
+    const joints = topic(ros, '/joint_states', 'sensor_msgs/JointState');
+    joints.advertise();
+    const wrong = state(now(), ['a', 'a'], [1, 2]);
+    const id = 'publish:/joint_states:1';
+    const byId = new Promise(resolve => ros.on(`status:${id}`, resolve));
+
+    ros.callOnConnection({ op: 'publish', id, topic: '/joint_states', msg: wrong, latch: false });
+
+    const status = await within(byId, 'the status');
+    assert.equal(status.level, 'error');
+    assert.match(status.msg, /DuplicateName/);
+    assert.deepEqual(statuses, [], 'nothing else was refused');
+  });
+});
+
+describe('roslib and a robot', limit, () => {
+  const address = startForSuite(['--robot', 'youbot']);
+
+  it('the available topics are listed', async t => {
+    const ros = await connect(t, address());
+
+    const { topics, types } = await within(new Promise((resolve, reject) => ros.getTopics(resolve, reject)), 'getTopics');
+
+    assert.equal(topics.length, types.length);
+    assert.equal(types[topics.indexOf('/joint_states')], 'sensor_msgs/JointState');
+    assert.equal(types[topics.indexOf('/robot_description')], 'std_msgs/String');
+  });
+
+  it('an unsupported option causes a status, and the request is served without the option or refused', async t => {
+    const ros = await connect(t, address());
+    const statuses = new Map();
+    const emit = ros.emit.bind(ros);
+    ros.emit = (name, ...rest) => { const id = /^status:(.*)/.exec(name)?.[1]; if (id) statuses.set(id, rest[0]); return emit(name, ...rest); };
+    const description = new Promise(resolve => topic(ros, '/robot_description', 'std_msgs/String').subscribe(resolve));
+    const requests = {
+      cbor: { op: 'subscribe', topic: '/joint_states', compression: 'cbor' },
+      fragment: { op: 'subscribe', topic: '/joint_states', fragment_size: 500 },
+      type: { op: 'subscribe', topic: '/joint_states', type: 'std_msgs/String' },
+      slash: { op: 'subscribe', topic: 'joint_states', type: 'sensor_msgs/JointState' },
+      call: { op: 'call_service', service: '/rosapi/topics', compression: 'png' },
+    };
+
+    for (const [id, request] of Object.entries(requests)) ros.callOnConnection({ id, ...request });
     await settled(ros);
-    const stamp = now();
 
-    topic(source, '/joint_states', type, { queue_size: 10, latch: false }).publish(state(stamp));
+    assert.deepEqual([...statuses].map(([id, { level }]) => [id, level]), [
+      ['cbor', 'warning'], ['fragment', 'warning'], ['type', 'error'], ['slash', 'error'], ['call', 'warning']]);
+    assert.match(statuses.get('cbor').msg, /\bcbor\b/);
+    assert.match(statuses.get('fragment').msg, /\bfragment_size 500\b/);
+    assert.match(statuses.get('type').msg, /\bsensor_msgs\/JointState\b.*\bstd_msgs\/String\b/);
+    assert.match(statuses.get('slash').msg, / \/joint_states\b/);
+    assert.match((await within(description, 'the description')).data, /<robot/);
+  });
 
-    const message = await within(heard, type);
-    assert.equal(message.header.stamp[field], stamp.sec, type);
-    assert.deepEqual(message.name, ['a']);
-    assert.deepEqual(message.position, [0.5]);
-  }
-});
+  it('the gateway refuses no message of roslib: ids, latch, queue sizes, compression, levels, unsubscribe and unadvertise', async t => {
+    const ros = await connect(t, address());
+    const refused = [];
+    const emit = ros.emit.bind(ros);
+    ros.emit = (name, ...rest) => { if (String(name).startsWith('status')) refused.push(rest[0]); return emit(name, ...rest); };
+    const description = topic(ros, '/robot_description', 'std_msgs/String', { compression: 'none' });
+    const text = new Promise(resolve => description.subscribe(resolve));
+    assert.match((await within(text, 'the description')).data, /<robot/);
+    description.unsubscribe();
+    const joints = topic(ros, '/joint_states', 'sensor_msgs/JointState', { latch: true, queue_size: 1 });
+    joints.advertise();
+    joints.publish(state(now()));
+    joints.unadvertise();
+    ros.setStatusLevel('warning');
+    await settled(ros);
 
-test('the service returns the time, with and without the slash before its name', limit, async t => {
-  const ros = await connect(t, await start(t));
-
-  for (const name of ['/rosapi/get_time', 'rosapi/get_time']) {
-    const { time } = await call(ros, name);
-    assert.ok(Math.abs(time.sec + time.nanosec / 1e9 - Date.now() / 1000) < 60, name);
-  }
-});
-
-test('a call of an unknown service fails with a reason', limit, async t => {
-  const ros = await connect(t, await start(t));
-
-  const failed = await within(new Promise((resolve, reject) => ros.getActionServers(() => reject(new Error('answered')), resolve)), 'getActionServers');
-
-  assert.match(String(failed), /service/);
-});
-
-test('the available topics are listed', limit, async t => {
-  const ros = await connect(t, await start(t, ['--robot', 'youbot']));
-
-  const { topics, types } = await within(new Promise((resolve, reject) => ros.getTopics(resolve, reject)), 'getTopics');
-
-  assert.equal(topics.length, types.length);
-  assert.equal(types[topics.indexOf('/joint_states')], 'sensor_msgs/JointState');
-  assert.equal(types[topics.indexOf('/robot_description')], 'std_msgs/String');
-});
-
-test('an unsupported option causes a status, and the request is served without the option or refused', limit, async t => {
-  const ros = await connect(t, await start(t, ['--robot', 'youbot']));
-  const statuses = new Map();
-  const emit = ros.emit.bind(ros);
-  ros.emit = (name, ...rest) => { const id = /^status:(.*)/.exec(name)?.[1]; if (id) statuses.set(id, rest[0]); return emit(name, ...rest); };
-  const description = new Promise(resolve => topic(ros, '/robot_description', 'std_msgs/String').subscribe(resolve));
-  const requests = {
-    cbor: { op: 'subscribe', topic: '/joint_states', compression: 'cbor' },
-    fragment: { op: 'subscribe', topic: '/joint_states', fragment_size: 500 },
-    type: { op: 'subscribe', topic: '/joint_states', type: 'std_msgs/String' },
-    slash: { op: 'subscribe', topic: 'joint_states', type: 'sensor_msgs/JointState' },
-    call: { op: 'call_service', service: '/rosapi/topics', compression: 'png' },
-  };
-
-  for (const [id, request] of Object.entries(requests)) ros.callOnConnection({ id, ...request });
-  await settled(ros);
-
-  assert.deepEqual([...statuses].map(([id, { level }]) => [id, level]), [
-    ['cbor', 'warning'], ['fragment', 'warning'], ['type', 'error'], ['slash', 'error'], ['call', 'warning']]);
-  assert.match(statuses.get('cbor').msg, /\bcbor\b/);
-  assert.match(statuses.get('fragment').msg, /\bfragment_size 500\b/);
-  assert.match(statuses.get('type').msg, /\bsensor_msgs\/JointState\b.*\bstd_msgs\/String\b/);
-  assert.match(statuses.get('slash').msg, / \/joint_states\b/);
-  assert.match((await within(description, 'the description')).data, /<robot/);
-});
-
-test('an invalid request causes a status with the id of the request', limit, async t => {
-  const ros = await connect(t, await start(t));
-  const statuses = [];
-  ros.on('status', message => statuses.push(message));
-  const joints = topic(ros, '/joint_states', 'sensor_msgs/JointState');
-  joints.advertise();
-  const wrong = state(now(), ['a', 'a'], [1, 2]);
-  const id = 'publish:/joint_states:1';
-  const byId = new Promise(resolve => ros.on(`status:${id}`, resolve));
-
-  ros.callOnConnection({ op: 'publish', id, topic: '/joint_states', msg: wrong, latch: false });
-
-  const status = await within(byId, 'the status');
-  assert.equal(status.level, 'error');
-  assert.match(status.msg, /DuplicateName/);
-  assert.deepEqual(statuses, [], 'nothing else was refused');
-});
-
-test('the gateway refuses no message of roslib: ids, latch, queue sizes, compression, levels, unsubscribe and unadvertise', limit, async t => {
-  const address = await start(t, ['--robot', 'youbot']);
-  const ros = await connect(t, address);
-  const refused = [];
-  const emit = ros.emit.bind(ros);
-  ros.emit = (name, ...rest) => { if (String(name).startsWith('status')) refused.push(rest[0]); return emit(name, ...rest); };
-  const description = topic(ros, '/robot_description', 'std_msgs/String', { compression: 'none' });
-  const text = new Promise(resolve => description.subscribe(resolve));
-  assert.match((await within(text, 'the description')).data, /<robot/);
-  description.unsubscribe();
-  const joints = topic(ros, '/joint_states', 'sensor_msgs/JointState', { latch: true, queue_size: 1 });
-  joints.advertise();
-  joints.publish(state(now()));
-  joints.unadvertise();
-  ros.setStatusLevel('warning');
-  await settled(ros);
-
-  assert.deepEqual(refused, []);
+    assert.deepEqual(refused, []);
+  });
 });
