@@ -18,48 +18,42 @@ after(() => browser.stop());
 const texts = (page, selector) => page.locator(selector).allInnerTexts();
 
 describe('the figures page', () => {
-  it('opens without an error or a request', async () => {
-    const page = await browser.open(figures());
+  // The tests that only read the page share it.
+  let complete;
+  before(async () => { complete = await browser.open(figures()); });
 
-    assert.deepEqual(page.complaints, []);
-    assert.equal(await page.title(), 'The paper\u2019s figures, recomputed');
+  it('opens without an error or a request', async () => {
+    assert.deepEqual(complete.complaints, []);
+    assert.equal(await complete.title(), 'The paper\u2019s figures, recomputed');
   });
 
   it('lists each figure with its verdict, linked to its section', async () => {
-    const page = await browser.open(figures());
-
-    assert.deepEqual(await texts(page, 'nav tbody .badge'), ['holds', 'does not hold', 'holds partly', 'holds', 'holds']);
-    const links = await page.locator('nav tbody a').evaluateAll(all => all.map(a => [a.textContent, !!document.querySelector(a.getAttribute('href'))]));
+    assert.deepEqual(await texts(complete, 'nav tbody .badge'), ['holds', 'does not hold', 'holds partly', 'holds', 'holds']);
+    const links = await complete.locator('nav tbody a').evaluateAll(all => all.map(a => [a.textContent, !!document.querySelector(a.getAttribute('href'))]));
     assert.deepEqual(links, [['Fig. 4', true], ['Fig. 8', true], ['Fig. 13a', true], ['Fig. 16', true], ['Fig. 17', true]]);
   });
 
   it('explains terms of the glossary on hover', async () => {
-    const page = await browser.open(figures());
-
-    const terms = await explainedTerms(page);
+    const terms = await explainedTerms(complete);
     for (const term of ['Sampling interval', 'sampling interval', 'hold']) assert.ok(terms.includes(term), term);
   });
 
   it('shows the paper\'s claim beside the measurement, with the met criteria in words', async () => {
-    const page = await browser.open(figures());
-
-    const words = await texts(page, '#fig-13a .words');
+    const words = await texts(complete, '#fig-13a .words');
     assert.match(words[0], /The paper says[^]*large parts of the range of T\s*s the quadratic[^]*Schnierle & Röck 2022, Fig\. 13a/);
     assert.match(words[0], /We measure[^]*Measured: best at 50 ms\.[^]*the cubic is better at 10 ms[^]*Beyond the paper[^]*adaptive leaves 50 %/);
-    const signs = await page.locator('#fig-13a .sign').evaluateAll(all => all.map(s => s.getAttribute('aria-label')));
+    const signs = await complete.locator('#fig-13a .sign').evaluateAll(all => all.map(s => s.getAttribute('aria-label')));
     assert.deepEqual(signs, [`${criterionLabels.met}:`, `${criterionLabels.notMet}:`]);
   });
 
   it('draws plots in the colours of their signals, with units on the axes and a description', async () => {
-    const page = await browser.open(figures());
-
-    assert.equal(await page.locator('.plot').count(), PLOTS);
+    assert.equal(await complete.locator('.plot').count(), PLOTS);
     const inks = [['--hold', '--quadratic'], ['--quadratic', '--adaptive'], ['--linear'],
       ['--linear', '--quadratic', '--cubic', '--adaptive'], ['--truth', '--hold', '--quadratic']];
     for (const [i, wanted] of inks.entries()) {
-      for (const ink of wanted) assert.ok(await hasInk(page, i, ink), `plot ${i} has no ${ink}`);
+      for (const ink of wanted) assert.ok(await hasInk(complete, i, ink), `plot ${i} has no ${ink}`);
     }
-    const labels = await page.locator('.plot').evaluateAll(all => all.map(p => p.getAttribute('aria-label')));
+    const labels = await complete.locator('.plot').evaluateAll(all => all.map(p => p.getAttribute('aria-label')));
     assert.match(labels[3], /^Fig\. 13a, RMS error: linear RMS error from 15 to 46\smm; quadratic/);
     assert.match(labels[0], /hold latency from 55 to 275\sms/);
   });
@@ -114,9 +108,7 @@ describe('the figures page', () => {
   });
 
   it('names each region and has unique ids', async () => {
-    const page = await browser.open(figures());
-
-    const [unnamed, ids] = await page.evaluate(() => [
+    const [unnamed, ids] = await complete.evaluate(() => [
       [...document.querySelectorAll('[role=region], nav, section')].filter(e => !e.hasAttribute('aria-label') && !e.hasAttribute('aria-labelledby')).length,
       [...document.querySelectorAll('[id]')].map(e => e.id)]);
     assert.equal(unnamed, 0);

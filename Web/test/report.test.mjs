@@ -19,18 +19,18 @@ const text = (page, selector) => page.locator(selector).allInnerTexts();
 const plain = words => words.map(w => w.replaceAll('\u00ad', '').replaceAll('\u00a0', ' '));
 
 describe('a complete report', () => {
-  it('opens without an error or a request', async () => {
-    const page = await browser.open(report());
+  // The tests that only read the page share it.
+  let complete;
+  before(async () => { complete = await browser.open(report()); });
 
-    assert.deepEqual(page.complaints, []);
+  it('opens without an error or a request', async () => {
+    assert.deepEqual(complete.complaints, []);
   });
 
   it('has its headings in order', async () => {
-    const page = await browser.open(report());
-
-    assert.deepEqual(await text(page, 'h1'), ['Nowpose: youBot over WiFi']);
-    assert.equal(await page.title(), 'Nowpose: youBot over WiFi');
-    assert.deepEqual(await text(page, 'h2'), ['Result', claimTitles.error, 'Joint position: arm_joint_1', 'Error field',
+    assert.deepEqual(await text(complete, 'h1'), ['Nowpose: youBot over WiFi']);
+    assert.equal(await complete.title(), 'Nowpose: youBot over WiFi');
+    assert.deepEqual(await text(complete, 'h2'), ['Result', claimTitles.error, 'Joint position: arm_joint_1', 'Error field',
       'Clock synchronisation', 'Application latency of the samples', 'Conditions and figures']);
   });
 
@@ -57,51 +57,41 @@ describe('a complete report', () => {
   });
 
   it('has captions and header cells on each table', async () => {
-    const page = await browser.open(report());
-
-    const faults = await page.evaluate(() => [...document.querySelectorAll('table')]
+    const faults = await complete.evaluate(() => [...document.querySelectorAll('table')]
       .filter(t => !t.caption?.textContent || !t.querySelector('thead th[scope=col]') || !t.querySelector('tbody th[scope=row]'))
       .map(t => t.outerHTML));
     assert.deepEqual(faults, []);
-    assert.deepEqual(plain(await text(page, '.overview thead th')), ['Quantity', 'Uncompensated', 'Compensated', 'Change']);
-    assert.ok((await text(page, '#facts tbody tr')).includes('total latency error P95\t–'), 'a fact without value is a dash');
+    assert.deepEqual(plain(await text(complete, '.overview thead th')), ['Quantity', 'Uncompensated', 'Compensated', 'Change']);
+    assert.ok((await text(complete, '#facts tbody tr')).includes('total latency error P95\t–'), 'a fact without value is a dash');
   });
 
   it('names the unit of each table of numbers', async () => {
-    const page = await browser.open(report());
-
-    const captions = await page.locator('details caption').allTextContents();
+    const captions = await complete.locator('details caption').allTextContents();
     assert.deepEqual(captions, ['Tool error (mm)', 'Joint position (rad)', `${reportLabels.latencyOfPoints} (ms)`, 'Clock (µs)',
       'Samples by latency']);
   });
 
   it('draws each plot in the colours of its signals', async () => {
-    const page = await browser.open(report());
-
-    const plots = await painted(page);
+    const plots = await painted(complete);
     assert.equal(plots.length, PLOTS);
     for (const { pixels, colours } of plots) assert.ok(pixels > 2000 && colours > 2, `${pixels} pixels, ${colours} colours`);
     const inks = [['--hold', '--compensated'], ['--truth', '--hold', '--compensated'], ['--hold', '--compensated'],
       ['--compensated'], ['--compensated'], ['--compensated']];
     for (const [i, wanted] of inks.entries()) {
-      for (const ink of wanted) assert.ok(await hasInk(page, i, ink), `plot ${i} has no ${ink}`);
+      for (const ink of wanted) assert.ok(await hasInk(complete, i, ink), `plot ${i} has no ${ink}`);
     }
   });
 
   it('explains terms of the glossary on hover', async () => {
-    const page = await browser.open(report());
-
-    const terms = await explainedTerms(page);
+    const terms = await explainedTerms(complete);
     for (const term of ['Tool error', 'sampling interval', 'predictor', 'offset', 'Application latency']) assert.ok(terms.includes(term), term);
   });
 
   it('describes each plot and its claim in words, with the paper as source', async () => {
-    const page = await browser.open(report());
-
-    const words = await page.evaluate(() => [...document.querySelectorAll('.plot')].map(p => p.getAttribute('aria-label')));
+    const words = await complete.evaluate(() => [...document.querySelectorAll('.plot')].map(p => p.getAttribute('aria-label')));
     assert.equal(words.length, PLOTS);
     for (const w of words) assert.match(w, /\d/);
-    const sources = await page.locator('.claim a').evaluateAll(links => links.map(a => [a.href, a.textContent]));
+    const sources = await complete.locator('.claim a').evaluateAll(links => links.map(a => [a.href, a.textContent]));
     assert.deepEqual(sources.map(s => s[1].replace('Schnierle & Röck 2022, ', '')), ['Sect. 3', 'Fig. 16', 'Fig. 18', 'Fig. 8', 'Eq. 2']);
     assert.ok(sources.every(s => s[0] === 'https://doi.org/10.1007/s11740-022-01175-2'));
   });
