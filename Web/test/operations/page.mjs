@@ -71,7 +71,7 @@ export const showsToolError = (page, min = 0, max = Infinity) => {
   }, [before, after, min, max]);
 };
 
-/** Number of bodies drawn in one picture of the 3D view: the draw calls between two clears. */
+/** Number of bodies drawn in the next picture of the 3D view: the draw calls of one frame. A frame begins with a clear and is drawn at once. */
 export const bodiesDrawn = async page => {
   await page.locator('.stage').scrollIntoViewIfNeeded();
   return page.evaluate(() => new Promise(done => {
@@ -81,12 +81,15 @@ export const bodiesDrawn = async page => {
     gl.drawElements = counted(drawElements);
     gl.drawArrays = counted(drawArrays);
     gl.clear = function (...all) {
-      if (count > 0) {
-        Object.assign(gl, { clear, drawElements, drawArrays });
-        done(count);
-      } else count = 0;
+      if (count === null) queueMicrotask(end);
+      count ??= 0;
       return clear.apply(this, all);
     };
+    function end() {
+      if (count === 0) return count = null;
+      Object.assign(gl, { clear, drawElements, drawArrays });
+      done(count);
+    }
   }));
 };
 
