@@ -47,8 +47,10 @@ describe('faults over ADS', { concurrency: 4 }, () => {
 
     plc.plcState = state.stop;
     await adapter.said(`waiting: ${adsMessages.programState('Stop')}`);
-    const count = bridge.jointStates.length;
-    await until(() => Number(bridge.state?.['refused/plc-stopped']) > 0, 'refusals');
+    // The diagnostics arrive after the last positions, because they use the same connection.
+    const refused = () => Number(bridge.state?.['refused/plc-stopped'] ?? 0);
+    const first = await until(refused, 'refusals'), count = bridge.jointStates.length;
+    await until(() => refused() > first, 'more refusals');
     assert.equal(bridge.jointStates.length, count);
     assert.equal((await bridge.call('/nowpose/plant_time/cell')).result, false);
     assert.match(bridge.joint('arm_joint_1').state, /fault|refused/);

@@ -157,10 +157,10 @@ describe('faults of an rtde plant', { concurrency: 4 }, () => {
 
     await adapter.said('waiting: 127.0.0.1');
     const before = bridge.jointStates.length;
+    await until(() => plantLines(adapter).length === 3, () => adapter.err);
     await statesOf(bridge, before + 10);
     assert.equal(plantLines(adapter).length, 3, adapter.err);
   });
-
 });
 
 /** Sends random bytes until the connection is closed. */
