@@ -10,6 +10,7 @@ using NUnit.Framework;
 namespace Nowpose.Tests.Core.Session
 {
     /// <summary>Compares the error that a session estimates from its samples with the true error in the virtual cell.</summary>
+    [Category("Study")]
     public class HindcastAccuracyTests
     {
         /// <summary>Predictor that does not learn at run time, so the accuracy is the same in all parts of a run.</summary>

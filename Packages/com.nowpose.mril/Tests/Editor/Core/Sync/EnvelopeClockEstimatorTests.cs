@@ -29,6 +29,7 @@ namespace Nowpose.Tests.Core.Sync
             return run;
         }
 
+        [Category("Study")]
         [TestCase("lan", 0, 0.03, 0.5)]
         [TestCase("wifi", 0, 0.05, 0.25)]
         [TestCase("busy-wifi", 0.02, 0.12, 0.15)]
@@ -45,6 +46,7 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(ours, Is.LessThan(share * papers), "on average; seeds from " + FirstSeed);
         }
 
+        [Category("Study")]
         [Test]
         public void Error_BusyWifiUnderLoad_IsSmallAfterAMinute()
         {

@@ -35,6 +35,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             return cell;
         }
 
+        [Category("Study")]
         [Test]
         public void GripperOpens_SourceAtRestWithNoise_ObjectStaysWhereItWasReleased([Values(1, 2, 3)] int seed)
         {
@@ -46,6 +47,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Open + 60, _ => Assert.That(Distance(Find(cell, "box").World, released), Is.LessThan(1e-9), "seed " + seed));
         }
 
+        [Category("Study")]
         [Test]
         public void GripperOpens_NoiseInOneComponent_ObjectStaysWhereItWasReleased([Values(1, 2, 3)] int seed)
         {
