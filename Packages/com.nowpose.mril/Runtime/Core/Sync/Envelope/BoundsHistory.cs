@@ -20,7 +20,10 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         const long ServerErrorRatio = 2, ServerErrorMargin = TimeSpan.TicksPerMillisecond;
 
-        readonly OffsetBounds[] _ring;
+        // Contains the history in a contiguous part, which moves towards the start with each exchange. Most loops of the clock run over the history, and
+        // indices that wrap around would make them slower.
+        readonly OffsetBounds[] _all;
+        readonly int _most;
         readonly TimeSpan _oldest;
         readonly bool _expiresByServerError;
         int _newest;
@@ -31,20 +34,26 @@ namespace Nowpose.Sync.Envelope
         public BoundsHistory(int most, TimeSpan oldest, bool expiresByServerError = false)
         {
             _expiresByServerError = expiresByServerError;
-            _ring = new OffsetBounds[most];
+            _all = new OffsetBounds[2 * most];
+            (_most, _newest) = (most, _all.Length);
             _oldest = oldest;
         }
 
         public int Count { get; private set; }
 
         /// <param name="age">Index from 0, the newest, to <see cref="Count"/> − 1, the oldest.</param>
-        public ref readonly OffsetBounds this[int age] => ref _ring[Place(age)];
+        public ref readonly OffsetBounds this[int age] => ref _all[_newest + age];
 
         public void Add(in OffsetBounds bounds)
         {
-            _newest = (_newest + 1) % _ring.Length;
-            _ring[_newest] = bounds;
-            if (Count < _ring.Length) Count++;
+            if (Count == _most) Count--;
+            if (_newest == 0)
+            {
+                _newest = _all.Length - Count;
+                Array.Copy(_all, 0, _all, _newest, Count);
+            }
+            _all[--_newest] = bounds;
+            Count++;
             while (bounds.Received - this[Count - 1].Received > _oldest) Count--;
             if (!_expiresByServerError) return;
             var maxServerError = ServerErrorRatio * bounds.ServerErrorBound + ServerErrorMargin;
@@ -54,13 +63,10 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Moves the bounds of one exchange; the amounts are in ticks.</summary>
         public void Shift(int age, long lower, long upper)
         {
-            ref var bounds = ref _ring[Place(age)];
+            ref var bounds = ref _all[_newest + age];
             bounds = bounds.Shifted(lower, upper);
         }
 
         public void Clear() => Count = 0;
-
-        // Avoids the modulo operator, because its division would take longer than the rest of most loops over the history.
-        int Place(int age) => age <= _newest ? _newest - age : _newest - age + _ring.Length;
     }
 }

@@ -107,9 +107,10 @@ namespace Nowpose.Sync.Envelope
                 _behind[i] = _sign * (_y[i] - curve.At(_x[i]));
                 _recency[i] = double.IsInfinity(_scale) ? 1 : 1 / (1 + Square(growth * _x[i] * _x[i] / _scale));
             }
-            var quartile = _quantile.Of(_behind, _recency, Count, QuartileShare);
+            _quantile.Fill(_behind, _recency, Count);
+            var quartile = _quantile.FromBelow(QuartileShare);
             for (var i = 0; i < Count; i++) _behind[i] = Math.Max(0, quartile - _behind[i]);
-            _scale = _quantile.Of(_behind, _recency, Count, ScaleShare) + MinScale + UnsampledShare * unsampled
+            _scale = Math.Max(0, quartile - _quantile.FromAbove(ScaleShare)) + MinScale + UnsampledShare * unsampled
                 + scatter / Math.Pow(Count, CountPower);
 
             growth = Growth();

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace Nowpose.Sync.Envelope
 {
@@ -133,6 +134,7 @@ namespace Nowpose.Sync.Envelope
             AsStatedSince,
         }
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         static long Extrapolated(long bound, TimeSpan age, double skew, double widening) =>
             bound + (long)(age.Ticks * skew) + (long)(Math.Abs(age.Ticks) * widening);
     }

@@ -100,7 +100,9 @@ namespace Nowpose.Sync.Envelope
                 var beyond = late * newest - ProbableFactor * _usual;
                 if (newest >= MinProbable && beyond > clearest)
                     (clearest, ProbableChange, ProbableAt) = (beyond, late, SentAt(newest * Block));
-                error = Math.Max(error, Math.Max(longer * Followed((newest + 1) * Block), shorter / 2));
+                // The offset moves by at most two thirds of a change, so a change below the error has no effect.
+                if (longer > error) error = Math.Max(error, longer * Followed((newest + 1) * Block));
+                error = Math.Max(error, shorter / 2);
             }
             return Math.Max(error, _remembered);
         }

@@ -2,11 +2,12 @@ using System;
 
 namespace Nowpose.Sync.Envelope
 {
-    /// <summary>Computes quantiles of weighted values. Sorts an internal copy, so that a computation allocates nothing.</summary>
+    /// <summary>Computes quantiles of weighted values. Sorts an internal copy once for all quantiles, so that a computation allocates nothing.</summary>
     sealed class WeightedQuantile
     {
         readonly double[] _values;
         readonly double[] _weights;
+        int _count;
 
         public WeightedQuantile(int most)
         {
@@ -14,22 +15,42 @@ namespace Nowpose.Sync.Envelope
             _weights = new double[most];
         }
 
-        /// <summary>Returns the smallest value that, together with all smaller values, has at least the given share of the total weight.</summary>
-        /// <param name="share">0 to 1.</param>
+        /// <summary>Replaces the values and their weights.</summary>
         /// <param name="count">At least 1.</param>
-        public double Of(double[] values, double[] weights, int count, double share)
+        public void Fill(double[] values, double[] weights, int count)
         {
             Array.Copy(values, _values, count);
             Array.Copy(weights, _weights, count);
             Array.Sort(_values, _weights, 0, count);
+            _count = count;
+        }
+
+        /// <summary>Returns the smallest value that, together with all smaller values, has at least the given share of the total weight.</summary>
+        /// <param name="share">0 to 1.</param>
+        public double FromBelow(double share)
+        {
             double wanted = 0, sum = 0;
-            for (var i = 0; i < count; i++) wanted += share * _weights[i];
-            for (var i = 0; i < count; i++)
+            for (var i = 0; i < _count; i++) wanted += share * _weights[i];
+            for (var i = 0; i < _count; i++)
             {
                 sum += _weights[i];
                 if (sum >= wanted) return _values[i];
             }
-            return _values[count - 1];
+            return _values[_count - 1];
+        }
+
+        /// <summary>Returns the largest value that, together with all larger values, has at least the given share of the total weight.</summary>
+        /// <param name="share">0 to 1.</param>
+        public double FromAbove(double share)
+        {
+            double wanted = 0, sum = 0;
+            for (var i = _count - 1; i >= 0; i--) wanted += share * _weights[i];
+            for (var i = _count - 1; i >= 0; i--)
+            {
+                sum += _weights[i];
+                if (sum >= wanted) return _values[i];
+            }
+            return _values[0];
         }
     }
 }
