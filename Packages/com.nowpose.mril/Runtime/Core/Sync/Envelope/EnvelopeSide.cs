@@ -42,7 +42,7 @@ namespace Nowpose.Sync.Envelope
         readonly int _sign;
         readonly double[] _x, _y, _behind, _recency, _weights;
         readonly WeightedQuantile _quantile;
-        double _scale, _tightest;
+        double _scale;
 
         /// <param name="sign">1 for bounds below the offset, −1 for bounds above it.</param>
         /// <param name="maxBlocks">Maximum number of blocks.</param>
@@ -75,25 +75,12 @@ namespace Nowpose.Sync.Envelope
             _scale = double.PositiveInfinity;
         }
 
-        /// <summary>Starts a block with its first bound.</summary>
-        /// <param name="curve">Curve for the comparison of the bounds of the block; its height has no effect.</param>
-        public void Begin(double x, double y, OffsetCurve curve)
+        /// <summary>Adds the tightest bound of the next block.</summary>
+        public void Add(double x, double y)
         {
             _x[Count] = x;
             _y[Count] = y;
-            _tightest = _sign * (y - curve.At(x));
             Count++;
-        }
-
-        /// <summary>Adds a bound to the current block, which keeps only its tightest bound.</summary>
-        /// <inheritdoc cref="Begin"/>
-        public void Improve(double x, double y, OffsetCurve curve)
-        {
-            var tightness = _sign * (y - curve.At(x));
-            if (tightness <= _tightest) return;
-            _tightest = tightness;
-            _x[Count - 1] = x;
-            _y[Count - 1] = y;
         }
 
         /// <summary>Computes the weights of the blocks from the distances of their bounds to a curve, whose height has no effect.</summary>

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace Nowpose.Sync.Envelope
 {
@@ -105,6 +106,7 @@ namespace Nowpose.Sync.Envelope
             return max;
         }
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         (HeadsetTime At, long Bound) BoundOf(in OffsetBounds bounds) =>
             _sign > 0 ? (bounds.Sent, bounds.Lower) : (bounds.Received, bounds.Upper);
     }

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace Nowpose.Sync.Envelope
 {
@@ -71,9 +72,11 @@ namespace Nowpose.Sync.Envelope
         }
 
         /// <summary>Returns both bounds of an exchange minus the line, s.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static (double Below, double Above) Residuals(in ClockLine line, in OffsetBounds bounds) => (
             Residual(line, bounds.Sent, bounds.Lower), Residual(line, bounds.Received, bounds.Upper));
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         static double Residual(in ClockLine line, HeadsetTime at, long bound) =>
             (bound - line.Offset.HeadsetMinusControl.Ticks) * SecondsPerTick - ClockTicks.Seconds(at - line.Reference) * line.Skew;
     }
