@@ -20,8 +20,8 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         const long ServerErrorRatio = 2, ServerErrorMargin = TimeSpan.TicksPerMillisecond;
 
-        // Contains the history in a contiguous part, which moves towards the start with each exchange. Most loops of the clock run over the history, and
-        // indices that wrap around would make them slower.
+        // Contains the history in a contiguous part, which moves towards the start with each exchange. Indices that wrap around would make the many
+        // loops over the history slower.
         readonly OffsetBounds[] _all;
         readonly int _most;
         readonly TimeSpan _oldest;

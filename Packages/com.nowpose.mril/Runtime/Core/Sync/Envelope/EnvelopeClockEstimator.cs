@@ -176,8 +176,9 @@ namespace Nowpose.Sync.Envelope
                 if (lower > highest) (highest, below) = (lower, i);
                 if (upper < lowest) (lowest, above) = (upper, i);
             }
-            _below.Add(ClockTicks.Seconds(_history[below].Sent - reference), ClockTicks.Seconds(new TimeSpan(_history[below].Lower - referenceOffset)));
-            _above.Add(ClockTicks.Seconds(_history[above].Received - reference), ClockTicks.Seconds(new TimeSpan(_history[above].Upper - referenceOffset)));
+            var (request, reply) = (_history[below], _history[above]);
+            _below.Add(ClockTicks.Seconds(request.Sent - reference), ClockTicks.Seconds(new TimeSpan(request.Lower - referenceOffset)));
+            _above.Add(ClockTicks.Seconds(reply.Received - reference), ClockTicks.Seconds(new TimeSpan(reply.Upper - referenceOffset)));
         }
 
         ClockLine LineAt(HeadsetTime reference, long referenceOffset, double running, double unsampled)

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Sync.Envelope
 {
-    /// <summary>Computes quantiles of weighted values. Sorts an internal copy once for all quantiles, so that a computation allocates nothing.</summary>
+    /// <summary>Computes quantiles of weighted values. Sorts an internal copy once for all quantiles. Allocates nothing after construction.</summary>
     sealed class WeightedQuantile
     {
         readonly double[] _values;
