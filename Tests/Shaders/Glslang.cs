@@ -16,17 +16,19 @@ static class Glslang
     }
 
     /// <summary>Compiles both stages of every variant of a program.</summary>
-    /// <returns>The errors, each with shader, pipeline, pass, variant, stage and line; empty if all variants compile.</returns>
-    public static IReadOnlyList<string> Compile(PassProgram program)
+    /// <returns>
+    /// The errors, each with shader, pipeline, pass, variant, stage and line; empty if all variants compile. The variants are compiled while the
+    /// errors are enumerated.
+    /// </returns>
+    public static IEnumerable<string> Compile(PassProgram program)
     {
         using var folder = new TemporaryFolder();
         // Adds empty lines before the program, so that line numbers are the same as in the shader's file.
         var file = Path.GetFileName(program.Shader.Path);
         File.WriteAllText(Path.Combine(folder.Path, file), new string('\n', program.Pass.Program.Line - 1) + program.Pass.Program.Text);
-        return program.Variants
-            .SelectMany(keywords => new[] { ("vert", program.VertexFunction), ("frag", program.FragmentFunction) }
-                .SelectMany(stage => Compile(program, keywords, stage, folder.Path, file)))
-            .ToList();
+        foreach (var keywords in program.Variants)
+            foreach (var stage in new[] { ("vert", program.VertexFunction), ("frag", program.FragmentFunction) })
+                foreach (var error in Compile(program, keywords, stage, folder.Path, file)) yield return error;
     }
 
     static IEnumerable<string> Compile(PassProgram program, string[] keywords, (string Name, string Function) stage, string folder, string file)
