@@ -12,7 +12,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>Runs the cases of the Autobahn test suite against the gateway and against both clients.</summary>
+/// <summary>Runs the cases of the Autobahn test suite that depend on our code against the gateway and against both clients.</summary>
 public class AutobahnTests
 {
     const string Marker = "marker";
