@@ -34,7 +34,7 @@ namespace Nowpose.Sync.Envelope
         public BoundsHistory(int most, TimeSpan oldest, bool expiresByServerError = false)
         {
             _expiresByServerError = expiresByServerError;
-            _all = new OffsetBounds[2 * most];
+            _all = new OffsetBounds[most + most / 2];
             (_most, _newest) = (most, _all.Length);
             _oldest = oldest;
         }

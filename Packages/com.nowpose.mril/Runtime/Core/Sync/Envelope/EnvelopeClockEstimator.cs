@@ -32,6 +32,9 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         const int MinBlocks = 10;
 
+        /// <summary>Maximum number of blocks. Shorter blocks than NewestBlock are used only for less than 60 exchanges, in at most 20 blocks.</summary>
+        const int MaxBlocks = History / NewestBlock;
+
         /// <summary>
         /// ScatterShare: maximum hidden scatter of the bounds, as a multiple of the mean excess of the round-trip times over their minimum.
         /// MinForScatter: minimum number of exchanges for this limit to apply.
@@ -58,8 +61,8 @@ namespace Nowpose.Sync.Envelope
         const double SecondsPerTick = 1e-7;
 
         readonly BoundsHistory _history = new BoundsHistory(History, ClockTicks.Span(HistorySeconds), expiresByServerError: true);
-        readonly EnvelopeSide _below = new EnvelopeSide(1, History);
-        readonly EnvelopeSide _above = new EnvelopeSide(-1, History);
+        readonly EnvelopeSide _below = new EnvelopeSide(1, MaxBlocks);
+        readonly EnvelopeSide _above = new EnvelopeSide(-1, MaxBlocks);
         readonly EnvelopeFit _fit;
         readonly MinDelay _up, _down;
         readonly OffsetMemory _memory = new OffsetMemory();
