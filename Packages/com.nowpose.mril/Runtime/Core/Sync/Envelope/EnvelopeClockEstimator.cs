@@ -32,7 +32,7 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         const int MinBlocks = 10;
 
-        /// <summary>Maximum number of blocks. Shorter blocks than NewestBlock are used only for less than 60 exchanges, in at most 20 blocks.</summary>
+        /// <summary>Maximum number of blocks. Shorter blocks than NewestBlock occur only with fewer than 60 exchanges: at most 20.</summary>
         const int MaxBlocks = History / NewestBlock;
 
         /// <summary>

@@ -10,7 +10,7 @@ namespace Nowpose.Sync.Envelope
     /// <remarks>Allocates nothing after construction.</remarks>
     sealed class MeasuredBounds
     {
-        /// <summary>Number of bounds in a block. The largest tightness of each block is stored, because many overlapping ranges are searched.</summary>
+        /// <summary>Number of bounds in a block. The largest tightness of each block is stored, because many ranges are searched.</summary>
         const int Block = 15;
 
         readonly int _sign;
