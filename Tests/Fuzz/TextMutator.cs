@@ -22,20 +22,20 @@ sealed class TextMutator
         "!!binary", "\t", "\r\n", "\n", "\r", "//", "/*", "?", "@",
     ];
 
-    readonly string[] _seeds;
+    readonly List<string>[] _seeds;
     readonly string[] _pieces;
 
     /// <param name="seeds">Valid texts.</param>
     public TextMutator(params string[] seeds)
     {
-        _seeds = seeds;
-        _pieces = [.. seeds.SelectMany(Split).Distinct()];
+        _seeds = [.. seeds.Select(Split)];
+        _pieces = [.. _seeds.SelectMany(pieces => pieces).Distinct()];
     }
 
     /// <summary>Returns a damaged input, which is sometimes still valid.</summary>
     public string Next(Random random)
     {
-        var pieces = Split(_seeds[random.Next(_seeds.Length)]);
+        var pieces = _seeds[random.Next(_seeds.Length)].ToList();
         for (var n = random.Next(0, 5); n > 0 && pieces.Count > 0; n--) Spoil(pieces, random);
         var text = string.Concat(pieces);
         return random.Next(8) switch
