@@ -66,11 +66,12 @@ namespace Nowpose.Session
             AddNumber("error_mm_hold", statistics.HoldErrorMm);
             AddNumber("error_mm", statistics.ErrorMm);
             AddNumber("reduction", statistics.ErrorReduction);
-            AddErrors(statistics, (key, value) => { if (value.HasValue) values.AddDetail(key, Fine(value.Value)); });
             Add("samples", Count(statistics.Samples));
             Add("dropped", Count(statistics.Dropped));
             foreach (var part in cell.Objects.Take(MaxParts)) values.AddDetail("object_status/" + part.Name, part.Description);
             foreach (var part in cell.Signals.Take(MaxParts)) values.AddDetail("signal_status/" + part.Name, part.Description);
+            // The errors of many joints come last, because the gateway drops values above its limit.
+            AddErrors(statistics, (key, value) => { if (value.HasValue) values.AddDetail(key, Fine(value.Value)); });
             var (level, message) = Status(statistics, cell);
             return new DiagnosticsMessage(now, headsetName, values.Pairs, level, message: InputException.OneLine(message, MaxMessageLength));
         }

@@ -90,7 +90,7 @@ namespace Nowpose.Prediction.Mixing
             Evidence = forgettingFactor * Evidence + gain;
         }
 
-        /// <summary>Solves for the weights.</summary>
+        /// <summary>Solves for the weights. Without evidence, they are the prior.</summary>
         /// <param name="prior">Weights towards which the solution is regularised.</param>
         /// <param name="priorEvidence">
         /// Evidence (<see cref="Evidence"/>) at which the regularisation is twice the final one, so that the errors of the first samples alone do not
@@ -98,6 +98,11 @@ namespace Nowpose.Prediction.Mixing
         /// </param>
         public void Solve(double[] prior, double priorEvidence)
         {
+            if (Evidence == 0)
+            {
+                Array.Copy(prior, Values, _count);
+                return;
+            }
             var min = double.PositiveInfinity;
             for (var i = 0; i < _weighted; i += _count + 1)
                 if (_products[i] < min) min = _products[i];

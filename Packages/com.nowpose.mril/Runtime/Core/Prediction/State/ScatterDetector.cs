@@ -49,7 +49,9 @@ namespace Nowpose.Prediction.State
         /// <summary>Whether a motion starts: the newest sample has left the position about which the previous samples scattered.</summary>
         public bool HasLeft { get; private set; }
 
-        /// <summary>Mean distance between consecutive samples that only scatter; 0 after a motion, and for samples that do not differ.</summary>
+        /// <summary>
+        /// Mean distance between consecutive samples that only scatter; 0 after a motion, a gap or a jump, and for samples that do not differ.
+        /// </summary>
         public double Noise { get; private set; }
 
         /// <summary>Examines the samples after one has been added that is newer than all previous samples.</summary>
@@ -58,6 +60,7 @@ namespace Nowpose.Prediction.State
         public void Add(double[] samples, int count)
         {
             count = Math.Min(count, Window);
+            if (count == 1) Noise = 0;
             HasLeft = Scatters && count > 1 && DistanceFromScatter(samples, count) > MinStartRatio * Math.Max(_meanStep, Noise);
             Scatters = count >= MinSamples && IsScatter(samples, count);
             _sinceScatter = Scatters ? 0 : Math.Min(_sinceScatter + 1, Window);

@@ -110,6 +110,24 @@ namespace Nowpose.Tests.Core.Prediction.State
         }
 
         [Test]
+        public void Noise_AfterAJumpToAPlaceWithLessNoise_IsTheNoiseThere()
+        {
+            var detector = new ScatterDetector(components: 3);
+            var random = new Random(14);
+            void AddNoise(double deviation, int samples)
+            {
+                _window.Clear();
+                for (var k = 0; k < samples; k++)
+                    Add(detector, new Vector3D(deviation * random.NextNormal(), deviation * random.NextNormal(), deviation * random.NextNormal()));
+            }
+
+            AddNoise(5e-3, 60);
+            AddNoise(2e-4, 12);
+
+            Assert.That(detector.Noise, Is.EqualTo(4.5e-4).Within(2e-4));
+        }
+
+        [Test]
         public void Scatters_EqualSamples_IsFalse() => Assert.That(Scatters(BodyMotions.Rest, 20, 0.05), Is.False);
     }
 }
