@@ -24,6 +24,7 @@ namespace Nowpose.Session.Cell
 
         readonly FrameTree _tree;
         readonly HashSet<string> _needed = new HashSet<string>(StringComparer.Ordinal);
+        // Root links of robots. A frame with such a name places its robot.
         readonly HashSet<string> _roots = new HashSet<string>(StringComparer.Ordinal);
         readonly ShownNames _shown = new ShownNames();
         readonly Dictionary<string, (FrameTransform Pose, bool IsStationary)> _others =
@@ -38,9 +39,6 @@ namespace Nowpose.Session.Cell
         public IReadOnlyCollection<string> Shown => _shown.All;
 
         public bool IsShown(string name) => _shown.Contains(name);
-
-        /// <summary>Root links of robots. A frame with such a name places its robot.</summary>
-        public IReadOnlyCollection<string> Roots => _roots;
 
         /// <summary>Adds a frame to the tree from now on, even if no pose of the frame has been received yet, because it is shown once more.</summary>
         public void Show(string name)

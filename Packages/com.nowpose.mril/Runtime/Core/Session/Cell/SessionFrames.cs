@@ -25,6 +25,7 @@ namespace Nowpose.Session.Cell
         readonly StationaryArrivals _stationaryArrivals;
         readonly StateTimes _states = new StateTimes();
         readonly NeededFrames _needed;
+        readonly List<SessionRobot> _robots = new List<SessionRobot>();
         readonly DropCounters _drops;
         readonly object _gate;
         DisplayMoment _moment;
@@ -57,6 +58,7 @@ namespace Nowpose.Session.Cell
         public void Add(SessionRobot robot)
         {
             Tree.Add(robot);
+            _robots.Add(robot);
             _needed.ShowRoot(robot.Root);
         }
 
@@ -130,15 +132,16 @@ namespace Nowpose.Session.Cell
         }
 
         /// <summary>
-        /// Returns the shown frames that are not current for a reason of their own, including tracked bases of robots. Call it under the lock of the session.
+        /// Returns the shown frames that are not current for a reason of their own, including tracked bases of shown robots. Call it under the lock of
+        /// the session.
         /// </summary>
         /// <param name="now">Control time for the ages; null while unknown.</param>
         public List<PartStatus> Faults(ControlTime? now)
         {
             var faults = new List<PartStatus>();
             foreach (var name in _needed.Shown) AddFault(name, Find(name), now, faults);
-            foreach (var root in _needed.Roots)
-                if (!_needed.IsShown(root) && Find(root) is CellFrame moved) AddFault(root, moved, now, faults);
+            foreach (var robot in _robots)
+                if (robot.IsShown && !_needed.IsShown(robot.Root) && Find(robot.Root) is CellFrame moved) AddFault(robot.Root, moved, now, faults);
             return faults;
         }
 

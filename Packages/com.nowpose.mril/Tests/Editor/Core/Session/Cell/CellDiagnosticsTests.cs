@@ -105,6 +105,29 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(Values(DiagnosticsOf(cell), "object_status/").Single(), Does.StartWith(root + " = ").And.EndWith(FrameMessages.PosesStopped));
         }
 
+        [Test]
+        public void Diagnostics_TrackedBaseOfAHiddenRobotStops_DoNotCountIt()
+        {
+            var cell = new CellSession();
+            var robot = cell.Session.Robots.Add("arm2", cell.Session.Robot);
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, 0, 0);
+                if (t < 20.5) cell.Send("world", robot.Root, t, RigidTransform.Identity);
+            };
+            cell.Run(4);
+            string Count() => Value(DiagnosticsOf(cell), "objects_not_current");
+            Assert.That(Count(), Is.EqualTo("1"));
+
+            robot.IsShown = false;
+            Assert.That(Count(), Is.EqualTo("0"));
+            cell.Session.Frames.Need(robot.Root);
+            Assert.That(Count(), Is.EqualTo("1"), "an object shows the frame");
+            cell.Session.Frames.Leave(robot.Root);
+            robot.IsShown = true;
+            Assert.That(Count(), Is.EqualTo("1"), "the robot is shown again");
+        }
+
         // Quotation marks and characters of three bytes make the message as long as possible.
         [TestCase('a')]
         [TestCase('"')]
