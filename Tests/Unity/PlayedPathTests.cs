@@ -144,6 +144,26 @@ public class PlayedPathTests : PlayedParts
         Assert.That((path.Fault, line.enabled), Is.EqualTo((PathMessages.CarrierWithoutPlan, false)));
     }
 
+    // The session does not move the links of such a rig, or moves them at the time of another clock.
+    [TestCase(true)]
+    [TestCase(false)]
+    public void PlannedPath_CarryingRigIsNotBoundOrHasAnotherSession_IsHidden(bool isBound)
+    {
+        var (rig, path, line) = NewPath();
+        rig.Follow(_session);
+        var carrier = Below<RobotRig>("Carrier", isBound ? _cell.Play().transform : _session.transform);
+        Run(0.1);
+        rig.transform.SetParent(carrier.Link("arm_link_2"), false);
+        Run(1);
+        if (!isBound) UnityEngine.Object.DestroyImmediate(carrier.Link("arm_link_5").gameObject);
+        SendPlan(_cell.Now, 3);
+        Run(0.2);
+
+        Assert.That(carrier.IsFollowing, Is.EqualTo(isBound));
+        Assert.That((rig.Session, _session.Frame.State), Is.EqualTo((_session, PoseState.Current)));
+        Assert.That((path.Fault, line.enabled), Is.EqualTo((PathMessages.CarrierUnknown, false)));
+    }
+
     (RobotRig Rig, PlannedPath Path, LineRenderer Line) NewPath()
     {
         var rig = Below<RobotRig>("Robot", _session.transform);

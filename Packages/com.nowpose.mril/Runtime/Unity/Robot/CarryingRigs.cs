@@ -15,19 +15,22 @@ namespace Nowpose.Unity.Robot
         readonly List<(RobotRig Rig, Transform Link, int Index)> _carriers = new List<(RobotRig, Transform, int)>();
 
         /// <summary>Finds the rigs whose joints move the base of a rig in the displayed frame.</summary>
+        /// <param name="rig">A rig whose robot is known.</param>
         /// <returns>Reason why the motion of the base is unknown, in one line; null if it is known.</returns>
         public string Find(RobotRig rig)
         {
             _carriers.Clear();
             while (true)
             {
-                if (!(rig.Robot is SessionRobot robot)) return PathMessages.CarrierUnknown;
+                var robot = rig.Robot;
                 if (robot.HasRootFrame) return robot.HasFixedRootFrame ? null : PathMessages.BaseMoves;
                 if (!TryFindAbove(rig, out var carrier, out var isFixed)) return isFixed ? null : PathMessages.BaseMoves;
+                // Without a binding, no link moves. Another session has another clock.
+                if (!carrier.IsFollowing || carrier.Session != rig.Session || carrier.Robot == null) return PathMessages.CarrierUnknown;
                 var link = carrier.LinkAbove(rig.transform, out var place);
-                if (link >= 0 && carrier.Robot is SessionRobot carrying && carrying.IsMovedByJoints(link))
+                if (link >= 0 && carrier.Robot.IsMovedByJoints(link))
                 {
-                    if (carrier.Shows != RigPose.Displayed || carrying.Frame.State != PoseState.Current) return PathMessages.CarrierNotCurrent;
+                    if (carrier.Shows != RigPose.Displayed || carrier.Robot.Frame.State != PoseState.Current) return PathMessages.CarrierNotCurrent;
                     _carriers.Add((carrier, place, link));
                 }
                 rig = carrier;
