@@ -7,16 +7,18 @@ const INTERRUPTED = 130;
 const ending = new AbortController();
 let signalStatus = 0;
 
-process.once('SIGTERM', () => ending.abort());
-process.once('SIGINT', () => {
-  signalStatus = INTERRUPTED;
-  ending.abort();
-});
-if (process.env.NOWPOSE_SUPERVISED === '1')
-  process.stdin
-    .on('close', () => ending.abort())
-    .on('error', () => ending.abort())
-    .resume();
+function listen(): void {
+  process.once('SIGTERM', () => ending.abort());
+  process.once('SIGINT', () => {
+    signalStatus = INTERRUPTED;
+    ending.abort();
+  });
+  if (process.env.NOWPOSE_SUPERVISED === '1')
+    process.stdin
+      .on('close', () => ending.abort())
+      .on('error', () => ending.abort())
+      .resume();
+}
 
 void run(process.argv.slice(2), {
   environment: process.env,
@@ -24,4 +26,5 @@ void run(process.argv.slice(2), {
   out: text => new Promise(done => process.stdout.write(text, done)),
   err: text => void process.stderr.write(text),
   ending,
+  listen,
 }).then(status => process.exit(status || signalStatus));

@@ -19,6 +19,11 @@ interface Host {
   err(text: string): void;
   /** Aborted when the program must end. */
   ending: AbortController;
+  /**
+   * Lets signals and the end of the parent process abort `ending`. Until then, a signal has its default action, because its handler cannot run while
+   * the program reads a file.
+   */
+  listen(): void;
 }
 
 /** Runs the program with these command-line arguments. Returns the exit status. */
@@ -45,6 +50,7 @@ async function runCommand(args: string[], host: Host): Promise<number> {
   const checks = Object.fromEntries(Object.entries(kinds).map(([name, kind]) => [name, kind.check]));
   const configuration = readConfiguration(others[0], host.environment, checks);
   if (args.includes('--check')) return check(configuration, host);
+  host.listen();
   await runPlant(configuration, new Log(`plant/${configuration.plant.name}`, configuration.secrets, host.err), host.ending);
   return 0;
 }

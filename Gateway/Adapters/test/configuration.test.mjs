@@ -1,12 +1,14 @@
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { chmodSync, writeFileSync } from 'node:fs';
+import { open } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { describe, it } from 'node:test';
 import { wrongIn } from './checking.mjs';
 import { messages } from './messages.mjs';
 import { parts } from './parts.mjs';
 import { check, startProcess } from './program.mjs';
-import { temporaryFile } from './temporary.mjs';
+import { temporaryFile, temporaryFolder } from './temporary.mjs';
 
 const { KINDS, readConfiguration } = await parts('configuration/configuration', 'configuration/schemaCheck');
 const { configurationMessages, fileMessages, opcuaSettingMessages, robotMessages } = messages;
@@ -196,6 +198,20 @@ describe('configuration', () => {
     assert.equal(status, 2);
     assert.equal(lines[0], `nowhere.yaml, line 1: ${fileMessages.configurationNotReadable('ENOENT')}`);
   });
+
+  for (const [name, options] of [['Check', ['--check']], ['Run', []]])
+    it(`${name}_SignalWhileTheFileIsRead_EndsTheProgram`, { skip: process.platform === 'win32' }, async t => {
+      const path = join(temporaryFolder(), 'plant.yaml');
+      execFileSync('mkfifo', [path]);
+      const run = startProcess(t, [path, ...options]);
+      // Opens when the program has opened the file for reading.
+      const writer = await open(path, 'w');
+
+      const status = await run.stop();
+
+      await writer.close();
+      assert.equal(status, 'SIGTERM');
+    });
 
   it('Check_TokenFileReadableByAll_RefusesItWithoutShowingTheToken', { skip: process.platform === 'win32' }, () => {
     const path = temporaryFile('plant.yaml', GOOD.replace('plant:', '  token_file: token\nplant:'));

@@ -22,6 +22,7 @@ export function start(test, args, { env = {} } = {}) {
     environment: { ...process.env, ...env }, ending,
     out: async text => { run.out += text; },
     err: text => { run.err += text; },
+    listen: () => {},
   };
   run.ended = parts('program').then(async ({ run: program }) => run.status = await program(args, host));
   run.said = saidIn(run);
