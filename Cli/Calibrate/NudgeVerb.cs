@@ -26,11 +26,11 @@ static class NudgeVerb
             Speed, Configured, Former, Forward, Backward, Earlier,
         };
         Shared.AddTo(verb);
-        verb.SetAction(Run);
+        verb.SetAction(RunAsync);
         return verb;
     }
 
-    static int Run(ParseResult parsed)
+    static async Task<int> RunAsync(ParseResult parsed, CancellationToken cancel)
     {
         if (parsed.CommandResult.Children.OfType<OptionResult>().All(option => option.Implicit))
         {
@@ -41,8 +41,8 @@ static class NudgeVerb
         var configuredMs = parsed.GetValue(Former) ?? parsed.GetValue(Configured);
         var marks = new NudgeMarks(speed, configuredMs, parsed.GetValue(Forward), parsed.GetValue(Backward));
         var result = marks.Result();
+        var earlier = await Invocation.ReadAsync(() => EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed)), cancel);
         var output = Shared.Output(parsed);
-        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed));
         var profile = earlier.With(
             result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, CalibrationMethod.Nudge, result.Count);
         var page = earlier.WithWarnings(NudgePage.Of(marks, result, profile));

@@ -18,7 +18,8 @@ static class KinematicsVerb
         };
         var json = new Option<bool>("--json") { Description = "Print JSON instead of matrices" };
         var verb = new Command("kinematics", "Compute the poses of all links relative to the root link.") { file, joints, json };
-        verb.SetAction(parsed => Run(parsed.GetValue(file), parsed.GetValue(joints), parsed.GetValue(json)));
+        verb.SetAction((parsed, cancel) => Invocation.ReadAsync(
+            () => Run(parsed.GetValue(file), parsed.GetValue(joints), parsed.GetValue(json)), cancel));
         return verb;
     }
 

@@ -51,8 +51,7 @@ static class UnityVerb
     {
         try
         {
-            // Ctrl-C ends the reading at once. A preparation that has begun is completed.
-            var preparation = await Task.Run(() => Preparation.Plan(UnityProject.Open(path), settings), CancellationToken.None).WaitAsync(cancel);
+            var preparation = await Invocation.ReadAsync(() => Preparation.Plan(UnityProject.Open(path), settings), cancel);
             var backup = isCheck ? null : preparation.Apply();
             if (isCheck && preparation.Obstacle is { } obstacle) Console.Error.WriteLine(ConsoleMessages.WouldFail(obstacle));
             foreach (var note in preparation.Notes) Console.Error.WriteLine(ConsoleMessages.Line(note));

@@ -10,12 +10,17 @@ sealed class EndRequest : IDisposable
 
     static readonly PosixSignal[] Signals = [PosixSignal.SIGINT, PosixSignal.SIGTERM, PosixSignal.SIGHUP, PosixSignal.SIGQUIT];
 
-    readonly CancellationTokenSource _stop = new();
+    readonly CancellationTokenSource _stop;
     readonly PosixSignalRegistration[] _registrations;
     Timer _timeout;
     int _requests;
 
-    public EndRequest() => _registrations = [.. Signals.Select(signal => PosixSignalRegistration.Create(signal, End))];
+    /// <param name="cancel">Has the effect of Ctrl-C, without the time limit.</param>
+    public EndRequest(CancellationToken cancel)
+    {
+        _stop = CancellationTokenSource.CreateLinkedTokenSource(cancel);
+        _registrations = [.. Signals.Select(signal => PosixSignalRegistration.Create(signal, End))];
+    }
 
     public CancellationToken Token => _stop.Token;
 

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.CommandLine.Help;
-using System.CommandLine.Invocation;
 using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Options;
@@ -24,14 +23,15 @@ public static class Invocation
     /// <param name="whenTerminated">Exit status after a request to end other than Ctrl-C, for example by a service manager.</param>
     /// <param name="complete">Adds arguments from a configuration file; null without such a file.</param>
     /// <param name="place">Adds the place in the configuration file to an error message; null to leave messages unchanged.</param>
+    /// <param name="cancel">Has the effect of Ctrl-C.</param>
     /// <returns>The exit status. Does not throw for invalid user input.</returns>
     public static async Task<int> RunAsync(
         Command root, string[] args, int whenTerminated = ExitStatus.Terminated,
-        Func<Command, string[], string[]> complete = null, Func<string, string> place = null)
+        Func<Command, string[], string[]> complete = null, Func<string, string> place = null, CancellationToken cancel = default)
     {
         var program = root.Name;
         place ??= complaint => complaint;
-        using var end = new EndRequest();
+        using var end = new EndRequest(cancel);
         try
         {
             var parsed = root.Parse(complete == null ? args : complete(root, args));
@@ -39,11 +39,7 @@ public static class Invocation
                 return Fail(program, ExitStatus.BadInput, OptionMessages.SeeHelp(Complaint(parsed)));
             // A null timeout disables the library's signal handling, which returns the same status for every signal.
             var configuration = new InvocationConfiguration { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null };
-            var run = parsed.Action is AsynchronousCommandLineAction
-                ? parsed.InvokeAsync(configuration, end.Token)
-                // A command without a token cannot end itself, for example while it reads a file that does not end.
-                : Task.Run(() => parsed.InvokeAsync(configuration, end.Token), CancellationToken.None).WaitAsync(end.Token);
-            var status = await run;
+            var status = await parsed.InvokeAsync(configuration, end.Token);
             // The result of an interrupted command is partial, even if the command has written it.
             return status == ExitStatus.Done && end.Token.IsCancellationRequested ? Ended() : status;
         }
@@ -67,6 +63,12 @@ public static class Invocation
 
         int Ended() => end.IsInterrupt ? ExitStatus.Interrupted : whenTerminated;
     }
+
+    /// <summary>
+    /// Runs the part of a command that only reads and computes. Ctrl-C ends the command at once also while this part cannot end itself, for example
+    /// because a file does not end. The command writes its files after this part, so that a file is never left incomplete.
+    /// </summary>
+    public static Task<T> ReadAsync<T>(Func<T> read, CancellationToken cancel) => Task.Run(read, CancellationToken.None).WaitAsync(cancel);
 
     // Prefers the error about an unknown command. The library lists it after the error that no command was given.
     static string Complaint(ParseResult parsed)

@@ -35,12 +35,13 @@ static class MarkerCodeVerb
             cell, host, offset, size, sync, socket, file,
         };
         pin.AddTo(command);
-        command.SetAction(parsed =>
+        command.SetAction(async (parsed, cancel) =>
         {
             var place = parsed.GetValue(offset);
             var sizeMm = parsed.GetValue(size);
+            var key = await Invocation.ReadAsync(() => pin.Read(parsed), cancel);
             var code = new CellCode(
-                parsed.GetValue(cell), parsed.GetValue(host), pin.Read(parsed), place == null ? null : MarkerOffset.Parse(place, "--offset"),
+                parsed.GetValue(cell), parsed.GetValue(host), key, place == null ? null : MarkerOffset.Parse(place, "--offset"),
                 sizeMm / 1000, parsed.GetValue(sync), parsed.GetValue(socket));
             Draw(code, sizeMm, parsed.GetValue(file));
         });

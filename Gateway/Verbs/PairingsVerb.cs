@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Globalization;
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Pairing;
 
 namespace Nowpose.Gateway.Verbs;
@@ -16,30 +17,31 @@ static class PairingsVerb
             Description = "Remove all headsets of this name; a running gateway ends their connections immediately", HelpName = "NAME",
         };
         var command = new Command("pairings", "List the paired headsets, oldest first; the gateway may be running") { file, revoke };
-        command.SetAction(parsed =>
+        command.SetAction(async (parsed, cancel) =>
         {
             var path = parsed.GetValue(file);
             if (!File.Exists(path))
                 throw new InputException(VerbMessages.NoList(path));
             var name = parsed.GetValue(revoke);
-            if (name != null) Revoke(path, name);
-            foreach (var headset in HeadsetFile.Load(path))
+            var headsets = await Invocation.ReadAsync(() => HeadsetFile.Load(path), cancel);
+            if (name != null)
+            {
+                HeadsetFile.Remove(path, OfName(headsets, name));
+                headsets = await Invocation.ReadAsync(() => HeadsetFile.Load(path), cancel);
+            }
+
+            foreach (var headset in headsets)
                 Console.Out.WriteLine(
                     $"headset {headset.PairedUtc.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture)} {headset.Name}");
         });
         return command;
     }
 
-    static void Revoke(string path, string name)
+    static PairedHeadset[] OfName(IReadOnlyList<PairedHeadset> headsets, string name)
     {
-        var headsets = HeadsetFile.Load(path);
         var gone = headsets.Where(headset => headset.Name == name).ToArray();
-        if (gone.Length == 0)
-        {
-            var there = headsets.Count == 0 ? "none" : string.Join(", ", headsets.Select(headset => $"'{headset.Name}'"));
-            throw new InputException(VerbMessages.UnknownHeadset(name, there));
-        }
-
-        HeadsetFile.Remove(path, gone);
+        if (gone.Length > 0) return gone;
+        var there = headsets.Count == 0 ? "none" : string.Join(", ", headsets.Select(headset => $"'{headset.Name}'"));
+        throw new InputException(VerbMessages.UnknownHeadset(name, there));
     }
 }

@@ -19,6 +19,7 @@ public class InterruptTests
     [TestCase("Nowpose.Cli.dll", "calibrate nudge --speed-mm-s 100 --forward-mm 1 --backward-mm 1 --profile FIFO", TestName = "CtrlC_CalibrateNudge_ExitsWith130")]
     [TestCase("Nowpose.Cli.dll", "unity PROJECT", TestName = "CtrlC_Unity_ExitsWith130")]
     [TestCase("Nowpose.Gateway.dll", "pairings --pairing FIFO", TestName = "CtrlC_Pairings_ExitsWith130")]
+    [TestCase("Nowpose.Gateway.dll", "cell --cell c --host h --certificate FIFO", TestName = "CtrlC_Cell_ExitsWith130")]
     public async Task CtrlC_CommandReadsAFile_ExitsWith130(string program, string arguments)
     {
         Directory.CreateDirectory(Path.Combine(_folder, "ProjectSettings"));
