@@ -26,11 +26,12 @@ sealed class CellParts
         _added.Clear();
     }
 
-    /// <summary>Gets the objects that are not current, as the diagnostics list them.</summary>
-    public IReadOnlyList<HeadsetResult.PartResult> Objects(HeadsetTime now) => Results(_session.Cell.Faults(now).Objects);
-
-    /// <summary>Gets the same for the signals.</summary>
-    public IReadOnlyList<HeadsetResult.PartResult> Signals(HeadsetTime now) => Results(_session.Cell.Faults(now).Signals);
+    /// <summary>Gets the objects and the signals that are not current, as the diagnostics list them.</summary>
+    public (HeadsetResult.PartResult[] Objects, HeadsetResult.PartResult[] Signals) NotCurrent(HeadsetTime now)
+    {
+        var faults = _session.Cell.Faults(now);
+        return (Results(faults.Objects), Results(faults.Signals));
+    }
 
     static HeadsetResult.PartResult[] Results(IReadOnlyList<PartStatus> parts) =>
         [.. parts.Select(part => new HeadsetResult.PartResult(part.Name, part.Age?.TotalSeconds, part.Reason))];

@@ -154,6 +154,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         var statistics = session.Statistics(now);
         var clock = statistics.Clock;
         var pose = _poses.Result(PoseStateName.Of(statistics));
+        var (objects, signals) = _parts?.NotCurrent(now) ?? ([], []);
         return new HeadsetResult(
             length.TotalSeconds, _frames, robot?.Name, statistics.Samples, statistics.Dropped,
             new HeadsetResult.ClockResult(
@@ -167,6 +168,6 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             pose, _stretches.Total,
             [.. statistics.JointStatuses.Where(joint => joint.IsMissing).Select(joint => joint.Joint)],
             [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result(), _outages.Result(),
-            _parts?.Objects(now) ?? [], _parts?.Signals(now) ?? [], statistics.VersionMismatch);
+            objects, signals, statistics.VersionMismatch);
     }
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Nowpose.Cli.Messages;
+using Nowpose.Messages;
 using Spectre.Console;
 
 namespace Nowpose.Cli.Headset;
@@ -49,10 +50,10 @@ static class HeadsetTable
 
     static string Shown(string text) => Markup.Escape(InputException.OneLine(text, MaxLength));
 
-    static string NotCurrent(HeadsetResult.PartResult part) => StateOf(HeadsetTexts.NotCurrentPart, part.SinceS, part.Reason);
+    static string NotCurrent(HeadsetResult.PartResult part) => StateOf(StateNames.NotCurrent, part.SinceS, part.Reason);
 
     static string StateOf(string state, double? sinceS, string reason) =>
-        state + (sinceS == null ? "" : HeadsetTexts.Duration(Text(sinceS, "0", " s"))) + (reason.Length == 0 ? "" : ": " + reason);
+        StateNames.Describe(state, sinceS == null ? "" : HeadsetTexts.Duration(Text(sinceS, "0", " s")), reason);
 
     static void AddStretch(Action<string, string> row, int number, HeadsetResult.StretchResult stretch)
     {

@@ -21,7 +21,6 @@ static class HeadsetTexts
     public static string Joint(string joint) => $"joint {joint}";
     public static string Object(string frame) => $"object {frame}";
     public static string Signal(string signal) => $"signal {signal}";
-    public const string NotCurrentPart = "not current";
     public static string Duration(string time) => $" for {time}";
     public static string Outage(string from, string to) => $"outage from {from} to {to}";
     public static string Stretch(int number) => $"stretch {number}: ";

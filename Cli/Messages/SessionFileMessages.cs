@@ -20,6 +20,7 @@ static class SessionFileMessages
 
     public static string NotJson(string place, string reason) =>
         $"{place}: is not a JSON object; record the session again, or remove the line: {reason}";
+
     /// <param name="position">Place in the line, from 1; null if unknown.</param>
     public static string AtByte(long? position) => position == null ? "" : FormattableString.Invariant($", at byte {position}");
 

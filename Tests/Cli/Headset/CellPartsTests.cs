@@ -39,10 +39,11 @@ public class CellPartsTests
             parts.Update();
         }
 
-        var box = parts.Objects(Headset(now)).Single();
+        var (objects, signals) = parts.NotCurrent(Headset(now));
+        var box = objects.Single();
         Assert.That((box.Name, box.Reason), Is.EqualTo(("box", FrameMessages.PosesStopped)));
         Assert.That(box.SinceS, Is.EqualTo(now - end).Within(0.1));
-        var closed = parts.Signals(Headset(now)).Single();
+        var closed = signals.Single();
         Assert.That((closed.Name, closed.Reason), Is.EqualTo(("closed", "its source has ended")));
         Assert.That(closed.SinceS, Is.EqualTo(now - end).Within(0.1));
     }

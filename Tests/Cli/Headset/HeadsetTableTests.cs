@@ -69,8 +69,8 @@ public class HeadsetTableTests
     {
         var text = Printed(Result());
 
-        Assert.That(text, HasRow(HeadsetTexts.Object("box"), $"{HeadsetTexts.NotCurrentPart}{HeadsetTexts.Duration("4 s")}: no poses"));
-        Assert.That(text, HasRow(HeadsetTexts.Signal("closed"), $"{HeadsetTexts.NotCurrentPart}: no source"));
+        Assert.That(text, HasRow(HeadsetTexts.Object("box"), $"{StateNames.NotCurrent}{HeadsetTexts.Duration("4 s")}: no poses"));
+        Assert.That(text, HasRow(HeadsetTexts.Signal("closed"), $"{StateNames.NotCurrent}: no source"));
     }
 
     [Test]

@@ -18,7 +18,7 @@ namespace Nowpose.Session.Cell
         /// <summary>Name of the frame or of the signal.</summary>
         public string Name { get; }
 
-        /// <summary><see cref="PoseState.Incomplete"/> if there is no pose or value that can be shown; otherwise <see cref="PoseState.Held"/>.</summary>
+        /// <summary><see cref="PoseState.Incomplete"/> until a pose or value can be shown; otherwise <see cref="PoseState.Held"/>.</summary>
         public PoseState State { get; }
 
         /// <summary>Time since which the part has not been current; null while unknown.</summary>
