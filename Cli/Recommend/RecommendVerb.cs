@@ -31,7 +31,7 @@ static class RecommendVerb
         verb.SetAction((parsed, cancel) =>
         {
             var path = parsed.GetRequiredValue(file);
-            if (SessionFileReader.IsSession(path)) RecordingOptions.RequireUnsetForSession(parsed, path, sampling, latency, grid);
+            if (RecordingText.IsSession(path)) RecordingOptions.RequireUnsetForSession(parsed, path, sampling, latency, grid);
             else if (parsed.GetValue(grid)) RecordingOptions.RequireUnset(parsed, RecommendMessages.GridSets, sampling, latency);
             (double, double)[] conditions = parsed.GetValue(grid) ? Grid : [(parsed.GetValue(sampling), parsed.GetValue(latency))];
             // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
@@ -42,7 +42,7 @@ static class RecommendVerb
 
     static int Run(string path, (double SamplingMs, double LatencyMs)[] conditions, bool json, CancellationToken cancel)
     {
-        var recording = SessionFileReader.IsSession(path) ? OfSession(path) : OfMotion(path, conditions);
+        var recording = RecordingText.IsSession(path) ? OfSession(path) : OfMotion(path, conditions);
         var evaluation = new CandidateEvaluation(recording.Subjects);
         ConsoleProgress.Run("trying predictors", "runs", evaluation.Runs, report => evaluation.Run(report, cancel));
         var recommendations = evaluation.Recommendations();

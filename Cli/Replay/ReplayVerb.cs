@@ -38,7 +38,7 @@ static class ReplayVerb
         verb.SetAction((parsed, cancellation) =>
         {
             var path = parsed.GetRequiredValue(file);
-            if (SessionFileReader.IsSession(path)) RecordingOptions.RequireUnsetForSession(parsed, path, sampling, latency, fps, jitter, loss);
+            if (RecordingText.IsSession(path)) RecordingOptions.RequireUnsetForSession(parsed, path, sampling, latency, fps, jitter, loss);
             var settings = new ReplaySettings
             {
                 SamplingInterval = parsed.GetValue(sampling) / MsPerSecond,
@@ -61,7 +61,7 @@ static class ReplayVerb
 
     static int Run(string path, ReplaySettings settings, bool json, CancellationToken cancellation)
     {
-        if (SessionFileReader.IsSession(path))
+        if (RecordingText.IsSession(path))
         {
             var session = RecordedSession.Read(path);
             if (session.Lost > 0) Console.Error.WriteLine(ConsoleMessages.LostLines(path, session.Lost));

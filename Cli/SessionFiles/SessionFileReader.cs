@@ -32,9 +32,6 @@ sealed class SessionFileReader : IDisposable
     /// <summary>Number of the last line that was read.</summary>
     public int Line { get; private set; }
 
-    /// <summary>Gets whether a path has the extension of a session file.</summary>
-    public static bool IsSession(string path) => RecordingText.IsSession(path);
-
     /// <summary>Reads the lines below the header. Skips lines of unknown kinds.</summary>
     /// <exception cref="InputException">A line has another format. The message names file, line and field.</exception>
     public IEnumerable<SessionLine> Lines()

@@ -1,5 +1,6 @@
 using Nowpose.Cli.Messages;
 using Nowpose.Cli.SessionFiles;
+using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Sync;
 
 namespace Nowpose.Cli.Sync;
@@ -9,7 +10,7 @@ static class SyncLog
 {
     /// <summary>Reads the exchanges of a log without checking them. Also returns their t4 in ns, because the time types round to 100 ns.</summary>
     public static IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> Read(string path) =>
-        SessionFileReader.IsSession(path) ? OfSession(path) : OfTable(path);
+        RecordingText.IsSession(path) ? OfSession(path) : OfTable(path);
 
     static List<(long, SyncExchange)> OfTable(string path)
     {

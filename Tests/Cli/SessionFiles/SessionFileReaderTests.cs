@@ -1,5 +1,6 @@
 using Nowpose.Cli.Messages;
 using Nowpose.Cli.SessionFiles;
+using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Headless.Tests.Cli;
 using Nowpose.Messages;
 using Nowpose.Prediction;
@@ -171,7 +172,7 @@ public class SessionFileReaderTests
     [TestCase(null, false)]
     public void IsSession_Path_DependsOnTheName(string path, bool expected)
     {
-        Assert.That(SessionFileReader.IsSession(path), Is.EqualTo(expected));
+        Assert.That(RecordingText.IsSession(path), Is.EqualTo(expected));
     }
 
     static string Field(int line, string field, string message) => $".jsonl:{line}: field '{field}' {message}";

@@ -159,7 +159,7 @@ namespace Nowpose.Prediction.Mixing
                 _distance.Release();
             }
             Score(motion);
-            if (Uses(PredictionParts.Scatter)) _scatter.Add(motion.Displacements, Math.Min(motion.Count, _jumps.SamplesSince));
+            if (Uses(PredictionParts.Scatter)) _scatter.Add(motion.Displacements, Connected(motion));
             if (_scatter.HasLeft && IsFirstMove(motion)) _lineUntil = motion.NewestTime + motion.Timing.Horizon + motion.Timing.Interval;
             foreach (var candidate in _candidates) candidate.Add(motion, _points);
         }
@@ -181,9 +181,12 @@ namespace Nowpose.Prediction.Mixing
             return displacement * displacement > FirstMoveRatio * _components * _weights.MeanSquare(Hold);
         }
 
+        // Number of newest samples without a gap or a jump.
+        int Connected(MotionState motion) => Math.Min(motion.Count, _jumps.SamplesSince);
+
         void Forecast(MotionState motion)
         {
-            var samples = Math.Min(motion.Count, _jumps.SamplesSince);
+            var samples = Connected(motion);
             if (Uses(PredictionParts.ChangePoints)) samples = Math.Min(samples, _changePoints.SamplesSince);
             var speedFactor = motion.Count < 2 || IsVelocityUnknown ? 0 : samples == 1 && !_changePoints.SpeedIncreased ? SpeedRatioAfterStop : 1;
             _forecasters.Fill(motion, samples, speedFactor, _points);
