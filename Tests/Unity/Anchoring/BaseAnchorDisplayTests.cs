@@ -7,6 +7,7 @@ using Nowpose.Messages;
 using Nowpose.Session;
 using Nowpose.Unity;
 using Nowpose.Unity.Messages;
+using Nowpose.Unity.Status;
 using NUnit.Framework;
 using UnityEngine;
 using static Nowpose.Unity.Tests.Anchoring.PlayedBaseAnchor;
@@ -132,6 +133,40 @@ public class BaseAnchorDisplayTests
         Assert.That(_played.Anchor.Words, Is.EqualTo(fault.Message));
         Assert.That(_played.Logged.Distinct(), Is.EqualTo(new[] { "[Nowpose] " + ComponentMessages.Of("base anchor", "Base Anchor", _played.Anchor.Words) }));
         Assert.That(_played.Session.Frame, Is.Not.Null, "the session continues");
+    }
+
+    [TestCase("", 0, 0, 1)]
+    [TestCase("a", 350, 0, 1)]
+    [TestCase("a", 0, 9, 1)]
+    [TestCase("a", 0, 0, 2)]
+    public void Fields_Invalid_RobotLooksNotLockedAndThePanelStatesTheReason(string payload, float x, float size, int count)
+    {
+        _played.Play([.. Enumerable.Repeat(new AnchorMarker(payload, new Vector3(x, 0, 0), Vector3.zero, size), count)]);
+
+        _played.Cell.Run(3, _played.Session);
+
+        Assert.That((_played.Anchor.State, _played.Anchor.Tracker), Is.EqualTo((BaseAnchorState.Searching, (BaseTracker)null)));
+        Assert.That(_played.Look(), Is.EqualTo((0.8f, 1f, BaseMessages.NotLockedLabel)));
+        Assert.That(new BaseTexts().FaultOf(_played.Anchor), Is.EqualTo("base: " + _played.Anchor.Words));
+    }
+
+    [Test]
+    public void Fields_InvalidAfterALock_BaseIsLockedWhenTheyAreValidAgain()
+    {
+        _played.PlayLocked();
+        void Enter(params AnchorMarker[] markers)
+        {
+            _played.Anchor.enabled = false;
+            _played.Anchor.With("_markers", markers.ToList());
+            _played.Anchor.enabled = true;
+            _played.Cell.Run(4, _played.Session);
+        }
+
+        Enter(Marker, Marker);
+        Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Searching));
+        Enter(Marker);
+
+        Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Locked));
     }
 
     [Test]

@@ -26,6 +26,9 @@ sealed class PlayedBaseAnchor : IDisposable
         LookDownAt(Base);
     }
 
+    /// <summary>The marker "a" at <see cref="InBase"/>, as it is entered in the Inspector.</summary>
+    public static AnchorMarker Marker => new("a", new Vector3(0.25f, 0, 0), new Vector3(0, 0, 0.5f * Mathf.Rad2Deg));
+
     public PlayedCell Cell { get; }
     public MrilSession Session { get; }
     public BaseAnchor Anchor { get; }
@@ -38,7 +41,7 @@ sealed class PlayedBaseAnchor : IDisposable
         Session.gameObject.SetActive(true);
     }
 
-    public void PlayOne() => Play(new AnchorMarker("a", new Vector3(0.25f, 0, 0), new Vector3(0, 0, 0.5f * Mathf.Rad2Deg)));
+    public void PlayOne() => Play(Marker);
 
     public void PlayLocked()
     {

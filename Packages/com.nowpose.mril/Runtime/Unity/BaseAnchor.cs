@@ -87,7 +87,8 @@ namespace Nowpose.Unity
         public string Cell => Tracker?.Cell ?? _cell;
 
         /// <summary>State of the base's pose: for example placed by hand, searching for markers, or locked by markers.</summary>
-        public BaseAnchorState State => Tracker?.State ?? BaseAnchorState.Placed;
+        /// <remarks>While the fields are invalid, no marker can determine the pose, so the state is searching.</remarks>
+        public BaseAnchorState State => _fault != null ? BaseAnchorState.Searching : Tracker?.State ?? BaseAnchorState.Placed;
 
         /// <summary>Describes the state, and what the user must do, in one line.</summary>
         public string Words => _fault ?? Tracker?.Words ?? "placed by hand";
@@ -108,9 +109,7 @@ namespace Nowpose.Unity
         public void Use(string cell, IReadOnlyList<BaseMarker> markers)
         {
             if (markers == null) throw new ArgumentNullException(nameof(markers));
-            if (Tracker == null) Tracker = NewTracker();
-            Tracker?.Use(cell, markers);
-            if (Tracker != null) _fault = null;
+            Track(cell, markers);
             _isGiven = true;
             Notify();
         }
@@ -162,13 +161,10 @@ namespace Nowpose.Unity
         {
             _session = this.SessionOr(null);
             _sources.Forget();
-            _fault = null;
             if (_isGiven) return;
             try
             {
-                var markers = _markers.ConvertAll(marker => marker.Read());
-                Tracker ??= NewTracker();
-                Tracker?.Use(_cell, markers);
+                Track(_cell, _markers.ConvertAll(marker => marker.Read()));
             }
             catch (InputException fault)
             {
@@ -202,7 +198,8 @@ namespace Nowpose.Unity
             var (state, words) = (State, Words);
             if (state == _loggedState && ReferenceEquals(words, _loggedWords)) return;
             var isNew = HasNewProblem();
-            if (state != _loggedState || isNew) AnchorLog.Log(this, state, words, isNew);
+            // An invalid field was already logged as an error.
+            if (_fault == null && (state != _loggedState || isNew)) AnchorLog.Log(this, state, words, isNew);
             (_loggedState, _loggedWords) = (state, words);
             StateChanged?.Invoke();
         }
@@ -216,6 +213,14 @@ namespace Nowpose.Unity
                 || (isCorrected && !_loggedCorrected);
             (_loggedProblem, _loggedConflict, _loggedCorrected) = (problem, conflict, isCorrected);
             return isNew;
+        }
+
+        void Track(string cell, IReadOnlyList<BaseMarker> markers)
+        {
+            Tracker ??= NewTracker();
+            if (Tracker == null) return;
+            Tracker.Use(cell, markers);
+            _fault = null;
         }
 
         BaseTracker NewTracker()
@@ -235,6 +240,8 @@ namespace Nowpose.Unity
 
         void Fail(InputException fault)
         {
+            Tracker?.Release();
+            Tracker = null;
             if (_fault == fault.Message) return;
             _fault = fault.Message;
             ConsoleLog.Fail(this, ComponentMessages.Of("base anchor", name, _fault));
