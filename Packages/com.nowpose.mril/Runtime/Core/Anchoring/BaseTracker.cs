@@ -100,18 +100,22 @@ namespace Nowpose.Anchoring
 
         bool IsLost => IsKnown && _place.IsLost;
 
-        bool IsKnown => Base.HasValue
-            && (_state == BaseAnchorState.Locked || _state == BaseAnchorState.Restored || _state == BaseAnchorState.Moved);
+        bool IsKnown => Base.HasValue && (_state == BaseAnchorState.Locked || _state == BaseAnchorState.Restored || _state == BaseAnchorState.Moved);
 
         /// <summary>Replaces the cell and the markers.</summary>
-        /// <remarks>A lock is kept if the cell is the same and all markers of the lock are in the list.</remarks>
+        /// <remarks>
+        /// A lock is kept if the cell is the same and all markers of the lock are in the list. Without markers before and after, the base of the same
+        /// cell stays as it is.
+        /// </remarks>
         /// <param name="cell">Null or empty if the position must not be stored.</param>
         /// <param name="markers">Markers at the base; empty for a base that is placed by hand.</param>
         /// <exception cref="InputException">Two markers have the same payload, or there are too many.</exception>
         public void Use(string cell, IReadOnlyList<BaseMarker> markers)
         {
             if (markers == null) throw new ArgumentNullException(nameof(markers));
-            var isSameCell = Cell == (cell ?? "") && _markers.Count > 0;
+            var isSameCell = Cell == (cell ?? "");
+            if (isSameCell && _markers.Count == 0 && markers.Count == 0) return;
+            isSameCell &= _markers.Count > 0;
             var hasAllParts = _markers.Replace(markers, _settings);
             Cell = cell ?? "";
             if (!isSameCell) Release();
@@ -152,9 +156,8 @@ namespace Nowpose.Anchoring
             _words.Update(this, _now);
         }
 
-        /// <summary>
-        /// Releases the position that the device holds, removes the pose of the base, and starts a new search. A stored position is kept.
-        /// </summary>
+        /// <summary>Releases the position that the device holds, removes the pose of the base, and starts a new search.</summary>
+        /// <remarks>A stored position is kept.</remarks>
         public void Release()
         {
             _place.Release(seekAgain: true);
@@ -164,9 +167,7 @@ namespace Nowpose.Anchoring
 
         /// <summary>Processes one frame.</summary>
         /// <param name="sightings">Sightings of all sources; sightings of other codes are ignored.</param>
-        /// <param name="head">
-        /// Viewer's head in the room frame, x forward. If it is null, it is unknown, and the checks that depend on it are skipped.
-        /// </param>
+        /// <param name="head">Viewer's head in the room frame, x forward; null if it is unknown, so that the checks that need it are skipped.</param>
         /// <param name="anchors">Anchors of the device; null if it has none.</param>
         internal void Tick(HeadsetTime now, IReadOnlyList<MarkerSighting> sightings, in RigidTransform? head, ISpatialAnchors anchors)
         {

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
@@ -67,6 +68,23 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(_tracker.Shown.Value.DistanceTo(expected), Is.LessThan(1e-9));
             Assert.That(_anchors.Held, Has.Count.EqualTo(1));
             Assert.That(_tracker.KeptAs, Is.EqualTo(payload == null ? null : "cell"), "without a cell name, no anchor is stored");
+        }
+
+        // A component calls Use each time it is enabled.
+        [Test]
+        public void Use_SameCellWithoutMarkersAgain_KeepsTheLockByHand()
+        {
+            _tracker.Use("cell", Array.Empty<BaseMarker>());
+            var put = Move(20);
+            Tick(Place, put);
+
+            _tracker.Use("cell", Array.Empty<BaseMarker>());
+            Tick(Place, put);
+
+            Assert.That((_tracker.State, _anchors.Held.Count), Is.EqualTo((BaseAnchorState.Locked, 1)));
+            Assert.That(_tracker.Base.Value.DistanceTo(Place), Is.LessThan(1e-9));
+            _tracker.Use("other", Array.Empty<BaseMarker>());
+            Assert.That((_tracker.State, _anchors.Held.Count), Is.EqualTo((BaseAnchorState.Placed, 0)), "another cell");
         }
 
         [Test]
