@@ -70,6 +70,16 @@ public sealed class ArSpatialAnchorsTests
         Assert.That(_device.Count, Is.EqualTo(1));
     }
 
+    // An object in the active scene is destroyed when that scene is unloaded.
+    [Test]
+    public void Hold_DeviceAccepts_AnchorIsAnObjectOfTheOrigin()
+    {
+        _anchors.Hold(Place);
+        Run(0.1);
+
+        Assert.That(Object.FindObjectOfType<ARAnchor>().transform.parent, Is.SameAs(_origin.Origin.TrackablesParent));
+    }
+
     [Test]
     public void Pose_DeviceCorrectsItsMap_FollowsTheCorrection()
     {

@@ -109,7 +109,9 @@ namespace Nowpose.ArFoundation
                 _owner.Manager.trackables.TryGetTrackable(_loaded, out _anchor);
                 return;
             }
+            // Below the XR Origin, the object exists as long as the device's session. In the active scene, it would end with that scene.
             var place = new GameObject("Nowpose Anchor");
+            place.transform.SetParent(_owner.Trackables, false);
             place.transform.SetPositionAndRotation(_wanted.position, _wanted.rotation);
             _anchor = place.AddComponent<ARAnchor>();
         }

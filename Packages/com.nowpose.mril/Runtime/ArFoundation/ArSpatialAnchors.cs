@@ -36,6 +36,8 @@ namespace Nowpose.ArFoundation
 
         internal bool IsRunning => _manager.IsRunning;
 
+        internal Transform Trackables => _manager.Trackables;
+
         internal bool IsSessionOrigin(Vector3 world) => _manager.IsSessionOrigin(world);
 
         /// <summary>The store on the same object; null if it does not exist or was destroyed. It may be added after this component.</summary>

@@ -41,6 +41,9 @@ namespace Nowpose.ArFoundation
         /// <summary>The manager; null if the XR Origin has none.</summary>
         public T Manager { get; private set; }
 
+        /// <summary>Parent of all objects of the device's session; null while the manager is unknown.</summary>
+        public Transform Trackables => _origin != null ? _origin.TrackablesParent : null;
+
         /// <summary>Whether the manager and its subsystem run. If true, the manager's data is current in this frame.</summary>
         public bool IsRunning { get; private set; }
 
@@ -76,7 +79,7 @@ namespace Nowpose.ArFoundation
         /// <param name="world">Position in the scene, in metres.</param>
         public bool IsSessionOrigin(Vector3 world)
         {
-            var space = _origin != null ? _origin.TrackablesParent : null;
+            var space = Trackables;
             return space != null && space.InverseTransformPoint(world).magnitude < OriginMetres;
         }
 
