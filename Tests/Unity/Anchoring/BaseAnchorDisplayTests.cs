@@ -35,9 +35,21 @@ public class BaseAnchorDisplayTests
         _played.Cell.Run(1, _played.Session);
 
         Assert.That(_played.Anchor.Words, Is.EqualTo(BaseStatusMessages.Looking(isBlind: false, _played.Markers.Problem)));
-        _played.Markers.enabled = false;
+        _played.Markers.Problem = null;
         _played.Cell.Run(12, _played.Session);
         Assert.That(_played.Anchor.Words, Is.EqualTo(BaseStatusMessages.Looking(isBlind: true, problem: null)));
+    }
+
+    [Test]
+    public void Words_NoSourceThatDetectsCodes_StateThatOneIsMissing()
+    {
+        PlayedRig.Below<HandPlacedMarker>("Hand", _played.Session.transform);
+        _played.Markers.enabled = false;
+        _played.PlayOne();
+
+        _played.Cell.Run(12, _played.Session);
+
+        Assert.That(_played.Anchor.Words, Is.EqualTo(BaseStatusMessages.Looking(isBlind: false, BaseMessages.NoMarkerSource)));
     }
 
     [Test]

@@ -3,6 +3,7 @@ using Microsoft.MixedReality.OpenXR.ARSubsystems;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.XR.ARSubsystems;
@@ -173,5 +174,20 @@ public sealed class QrMarkersTests
         _played.Markers.enabled = false;
 
         Assert.That(_played.Read(), Is.Empty);
+    }
+
+    [TestCase(false)]
+    [TestCase(true)]
+    public void OnEnable_OutsideTheSession_LogsAWarningUnlessABaseAnchorSearchesThere(bool hasAnchor)
+    {
+        var outside = new GameObject("Outside");
+        outside.SetActive(false);
+        outside.AddComponent<QrMarkers>().With("_session", _played.Session);
+        if (hasAnchor) outside.AddComponent<BaseAnchor>();
+
+        outside.SetActive(true);
+
+        var warning = ComponentMessages.Of("QR markers", "Outside", ComponentMessages.SourceOutsideSession);
+        Assert.That(_played.Cell.Messages.Count(message => message.Contains(warning)), Is.EqualTo(hasAnchor ? 0 : 1));
     }
 }

@@ -170,4 +170,19 @@ public sealed class TrackedImageMarkersTests
 
         Assert.That(markers[0].LastSeen, Is.GreaterThanOrEqualTo(before).And.LessThanOrEqualTo(clock.Now));
     }
+
+    [TestCase(false)]
+    [TestCase(true)]
+    public void OnEnable_OutsideTheSession_LogsAWarningUnlessABaseAnchorSearchesThere(bool hasAnchor)
+    {
+        var outside = new GameObject("Outside");
+        outside.SetActive(false);
+        outside.AddComponent<TrackedImageMarkers>().With("_session", _session);
+        if (hasAnchor) outside.AddComponent<BaseAnchor>();
+
+        outside.SetActive(true);
+
+        var warning = ComponentMessages.Of("tracked images", "Outside", ComponentMessages.SourceOutsideSession);
+        Assert.That(_cell.Messages.Count(message => message.Contains(warning)), Is.EqualTo(hasAnchor ? 0 : 1));
+    }
 }

@@ -52,7 +52,7 @@ namespace Nowpose.ArFoundation
             _records.End();
         }
 
-        void OnEnable() => _source = this.SessionOr(_session);
+        void OnEnable() => _source = this.SessionOfSource(_session, "tracked images");
 
         void OnDisable() => _records.Clear();
 

@@ -62,7 +62,7 @@ namespace Nowpose.OpenXR
 
         void OnEnable()
         {
-            _source = this.SessionOr(_session);
+            _source = this.SessionOfSource(_session, "QR markers");
             _codes.Wake();
         }
 

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using Nowpose.Anchoring;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity.Anchoring
@@ -23,14 +24,21 @@ namespace Nowpose.Unity.Anchoring
             }
         }
 
-        /// <summary>The problem of the first enabled marker source that reports one; null if no source does.</summary>
+        /// <summary>
+        /// The problem of the first enabled marker source that reports one, or that no enabled source can detect codes; null if nothing is wrong.
+        /// </summary>
         public string Problem
         {
             get
             {
+                var hasDetector = false;
                 foreach (var source in _sources.Found)
-                    if (MarkerSources.IsOn(source) && source is IMarkerProblem reporter && reporter.Problem != null) return reporter.Problem;
-                return null;
+                {
+                    if (!MarkerSources.IsOn(source)) continue;
+                    if (source is IMarkerProblem reporter && reporter.Problem != null) return reporter.Problem;
+                    hasDetector |= !(source is HandPlacedMarker);
+                }
+                return hasDetector ? null : BaseMessages.NoMarkerSource;
             }
         }
 

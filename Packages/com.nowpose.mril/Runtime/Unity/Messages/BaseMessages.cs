@@ -12,6 +12,9 @@ namespace Nowpose.Unity.Messages
         public static string AngleNotFinite(double degrees) =>
             FormattableString.Invariant($"the angle {degrees}° is not finite; pass a finite angle in degrees");
 
+        public const string NoMarkerSource =
+            "no marker source is switched on; add QR Markers or Tracked Images on or below the session, or switch them on";
+
         public const string BeingPlacedLabel = "being placed";
         public const string FollowsMarker = "the base follows a marker that is being moved";
         public const string NotLocated = "no marker has located the base";

@@ -19,6 +19,10 @@ namespace Nowpose.Unity.Messages
         public static string Vertices(int vertices, int max) => $"has a load of {vertices} vertices; allowed: 0 to {max}";
 
         public const string NoSession = "has no session on its object or a parent; assign one";
+
+        public const string SourceOutsideSession =
+            "no session is on this object or a parent, so no base anchor uses the markers; move the component to the session's object";
+
         public const string NoLoadGenerator = "has no load generator on its object or a child; assign one";
         public const string NoRenderTimeSource = "has no render time source at its session; assign one";
 

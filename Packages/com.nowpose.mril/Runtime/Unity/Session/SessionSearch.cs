@@ -43,6 +43,18 @@ namespace Nowpose.Unity.Session
             return session;
         }
 
+        /// <summary>
+        /// Returns the same session as <see cref="SessionOr"/>, for a source of markers. Logs a warning if no base anchor searches where the source is.
+        /// </summary>
+        /// <param name="kind">Kind of the source, for example "QR markers".</param>
+        public static MrilSession SessionOfSource(this Component source, MrilSession assigned, string kind)
+        {
+            // A base anchor without a session searches below the root of its hierarchy.
+            if (source.SessionOr(null) == null && source.transform.root.GetComponentInChildren<BaseAnchor>(true) == null)
+                ConsoleLog.Warn(source, ComponentMessages.Of(kind, source.name, ComponentMessages.SourceOutsideSession));
+            return source.SessionOr(assigned);
+        }
+
         /// <summary>Returns the headset clock of the session, or a stopwatch if the session is null or destroyed.</summary>
         public static IHeadsetClock ClockOrDevices(this MrilSession session) => session != null ? session.HeadsetClock : DeviceClock;
     }
