@@ -162,6 +162,26 @@ public class BaseAnchorDisplayTests
         Assert.That(new BaseTexts().FaultOf(_played.Anchor), Is.EqualTo("base: " + _played.Anchor.Words));
     }
 
+    [TestCase(false)]
+    [TestCase(true)]
+    public void HandPlacedMarker_UnknownPayload_IsOnThePanelAndLoggedOnce(bool isLocked)
+    {
+        if (isLocked) _played.PlayLocked();
+        else _played.Session.gameObject.SetActive(true);
+        var hand = PlayedRig.Below<HandPlacedMarker>("Hand", _played.Session.transform).With("_payload", "b");
+        _played.Cell.Run(1.1, _played.Session);
+
+        hand.BeginMove();
+        _played.Cell.Run(1, _played.Session);
+        hand.EndMove();
+        _played.Cell.Run(1, _played.Session);
+
+        var words = BaseStatusMessages.NotOfThisBase(MarkerName.Of("b"));
+        Assert.That(_played.Anchor.State, Is.EqualTo(isLocked ? BaseAnchorState.Locked : BaseAnchorState.Placed));
+        Assert.That(new BaseTexts().FaultOf(_played.Anchor), Is.EqualTo("base: " + words));
+        Assert.That(_played.Logged.Count(message => message.EndsWith(words)), Is.EqualTo(1));
+    }
+
     [Test]
     public void Fields_InvalidAfterALock_BaseIsLockedWhenTheyAreValidAgain()
     {

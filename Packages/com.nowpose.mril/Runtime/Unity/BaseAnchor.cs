@@ -72,7 +72,7 @@ namespace Nowpose.Unity
         readonly AnchorSources _sources = new AnchorSources();
         MrilSession _session;
         BaseAnchorState _loggedState;
-        string _loggedWords = "", _fault, _loggedProblem;
+        string _loggedWords = "", _fault, _loggedProblem, _loggedRefused;
         MarkerConflict _loggedConflict;
         bool _loggedCorrected;
         bool _isGiven;
@@ -204,14 +204,14 @@ namespace Nowpose.Unity
             StateChanged?.Invoke();
         }
 
-        // Returns whether a problem, conflict or correction is new since the last call, so that each one is logged once.
+        // Returns whether a problem, conflict, correction or unknown marker is new since the last call, so that each one is logged once.
         bool HasNewProblem()
         {
             if (Tracker == null) return false;
-            var (problem, conflict, isCorrected) = (Tracker.Problem, Tracker.Conflict, Tracker.IsCorrected);
+            var (problem, conflict, isCorrected, refused) = (Tracker.Problem, Tracker.Conflict, Tracker.IsCorrected, Tracker.RefusedPayload);
             var isNew = (problem != null && problem != _loggedProblem) || (conflict != null && !conflict.IsOf(_loggedConflict))
-                || (isCorrected && !_loggedCorrected);
-            (_loggedProblem, _loggedConflict, _loggedCorrected) = (problem, conflict, isCorrected);
+                || (isCorrected && !_loggedCorrected) || (refused != null && refused != _loggedRefused);
+            (_loggedProblem, _loggedConflict, _loggedCorrected, _loggedRefused) = (problem, conflict, isCorrected, refused);
             return isNew;
         }
 

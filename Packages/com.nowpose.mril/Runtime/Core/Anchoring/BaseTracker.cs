@@ -20,9 +20,9 @@ namespace Nowpose.Anchoring
         readonly LockAttempt _attempt;
         readonly BaseStatusText _words;
         readonly MarkerSet _markers = new MarkerSet();
+        readonly HandPlacement _hand = new HandPlacement();
         BaseAnchorState _state;
         HeadsetTime _now;
-        HeadsetTime? _lastPlaced, _lastReport;
         RelockedFrom _former;
         RigidTransform? _placed;
         MapCorrection _correction;
@@ -75,10 +75,13 @@ namespace Nowpose.Anchoring
         public string SourceProblem { get; set; }
 
         /// <summary>Time at which a source last reported any code; null if none was reported since the start of the search.</summary>
-        internal HeadsetTime? LastReport => _lastReport;
+        internal HeadsetTime? LastReport { get; private set; }
 
         /// <summary>Whether a person is moving a marker, and the base with it, by hand.</summary>
         public bool IsBeingPlaced { get; private set; }
+
+        /// <inheritdoc cref="HandPlacement.RefusedPayload"/>
+        internal string RefusedPayload => _hand.RefusedPayload;
 
         /// <summary>Whether the device has an anchor for the position of the base, in any state of the anchor.</summary>
         public bool IsHeld => _place.IsThere;
@@ -103,10 +106,7 @@ namespace Nowpose.Anchoring
         bool IsKnown => Base.HasValue && (_state == BaseAnchorState.Locked || _state == BaseAnchorState.Restored || _state == BaseAnchorState.Moved);
 
         /// <summary>Replaces the cell and the markers.</summary>
-        /// <remarks>
-        /// A lock is kept if the cell is the same and all markers of the lock are in the list. Without markers before and after, the base of the same
-        /// cell stays as it is.
-        /// </remarks>
+        /// <remarks>A lock of the same cell is kept if all its markers are in the list; a lock without markers, if the list is empty.</remarks>
         /// <param name="cell">Null or empty if the position must not be stored.</param>
         /// <param name="markers">Markers at the base; empty for a base that is placed by hand.</param>
         /// <exception cref="InputException">Two markers have the same payload, or there are too many.</exception>
@@ -142,9 +142,7 @@ namespace Nowpose.Anchoring
         }
 
         /// <summary>Records that the base was placed elsewhere, and removes the lock. A running search continues.</summary>
-        /// <param name="at">
-        /// Pose in the room frame from which the next lock is blended in; null if the pose is unknown, so that the next lock applies immediately.
-        /// </param>
+        /// <param name="at">Pose in the room from which the next lock is blended in; null if it is unknown: the next lock applies at once.</param>
         public void Place(RigidTransform? at = null)
         {
             _place.Release(seekAgain: false);
@@ -173,6 +171,7 @@ namespace Nowpose.Anchoring
         {
             if (sightings == null) throw new ArgumentNullException(nameof(sightings));
             _now = now;
+            _hand.BeginFrame();
             FollowPlace(anchors);
             var isReleased = IsBeingPlaced;
             for (var i = 0; i < sightings.Count; i++) isReleased &= !Take(sightings[i], now, head);
@@ -204,23 +203,21 @@ namespace Nowpose.Anchoring
         bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head)
         {
             if (sighting.Tracking == MarkerTracking.Placed) return TakePlaced(sighting);
-            _lastReport = now;
+            LastReport = now;
             _hasNewSightings |= _markers.Take(sighting, now, head, IsWatching ? Base : null);
             return false;
         }
 
         bool TakePlaced(in MarkerSighting sighting)
         {
-            if (!sighting.Pose.IsPose() || (_lastPlaced is HeadsetTime last && sighting.LastSeen <= last)) return false;
-            if (!(_markers.PoseInBase(sighting.Payload) is RigidTransform placed)) return false;
+            if (!(_hand.BaseOf(sighting, _markers) is RigidTransform placed)) return false;
             if (!IsBeingPlaced)
             {
                 Begin();
                 _place.Release(seekAgain: false);
                 (_state, IsBeingPlaced) = (BaseAnchorState.Searching, true);
             }
-            _lastPlaced = sighting.LastSeen;
-            Base = sighting.Pose * placed.Inverse;
+            Base = placed;
             _shown.Jump(Base);
             return true;
         }
@@ -287,7 +284,7 @@ namespace Nowpose.Anchoring
             _markers.Restart();
             _attempt.Reset();
             (_hasNewSightings, _isHeldByHand, IsBeingPlaced) = (false, false, false);
-            (_former, _lastReport) = (null, null);
+            (_former, LastReport) = (null, null);
             _state = _markers.Count > 0 ? BaseAnchorState.Searching : BaseAnchorState.Placed;
         }
 

@@ -6,6 +6,9 @@ namespace Nowpose.Messages
         public const string Placed = "placed by hand";
         public const string BeingPlaced = "being placed by hand";
 
+        /// <param name="marker">Name of the marker, such as marker 'a'.</param>
+        public static string NotOfThisBase(string marker) => $"hand placed {marker} is not a marker of this base; correct its Payload";
+
         /// <param name="markers">Number of markers of the lock; 0 if the base was placed by hand.</param>
         public static string Locked(int markers)
         {

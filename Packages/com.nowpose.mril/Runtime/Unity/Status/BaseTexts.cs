@@ -28,15 +28,16 @@ namespace Nowpose.Unity.Status
         /// <param name="anchor">The anchor of the base; null if there is none.</param>
         public string FaultOf(BaseAnchor anchor)
         {
-            if (anchor == null || anchor.State == BaseAnchorState.Placed) return null;
+            if (anchor == null || (anchor.State == BaseAnchorState.Placed && anchor.Tracker?.RefusedPayload == null)) return null;
             if (anchor.State == BaseAnchorState.Locked && !IsWrong(anchor.Tracker)) return null;
             if (!ReferenceEquals(anchor.Words, _words)) _fault = "base: " + anchor.Words;
             _words = anchor.Words;
             return _fault;
         }
 
-        // Returns whether a locked base has something to report: a conflict, a problem or a correction.
-        static bool IsWrong(BaseTracker tracker) => tracker != null && (tracker.Conflict != null || tracker.Problem != null || tracker.IsCorrected);
+        // Returns whether a locked base has something to report: a conflict, a problem, a correction or an unknown marker.
+        static bool IsWrong(BaseTracker tracker) => tracker != null
+            && (tracker.Conflict != null || tracker.Problem != null || tracker.IsCorrected || tracker.RefusedPayload != null);
 
         static double Worst(BaseTracker tracker)
         {

@@ -40,6 +40,8 @@ namespace Nowpose.Anchoring.Tracking
         Subject SubjectOf(BaseTracker tracker, HeadsetTime now)
         {
             if (tracker.State != BaseAnchorState.Searching) _searching = null;
+            if (tracker.RefusedPayload != null && tracker.State != BaseAnchorState.Moved && tracker.State != BaseAnchorState.Lost)
+                return new Subject(Kind.Refused, tracker.RefusedPayload);
             switch (tracker.State)
             {
                 case BaseAnchorState.Searching: return Search(tracker, now);
@@ -112,6 +114,7 @@ namespace Nowpose.Anchoring.Tracking
             switch (subject.Kind)
             {
                 case Kind.BeingPlaced: return BaseStatusMessages.BeingPlaced;
+                case Kind.Refused: return BaseStatusMessages.NotOfThisBase(MarkerName.Of((string)subject.First));
                 case Kind.Conflict: return BaseStatusMessages.Conflict(Name(subject.First), Name(subject.Second), off);
                 case Kind.Scatters: return BaseStatusMessages.Scatters(Name(subject.First), off);
                 case Kind.Gathers: return BaseStatusMessages.Gathers(subject.A, tracker.Markers.Count);
@@ -169,7 +172,7 @@ namespace Nowpose.Anchoring.Tracking
 
         enum Kind
         {
-            Placed, BeingPlaced, Looking, Ignored, Gathers, Moving, Scatters, Conflict, Restored, Locked, Moved, Lost, Removed,
+            Placed, BeingPlaced, Refused, Looking, Ignored, Gathers, Moving, Scatters, Conflict, Restored, Locked, Moved, Lost, Removed,
         }
 
         /// <summary>Content of the status text. Equal contents produce equal strings.</summary>

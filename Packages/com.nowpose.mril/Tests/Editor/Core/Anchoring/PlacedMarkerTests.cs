@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring
@@ -131,6 +132,19 @@ namespace Nowpose.Tests.Core.Anchoring
 
             Assert.That(_tracker.State, Is.EqualTo(BaseAnchorState.Placed));
             Assert.That(_tracker.Base, Is.Null);
+        }
+
+        [Test]
+        public void Words_UnknownPayload_NameItUntilAnotherMarkerIsPlaced()
+        {
+            _tracker.Use("cell", new[] { new BaseMarker("a", InBase) });
+            var unknown = BaseStatusMessages.NotOfThisBase(MarkerName.Of("b"));
+
+            Tick(Place, Now, "b");
+            Assert.That(_tracker.Words, Is.EqualTo(unknown));
+            Tick(Place, Now, "a");
+
+            Assert.That(_tracker.Words, Is.EqualTo(BaseStatusMessages.BeingPlaced));
         }
     }
 }
