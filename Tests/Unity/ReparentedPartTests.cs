@@ -1,4 +1,6 @@
+using Nowpose.Anchoring;
 using Nowpose.Gateway.Plants;
+using Nowpose.Kinematics;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity.Messages;
@@ -132,6 +134,34 @@ public class ReparentedPartTests : PlayedParts
         rig.transform.SetParent(other.transform);
 
         Assert.That(rig.Session, Is.SameAs(other));
+    }
+
+    [Test]
+    public void Parts_MovedToAnotherBaseOfTheSession_AreShownThereWithTheLookOfThatBase()
+    {
+        var (first, second) = (Below<BaseAnchor>("first", _session.transform), Below<BaseAnchor>("second", _session.transform));
+        second.transform.localPosition = new Vector3(3, 0, 1);
+        first.Use("", [new BaseMarker("a", RigidTransform.Identity)]);
+        var parts = new Dictionary<string, Component>
+        {
+            ["box"] = Below<TrackedObject>("box", first.transform),
+            ["fixture"] = Below<StationaryObject>("fixture", first.transform),
+            ["arm_link_0"] = Below<RobotRig>("Robot", first.transform),
+        };
+        var look = parts["box"].GetComponent<PoseAppearance>();
+        void Send(double t)
+        {
+            foreach (var frame in parts.Keys) SendPose("world", frame, t, Along(1));
+        }
+        Run(2, Send);
+        foreach (var part in parts.Values) AssertAt(part.transform, first.transform, Along(1));
+        Assert.That(look.Look.Label, Is.EqualTo(BaseMessages.NotLockedLabel));
+
+        foreach (var part in parts.Values) part.transform.SetParent(second.transform, false);
+        Run(0.1, Send);
+
+        foreach (var part in parts.Values) AssertAt(part.transform, second.transform, Along(1));
+        Assert.That(look.Look.Label, Is.Empty);
     }
 
     [Test]

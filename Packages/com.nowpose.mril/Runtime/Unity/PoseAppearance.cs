@@ -207,7 +207,7 @@ namespace Nowpose.Unity
 
         void FollowRig()
         {
-            if (Searched == _source && _rig == GetComponentInParent<RobotRig>()) return;
+            if (Searched == _source && _rig == GetComponentInParent<RobotRig>() && _anchor == GetComponentInParent<BaseAnchor>()) return;
             OnDisable();
             OnEnable();
         }

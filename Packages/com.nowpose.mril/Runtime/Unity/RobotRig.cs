@@ -208,6 +208,7 @@ namespace Nowpose.Unity
 
         void OnTransformParentChanged()
         {
+            if (_source != null) _robot.FindWorld();
             if (!this.IsBelowAnotherSession(_session, _source)) return;
             OnDisable();
             OnEnable();

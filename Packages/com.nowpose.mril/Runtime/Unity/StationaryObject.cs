@@ -101,9 +101,12 @@ namespace Nowpose.Unity
 
         void OnTransformParentChanged()
         {
-            if (!this.IsBelowAnotherSession(_session, _followed?.Source)) return;
-            OnDisable();
-            OnEnable();
+            if (this.IsBelowAnotherSession(_session, _followed?.Source))
+            {
+                OnDisable();
+                OnEnable();
+            }
+            else _followed?.FindWorld(this);
         }
 
         void Show(DisplayFrame frame)

@@ -52,7 +52,7 @@ namespace Nowpose.Unity.Cell
         public string Title { get; }
 
         /// <summary>The transform that is the frame <c>world</c>.</summary>
-        public Transform World { get; }
+        public Transform World { get; private set; }
 
         /// <summary>Name of the frame in which the displayed pose is given; null while no pose is known.</summary>
         public string Parent => _frame?.Parent;
@@ -115,6 +115,12 @@ namespace Nowpose.Unity.Cell
             var followed = new FollowedFrame(source, CellPlace.WorldOf(component, source), name, canBeGripped, isGhost, missing);
             if (followed._invalid != null) ConsoleLog.Fail(component, ComponentMessages.Of(kind, component.name, followed._invalid));
             return followed;
+        }
+
+        /// <summary>Updates <see cref="World"/> after the component or one of its parents has got a new parent.</summary>
+        public void FindWorld(Component component)
+        {
+            if (_source != null) World = CellPlace.WorldOf(component, _source);
         }
 
         /// <summary>Stops following the frame.</summary>

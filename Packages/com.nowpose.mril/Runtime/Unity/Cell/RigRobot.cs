@@ -17,9 +17,9 @@ namespace Nowpose.Unity.Cell
         readonly RobotRig _rig;
         readonly string _name;
         readonly RobotDescriptionAsset _description;
-        readonly Transform _world;
         readonly MrilSession _source;
         readonly JointStatusLine _missingJoints = new JointStatusLine(isOfMissing: true, () => DateTime.Now);
+        Transform _world;
         CompensationSession _session;
         SessionRobot _robot;
 
@@ -30,9 +30,9 @@ namespace Nowpose.Unity.Cell
         public RigRobot(RobotRig rig, string name, RobotDescriptionAsset description, MrilSession source)
         {
             _source = source;
-            _world = CellPlace.WorldOf(rig, source);
             Title = "robot " + name;
             _rig = rig;
+            FindWorld();
             _name = name;
             _description = description;
             if (IsListed) source.Parts.Add(this);
@@ -114,6 +114,9 @@ namespace Nowpose.Unity.Cell
             if (IsListed && _robot != null) _robot.IsShown = true;
             return IsOwn ? frame : _robot?.Frame;
         }
+
+        /// <summary>Finds the frame <c>world</c>. Call it when the rig or one of its parents has got a new parent.</summary>
+        public void FindWorld() => _world = CellPlace.WorldOf(_rig, _source);
 
         /// <summary>Removes the robot from the session's parts.</summary>
         public void Leave()
