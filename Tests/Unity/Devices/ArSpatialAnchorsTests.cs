@@ -113,6 +113,27 @@ public sealed class ArSpatialAnchorsTests
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
     }
 
+    [TestCase(false)]
+    [TestCase(true)]
+    public void State_SwitchedOff_IsLostWithTheReasonUntilItIsSwitchedOn(bool isObject)
+    {
+        var anchor = _anchors.Hold(Place);
+        Run(0.1);
+        void Switch(bool on)
+        {
+            if (isObject) _object.SetActive(on);
+            else _anchors.enabled = on;
+            Run(0.1);
+        }
+
+        Switch(false);
+        Assert.That((anchor.State, anchor.Problem), Is.EqualTo((SpatialAnchorState.Lost, DeviceMessages.AnchorsOff)));
+        Assert.That(Metres(anchor.Pose, Place), Is.LessThan(1e-5), "the last pose is kept");
+        Switch(true);
+
+        Assert.That((anchor.State, anchor.Problem), Is.EqualTo((SpatialAnchorState.Tracking, (string)null)));
+    }
+
     [Test]
     public void Hold_DeviceAcceptsNoAnchors_FailsAfterATimeoutWithTheReason()
     {

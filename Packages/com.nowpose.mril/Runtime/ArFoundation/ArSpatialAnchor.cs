@@ -26,6 +26,8 @@ namespace Nowpose.ArFoundation
         readonly AnchorKeeping _keeping;
         readonly float _since;
         ARAnchor _anchor;
+        SpatialAnchorState _state;
+        string _problem;
         bool _wasThere;
 
         /// <summary>Constructs a new anchor; the device creates it later.</summary>
@@ -52,23 +54,24 @@ namespace Nowpose.ArFoundation
             _since = Time.unscaledTime;
         }
 
-        public SpatialAnchorState State { get; private set; }
+        // While the owner is switched off, the state that it updated last may no longer be true.
+        public SpatialAnchorState State => _state == SpatialAnchorState.Tracking && !_owner.IsOn ? SpatialAnchorState.Lost : _state;
         public RigidTransform? Pose { get; private set; }
         public string KeptAs => _keeping.KeptAs;
-        public string Problem { get; private set; }
+        public string Problem => _state != SpatialAnchorState.Failed && !_owner.IsOn ? DeviceMessages.AnchorsOff : _problem;
 
         public void Keep(string name)
         {
-            if (State == SpatialAnchorState.Failed) return;
+            if (_state == SpatialAnchorState.Failed) return;
             _keeping.Keep(name);
-            Problem = _keeping.Problem;
+            _problem = _keeping.Problem;
         }
 
         public void Dispose()
         {
             // The device's anchor is destroyed only if no other object uses it.
             var isLast = _owner.Remove(this);
-            if (State == SpatialAnchorState.Failed) return;
+            if (_state == SpatialAnchorState.Failed) return;
             if (_anchor != null && isLast) Object.Destroy(_anchor.gameObject);
             _anchor = null;
             End("it was released");
@@ -81,7 +84,7 @@ namespace Nowpose.ArFoundation
         /// <summary>Updates state and pose from the device. Call once per frame.</summary>
         public void Follow()
         {
-            if (State == SpatialAnchorState.Failed) return;
+            if (_state == SpatialAnchorState.Failed) return;
             if (_anchor == null && !_wasThere) Begin();
             if (_anchor == null)
             {
@@ -122,13 +125,13 @@ namespace Nowpose.ArFoundation
             var place = _anchor.transform;
             if (_anchor.trackingState != TrackingState.Tracking || (_owner.IsSessionOrigin(place.position) && !IsNear(place.position)))
             {
-                if (State == SpatialAnchorState.Tracking || _isLoaded) State = SpatialAnchorState.Lost;
+                if (_state == SpatialAnchorState.Tracking || _isLoaded) _state = SpatialAnchorState.Lost;
                 return;
             }
-            State = SpatialAnchorState.Tracking;
+            _state = SpatialAnchorState.Tracking;
             Pose = UnityPoses.ToRoom(place.position, place.rotation);
             _keeping.Follow(_anchor.trackableId);
-            Problem = _keeping.Problem;
+            _problem = _keeping.Problem;
         }
 
         bool IsNear(Vector3 place) => Pose is RigidTransform last && Vector3.Distance(UnityPoses.ToWorld(last).position, place) < NearMetres;
@@ -137,8 +140,8 @@ namespace Nowpose.ArFoundation
         {
             if (_anchor != null) Object.Destroy(_anchor.gameObject);
             _anchor = null;
-            State = SpatialAnchorState.Failed;
-            Problem = problem;
+            _state = SpatialAnchorState.Failed;
+            _problem = problem;
         }
     }
 }

@@ -34,6 +34,9 @@ namespace Nowpose.ArFoundation
 
         internal ARAnchorManager Manager => _manager.Manager;
 
+        /// <summary>Whether this component runs. While a hierarchy is being activated, isActiveAndEnabled may still be false.</summary>
+        internal bool IsOn => enabled && gameObject.activeInHierarchy;
+
         internal bool IsRunning => _manager.IsRunning;
 
         internal Transform Trackables => _manager.Trackables;

@@ -49,7 +49,7 @@ namespace Nowpose.Anchoring.Tracking
                 case BaseAnchorState.Locked: return Lock(tracker);
                 case BaseAnchorState.Restored: return new Subject(Kind.Restored, tracker.Problem);
                 case BaseAnchorState.Lost when tracker.IsAnchorRemoved: return new Subject(Kind.Removed, tracker.Problem);
-                case BaseAnchorState.Lost: return new Subject(Kind.Lost, a: (int)Math.Min(Math.Ceiling(10 * tracker.ElsewhereMetres), 1e6));
+                case BaseAnchorState.Lost: return new Subject(Kind.Lost, tracker.Problem, a: (int)Math.Min(Math.Ceiling(10 * tracker.ElsewhereMetres), 1e6));
                 default: return new Subject(Kind.Placed);
             }
         }
@@ -127,7 +127,7 @@ namespace Nowpose.Anchoring.Tracking
                 case Kind.Restored: return BaseStatusMessages.Restored(tracker.Markers.Count > 0, tracker.Problem);
                 case Kind.Lost:
                     return subject.A == 0
-                    ? BaseStatusMessages.Lost
+                    ? BaseStatusMessages.Lost + BaseStatusMessages.Because(tracker.Problem)
                     : BaseStatusMessages.Elsewhere(Number(tracker.ElsewhereMetres, "0.0"), tracker.Markers.Count > 0);
                 default: return BaseStatusMessages.Placed;
             }

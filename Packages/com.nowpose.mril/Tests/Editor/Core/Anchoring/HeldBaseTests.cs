@@ -84,12 +84,13 @@ namespace Nowpose.Tests.Core.Anchoring
         {
             Lock();
             var before = Tracker.Base.Value;
-            _anchors.Held[0].State = SpatialAnchorState.Lost;
+            (_anchors.Held[0].State, _anchors.Held[0].Problem) = (SpatialAnchorState.Lost, "switched off");
             // In another map, all poses are shifted.
             _cell.Base = Shift(2) * _cell.Base;
 
             _cell.Run(3);
             Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Lost));
+            Assert.That(Tracker.Words, Is.EqualTo(BaseStatusMessages.Lost + BaseStatusMessages.Because("switched off")));
             Assert.That(Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
             _cell.Base = Shift(-2) * _cell.Base;
             _anchors.Held[0].State = SpatialAnchorState.Tracking;
