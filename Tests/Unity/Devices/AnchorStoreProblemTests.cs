@@ -48,6 +48,22 @@ public sealed class AnchorStoreProblemTests
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
     }
 
+    [TestCase(0)]
+    [TestCase(0.1)]
+    public void Keep_StoreSwitchedOff_IsReportedUntilItIsSwitchedOn(double openFor)
+    {
+        _played.Run(openFor);
+        _played.Store.enabled = false;
+        var anchor = _played.Kept("cell");
+        var meanwhile = (anchor.KeptAs, anchor.Problem, _played.Anchors.Problem);
+
+        _played.Store.enabled = true;
+        _played.Run(2);
+
+        Assert.That(meanwhile, Is.EqualTo(((string)null, DeviceMessages.StoreOff, DeviceMessages.StoreOff)));
+        Assert.That((anchor.KeptAs, anchor.Problem), Is.EqualTo(("cell", (string)null)));
+    }
+
     [TestCase("")]
     [TestCase("  ")]
     [TestCase(null)]

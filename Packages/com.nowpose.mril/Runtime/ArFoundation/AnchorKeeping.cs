@@ -54,12 +54,12 @@ namespace Nowpose.ArFoundation
         public void Follow(TrackableId id)
         {
             if (_wanted == null || Time.unscaledTime < _next) return;
-            var store = _owner.Store;
-            if (store == null || !store.IsReady)
+            if (!_owner.IsReady)
             {
-                Problem = store?.Problem;
+                Problem = _owner.StoreProblem;
                 return;
             }
+            var store = _owner.Store;
             _next = Time.unscaledTime + TryEverySeconds;
             if (store.TryKeep(id, _wanted)) Kept();
             else if (++_tries < MaxAttempts) Problem = DeviceMessages.NotStoredYet;

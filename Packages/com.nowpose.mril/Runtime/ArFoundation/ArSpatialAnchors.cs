@@ -28,9 +28,14 @@ namespace Nowpose.ArFoundation
         IAnchorStore _store;
 
         /// <summary>Reason why the device cannot create or save anchors, in one line; null if no problem is known.</summary>
-        public string Problem => _manager.Problem ?? Store?.Problem;
+        public string Problem => _manager.Problem ?? StoreProblem;
 
-        public bool IsReady => Store?.IsReady ?? false;
+        public bool IsReady => !IsStoreOff && (Store?.IsReady ?? false);
+
+        /// <summary>Reason why the store saves no anchors, in one line; null if no problem is known.</summary>
+        internal string StoreProblem => IsStoreOff ? DeviceMessages.StoreOff : Store?.Problem;
+
+        bool IsStoreOff => Store is Behaviour store && !store.enabled;
 
         internal ARAnchorManager Manager => _manager.Manager;
 

@@ -10,6 +10,8 @@ namespace Nowpose.Unity.Messages
 
         public const string AnchorsOff = "the component Spatial Anchors is switched off, so the device does not correct the position; switch it on";
 
+        public const string StoreOff = "anchors are lost at the next start, because the component Anchor Store is switched off; switch it on";
+
         public const string NotStoredYet = "the device has not stored the anchor yet";
 
         /// <param name="problem">Problem that the store reported; null if it reported none.</param>
