@@ -62,6 +62,20 @@ public class NudgedRigTests : PlayedParts
         Assert.That(nudge.SpeedMmPerS, Is.EqualTo(0).Within(1e-3), "the robot rests, and the session's own robot moves");
     }
 
+    [Test]
+    public void SpeedMmPerS_OwnRobotUnknown_IsTheSpeedOfTheRobotInTheNamespace()
+    {
+        _session.RobotAsset = null;
+        var rig = NewSecond();
+        var nudge = _session.gameObject.AddComponent<LatencyNudge>().With("_rig", rig);
+
+        Run(3, t => _session.Session.Listener.Received(
+            new JointStateMessage(At(t), Joints, Joints.Select(_ => 0.003).ToArray()), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2"));
+
+        Assert.That((_session.Robot, rig.IsFollowing), Is.EqualTo(((RobotModel)null, true)));
+        Assert.That(nudge.SpeedMmPerS, Is.EqualTo(0).Within(1e-3));
+    }
+
     RobotRig NewSecond() => Below<RobotRig>("Second", _session.transform).With("_robotNamespace", "arm2")
         .With("_description", RobotDescriptionAsset.Create("second", RobotFiles.LoadText("youbot")));
 }

@@ -143,14 +143,14 @@ namespace Nowpose.Unity
             if (_loader == null) _loader = _source.GetComponent<LatencyProfileLoader>();
             _moved = _rig != null ? _rig : DisplayedBelow(_source);
             if (_moved == null) ConsoleLog.Warn(this, ComponentMessages.NudgeWithoutRig(name));
-            _source.Shown += Follow;
+            _source.Computed += Follow;
             Shift();
         }
 
         void OnDisable()
         {
             if (_source is null) return;
-            _source.Shown -= Follow;
+            _source.Computed -= Follow;
             _source = null;
             if (_moved != null) _moved.Shift = Vector3.zero;
             _moved = null;
