@@ -64,6 +64,18 @@ public sealed class CellActionsTests
     }
 
     [Test]
+    public void ToggleConnected_Disabled_ConnectsAndDisconnects()
+    {
+        _actions.enabled = false;
+
+        _actions.ToggleConnected();
+        Assert.That((_session.IsConnecting, _actions.IsConnecting), Is.EqualTo((true, true)));
+        _actions.ToggleConnected();
+
+        Assert.That((_session.IsConnecting, _actions.IsConnecting), Is.EqualTo((false, false)));
+    }
+
+    [Test]
     public void ToggleGhost_Hidden_IsShown()
     {
         _actions.ToggleGhost();

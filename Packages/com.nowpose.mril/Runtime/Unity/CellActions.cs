@@ -53,7 +53,7 @@ namespace Nowpose.Unity
         public event Action Changed;
 
         /// <summary>Whether a connection is requested. It may not be established yet; the status panel shows its state.</summary>
-        public bool IsConnecting => _source != null && _source.IsConnecting;
+        public bool IsConnecting => Session is MrilSession session && session.IsConnecting;
 
         /// <summary>Whether any ghost of the session is shown, of a robot or of an object.</summary>
         public bool IsGhostShown => _ghosts.IsAnyShown;
@@ -75,13 +75,13 @@ namespace Nowpose.Unity
         /// <summary>Connects to the gateway.</summary>
         public void Connect()
         {
-            if (Has(_source, "session")) _source.Connect();
+            if (Has(Session, "session")) Session.Connect();
         }
 
         /// <summary>Disconnects from the gateway. The robot holds its last pose and is shown as not current.</summary>
         public void Disconnect()
         {
-            if (Has(_source, "session")) _source.Disconnect();
+            if (Has(Session, "session")) Session.Disconnect();
         }
 
         public void ToggleConnected()
@@ -187,8 +187,11 @@ namespace Nowpose.Unity
 
         CellState State => new CellState(IsConnecting, IsGhostShown, IsOcclusionOn, IsPanelShown, Opacity, NudgeMs, IsNudgeIdle);
 
-        // The actions may be disabled, and ghosts may have been added since the last call.
-        void FindGhosts() => _ghosts.Find(this.SessionOr(_session), _ghost);
+        // A user interface may call the actions while this component is disabled.
+        MrilSession Session => _source != null ? _source : this.SessionOr(_session);
+
+        // Ghosts may have been added since the last call.
+        void FindGhosts() => _ghosts.Find(Session, _ghost);
 
         static PoseAppearance DisplayedBelow(MrilSession session)
         {
