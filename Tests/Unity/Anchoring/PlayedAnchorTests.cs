@@ -176,6 +176,26 @@ public class PlayedAnchorTests
     }
 
     [Test]
+    public void HandPlacedMarker_BelowTheBase_HasNoEffectAndIsLoggedOnce()
+    {
+        _played.Session.gameObject.SetActive(true);
+        var hand = PlayedRig.Below<HandPlacedMarker>("Hand", _played.Anchor.transform);
+        hand.transform.localPosition = new Vector3(0.5f, 0, 0);
+        var before = _played.Anchor.transform.position;
+        _played.Cell.Run(1.1, _played.Session);
+
+        for (var i = 0; i < 3; i++)
+        {
+            hand.BeginMove();
+            _played.Cell.Run(0.1, _played.Session);
+        }
+
+        Assert.That((hand.IsMoving, _played.Anchor.transform.position), Is.EqualTo((false, before)));
+        var error = ComponentMessages.MarkerBelowBase("Hand");
+        Assert.That(_played.Cell.Player.Logs.Count(log => log.Type == LogType.Error && log.Message.EndsWith(error)), Is.EqualTo(1));
+    }
+
+    [Test]
     public void HandPlacedMarker_NotHeld_IsAtThePoseOfItsMarker()
     {
         var hand = new GameObject("Hand").AddComponent<HandPlacedMarker>().With("_payload", "a");

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Anchoring;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -22,6 +23,7 @@ namespace Nowpose.Unity
         string _id;
         MrilSession _session;
         HeadsetTime? _placed;
+        bool _isBelowBase;
 
         /// <summary>Whether a move is in progress.</summary>
         public bool IsMoving { get; private set; }
@@ -30,7 +32,12 @@ namespace Nowpose.Unity
         public string Payload => _payload;
 
         /// <summary>Starts a move. The base follows this object's transform until <see cref="EndMove"/>.</summary>
-        public void BeginMove() => IsMoving = isActiveAndEnabled;
+        /// <remarks>Has no effect below a Base Anchor, because the object would move with the base that follows it.</remarks>
+        public void BeginMove()
+        {
+            CheckParents();
+            IsMoving = isActiveAndEnabled && !_isBelowBase;
+        }
 
         /// <summary>Ends the move. Does nothing if no move is in progress.</summary>
         public void EndMove()
@@ -70,6 +77,14 @@ namespace Nowpose.Unity
         {
             _id ??= "hand " + Guid.NewGuid();
             _session = this.SessionOr(null);
+            CheckParents();
+        }
+
+        void CheckParents()
+        {
+            var wasBelowBase = _isBelowBase;
+            _isBelowBase = GetComponentInParent<BaseAnchor>() != null;
+            if (_isBelowBase && !wasBelowBase) ConsoleLog.Fail(this, ComponentMessages.MarkerBelowBase(name));
         }
 
         void OnDisable() => EndMove();

@@ -12,6 +12,10 @@ namespace Nowpose.Unity.Messages
 
         public static string GhostWithoutRig(string component) => $"ghost '{component}' has no displayed rig for the comparison; assign one";
         public static string GripWithoutRig(string component) => $"grip by reach '{component}' has no rig on a parent; assign one";
+
+        public static string MarkerBelowBase(string component) =>
+            $"hand placed marker '{component}' is below a base anchor and would move with it; move it to another parent below the session";
+
         public static string NudgeWithoutRig(string component) => $"latency nudge '{component}' has no rig below the session; assign one";
 
         public const string NoMaterial = "has no material; assign one";
