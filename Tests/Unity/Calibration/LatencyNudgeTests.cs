@@ -13,7 +13,7 @@ namespace Nowpose.Unity.Tests.Calibration;
 
 public sealed class LatencyNudgeTests
 {
-    const string Gantry = """
+    internal const string Gantry = """
         <robot name='gantry'><link name='base'/><link name='carriage'/><joint name='x' type='prismatic'><parent link='base'/>
         <child link='carriage'/><axis xyz='1 0 0'/><limit lower='-2' upper='2' velocity='2' effort='1'/></joint></robot>
         """;

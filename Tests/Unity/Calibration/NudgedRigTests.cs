@@ -63,6 +63,24 @@ public class NudgedRigTests : PlayedParts
     }
 
     [Test]
+    public void Axis_ChangedInTheInspector_DeletesTheMarksAndTurnsTheShift()
+    {
+        var rig = Second(LatencyNudgeTests.Gantry);
+        var nudge = _session.gameObject.AddComponent<LatencyNudge>().With("_rig", rig);
+        void Send(double t) => _session.Session.Listener.Received(
+            new JointStateMessage(At(t), ["x"], [0.1 * t]), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2");
+        Run(3, Send);
+        nudge.OffsetMm = 40;
+        Assert.That((nudge.Mark(), nudge.ForwardCount), Is.EqualTo((true, 1)), nudge.Problem);
+
+        nudge.With("_axis", NudgeAxis.Z);
+        Run(0.1, Send);
+
+        Assert.That(nudge.ForwardCount, Is.EqualTo(0));
+        Assert.That(Vector3.Distance(rig.transform.localPosition, new Vector3(0, 0.04f, 0)), Is.LessThan(1e-6));
+    }
+
+    [Test]
     public void SpeedMmPerS_OwnRobotUnknown_IsTheSpeedOfTheRobotInTheNamespace()
     {
         _session.RobotAsset = null;

@@ -44,6 +44,7 @@ namespace Nowpose.Unity
         MarkedNudges _marks;
         TimeSpan _usedVisu;
         RobotRig _moved;
+        NudgeAxis _usedAxis;
         float _offsetMm;
 
         /// <summary>Shift of the displayed robot along the axis in mm, −500 to 500, for a slider.</summary>
@@ -64,8 +65,7 @@ namespace Nowpose.Unity
             set
             {
                 _axis = value;
-                Clear();
-                Shift();
+                TakeAxis();
             }
         }
 
@@ -144,6 +144,7 @@ namespace Nowpose.Unity
             _moved = _rig != null ? _rig : DisplayedBelow(_source);
             if (_moved == null) ConsoleLog.Warn(this, ComponentMessages.NudgeWithoutRig(name));
             _source.Computed += Follow;
+            TakeAxis();
             Shift();
         }
 
@@ -157,8 +158,18 @@ namespace Nowpose.Unity
             _speed.Reset();
         }
 
+        // The Inspector changes the field without the setter.
+        void TakeAxis()
+        {
+            if (_axis == _usedAxis) return;
+            _usedAxis = _axis;
+            Clear();
+            Shift();
+        }
+
         void Follow(DisplayFrame frame)
         {
+            TakeAxis();
             // An assigned rig may show a robot in a namespace.
             if (_moved != null && _moved.Robot is SessionRobot robot) frame = robot.Frame;
             if (frame.State == PoseState.Current && frame.DisplayTime.HasValue) _speed.Add(frame.DisplayTime.Value, AlongMm(frame.ToolPose));
