@@ -2,6 +2,7 @@ using Microsoft.MixedReality.OpenXR;
 using Microsoft.MixedReality.OpenXR.ARSubsystems;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
+using Nowpose.OpenXR;
 using Nowpose.Unity;
 using Nowpose.Unity.Messages;
 using NUnit.Framework;
