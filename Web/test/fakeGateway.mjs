@@ -85,6 +85,8 @@ export class FakeGateway {
   robots = [];
   /** Names of stationary objects. Each subscriber receives their poses once. */
   stationary = [];
+  /** Parents of stationary objects by name; `world` for the others. */
+  parents = {};
   /** Promise that delays the response with the pairing code. */
   codeIsLate = null;
   began = Date.now();
@@ -213,6 +215,6 @@ export class FakeGateway {
     this.queues.set(topic, queue_length);
     if (this.urdf && topic.endsWith('/robot_description')) socket.write(frame(JSON.stringify({ op: 'publish', topic, msg: { data: this.urdf } })));
     if (topic !== '/tf_static') return;
-    for (const name of this.stationary) socket.write(frame(transform(0, 'world', name, [0.3, 0, 0], topic)));
+    for (const name of this.stationary) socket.write(frame(transform(0, this.parents[name] ?? 'world', name, [0.3, 0, 0], topic)));
   }
 }

@@ -1,6 +1,5 @@
-import { type Box3, Group, type Matrix4 } from 'three';
-import { Bodies, type Poses } from '../robot/bodies';
-import type { Frames } from '../robot/frames';
+import { type Box3, Group } from 'three';
+import { Bodies } from '../robot/bodies';
 import { JointTracks } from '../robot/tracks';
 import type { Beside } from '../robot/view';
 import { JOINT_STATE, readJointState, type Rosbridge } from './rosbridge';
@@ -48,26 +47,14 @@ export class OtherRobots implements Beside {
     }
   }
 
-  /** Returns the pose of a link in the world. The name includes the namespace. Null for an unknown link. */
-  linkOf(name: string): Matrix4 | null {
-    const end = name.indexOf('/');
-    return end < 0 ? null : (this.robots.get(name.slice(0, end))?.bodies?.linkOf('truth', name.slice(end + 1)) ?? null);
+  /** Namespaces of the robots. */
+  get names(): Iterable<string> {
+    return this.robots.keys();
   }
 
   /** Returns the copies of a robot, null without a description, and its true positions. */
   find(name: string): Robot {
     return this.robots.get(name) ?? { bodies: null, tracks: new JointTracks(this.keepS) };
-  }
-
-  /**
-   * @param isCurrent Returns whether the newest position of a joint is current.
-   * @param posesOf Returns the poses of a robot, given its namespace and its true positions.
-   */
-  pose(time: number, frames: Frames, isCurrent: (joint: string) => boolean, posesOf: (name: string, tracks: JointTracks) => Poses): void {
-    for (const [name, { bodies, tracks }] of this.robots) {
-      bodies?.place(frames.baseAt(`${name}/${bodies.rootName}`, time, link => this.linkOf(link)));
-      bodies?.show(posesOf(name, tracks), joint => isCurrent(`${name}/${joint}`));
-    }
   }
 
   /** Removes all joint positions, so that no robot is drawn. */

@@ -1,6 +1,7 @@
+import type { Matrix4 } from 'three';
 import { el } from '../dom';
 import { jointReasons, robotDescriptions, robotMessages } from '../messages/robot';
-import type { Poses } from '../robot/bodies';
+import type { Bodies, Poses } from '../robot/bodies';
 import { Frames } from '../robot/frames';
 import { JointTracks } from '../robot/tracks';
 import { RobotView } from '../robot/view';
@@ -130,12 +131,8 @@ export class RobotPanel {
     this.drawn = performance.now();
     // Before the first time stamp, draws the stationary objects, whose poses apply to all times.
     const time = (this.clock.at(seconds()) ?? -Infinity) - BEHIND_S;
+    const linkOf = this.pose(time);
     const { bodies } = this.view;
-    const linkOf = (name: string) => bodies?.linkOf('truth', name) ?? this.others.linkOf(name);
-    const isCurrent = (joint: string) => this.current.has(joint);
-    this.others.pose(time, this.frames, isCurrent, (robot, truth) => this.posesOf(robot, truth, time));
-    bodies?.place(this.frames.baseAt(bodies.rootName, time, linkOf));
-    bodies?.show(this.posesOf('', this.truth, time), isCurrent);
     if (performance.now() - this.shownAt >= NUMBERS_MS) {
       this.shownAt = performance.now();
       if (bodies) this.showUnknown(bodies.joints, new Set(this.truth.at(time)?.names));
@@ -143,6 +140,34 @@ export class RobotPanel {
     }
     this.frames.pose(time, linkOf);
     this.view.ask();
+  }
+
+  /**
+   * Poses all robots. A robot may stand on a link of another one, which is then posed first.
+   * @returns A function that returns the pose of a robot's link in the world; null for an unknown link.
+   */
+  private pose(time: number): (name: string) => Matrix4 | null {
+    const posed = new Set<string>();
+    const linkOf = (name: string) => linkIn('', name) ?? linkIn(namespaceOf(name), name.slice(name.indexOf('/') + 1));
+    const linkIn = (robot: string, link: string) => {
+      place(robot);
+      return this.find(robot).bodies?.linkOf('truth', link) ?? null;
+    };
+    const place = (robot: string) => {
+      if (posed.has(robot)) return;
+      posed.add(robot);
+      const { bodies, tracks } = this.find(robot);
+      const inCell = (name: string) => (robot === '' ? name : `${robot}/${name}`);
+      bodies?.place(this.frames.baseAt(inCell(bodies.rootName), time, linkOf));
+      bodies?.show(this.posesOf(robot, tracks, time), joint => this.current.has(inCell(joint)));
+    };
+    for (const robot of ['', ...this.others.names]) place(robot);
+    return linkOf;
+  }
+
+  /** Returns the copies of a robot, null without a description, and its true positions. */
+  private find(robot: string): { bodies: Bodies | null; tracks: JointTracks } {
+    return robot === '' ? { bodies: this.view.bodies, tracks: this.truth } : this.others.find(robot);
   }
 
   /** @param truth True positions of the robot. */
@@ -179,7 +204,7 @@ export class RobotPanel {
   // Shows the distances of the robot that the headset displays, or the reason why they are not known.
   private showDistances(time: number): void {
     const name = this.headset?.name;
-    const { bodies, tracks } = this.displayedRobot === '' ? { bodies: this.view.bodies, tracks: this.truth } : this.others.find(this.displayedRobot);
+    const { bodies, tracks } = this.find(this.displayedRobot);
     if (this.view.bodies && !this.view.bodies.group.visible) setText(this.words, robotMessages.baseUnknown);
     else if (!bodies) {
       if (name && this.displayedRobot !== '') setText(this.words, robotMessages.displaysUnknown(name, this.displayedRobot));

@@ -44,6 +44,23 @@ describe('the robot', () => {
     assert.deepEqual(page.complaints, []);
   });
 
+  it('in a namespace is drawn on a link of the robot without a namespace', async () => {
+    gateway.stationary = ['arm2/arm_link_0'];
+    gateway.parents = { 'arm2/arm_link_0': 'arm_link_5' };
+    const { page, alone } = await openWithOneBody();
+
+    gateway.robots = ['arm2'];
+    for (const joint of JOINTS) gateway.state.joints.push({ ...gateway.state.joints[0], name: `arm2/${joint}` });
+    const both = await drawn(() => bodiesDrawn(page), bodies => bodies > alone + 2);
+    assert.ok(both > alone + 2, `${both} bodies instead of ${alone}`);
+
+    // Without the link on which it stands, its pose is not known.
+    gateway.state.joints[0].state = 'stale';
+    const part = await drawn(() => bodiesDrawn(page), bodies => bodies < alone);
+    assert.ok(part < alone, `${part} bodies instead of ${alone}`);
+    assert.deepEqual(page.complaints, []);
+  });
+
   it('in a namespace is drawn after 16 others have come and gone', async () => {
     const { page, alone } = await openWithOneBody();
     const own = [...gateway.state.joints];
