@@ -64,6 +64,26 @@ sealed class CellFrames(RobotLinks links)
         return inCycle;
     }
 
+    /// <summary>
+    /// Leaves out the poses that no longer apply: those of moving frames that have become stationary since, and those of frames that are no longer
+    /// stationary.
+    /// </summary>
+    /// <param name="message">A message on /tf or /tf_static that has waited in a queue.</param>
+    /// <returns>The message itself if all its poses apply; null if none does.</returns>
+    public HubMessage Applicable(HubMessage message)
+    {
+        var isStationary = message.Topic == RosTopics.TfStatic;
+        var whole = (TransformsMessage)message.Content;
+        var part = MessageParts.Accepted(whole, whole.Count, Applies, MessageParts.Part);
+        return part.Count == 0 ? null : part == whole ? message : Of(message, part);
+
+        bool Applies(int index)
+        {
+            var stationary = Stationary.Of(whole[index].Child);
+            return isStationary ? stationary != null : stationary == null || stationary.Sequence < message.Sequence;
+        }
+    }
+
     static LeftOut LimitBroken(DropReason reason, string child, string parent) =>
         new(reason, child, CellMessageFaults.Of(CellMessageFaults.Frame(child, parent), reason));
 
@@ -98,6 +118,9 @@ sealed class CellFrames(RobotLinks links)
     {
         var whole = (TransformsMessage)message.Content;
         var part = MessageParts.Part(whole, index => isCurrent(whole[index].Child));
-        return part.Count == whole.Count ? message : HubMessage.Of(message.Topic, part, message.ReceivedAt, message.Source).With(message.Sequence);
+        return part.Count == whole.Count ? message : Of(message, part);
     }
+
+    static HubMessage Of(HubMessage message, TransformsMessage part) =>
+        HubMessage.Of(message.Topic, part, message.ReceivedAt, message.Source).With(message.Sequence);
 }

@@ -27,10 +27,7 @@ public sealed class MessageHub
     /// <summary>The namespaces of the robots that have one.</summary>
     internal IReadOnlyList<string> Robots
     {
-        get
-        {
-            lock (_lock) return [.. _robots.Names];
-        }
+        get { lock (_lock) return [.. _robots.Names]; }
     }
 
     /// <summary>The frames of the cell. Outside of the hub, only their events may be used.</summary>
@@ -78,10 +75,7 @@ public sealed class MessageHub
     /// <summary>Whether the hub has the description of at least one robot.</summary>
     internal bool IsRobotDescribed
     {
-        get
-        {
-            lock (_lock) return _robots.IsAnyDescribed;
-        }
+        get { lock (_lock) return _robots.IsAnyDescribed; }
     }
 
     /// <summary>Raised when a source starts to publish signals that have no source yet. Called under the hub's lock.</summary>
@@ -132,6 +126,12 @@ public sealed class MessageHub
     internal IEnumerable<HubMessage> ReadLatched(string topic, Func<long> since)
     {
         lock (_lock) return (topic == RosTopics.Signals ? _signals.Newest : Frames.Stationary).Since(since());
+    }
+
+    /// <inheritdoc cref="CellFrames.Applicable"/>
+    internal HubMessage Applicable(HubMessage message)
+    {
+        lock (_lock) return Frames.Applicable(message);
     }
 
     internal void Publish(HubMessage message) => _subscribers.Publish(message);

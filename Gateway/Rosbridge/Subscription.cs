@@ -3,6 +3,7 @@ using System.Threading.Channels;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Rosbridge;
 
@@ -11,6 +12,7 @@ sealed class Subscription : IDisposable
 {
     const int MaxQueueLength = 1024;
 
+    readonly MessageHub _hub;
     readonly Channel<HubMessage> _queue;
     readonly IDisposable _subscriber;
     readonly ForwardingTimes _times;
@@ -24,6 +26,7 @@ sealed class Subscription : IDisposable
     public Subscription(MessageHub hub, string topic, SubscriptionTerms terms, int standardQueue, DropCounters drops)
     {
         Topic = topic;
+        _hub = hub;
         _terms = terms;
         // Does not count messages that are skipped because of the client's throttle rate.
         _lost = () => drops.Count(terms.ThrottleMs > 0 ? DropReason.None : DropReason.SlowReader);
@@ -78,8 +81,20 @@ sealed class Subscription : IDisposable
 
     bool HasMore => _latched?.HasMore == true && !_ended.Task.IsCompleted;
 
-    // Returns the next message to send; null if the queue is empty.
-    HubMessage Next(long waitedUntil) =>
+    // Returns the next message to send; null if the queue is empty. Each topic has its own queue, so a stationary pose and a moving pose of one frame may
+    // leave their queues in another order than that of their publication. Without poses that no longer apply, the client ends with the newest pose.
+    HubMessage Next(long waitedUntil)
+    {
+        while (Waiting(waitedUntil) is { } message)
+        {
+            var applicable = message.Content is TransformsMessage ? _hub.Applicable(message) : message;
+            if (applicable != null) return applicable;
+        }
+
+        return null;
+    }
+
+    HubMessage Waiting(long waitedUntil) =>
         _latched == null ? _samples.Next(waitedUntil) : _latched.Next(receivedAt => SampleQueue.IsOld(receivedAt, waitedUntil));
 
     // Returns whether the subscription ends during the wait. The wait must end early, because a throttle interval can be as long as a month.

@@ -84,4 +84,52 @@ public class SubscriptionTests
         await isDone.Task.Bounded();
         Assert.That(drops[DropReason.SlowReader], Is.Zero);
     }
+
+    static void Publish(HubSource source, string child, double x, bool isStationary) => source.Publish(
+        new TransformsMessage(new FrameTransform(ControlTime.FromSeconds(1), "world", child, x, 0, 0, 0, 0, 0, 1)), isStationary, []);
+
+    // Publishes poses of the frame "moved" while the client does not read, and then lets the client read. Returns the positions that it receives on one topic.
+    static async Task<double[]> ReceivedAsync(string topic, params (double X, bool IsStationary)[] published)
+    {
+        var hub = new MessageHub();
+        using var source = hub.OpenSource();
+        using var subscription = new Subscription(hub, topic, default, 16, new DropCounters());
+        var (received, reads, began, ends) = (new List<double>(), new TaskCompletionSource(), new TaskCompletionSource(), new TaskCompletionSource());
+        Publish(source, "first", 0, topic == RosTopics.TfStatic);
+        _ = subscription.PumpAsync(
+            async next =>
+            {
+                if (began.Task.IsCompleted) await reads.Task;
+                if (!RosbridgeReader.TryRead(Encoding.UTF8.GetString(next(long.MinValue).Span), out var message, out _)) return;
+                foreach (var (child, x) in Enumerable.Range(0, message.Transforms.Count).Select(i => (message.Transforms[i].Child, message.Transforms[i].X)))
+                {
+                    if (child == "first") began.TrySetResult();
+                    else if (child == "last") ends.TrySetResult();
+                    else received.Add(x);
+                }
+            },
+            CancellationToken.None);
+        await began.Task.Bounded();
+
+        foreach (var (x, isStationary) in published) Publish(source, "moved", x, isStationary);
+        Publish(source, "last", 0, topic == RosTopics.TfStatic);
+        reads.SetResult();
+
+        await ends.Task.Bounded();
+        return [.. received];
+    }
+
+    // The topics have separate queues, so the stationary pose may have been sent already.
+    [Test]
+    public async Task Pump_FrameHasBecomeStationary_LeavesOutItsEarlierMovingPose() =>
+        Assert.That(await ReceivedAsync(RosTopics.Tf, (1, false), (2, true)), Is.Empty);
+
+    [Test]
+    public async Task Pump_FrameIsNoLongerStationary_LeavesOutItsStationaryPose() =>
+        Assert.That(await ReceivedAsync(RosTopics.TfStatic, (1, true), (2, false)), Is.Empty);
+
+    [TestCase(RosTopics.Tf, new[] { 2.0, 3.0 })]
+    [TestCase(RosTopics.TfStatic, new double[0])]
+    public async Task Pump_FrameMovesAfterItsStationaryPose_SendsItsMovingPoses(string topic, double[] expected) =>
+        Assert.That(await ReceivedAsync(topic, (1, true), (2, false), (3, false)), Is.EqualTo(expected).AsCollection);
 }
