@@ -36,7 +36,8 @@ export class LiveTable<T> {
     first = columnLabels.name,
     private readonly noteOf: (item: T) => string = () => '',
   ) {
-    this.none = el('p', { class: 'missing' }, none);
+    // Hidden until the items are known, because the text states that there are none.
+    this.none = el('p', { class: 'missing', hidden: true }, none);
     const labels = [
       el('th', { scope: 'col' }, term(first, meanings)),
       ...columns.map(c => el('th', { scope: 'col', class: c.isNumber ? 'n' : null }, term(c.label, meanings))),
