@@ -27,9 +27,10 @@ static class JointMetrics
     {
         AddJoints(text, state.Joints);
         AddRefusals(text, state.Adapters);
-        AddStates(text, "nowpose_headset_clock_state", "the headset's clock", state.Headsets, "state", ClockStates);
-        AddStates(text, "nowpose_headset_pose_state", "the headset's pose", state.Headsets, "pose", PoseStates);
-        AddPoses(text, state.Headsets);
+        var headsets = state.Headsets.Where(headset => !StatusObjects.IsSilent(headset)).ToList();
+        AddStates(text, "nowpose_headset_clock_state", "the headset's clock", headsets, "state", ClockStates);
+        AddStates(text, "nowpose_headset_pose_state", "the headset's pose", headsets, "pose", PoseStates);
+        AddPoses(text, headsets);
         if (state.Events.Count == 0) return;
         text.Begin("nowpose_events_active", Gauge, "Active events, by kind.");
         foreach (var kind in state.Events.GroupBy(one => one.Kind)) text.Add(kind.Count(one => one.UntilUtc == null), ("kind", kind.Key));

@@ -74,7 +74,9 @@ static class Metrics
         void Add(string name, string type, string help, Func<JsonObject, double?> value) =>
             AddEach(text, name, type, help, adapters, adapter => ("adapter", NameOf(adapter)), value);
 
-        Add("nowpose_adapter_connected", Gauge, "1 while the adapter is connected to its plant.", adapter => OneIf(adapter, "state", "connected"));
+        Add(
+            "nowpose_adapter_connected", Gauge, "1 while the adapter is connected to its plant; 0 also while the adapter does not report.",
+            adapter => StatusObjects.IsSilent(adapter) ? 0 : OneIf(adapter, "state", "connected"));
         Add("nowpose_adapter_samples_total", Counter, "Samples that the adapter published.", adapter => StatusObjects.Number(adapter, "samples"));
         Add("nowpose_adapter_refused_total", Counter, "Refused values: bad status, no finite number, invalid time stamp, or deleted node.", adapter => StatusObjects.Number(adapter, "refused"));
         Add("nowpose_adapter_reconnects_total", Counter, "Number of reconnections.", adapter => StatusObjects.Number(adapter, "reconnects"));
@@ -113,13 +115,16 @@ static class Metrics
     static void AddHeadsets(PrometheusText text, IReadOnlyList<JsonObject> headsets)
     {
         text.One("nowpose_headsets", Gauge, "Headsets that reported within the last half minute.", headsets.Count);
-        void Add(string name, string help, string key, double unit) => AddEach(
-            text, name, Gauge, help, headsets, headset => ("headset", NameOf(headset)), headset => StatusObjects.Number(headset, key) * unit);
+        AddEach(
+            text, "nowpose_headset_seen_seconds", Gauge, "Time since the headset's last report.", headsets, LabelOf,
+            headset => StatusObjects.Number(headset, "seen_s_ago"));
+        var reporting = headsets.Where(headset => !StatusObjects.IsSilent(headset)).ToList();
+        void Add(string name, string help, string key, double unit) =>
+            AddEach(text, name, Gauge, help, reporting, LabelOf, headset => StatusObjects.Number(headset, key) * unit);
 
         AddEach(
-            text, "nowpose_headset_synchronised", Gauge, "1 while the headset's clock is synchronised, 0 in all other states.", headsets, headset => ("headset", NameOf(headset)),
+            text, "nowpose_headset_synchronised", Gauge, "1 while the headset's clock is synchronised, 0 in all other states.", reporting, LabelOf,
             headset => OneIf(headset, "state", "synchronised"));
-        Add("nowpose_headset_seen_seconds", "Time since the headset's last report.", "seen_s_ago", 1);
         Add("nowpose_headset_clock_error_bound_seconds", "Error bound of the headset's clock.", "error_bound_us", Micro);
         Add("nowpose_headset_round_trip_seconds", "Round-trip time of the headset's clock synchronisation.", "rtt_ms", Milli);
         Add("nowpose_headset_application_latency_seconds", "L_app.", "l_app_ms", Milli);
@@ -172,6 +177,8 @@ static class Metrics
     // Escapes commas in names, and sorts the names, so that the label does not depend on the order in which joints were first published.
     static (string, string) LabelOf(SourceStatus source) => (
         "joints", string.Join(',', source.Joints.Order(StringComparer.Ordinal).Select(Escaped)));
+
+    static (string, string) LabelOf(JsonObject headset) => ("headset", NameOf(headset));
 
     static string Escaped(string name) => name.Replace("\\", "\\\\", StringComparison.Ordinal).Replace(",", "\\,", StringComparison.Ordinal);
 

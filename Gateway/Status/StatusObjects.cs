@@ -11,6 +11,9 @@ readonly record struct HopTimes(double? PlantMs, double? GatewayMs);
 /// <summary>Converts the diagnostics of headsets and adapters to JSON, and adds values that the gateway derives.</summary>
 static class StatusObjects
 {
+    /// <summary>Time without a report after which an adapter or headset is silent. Both report once per second.</summary>
+    public static readonly TimeSpan Silence = TimeSpan.FromSeconds(3);
+
     // Adapters of earlier releases use the prefix plant/.
     static readonly string[] AdapterPrefixes = ["plant/", "adapter/"];
 
@@ -31,6 +34,9 @@ static class StatusObjects
         headset["budget_ms"] = Budget(headset, hops);
         return headset;
     }
+
+    /// <summary>Whether an adapter or headset has stopped reporting, so that its last report does not describe its present state.</summary>
+    public static bool IsSilent(JsonObject words) => Number(words, "seen_s_ago") > Silence.TotalSeconds;
 
     /// <summary>Gets a number from a client's diagnostics; null if there is none.</summary>
     public static double? Number(JsonObject words, string key) =>

@@ -15,9 +15,6 @@ sealed class Conditions(
     GatewayOptions options, ServedClock clock, DiagnosticsBoard diagnostics, RecentRefusals refusals, CellReports cell, CellBoard board,
     LimitAlarm limits, Recorder recorder)
 {
-    /// <summary>Time without a report after which an adapter or headset is silent. Both report once per second.</summary>
-    static readonly TimeSpan Silence = TimeSpan.FromSeconds(3);
-
     /// <summary>
     /// Time for which a frame must be an orphan. In this time, the sources of a cell can start one after the other, and the gateway can read the description
     /// of a robot.
@@ -193,7 +190,7 @@ sealed class Conditions(
     {
         var isAdapter = StatusObjects.IsAdapter(report.Name);
         var (kind, name) = isAdapter ? ("adapter", StatusObjects.AdapterName(report.Name)) : ("headset", report.Name);
-        if (report.Ago > Silence)
+        if (report.Ago > StatusObjects.Silence)
         {
             yield return isAdapter ? SilentAdapter(name, report.Ago) : LostHeadset(name, report.Ago);
             yield break;

@@ -99,6 +99,21 @@ public class MetricsTests
     }
 
     [Test]
+    public void Of_AdapterAndHeadsetAreSilent_LastReportDoesNotCountAsTheirPresentState()
+    {
+        var state = Snapshot(Words("goggles", ("seen_s_ago", 8.0), ("state", "synchronised"), ("pose", "current"), ("rtt_ms", 3.0))) with
+        {
+            Adapters = [Words("press", ("seen_s_ago", 8.0), ("state", "connected"), ("samples", 12.0))],
+        };
+
+        var lines = Metrics.Of(state, new ForwardingTimes()).Split('\n');
+
+        Assert.That(lines, Has.Member("nowpose_adapter_connected{adapter=\"press\"} 0"));
+        Assert.That(
+            lines.Where(line => line.Contains("goggles", StringComparison.Ordinal)), Is.EqualTo(new[] { "nowpose_headset_seen_seconds{headset=\"goggles\"} 8" }));
+    }
+
+    [Test]
     public void Of_Joint_MetricIsOneOnlyForItsCurrentState()
     {
         var lines = Metrics.Of(Snapshot(), new ForwardingTimes()).Split('\n').Where(line => line.StartsWith("nowpose_joint_state{", StringComparison.Ordinal)).ToList();
