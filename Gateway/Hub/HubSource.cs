@@ -20,6 +20,9 @@ public sealed class HubSource : IDisposable
     // Joint names of the last claim, by robot: caches the claim, because a source sends the same names in each message.
     readonly Dictionary<string, (string[] Names, string[] InCell, bool AreLong)> _claimed = [];
 
+    // Refused descriptions of robots, by robot.
+    readonly Dictionary<string, string> _refused = [];
+
     internal HubSource(MessageHub hub) => _hub = hub;
 
     /// <summary>Name shown to users; for an adapter, the adapter's name.</summary>
@@ -44,6 +47,8 @@ public sealed class HubSource : IDisposable
         {
             if (_hub.Claim(this, robot, RosTopics.JointStates, message.Names) is { } refusal) return refusal;
             _claimed[robot] = claimed = (message.Names, InCell(robot, message.Names), AreLong(message.Names));
+            // A description is sent once. When this source takes over the joints of another source, it also takes over the description.
+            if (_refused.TryGetValue(robot, out var urdf)) Describe(urdf, robot);
         }
 
         var published = HubMessage.Of(robot, message, claimed.InCell, receivedAt ?? Stopwatch.GetTimestamp(), this);
@@ -66,7 +71,10 @@ public sealed class HubSource : IDisposable
         return refusal;
     }
 
-    /// <summary>Publishes the robot description and keeps it for later subscribers, unless another source has published one.</summary>
+    /// <summary>
+    /// Publishes the robot description and keeps it for later subscribers, unless another source has published one. In that case, the description is
+    /// published when this source takes over joints of the robot from the other source.
+    /// </summary>
     /// <returns>The name that was refused; null if the description was published.</returns>
     public string TryDescribe(string urdf) => Describe(urdf)?.What;
 
@@ -74,8 +82,9 @@ public sealed class HubSource : IDisposable
     internal Refusal? Describe(string urdf, string robot = "")
     {
         var refusal = _hub.Claim(this, robot, RosTopics.RobotDescription, TheRobot);
-        if (refusal == null)
-            _hub.PublishDescription(HubMessage.Description(urdf, robot));
+        if (refusal?.Reason == DropReason.JointTaken) _refused[robot] = urdf;
+        else _refused.Remove(robot);
+        if (refusal == null) _hub.PublishDescription(HubMessage.Description(urdf, robot));
         return refusal;
     }
 
@@ -146,6 +155,8 @@ public sealed class HubSource : IDisposable
     public void Release(string topic)
     {
         _claimed.Clear();
+        if (topic == null) _refused.Clear();
+        else if (RobotTopic.Parse(topic) is { Kind: RosTopics.RobotDescription } described) _refused.Remove(described.Robot);
         _hub.Release(this, topic);
     }
 
