@@ -5,6 +5,7 @@ namespace Nowpose.Gateway.Status.Events;
 /// <summary>Keeps the newest events, and logs the start and end of each event. Thread-safe.</summary>
 sealed class EventList(TimeProvider time, Action<string> log)
 {
+    /// <summary>Maximum number of events, except while more are active.</summary>
     internal const int MaxEvents = 500;
 
     /// <summary>Time after the start of the gateway in which conditions that are normal at startup cause no event.</summary>
@@ -79,8 +80,9 @@ sealed class EventList(TimeProvider time, Action<string> log)
 
     string Begin(Condition condition, DateTimeOffset since, DateTimeOffset? until)
     {
-        // Removes the oldest event that is over, because active events are more important.
-        if (_events.Count >= MaxEvents) _events.RemoveAt(Math.Max(0, _events.FindIndex(known => known.Until != null)));
+        // Removes only events that are over. An active event that were removed would begin again at the next update. The number of active events is
+        // limited by the number of joints, frames, signals and clients.
+        while (_events.Count >= MaxEvents && _events.FindIndex(known => known.Until != null) is >= 0 and var over) _events.RemoveAt(over);
         _events.Add(new StatusEvent(++_lastId, condition, since, until));
         return $"event {_lastId}: {condition.Text}";
     }

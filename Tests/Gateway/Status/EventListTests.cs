@@ -1,3 +1,4 @@
+using System.Globalization;
 using NUnit.Framework;
 using Nowpose.Gateway.Status.Events;
 
@@ -161,6 +162,21 @@ public class EventListTests
         Assert.That(kept[0].Condition.Which, Is.EqualTo("999"));
         Assert.That(kept[^1].Condition.Which, Is.EqualTo("lasting"));
         Assert.That(_events.Read(10), Has.Count.EqualTo(11), "active events are never omitted");
+    }
+
+    // In the largest cell, the end of one source is a condition of each of its 256 frames and 256 signals.
+    [Test]
+    public void Update_MoreConditionsThanTheMaximumOfEvents_BeginsEachEventOnce()
+    {
+        const int Count = EventList.MaxEvents + 20;
+        var present = Enumerable.Range(0, Count).Select(i => Joint(i.ToString(CultureInfo.InvariantCulture))).ToArray();
+
+        for (var i = 0; i < 3; i++) _events.Update(present);
+
+        Assert.That(_events.Read().Select(one => one.Id), Is.EqualTo(Enumerable.Range(1, Count).Reverse()));
+        _events.Update([]);
+        _events.Update([Joint("later")]);
+        Assert.That(_events.Read(), Has.Count.EqualTo(EventList.MaxEvents));
     }
 
     [Test]
