@@ -42,7 +42,7 @@ sealed class Conditions(
             .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(reports)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfUncertainRests(joints))
                 .Concat(OfCell("frame", AdapterReport.FramePrefix)).Concat(OfCell("signal", AdapterReport.SignalPrefix))
                 .Concat(OfFrames(joints)).Concat(OfSignals())
-                .Concat(reports.SelectMany(Of)).Concat(OfRefusals()).Concat(OfLimits()).Concat(OfRecording()).Concat(OfCertificate())
+                .Concat(reports.SelectMany(Of)).Concat(OfRefusals()).Concat(OfLimits(joints)).Concat(OfRecording()).Concat(OfCertificate())
                 .DistinctBy(condition => condition.Key).OrderByDescending(condition => condition.Level),
         ];
     }
@@ -245,7 +245,9 @@ sealed class Conditions(
             Remedy = EventRemedies.TwoSources,
         });
 
-    IEnumerable<Condition> OfLimits() => limits.Beyond.Select(Of);
+    // The position of a joint without current data is not known, and the joint has a condition of its own unless its source has ended normally.
+    IEnumerable<Condition> OfLimits(IReadOnlyList<JointSnapshot> joints) =>
+        limits.Beyond.Where(one => joints.Any(row => row.Name == one.Name && row.IsGood)).Select(Of);
 
     static Condition Of((string Name, JointBeyondLimits Found) one)
     {

@@ -211,6 +211,11 @@ public class JointFaultTests
         Assert.That(one.GetProperty("text").GetString(), Is.EqualTo(
             $"{EventTexts.JointBeyondLimits("arm_joint_3")}: {EventTexts.BeyondLimits(200, "rad", limits.Lower, limits.Upper)}. "
                 + EventRemedies.Limits("rad", "degrees")));
+
+        // Afterwards the position is not known, and the joint itself has an event.
+        _gateway.Time.Advance(JointBoard.StaleAfter);
+
+        await _gateway.EndsAsync("limit", "arm_joint_3");
     }
 
     [Test]
