@@ -138,6 +138,11 @@ public sealed record GatewayOptions
         _ = Certificate;
     }
 
+    /// <summary>Paths of the files of tokens, headsets and certificate whose present content is not used completely, with the faults.</summary>
+    internal IEnumerable<(string Path, string Fault)> FileFaults =>
+        new[] { (Tokens.Path, Tokens.Fault), (Headsets?.Path, Headsets?.Fault), (CertificateFile?.Path, CertificateFile?.Fault) }
+            .Where(one => one.Item2 != null);
+
     /// <summary>Paths of the files that other users must not read: tokens, paired headsets and the private key.</summary>
     internal IEnumerable<string> SecretFiles =>
         new[] { Tokens.Path, Headsets?.Path, CertificateFile?.KeyPath }.Where(path => path != null);

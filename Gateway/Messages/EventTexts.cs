@@ -16,6 +16,7 @@ static class EventTexts
     public const string IsRefused = "is refused";
     public const string IsExceeded = "is exceeded";
     public const string Stopped = "stopped";
+    public const string IsInvalid = "is invalid";
     public const string OfTheGateway = "of the gateway";
     public const string HasExpired = "has expired";
     public const string IsOrphan = "is an orphan";

@@ -38,6 +38,9 @@ public sealed class HeadsetList
 
     internal string Path => _path;
 
+    /// <inheritdoc cref="FollowedFile{T}.Fault"/>
+    internal string Fault => _headsets.Fault;
+
     /// <summary>Whether the token belongs to a paired headset. The check takes the same time for all tokens.</summary>
     /// <param name="hash">Hash from <see cref="TokenList.HashOf"/>.</param>
     public bool Contains(byte[] hash)

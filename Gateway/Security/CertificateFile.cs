@@ -36,6 +36,12 @@ public sealed class CertificateFile
 
     internal X509Certificate2 Current => _file.Current;
 
+    /// <summary>Path of the certificate's file.</summary>
+    internal string Path => _path;
+
+    /// <inheritdoc cref="FollowedFile{T}.Fault"/>
+    internal string Fault => _file.Fault;
+
     /// <summary>Path of the file that contains the private key.</summary>
     internal string KeyPath => _keyPath ?? _path;
 

@@ -17,7 +17,9 @@ sealed class FollowedFile<T>
     readonly object _gate = new();
     T _value;
     Stamp[] _stamps;
-    string _fault;
+    // Fault of a part of the content that is used, and the present fault. Both are null if there is none.
+    string _faultOfValue;
+    volatile string _fault;
 
     /// <param name="paths">Path of the file, or paths of all files that are read together.</param>
     /// <param name="read">Reads the file.</param>
@@ -36,6 +38,11 @@ sealed class FollowedFile<T>
         if (fault != null) throw new InputException(fault);
     }
 
+    /// <summary>
+    /// The fault of the file when it was last accessed, and its consequence: other parts or the previous content are used. Null if there is none.
+    /// </summary>
+    public string Fault => _fault;
+
     public T Current
     {
         get
@@ -43,7 +50,8 @@ sealed class FollowedFile<T>
             lock (_gate)
             {
                 var stamps = Stamps();
-                if (!stamps.AsSpan().SequenceEqual(_stamps) && stamps.All(stamp => stamp.IsOlderThan(_settles))) ReadAgain(stamps);
+                if (stamps.AsSpan().SequenceEqual(_stamps)) _fault = _faultOfValue;
+                else if (stamps.All(stamp => stamp.IsOlderThan(_settles))) ReadAgain(stamps);
                 return _value;
             }
         }
@@ -57,22 +65,23 @@ sealed class FollowedFile<T>
             if (IsChangedSince(stamps)) return;
             _value = value;
             _stamps = stamps;
-            LogFault(fault, AccessMessages.OtherLinesUsed);
+            _faultOfValue = fault == null ? null : fault + AccessMessages.OtherLinesUsed;
+            SetFault(_faultOfValue);
         }
         catch (InputException fault)
         {
             if (IsChangedSince(stamps)) return;
             // Keeps the old stamps, so that the next access tries again: the file may only have been locked.
-            LogFault(fault.Message, AccessMessages.FormerContentUsed);
+            SetFault(fault.Message + AccessMessages.FormerContentUsed);
         }
     }
 
     // Whether a file changed while it was read. Its content may then be incomplete, and a later access reads it again.
     bool IsChangedSince(Stamp[] stamps) => !Stamps().AsSpan().SequenceEqual(stamps);
 
-    void LogFault(string fault, string consequence)
+    void SetFault(string fault)
     {
-        if (fault != null && fault != _fault) _log(fault + consequence);
+        if (fault != null && fault != _fault) _log(fault);
         _fault = fault;
     }
 

@@ -17,6 +17,7 @@ public sealed class TokenList
     internal static readonly TimeSpan Settles = TimeSpan.FromMilliseconds(250);
 
     readonly Func<(byte[] Hash, Role Role)[]> _current;
+    readonly Func<string> _fault = () => null;
 
     IReadOnlyList<(string Where, double Bits)> _weak = [];
 
@@ -30,6 +31,7 @@ public sealed class TokenList
     TokenList(FollowedFile<(byte[] Hash, Role Role)[]> file, string path)
     {
         _current = () => file.Current;
+        _fault = () => file.Fault;
         Path = path;
     }
 
@@ -38,6 +40,9 @@ public sealed class TokenList
 
     /// <summary>Path of the file; null for a list that was not read from a file.</summary>
     internal string Path { get; }
+
+    /// <inheritdoc cref="FollowedFile{T}.Fault"/>
+    internal string Fault => _fault();
 
     /// <summary>
     /// Whether the gateway requires no token. False for any file: if its last token is removed later, no client is accepted.

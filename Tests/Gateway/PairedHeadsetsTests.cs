@@ -62,7 +62,7 @@ public sealed class PairedHeadsetsTests
 
         Assert.That(await RosbridgeStatusAsync(gateway, own), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
         Assert.That(await RosbridgeStatusAsync(gateway, own), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
-        Assert.That(gateway.Log.Count(line => line.Contains(HeadsetListMessages.NotAnEntry(gateway.ListPath, 3))), Is.EqualTo(1));
+        Assert.That(gateway.Log.Count(line => line.StartsWith(HeadsetListMessages.NotAnEntry(gateway.ListPath, 3), StringComparison.Ordinal)), Is.EqualTo(1));
     }
 
     [Test]

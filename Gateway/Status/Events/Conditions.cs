@@ -1,4 +1,3 @@
-using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
@@ -21,9 +20,6 @@ sealed class Conditions(
     /// </summary>
     static readonly TimeSpan OrphanTimeout = TimeSpan.FromSeconds(1);
 
-    /// <summary>Remaining validity below which a certificate is reported.</summary>
-    static readonly TimeSpan CertificateNotice = TimeSpan.FromDays(30);
-
     /// <summary>Start of the remedy in the text with which an adapter explains why a joint may not be at rest.</summary>
     const string OwnRemedy = "; set ";
 
@@ -42,7 +38,7 @@ sealed class Conditions(
             .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(reports)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfUncertainRests(joints))
                 .Concat(OfCell("frame", AdapterReport.FramePrefix)).Concat(OfCell("signal", AdapterReport.SignalPrefix))
                 .Concat(OfFrames(joints)).Concat(OfSignals())
-                .Concat(reports.SelectMany(Of)).Concat(OfRefusals()).Concat(OfLimits(joints)).Concat(OfRecording()).Concat(OfCertificate())
+                .Concat(reports.SelectMany(Of)).Concat(OfRefusals()).Concat(OfLimits(joints)).Concat(OfRecording()).Concat(AccessConditions.Of(options))
                 .DistinctBy(condition => condition.Key).OrderByDescending(condition => condition.Level),
         ];
     }
@@ -269,23 +265,6 @@ sealed class Conditions(
             yield return new("recording", status.File, EventTexts.Stopped, status.Problem, Level.Warning)
             {
                 Remedy = status.IsDeletedWhileWritten ? EventRemedies.RecordAgain : EventRemedies.Recording,
-            };
-    }
-
-    IEnumerable<Condition> OfCertificate()
-    {
-        var left = options.CertificateExpires - options.Time.GetUtcNow().UtcDateTime;
-        if (left > CertificateNotice || left == null) yield break;
-        var day = options.CertificateExpires.Value.ToString("yyyy-MM-dd HH:mm 'UTC'", CultureInfo.InvariantCulture);
-        const string Remedy = EventRemedies.Certificate;
-        yield return left > TimeSpan.Zero
-            ? new("certificate", EventTexts.OfTheGateway, EventTexts.Expires, EventTexts.ExpiresOn(day, Remedy), Level.Warning)
-            {
-                Headline = EventTexts.CertificateExpires,
-            }
-            : new("certificate", EventTexts.OfTheGateway, EventTexts.HasExpired, EventTexts.HeadsetsRefuse(day, Remedy), Level.Error, true)
-            {
-                Headline = EventTexts.CertificateExpired,
             };
     }
 }

@@ -1,0 +1,33 @@
+using System.Globalization;
+using Nowpose.Gateway.Messages;
+
+namespace Nowpose.Gateway.Status.Events;
+
+/// <summary>Finds the faults of the certificate and of the files that determine who may connect.</summary>
+static class AccessConditions
+{
+    /// <summary>Remaining validity below which a certificate is reported.</summary>
+    static readonly TimeSpan CertificateNotice = TimeSpan.FromDays(30);
+
+    public static IEnumerable<Condition> Of(GatewayOptions options) => OfCertificate(options).Concat(options.FileFaults.Select(OfFile));
+
+    static Condition OfFile((string Path, string Fault) file) =>
+        new("file", Path.GetFileName(file.Path), EventTexts.IsInvalid, file.Fault, Level.Warning) { Remedy = EventRemedies.File };
+
+    static IEnumerable<Condition> OfCertificate(GatewayOptions options)
+    {
+        var left = options.CertificateExpires - options.Time.GetUtcNow().UtcDateTime;
+        if (left > CertificateNotice || left == null) yield break;
+        var day = options.CertificateExpires.Value.ToString("yyyy-MM-dd HH:mm 'UTC'", CultureInfo.InvariantCulture);
+        const string Remedy = EventRemedies.Certificate;
+        yield return left > TimeSpan.Zero
+            ? new("certificate", EventTexts.OfTheGateway, EventTexts.Expires, EventTexts.ExpiresOn(day, Remedy), Level.Warning)
+            {
+                Headline = EventTexts.CertificateExpires,
+            }
+            : new("certificate", EventTexts.OfTheGateway, EventTexts.HasExpired, EventTexts.HeadsetsRefuse(day, Remedy), Level.Error, true)
+            {
+                Headline = EventTexts.CertificateExpired,
+            };
+    }
+}
