@@ -26,6 +26,7 @@ static class EventRemedies
     public const string RecordAgain = "Start the recording again to write a new file.";
     public const string Recording = "Correct this, then start the recording again.";
     public const string File = "Correct the file; the gateway needs no restart.";
+    public const string RecordingDisk = "Check the disk of the folder for recordings.";
     public const string Certificate = "renew the file with the same key; the gateway needs no restart";
 
     public const string CheckRest = "Check that the joint is at rest.";

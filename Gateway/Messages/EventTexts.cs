@@ -17,6 +17,7 @@ static class EventTexts
     public const string IsExceeded = "is exceeded";
     public const string Stopped = "stopped";
     public const string IsInvalid = "is invalid";
+    public const string IsIncomplete = "is incomplete";
     public const string OfTheGateway = "of the gateway";
     public const string HasExpired = "has expired";
     public const string IsOrphan = "is an orphan";
@@ -77,6 +78,8 @@ static class EventTexts
         FormattableString.Invariant($"its position was {position:0.###} {unit}; allowed: {lower:0.###} to {upper:0.###} {unit}");
 
     public static string JointBeyondLimits(string joint) => $"joint {joint} is outside the limits of the robot description";
+
+    public static string LinesMissing(long lines) => FormattableString.Invariant($"{lines} lines are missing, because the disk did not store them in time");
 
     public const string Expires = "is about to expire";
     public const string CertificateExpires = "the gateway's certificate is about to expire";

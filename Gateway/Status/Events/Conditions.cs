@@ -266,5 +266,10 @@ sealed class Conditions(
             {
                 Remedy = status.IsDeletedWhileWritten ? EventRemedies.RecordAgain : EventRemedies.Recording,
             };
+        else if (status is { On: true, Lost: > 0 })
+            yield return new("recording", status.File, EventTexts.IsIncomplete, EventTexts.LinesMissing(status.Lost), Level.Warning)
+            {
+                Remedy = EventRemedies.RecordingDisk,
+            };
     }
 }

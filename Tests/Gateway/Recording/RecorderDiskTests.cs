@@ -1,6 +1,11 @@
 using System.Text.Json;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
+using Nowpose.Gateway.Status;
+using Nowpose.Gateway.Status.Cell;
+using Nowpose.Gateway.Status.Events;
 using Nowpose.Protocol;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Gateway.Recording.RecorderCell;
@@ -91,6 +96,33 @@ public class RecorderDiskTests
         var noted = lines.Where(line => line.GetProperty("kind").GetString() == "lost").Sum(line => line.GetProperty("count").GetInt64());
         Assert.That(Count(lines, "sample") + noted, Is.InRange(20_000, 20_100));
         Assert.That(recorder.Status.Lost, Is.EqualTo(lost).Within(50));
+    }
+
+    [Test]
+    public async Task Record_LinesAreMissing_IsAConditionWhileTheRecordingContinues()
+    {
+        using var goOn = new ManualResetEventSlim();
+        await using var recorder = _cell.Open(path =>
+        {
+            goOn.Wait();
+            return LineFile.Create(path);
+        });
+        using var limits = new LimitAlarm(_cell.Hub, _ => { });
+        var (time, reports) = (TimeProvider.System, new CellReports(TimeProvider.System));
+        var conditions = new Conditions(
+            new GatewayOptions(), _cell.Clock, new DiagnosticsBoard(time), new RecentRefusals(time), reports, new CellBoard(time, reports), limits, recorder);
+        Condition[] Present() => [.. conditions.Read([]).Where(one => one.Kind == "recording")];
+        recorder.SwitchOn();
+        var before = Present();
+
+        for (var i = 0; i < 20_000; i++) _cell.Source.Publish(new JointStateMessage(Gateways.Start, ["a"], [i]));
+        var during = Present();
+        goOn.Set();
+        await recorder.SwitchOffAsync().Bounded();
+
+        Assert.That(before, Is.Empty);
+        Assert.That(during.Select(one => (one.What, one.Level)), Is.EqualTo(new[] { (EventTexts.IsIncomplete, Level.Warning) }));
+        Assert.That(Present(), Is.Empty);
     }
 
     [Test]
