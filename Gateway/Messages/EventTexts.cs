@@ -79,7 +79,8 @@ static class EventTexts
 
     public static string JointBeyondLimits(string joint) => $"joint {joint} is outside the limits of the robot description";
 
-    public static string LinesMissing(long lines) => FormattableString.Invariant($"{lines} lines are missing, because the disk did not store them in time");
+    public static string LinesMissing(long lines) =>
+        FormattableString.Invariant($"{lines} lines are missing, because the disk did not store them in time");
 
     public const string Expires = "is about to expire";
     public const string CertificateExpires = "the gateway's certificate is about to expire";

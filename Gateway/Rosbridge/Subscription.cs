@@ -81,8 +81,8 @@ sealed class Subscription : IDisposable
 
     bool HasMore => _latched?.HasMore == true && !_ended.Task.IsCompleted;
 
-    // Returns the next message to send; null if the queue is empty. Each topic has its own queue, so a stationary pose and a moving pose of one frame may
-    // leave their queues in another order than that of their publication. Without poses that no longer apply, the client ends with the newest pose.
+    // Returns the next message to send; null if the queue is empty. Each topic has its own queue, so a stationary pose and a moving pose of one frame
+    // may leave their queues in another order than that of their publication. Without poses that no longer apply, the newest pose arrives last.
     HubMessage Next(long waitedUntil)
     {
         while (Waiting(waitedUntil) is { } message)

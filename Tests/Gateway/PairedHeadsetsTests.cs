@@ -62,7 +62,8 @@ public sealed class PairedHeadsetsTests
 
         Assert.That(await RosbridgeStatusAsync(gateway, own), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
         Assert.That(await RosbridgeStatusAsync(gateway, own), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
-        Assert.That(gateway.Log.Count(line => line.StartsWith(HeadsetListMessages.NotAnEntry(gateway.ListPath, 3), StringComparison.Ordinal)), Is.EqualTo(1));
+        var fault = HeadsetListMessages.NotAnEntry(gateway.ListPath, 3);
+        Assert.That(gateway.Log.Count(line => line.StartsWith(fault, StringComparison.Ordinal)), Is.EqualTo(1));
     }
 
     [Test]

@@ -88,7 +88,8 @@ public class SubscriptionTests
     static void Publish(HubSource source, string child, double x, bool isStationary) => source.Publish(
         new TransformsMessage(new FrameTransform(ControlTime.FromSeconds(1), "world", child, x, 0, 0, 0, 0, 0, 1)), isStationary, []);
 
-    // Publishes poses of the frame "moved" while the client does not read, and then lets the client read. Returns the positions that it receives on one topic.
+    // Publishes poses of the frame "moved" while the client does not read, and then lets the client read. Returns the positions that it receives on
+    // one topic.
     static async Task<double[]> ReceivedAsync(string topic, params (double X, bool IsStationary)[] published)
     {
         var hub = new MessageHub();
@@ -101,11 +102,11 @@ public class SubscriptionTests
             {
                 if (began.Task.IsCompleted) await reads.Task;
                 if (!RosbridgeReader.TryRead(Encoding.UTF8.GetString(next(long.MinValue).Span), out var message, out _)) return;
-                foreach (var (child, x) in Enumerable.Range(0, message.Transforms.Count).Select(i => (message.Transforms[i].Child, message.Transforms[i].X)))
+                for (var i = 0; i < message.Transforms.Count; i++)
                 {
-                    if (child == "first") began.TrySetResult();
-                    else if (child == "last") ends.TrySetResult();
-                    else received.Add(x);
+                    if (message.Transforms[i].Child == "first") began.TrySetResult();
+                    else if (message.Transforms[i].Child == "last") ends.TrySetResult();
+                    else received.Add(message.Transforms[i].X);
                 }
             },
             CancellationToken.None);

@@ -38,7 +38,8 @@ sealed class Conditions(
             .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(reports)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfUncertainRests(joints))
                 .Concat(OfCell("frame", AdapterReport.FramePrefix)).Concat(OfCell("signal", AdapterReport.SignalPrefix))
                 .Concat(OfFrames(joints)).Concat(OfSignals())
-                .Concat(reports.SelectMany(Of)).Concat(OfRefusals()).Concat(OfLimits(joints)).Concat(OfRecording()).Concat(AccessConditions.Of(options))
+                .Concat(reports.SelectMany(Of)).Concat(OfRefusals()).Concat(OfLimits(joints)).Concat(OfRecording())
+                .Concat(AccessConditions.Of(options))
                 .DistinctBy(condition => condition.Key).OrderByDescending(condition => condition.Level),
         ];
     }

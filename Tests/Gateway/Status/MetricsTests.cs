@@ -110,7 +110,8 @@ public class MetricsTests
 
         Assert.That(lines, Has.Member("nowpose_adapter_connected{adapter=\"press\"} 0"));
         Assert.That(
-            lines.Where(line => line.Contains("goggles", StringComparison.Ordinal)), Is.EqualTo(new[] { "nowpose_headset_seen_seconds{headset=\"goggles\"} 8" }));
+            lines.Where(line => line.Contains("goggles", StringComparison.Ordinal)),
+            Is.EqualTo(new[] { "nowpose_headset_seen_seconds{headset=\"goggles\"} 8" }));
     }
 
     [Test]

@@ -208,6 +208,17 @@ describe('the operations page with faults', () => {
     assert.equal(await page.getAttribute('#status', 'class'), 'level unknown');
   });
 
+  it('states nothing about the gateway before the log-in', async () => {
+    gateway.token = 'open-sesame';
+    const page = await open({}, false);
+    await page.waitForSelector('#login', { state: 'visible' });
+
+    const missing = page.locator('#content .live .missing');
+    const shown = await missing.evaluateAll(all => all.filter(one => one.checkVisibility()).map(one => one.textContent));
+
+    assert.deepEqual(shown, []);
+  });
+
   it('explains terms and units on hover', async () => {
     const page = await open();
 

@@ -113,16 +113,6 @@ describe('actions', () => {
     assert.ok((await page.textContent('#trouble')).startsWith(operationsMessages.loggedOut));
   });
 
-  it('do not include statements about the gateway before the log-in', async () => {
-    gateway.token = 'open-sesame';
-    const page = await open({}, false);
-    await page.waitForSelector('#login', { state: 'visible' });
-
-    const shown = await page.locator('#content .live .missing').evaluateAll(all => all.filter(one => one.checkVisibility()).map(one => one.textContent));
-
-    assert.deepEqual(shown, []);
-  });
-
   it('show and hide the pairing code', async () => {
     const page = await open({ hasVirtualTime: true });
     const requests = [];

@@ -1,0 +1,79 @@
+// Tests the view of several robots on the operations page.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { drawn } from '../drawn.mjs';
+import { JOINTS } from '../fakeGateway.mjs';
+import { messages } from '../messages.mjs';
+import { becomes, bodiesDrawn, gateway, nextState, open, openWithOneBody, showsToolError, withGraphics } from './page.mjs';
+
+const { robotMessages } = messages;
+
+describe('a robot', () => {
+  withGraphics();
+
+  it('is drawn together with robots in namespaces whose joints have the same names', async () => {
+    const { page, alone } = await openWithOneBody();
+
+    gateway.robots = ['arm2'];
+    for (const joint of JOINTS) gateway.state.joints.push({ ...gateway.state.joints[0], name: `arm2/${joint}` });
+    const both = await drawn(() => bodiesDrawn(page), bodies => bodies > alone);
+    assert.ok(both > alone, `${both} bodies instead of ${alone}`);
+
+    // Only the robot whose joint is not live loses the links below this joint.
+    gateway.state.joints.at(-JOINTS.length).state = 'stale';
+    const part = await drawn(() => bodiesDrawn(page), bodies => bodies > alone && bodies < both);
+    assert.ok(part > alone && part < both, `${part} bodies, between ${alone} and ${both}`);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('in a namespace is drawn on a link of the robot without a namespace', async () => {
+    gateway.stationary = ['arm2/arm_link_0'];
+    gateway.parents = { 'arm2/arm_link_0': 'arm_link_5' };
+    const { page, alone } = await openWithOneBody();
+
+    gateway.robots = ['arm2'];
+    for (const joint of JOINTS) gateway.state.joints.push({ ...gateway.state.joints[0], name: `arm2/${joint}` });
+    const both = await drawn(() => bodiesDrawn(page), bodies => bodies > alone + 2);
+    assert.ok(both > alone + 2, `${both} bodies instead of ${alone}`);
+
+    // Without the link on which it stands, its pose is not known.
+    gateway.state.joints[0].state = 'stale';
+    const part = await drawn(() => bodiesDrawn(page), bodies => bodies < alone);
+    assert.ok(part < alone, `${part} bodies instead of ${alone}`);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('in a namespace is drawn after 16 others have come and gone', async () => {
+    const { page, alone } = await openWithOneBody();
+    const own = [...gateway.state.joints];
+    const jointsOf = robot => JOINTS.map(joint => ({ ...own[0], name: `${robot}/${joint}` }));
+    for (let i = 1; i <= 16; i++) gateway.state.joints = [...own, ...jointsOf(`arm${i}`), ...gateway.state.joints.slice(own.length)];
+    const topics = () => [...gateway.sockets.values()][0];
+    const used = () => [...topics()].filter(topic => topic.endsWith('/joint_states') && topic !== '/joint_states').length;
+    await drawn(() => nextState(page), () => used() === 16);
+
+    gateway.state.joints = [...own, ...jointsOf('arm17')];
+    gateway.robots = ['arm17'];
+    const both = await drawn(() => bodiesDrawn(page), bodies => bodies > alone);
+
+    assert.ok(both > alone, `${both} bodies instead of ${alone}`);
+    assert.equal(used(), 16);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('in a namespace is compared with the pose that the headset displays of it', async () => {
+    gateway.robots = ['arm2'];
+    for (const joint of JOINTS) gateway.state.joints.push({ ...gateway.state.joints[0], name: `arm2/${joint}` });
+    gateway.displayedRobot = 'arm2';
+    const page = await open();
+
+    const far = 2 * 480.9 * Math.sin(0.05);
+    await showsToolError(page, far - 1, far + 1);
+    gateway.turned = 0;
+    await showsToolError(page, 0, 5);
+    assert.match(await page.textContent('.apart'), /mm.*mm/, 'also without compensation');
+
+    Object.assign(gateway.state.joints.at(-JOINTS.length), { state: 'stale', reason: 'samples stopped arriving' });
+    await becomes(page, '.apart', robotMessages.toolUnknown);
+  });
+});
