@@ -1,4 +1,5 @@
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway;
 using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Cli;
@@ -10,7 +11,7 @@ static class OptionPath
 {
     const int BufferBytes = 64 * 1024;
 
-    /// <summary>Creates a folder and calls a function that prepares it.</summary>
+    /// <summary>Creates a folder, checks that it is writable, and calls a function that prepares it.</summary>
     /// <param name="option">The option that names the folder, for example <c>--out</c>.</param>
     /// <param name="prepare">The function; its argument is the full path of the folder.</param>
     /// <exception cref="InputException">The folder is not writable.</exception>
@@ -18,7 +19,9 @@ static class OptionPath
     {
         try
         {
-            return prepare(Directory.CreateDirectory(folder).FullName);
+            var full = Directory.CreateDirectory(folder).FullName;
+            OutputFile.TryIn(full);
+            return prepare(full);
         }
         catch (Exception e) when (IsRefusal(e))
         {

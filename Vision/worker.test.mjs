@@ -1,7 +1,7 @@
 // Runs the bundled worker as the command line does: sends a pattern, then pictures that the worker renders and reads.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { getPriority, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
@@ -266,4 +266,19 @@ test('responds to a missing file with an error and reads the next picture', asyn
 
   assert.match(missing.error, /no such file/);
   assert.equal(next.codes.length, 2);
+});
+
+test('a picture that cannot be completed leaves no file', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'nowpose-vision-'));
+  try {
+    const to = join(folder, 'picture.png');
+    mkdirSync(to);
+
+    const [{ error }] = await ask({ shot: shot([control, headset]), to });
+
+    assert.ok(error);
+    assert.deepEqual(readdirSync(folder), ['picture.png']);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 });

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway;
 using Nowpose.Latency;
 using Nowpose.Web;
 
@@ -28,9 +29,6 @@ sealed class CalibrationOutput
     /// <exception cref="InputException">The folder or an existing file in it is not writable.</exception>
     public static CalibrationOutput At(string folder, bool hasPairs = false) => OptionPath.InFolder("--out", folder, full =>
     {
-        var trial = Path.Combine(full, Path.GetRandomFileName());
-        File.WriteAllText(trial, "");
-        File.Delete(trial);
         var output = new CalibrationOutput(full);
         // Opens the files of an earlier calibration without changing them.
         string[] written = [output.ProfilePath, output.UnlimitedProfilePath, output.PagePath];
@@ -49,19 +47,18 @@ sealed class CalibrationOutput
     {
         var path = profile == null ? null : profile.Range == null && EarlierLimit() is TimeSpan limit ? PathBeside(limit) : ProfilePath;
         if (profile != null) OptionPath.Write("--out", path, () => LatencyProfileFile.Save(path, profile));
-        OptionPath.Write("--out", PagePath, () => File.WriteAllText(PagePath, CalibrationPage.Render(CalibrationJson.Of(page))));
+        OptionPath.Write("--out", PagePath, () => OutputFile.Write(PagePath, CalibrationPage.Render(CalibrationJson.Of(page))));
         return path;
     }
 
     /// <exception cref="InputException">The file cannot be written.</exception>
-    public void WritePairs(IEnumerable<MeasuredPicture> pictures) => OptionPath.Write("--out", PairsPath, () =>
+    public void WritePairs(IEnumerable<MeasuredPicture> pictures) => OptionPath.Write("--out", PairsPath, () => OutputFile.Write(PairsPath, file =>
     {
-        using var file = File.CreateText(PairsPath);
         file.Write("file,vertices,render_ms,visu_ms\n");
         foreach (var picture in pictures.Where(each => each.RenderMs.HasValue))
             file.Write(string.Create(
                 CultureInfo.InvariantCulture, $"{Quoted(picture.File)},{picture.Vertices},{picture.RenderMs:0.####},{picture.VisuMs:0.####}\n"));
-    });
+    }));
 
     // Gets the path for a profile without a limit, and prints a message that the existing profile is kept.
     string PathBeside(TimeSpan limit)

@@ -1,6 +1,7 @@
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Gateway;
 using Nowpose.Web;
 
 namespace Nowpose.Cli.Demo;
@@ -41,18 +42,15 @@ sealed class DemoOutput
         var output = new DemoOutput(full);
         OptionPath.RequireNoInput("--out", [output.ReportPath, output.SessionPath, output.ResultPath], inputs);
         if (isPaper) CalibrationOutput.At(output.Folder);
-        File.Delete(output.ReportPath);
-        File.Delete(output.SessionPath);
+        foreach (var path in new[] { output.ReportPath, output.SessionPath, output.ResultPath }) File.Delete(path);
         if (isPaper) PaperOutput.RemoveEarlier(output.Folder);
-        File.WriteAllText(output.ResultPath, "");
-        File.Delete(output.ResultPath);
         return output;
     });
 
     /// <param name="figures">The paper's figures from this run; null without <c>--paper</c>.</param>
     public void Write(DemoScore score, DemoRun run, DemoResult result, IReadOnlyList<Figure> figures = null)
     {
-        File.WriteAllText(ResultPath, JsonText.Of(result));
-        File.WriteAllText(ReportPath, ReportPage.Render(DemoReport.Of(score, run, result, figures)));
+        OutputFile.Write(ResultPath, JsonText.Of(result));
+        OutputFile.Write(ReportPath, ReportPage.Render(DemoReport.Of(score, run, result, figures)));
     }
 }

@@ -1,5 +1,6 @@
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Figures.Pictures;
+using Nowpose.Gateway;
 using Nowpose.Web;
 
 namespace Nowpose.Cli.Figures;
@@ -29,27 +30,20 @@ sealed class FiguresOutput
     /// <exception cref="InputException">A folder is not writable.</exception>
     public static FiguresOutput At(string folder, string pictures)
     {
-        var output = new FiguresOutput(Writable("--out", folder, "figures.html"), pictures == null ? null : Writable("--pictures", pictures, ".nowpose"));
-        foreach (var number in FigureSet.Numbers) File.Delete(Path.Combine(output._folder, $"figure-{number}.csv"));
-        return output;
+        if (pictures != null) pictures = OptionPath.InFolder("--pictures", pictures, full => full);
+        return OptionPath.InFolder("--out", folder, full =>
+        {
+            var output = new FiguresOutput(full, pictures);
+            foreach (var path in FigureSet.Numbers.Select(number => Path.Combine(full, $"figure-{number}.csv")).Append(output.PagePath)) File.Delete(path);
+            return output;
+        });
     }
 
     public void Write(IReadOnlyList<Figure> figures, FigureSettings settings)
     {
         foreach (var figure in figures)
-        {
-            using var file = File.CreateText(Path.Combine(_folder, figure.FileName));
-            figure.Table.WriteCsv(file);
-        }
-        File.WriteAllText(PagePath, FiguresPage.Render(FiguresJson.Of(figures, settings)));
+            OutputFile.Write(Path.Combine(_folder, figure.FileName), figure.Table.WriteCsv);
+        OutputFile.Write(PagePath, FiguresPage.Render(FiguresJson.Of(figures, settings)));
         if (_pictures != null) PicturePaths = DocumentPictures.Write(_pictures, figures);
     }
-
-    static string Writable(string option, string folder, string trial) => OptionPath.InFolder(option, folder, full =>
-    {
-        var path = Path.Combine(full, trial);
-        File.WriteAllText(path, "");
-        File.Delete(path);
-        return full;
-    });
 }

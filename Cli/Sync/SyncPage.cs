@@ -1,6 +1,7 @@
 using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway;
 using Nowpose.Sync;
 using Nowpose.Web;
 
@@ -32,10 +33,9 @@ static class SyncPage
         ];
         OptionPath.Write("--page", path, () =>
         {
-            File.WriteAllText(path, FiguresPage.Render(FiguresJson.Of(
+            OutputFile.Write(path, FiguresPage.Render(FiguresJson.Of(
                 SyncPageTexts.Title, SyncPageTexts.Subtitle, conditions, missing: [], [figure])));
-            using var file = File.CreateText(data);
-            figure.Table.WriteCsv(file);
+            OutputFile.Write(data, figure.Table.WriteCsv);
         });
     }
 }

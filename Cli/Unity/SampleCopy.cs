@@ -50,7 +50,7 @@ sealed class SampleCopy
         return new SampleCopy(sample, sample.Folder, target, [.. files.Except(present)]);
     }
 
-    /// <summary>Copies the missing files. A new folder appears only when it is complete.</summary>
+    /// <summary>Copies the missing files. A new folder appears only when it is complete, and each file too.</summary>
     /// <exception cref="InputException">A file cannot be copied.</exception>
     public void Apply()
     {
@@ -76,27 +76,30 @@ sealed class SampleCopy
 
     void Copy()
     {
-        if (Directory.Exists(_target))
-        {
-            CopyTo(_target);
-            return;
-        }
-        var parent = Path.GetDirectoryName(_target);
         // Copies to a temporary folder. Unity ignores it because its name begins with a dot.
-        var unfinished = Path.Combine(parent, "." + Path.GetFileName(_target));
-        if (Directory.Exists(unfinished)) Directory.Delete(unfinished, recursive: true);
-        CopyTo(unfinished);
-        Directory.Move(unfinished, _target);
+        var unfinished = Path.Combine(Path.GetDirectoryName(_target), "." + Path.GetFileName(_target));
+        RemoveFolder(unfinished);
+        try
+        {
+            foreach (var file in _missing) Transfer(File.Copy, Path.Combine(_source, file), Path.Combine(unfinished, file));
+            if (!Directory.Exists(_target)) Directory.Move(unfinished, _target);
+            else foreach (var file in _missing) Transfer(File.Move, Path.Combine(unfinished, file), Path.Combine(_target, file));
+        }
+        finally
+        {
+            RemoveFolder(unfinished);
+        }
     }
 
-    void CopyTo(string folder)
+    static void Transfer(Action<string, string> transfer, string from, string to)
     {
-        foreach (var file in _missing)
-        {
-            var copy = Path.Combine(folder, file);
-            Directory.CreateDirectory(Path.GetDirectoryName(copy));
-            File.Copy(Path.Combine(_source, file), copy);
-        }
+        Directory.CreateDirectory(Path.GetDirectoryName(to));
+        transfer(from, to);
+    }
+
+    static void RemoveFolder(string folder)
+    {
+        if (Directory.Exists(folder)) Directory.Delete(folder, recursive: true);
     }
 
     static bool IsSame(string a, string b) => File.ReadAllBytes(a).AsSpan().SequenceEqual(File.ReadAllBytes(b));

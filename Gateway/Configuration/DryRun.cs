@@ -35,7 +35,8 @@ static class DryRun
 
     public static void Pairing(string path, Findings findings)
     {
-        if (!File.Exists(path)) RequireRoom("--pairing", path);
+        // Each change writes a new file, also if the list exists.
+        RequireRoom("--pairing", path);
         var paired = HeadsetFile.Load(path);
         findings.Good("pairing", File.Exists(path) ? $"{path} ({paired.Count} headsets)" : $"{path} (would be created)");
     }
@@ -85,9 +86,7 @@ static class DryRun
     {
         try
         {
-            // Tries to write, because permissions alone do not show that a file system is read-only.
-            using var trial = new FileStream(
-                Path.Combine(folder, Path.GetRandomFileName()), FileMode.CreateNew, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);
+            OutputFile.TryIn(folder);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {

@@ -4,11 +4,15 @@ using Nowpose.Gateway.Messages;
 namespace Nowpose.Gateway.Pairing;
 
 /// <summary>Reads and writes the file of paired headsets: text with one line per headset. It is created readable by its owner only.</summary>
+/// <remarks>
+/// Each change replaces the complete file, so that readers need no lock. Processes that change it take turns: each first locks a file beside it, which
+/// stays.
+/// </remarks>
 static class HeadsetFile
 {
     /// <summary>
-    /// Maximum number of attempts to open the file, together 10 s. Another process keeps the file open only for one change, but it can make many
-    /// changes in a row, and each flush to a busy disk can take a second.
+    /// Maximum number of attempts to lock the file, together 10 s. Another process keeps the lock only for one change, but it can make many changes in
+    /// a row, and each flush to a busy disk can take a second.
     /// </summary>
     const int Attempts = 400;
 
@@ -18,7 +22,7 @@ static class HeadsetFile
     /// <exception cref="InputException">The file cannot be created or read, or a line is invalid.</exception>
     public static IReadOnlyList<PairedHeadset> Open(string path) => Guarded(path, () =>
     {
-        if (!File.Exists(path)) Rewrite(path, FileMode.OpenOrCreate, text => text.Length == 0 ? HeadsetListMessages.Head : text);
+        if (!File.Exists(path)) Rewrite(path, text => text.Length == 0 ? HeadsetListMessages.Head : text);
         return Load(path);
     });
 
@@ -35,13 +39,13 @@ static class HeadsetFile
     /// <exception cref="InputException">The file cannot be read.</exception>
     public static IReadOnlyList<PairedHeadset> Load(string path, out string fault)
     {
-        var lines = Guarded(path, () => File.Exists(path) ? Retried(() => File.ReadAllLines(path)) : []);
-        return Parse(path, lines, out fault);
+        var text = Guarded(path, () => File.Exists(path) ? Text(path) : "");
+        return Parse(path, text.Split('\n'), out fault);
     }
 
     /// <summary>Appends the line of a headset.</summary>
     /// <exception cref="InputException">The file cannot be written.</exception>
-    public static void Add(string path, PairedHeadset headset) => Rewrite(path, FileMode.OpenOrCreate, text =>
+    public static void Add(string path, PairedHeadset headset) => Rewrite(path, text =>
         // Adds a line end if an editor has saved the last line without one.
         text + (text.Length > 0 && text[^1] != '\n' ? "\n" : "") + headset + "\n");
 
@@ -50,7 +54,7 @@ static class HeadsetFile
     public static void Remove(string path, IReadOnlyCollection<PairedHeadset> headsets)
     {
         var gone = headsets.Select(headset => headset.ToString()).ToHashSet();
-        Rewrite(path, FileMode.Open, text => string.Concat(
+        Rewrite(path, text => string.Concat(
             text.Split('\n').Where(line => !gone.Contains(line.Trim())).Select(line => line + "\n")).TrimEnd('\n') + "\n");
     }
 
@@ -69,33 +73,32 @@ static class HeadsetFile
         return headsets;
     }
 
-    // Edits the file in place under an exclusive lock, so that pairing and revoking at the same time do not overwrite each other's change.
-    static void Rewrite(string path, FileMode mode, Func<string, string> change) => Guarded(path, () =>
+    static void Rewrite(string path, Func<string, string> change) => Guarded(path, () =>
     {
-        var options = new FileStreamOptions { Mode = mode, Access = FileAccess.ReadWrite, Share = FileShare.None };
-        if (mode == FileMode.OpenOrCreate && !OperatingSystem.IsWindows())
-            options.UnixCreateMode = UnixFileMode.UserRead | UnixFileMode.UserWrite;
-        using var file = Retried(() => new FileStream(path, options));
-        var before = new byte[file.Length];
-        file.ReadExactly(before);
-        var after = Encoding.UTF8.GetBytes(change(Encoding.UTF8.GetString(before)));
-        file.Position = 0;
-        file.Write(after);
-        file.SetLength(after.Length);
-        file.Flush(flushToDisk: true);
+        var target = OutputFile.TargetOf(path);
+        using var turn = Lock(target);
+        var content = Encoding.UTF8.GetBytes(change(File.Exists(target) ? Text(target) : ""));
+        OutputFile.Write(target, file => file.Write(content), OutputFile.Secret);
         return true;
     });
 
-    // Tries again while another process has the file open.
-    static T Retried<T>(Func<T> work)
+    // Allows a change in the meantime: on Windows, a file that is open without this permission cannot be replaced.
+    static string Text(string path)
+    {
+        using var reader = new StreamReader(new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete));
+        return reader.ReadToEnd();
+    }
+
+    // Tries again while another process has the lock.
+    static FileStream Lock(string path)
     {
         for (var left = Attempts; ; left--)
         {
             try
             {
-                return work();
+                return OutputFile.Open(path + ".lock", FileMode.OpenOrCreate, path, OutputFile.Secret);
             }
-            catch (IOException e) when (left > 1 && e is not (FileNotFoundException or DirectoryNotFoundException))
+            catch (IOException e) when (left > 1 && e is not DirectoryNotFoundException)
             {
                 Thread.Sleep(AttemptInterval);
             }

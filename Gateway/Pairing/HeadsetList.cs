@@ -28,7 +28,7 @@ public sealed class HeadsetList
         _path = path;
         _time = time ?? TimeProvider.System;
         HeadsetFile.Open(path);
-        // Reads a changed file without delay, because a writer locks the file exclusively.
+        // Reads a changed file without delay, because each change replaces the complete file.
         _headsets = new FollowedFile<IReadOnlyList<PairedHeadset>>(
             [path], (out string fault) => HeadsetFile.Load(path, out fault), TimeSpan.Zero, log);
     }

@@ -71,13 +71,9 @@ public static class CertificateFiles
     {
         using var certificate = Generate();
         var bytes = IsPfx(path) ? certificate.Export(X509ContentType.Pfx) : System.Text.Encoding.ASCII.GetBytes(Pem(certificate));
-        var options = new FileStreamOptions { Mode = FileMode.CreateNew, Access = FileAccess.Write };
-        if (!OperatingSystem.IsWindows())
-            options.UnixCreateMode = UnixFileMode.UserRead | UnixFileMode.UserWrite;
         try
         {
-            using var file = new FileStream(path, options);
-            file.Write(bytes);
+            OutputFile.CreateSecret(path, bytes);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {

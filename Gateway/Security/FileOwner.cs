@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Compares the owner of a file with this process. .NET has no function that gets the owner.</summary>
+/// <summary>Gets and sets the owner of a file on Linux. .NET has no functions for this.</summary>
 static class FileOwner
 {
     // Constants from linux/stat.h, equal on all processors: the requested fields and their offsets.
@@ -13,19 +13,29 @@ static class FileOwner
     const int Size = 256;
 
     /// <summary>Whether a file belongs to another user and to the group of this process. Returns false if this is unknown.</summary>
-    public static bool IsOthersForOwnGroup(string path)
+    public static bool IsOthersForOwnGroup(string path) => Of(path) is var (user, group) && user != OwnUser() && group == OwnGroup();
+
+    /// <summary>
+    /// Gives a file the owner and the group of another file. Only a privileged process can give a file away; for other processes this has no effect.
+    /// </summary>
+    public static void Copy(string from, string to)
     {
-        if (!OperatingSystem.IsLinux()) return false;
+        if (Of(from) is var (user, group) && Of(to) != (user, group)) _ = SetOwner(to, user, group);
+    }
+
+    // Returns null if the owner is unknown.
+    static (uint User, uint Group)? Of(string path)
+    {
+        if (!OperatingSystem.IsLinux()) return null;
         var about = new byte[Size];
         try
         {
-            if (AskFile(AtCurrentFolder, path, 0, UidAndGid, about) != 0) return false;
-            return NumberAt(about, UidAt) != OwnUser() && NumberAt(about, GidAt) == OwnGroup();
+            return AskFile(AtCurrentFolder, path, 0, UidAndGid, about) == 0 ? (NumberAt(about, UidAt), NumberAt(about, GidAt)) : null;
         }
         catch (EntryPointNotFoundException)
         {
             // C libraries from before 2018 do not have the function statx.
-            return false;
+            return null;
         }
     }
 
@@ -33,6 +43,9 @@ static class FileOwner
 
     [DllImport("libc", EntryPoint = "statx")]
     static extern int AskFile(int folder, string path, int flags, uint mask, [Out] byte[] about);
+
+    [DllImport("libc", EntryPoint = "chown")]
+    static extern int SetOwner(string path, uint user, uint group);
 
     [DllImport("libc", EntryPoint = "geteuid")]
     static extern uint OwnUser();

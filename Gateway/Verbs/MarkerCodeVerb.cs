@@ -69,8 +69,8 @@ static class MarkerCodeVerb
             throw new InputException(VerbMessages.OutName(path));
         try
         {
-            if (isPng) File.WriteAllBytes(path, drawn.Png(PixelsPerModule));
-            else File.WriteAllText(path, drawn.Svg(sizeMm, caption));
+            if (isPng) OutputFile.Write(path, (Stream file) => file.Write(drawn.Png(PixelsPerModule)));
+            else OutputFile.Write(path, drawn.Svg(sizeMm, caption));
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {

@@ -1,4 +1,4 @@
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import decodeJpeg, { init as initDecoder } from '@jsquash/jpeg/decode.js';
 import encodeJpeg, { init as initEncoder } from '@jsquash/jpeg/encode.js';
 import decoder from '@jsquash/jpeg/codec/dec/mozjpeg_dec.wasm';
@@ -65,7 +65,7 @@ export async function writePicture(path: string, grey: Grey): Promise<void> {
     optimize_coding: false,
     trellis_multipass: false,
   };
-  writeFileSync(path, Buffer.from(await encodeJpeg(picture, options)));
+  writeWhole(path, Buffer.from(await encodeJpeg(picture, options)));
 }
 
 function writePng(path: string, { width, height, data, colours }: Grey): void {
@@ -73,5 +73,17 @@ function writePng(path: string, { width, height, data, colours }: Grey): void {
   const bytes = colours ?? data;
   png.data = Buffer.from(bytes.buffer, bytes.byteOffset, bytes.length);
   const format = colours ? { inputColorType: 6, colorType: 2 } : { inputColorType: 0, colorType: 0 };
-  writeFileSync(path, PNG.sync.write(png, { ...format, deflateLevel: 1, filterType: 1 } as Parameters<typeof PNG.sync.write>[1]));
+  writeWhole(path, PNG.sync.write(png, { ...format, deflateLevel: 1, filterType: 1 } as Parameters<typeof PNG.sync.write>[1]));
+}
+
+/** Writes a file that is complete as soon as it has its name, even if the process ends meanwhile. */
+function writeWhole(path: string, content: Buffer): void {
+  const unfinished = `${path}.new`;
+  try {
+    writeFileSync(unfinished, content);
+    renameSync(unfinished, path);
+  } catch (fault) {
+    rmSync(unfinished, { force: true });
+    throw fault;
+  }
 }

@@ -1,4 +1,5 @@
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway;
 using Nowpose.Latency;
 using Nowpose.Latency.Sweep;
 using Nowpose.Vision;
@@ -22,14 +23,12 @@ static class SimulationOutput
         using var pool = new VisionPool();
         RemoveEarlier(folder, pictures);
         // Written before the log, because the log of a simulation that failed must not look like the log of a measurement.
-        using var truth = File.CreateText(Path.Combine(folder, TruthFile));
-        truth.Write(TruthHeader + "\n");
-        truth.Flush();
-        using (var log = File.CreateText(Path.Combine(folder, LogFile)))
+        OutputFile.Write(Path.Combine(folder, TruthFile), TruthHeader + "\n");
+        OutputFile.Write(Path.Combine(folder, LogFile), log =>
         {
             SweepLog.WriteHeader(log);
             foreach (var row in sweep.Rows) SweepLog.Write(log, row);
-        }
+        });
         var defects = new string[settings.Pictures];
         string NameOf(int picture) => FormattableString.Invariant($"picture-{picture + 1:00000}.jpg");
         var made = new SortedSet<int>();
@@ -43,7 +42,11 @@ static class SimulationOutput
             },
             cancellation));
         // After a cancellation, only the finished pictures are listed.
-        foreach (var i in made) truth.Write(TruthOf(sweep, i, NameOf(i), defects[i]) + "\n");
+        OutputFile.Write(Path.Combine(folder, TruthFile), truth =>
+        {
+            truth.Write(TruthHeader + "\n");
+            foreach (var i in made) truth.Write(TruthOf(sweep, i, NameOf(i), defects[i]) + "\n");
+        });
         return made.Count;
     }
 
@@ -64,7 +67,7 @@ static class SimulationOutput
             if (earlier.Length > 0) throw new InputException(SimulationMessages.OtherPictures(folder, earlier.Length, TruthFile));
             if (File.Exists(Path.Combine(folder, LogFile))) throw new InputException(SimulationMessages.OtherLog(folder, LogFile, TruthFile));
         }
-        foreach (var picture in earlier) File.Delete(picture);
+        foreach (var picture in earlier.Concat(Directory.GetFiles(pictures, "picture-*.jpg.new"))) File.Delete(picture);
     }
 
     static string Made(string folder) => OptionPath.InFolder("--out", folder, full => full);

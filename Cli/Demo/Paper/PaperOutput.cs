@@ -2,6 +2,7 @@ using System.Globalization;
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Gateway;
 
 namespace Nowpose.Cli.Demo.Paper;
 
@@ -21,9 +22,9 @@ static class PaperOutput
 
     public static void Write(string folder, IReadOnlyList<PaperRun> repeats, PaperCalibration calibration, IReadOnlyList<Figure> figures)
     {
-        WriteText(folder, Frames, writer => WriteFrames(writer, repeats));
-        WriteText(folder, Exchanges, writer => WriteExchanges(writer, repeats));
-        foreach (var figure in figures) WriteText(folder, figure.FileName, figure.Table.WriteCsv);
+        OutputFile.Write(Path.Combine(folder, Frames), (TextWriter file) => WriteFrames(file, repeats));
+        OutputFile.Write(Path.Combine(folder, Exchanges), (TextWriter file) => WriteExchanges(file, repeats));
+        foreach (var figure in figures) OutputFile.Write(Path.Combine(folder, figure.FileName), figure.Table.WriteCsv);
         CalibrationOutput.At(folder).Write(calibration.Profile, calibration.Page);
     }
 
@@ -74,10 +75,4 @@ static class PaperOutput
     // Computes in decimal, because a double has too few digits for ticks since 1970.
     static string Seconds(ControlTime t) =>
         ((decimal)t.SinceEpoch.Ticks / TimeSpan.TicksPerSecond).ToString("0.0000000", CultureInfo.InvariantCulture);
-
-    static void WriteText(string folder, string name, Action<TextWriter> write)
-    {
-        using var file = File.CreateText(Path.Combine(folder, name));
-        write(file);
-    }
 }

@@ -1,4 +1,5 @@
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Gateway;
 
 namespace Nowpose.Cli.Figures.Pictures;
 
@@ -27,22 +28,22 @@ static class DocumentPictures
         if (figures.FirstOrDefault(f => f.Number == "17") is Figure arm)
         {
             paths.Add(Path.Combine(folder, "arm.svg"));
-            File.WriteAllText(paths[^1], ArmPicture.Of([.. arm.Drawings.Where(drawing => drawing.Title.EndsWith(": adaptive", StringComparison.Ordinal))]));
+            OutputFile.Write(paths[^1], ArmPicture.Of([.. arm.Drawings.Where(drawing => drawing.Title.EndsWith(": adaptive", StringComparison.Ordinal))]));
         }
         foreach (var (file, number, index, width, traces) in Pictures)
         {
             if (figures.FirstOrDefault(f => f.Number == number) is not Figure figure) continue;
             var plot = figure.Plots[index] with { Traces = [.. figure.Plots[index].Traces.Where(t => traces.Contains(t.Label))] };
             paths.Add(Path.Combine(folder, file));
-            File.WriteAllText(paths[^1], new SvgPlot(plot, width).Draw());
+            OutputFile.Write(paths[^1], new SvgPlot(plot, width).Draw());
         }
         foreach (var (file, plot) in CalibrationPictures.All())
         {
             paths.Add(Path.Combine(folder, file));
-            File.WriteAllText(paths[^1], new SvgPlot(plot, Narrow).Draw());
+            OutputFile.Write(paths[^1], new SvgPlot(plot, Narrow).Draw());
         }
         paths.Add(Path.Combine(folder, LedMatrixPicture.File));
-        File.WriteAllText(paths[^1], LedMatrixPicture.Draw());
+        OutputFile.Write(paths[^1], LedMatrixPicture.Draw());
         return paths;
     }
 }

@@ -6,8 +6,8 @@ using Nowpose.Messages;
 namespace Nowpose
 {
     /// <summary>
-    /// Reads and writes small text files. Writing is atomic: after a failure, the file at the path is either the complete old file or the complete
-    /// new file.
+    /// Reads and writes complete files. Writing is atomic: after a failure, the file at the path is either the complete old file or the complete new
+    /// file.
     /// </summary>
     static class WholeFile
     {
@@ -29,24 +29,52 @@ namespace Nowpose
             }
         }
 
-        /// <summary>Writes a temporary file in the same folder, flushes it to the disk, and then replaces the old file with it.</summary>
+        /// <summary>Writes a text file.</summary>
         /// <param name="path">Path of the file. Its folder is created if it does not exist.</param>
         /// <param name="what">Kind of the content, for error messages.</param>
         /// <exception cref="InputException">The file cannot be written; the old file is unchanged.</exception>
         public static void Write(string path, string text, string what)
         {
-            var temporary = path + ".new";
             try
             {
                 var folder = Path.GetDirectoryName(Path.GetFullPath(path));
                 if (!string.IsNullOrEmpty(folder)) Directory.CreateDirectory(folder);
-                WriteDown(temporary, text);
-                if (File.Exists(path)) File.Replace(temporary, path, null);
-                else File.Move(temporary, path);
+                var bytes = Encoding.UTF8.GetBytes(text);
+                Write(path, file => file.Write(bytes, 0, bytes.Length));
             }
             catch (Exception fault) when (IsOfFiles(fault))
             {
                 throw new InputException(FileMessages.NotSaved(path, what, FirstLine(fault.Message)), fault);
+            }
+        }
+
+        /// <summary>
+        /// Writes a temporary file in the same folder, flushes it to the disk, and then gives it the name of the file. After a failure, no temporary
+        /// file remains.
+        /// </summary>
+        /// <param name="path">Path of the file.</param>
+        /// <param name="write">Writes the content.</param>
+        /// <param name="create">Creates the temporary file at a path; null to create it with the default permissions.</param>
+        /// <param name="mayExist">Whether an existing file is replaced; otherwise it is kept, and the method throws.</param>
+        public static void Write(string path, Action<Stream> write, Func<string, FileStream> create = null, bool mayExist = true)
+        {
+            var temporary = path + ".new";
+            var file = create == null ? new FileStream(temporary, FileMode.Create, FileAccess.Write, FileShare.None) : create(temporary);
+            try
+            {
+                using (file)
+                {
+                    write(file);
+                    // Without the flush, the disk could receive the new name of the file before its content.
+                    file.Flush(flushToDisk: true);
+                }
+                if (mayExist && File.Exists(path)) File.Replace(temporary, path, null);
+                else File.Move(temporary, path);
+            }
+            catch
+            {
+                Delete(temporary);
+                throw;
             }
         }
 
@@ -69,13 +97,16 @@ namespace Nowpose
             }
         }
 
-        static void WriteDown(string path, string text)
+        static void Delete(string temporary)
         {
-            var bytes = Encoding.UTF8.GetBytes(text);
-            using var file = new FileStream(path, FileMode.Create, FileAccess.Write, FileShare.None);
-            file.Write(bytes, 0, bytes.Length);
-            // Without the flush, the disk could receive the new name of the file before its content.
-            file.Flush(flushToDisk: true);
+            try
+            {
+                File.Delete(temporary);
+            }
+            catch (Exception fault) when (IsOfFiles(fault))
+            {
+                // The failure of the writing is reported. The next writing overwrites the temporary file.
+            }
         }
 
         static bool IsOfFiles(Exception fault) =>

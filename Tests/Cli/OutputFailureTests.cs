@@ -1,0 +1,49 @@
+using System.CommandLine;
+using Nowpose.Cli.Calibrate;
+using Nowpose.Cli.Sync;
+using Nowpose.Gateway.Options;
+using Nowpose.Gateway.Verbs;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli;
+
+/// <summary>Commands that cannot complete a file: a folder has the name of the temporary file.</summary>
+public sealed class OutputFailureTests
+{
+    TemporaryFolder _folder;
+
+    [SetUp]
+    public void SetUp() => _folder = new TemporaryFolder();
+
+    [TearDown]
+    public void TearDown() => _folder.Dispose();
+
+    [Test]
+    public Task Cell_CannotComplete_KeepsTheEarlierCode() => AssertKeptAsync(
+        MarkerCodeVerb.Create(), "code.svg", "cell", "--cell", "c", "--host", "127.0.0.1", "--out", At("code.svg"));
+
+    [Test]
+    public Task Nudge_CannotComplete_KeepsTheEarlierPage() => AssertKeptAsync(
+        NudgeVerb.Create(), "calibration.html",
+        "nudge", "--speed-mm-s", "100", "--forward-mm", "1", "--backward-mm", "-1", "--out", _folder.Path);
+
+    [Test]
+    public Task Sync_CannotComplete_KeepsTheEarlierPage()
+    {
+        File.WriteAllText(At("log.csv"), "t1_ns,t2_ns,t3_ns,t4_ns\n0,500000,500000,1000000\n1000000000,1000500000,1000500000,1001000000\n");
+        return AssertKeptAsync(SyncVerb.Create(), "sync.html", "sync", At("log.csv"), "--page", At("sync.html"));
+    }
+
+    string At(string name) => Path.Combine(_folder.Path, name);
+
+    async Task AssertKeptAsync(Command verb, string name, params string[] args)
+    {
+        await File.WriteAllTextAsync(At(name), "earlier");
+        Directory.CreateDirectory(At(name + ".new"));
+
+        var run = await CapturedConsole.OfAsync(() => Invocation.RunAsync(Invocation.Root("nowpose", "", verb), args));
+
+        Assert.That(run.Status, Is.EqualTo(2), run.Errors);
+        Assert.That(await File.ReadAllTextAsync(At(name)), Is.EqualTo("earlier"));
+    }
+}
