@@ -35,16 +35,15 @@ static class HeadVerb
             Pictures, Readout, ControlDelay, Earlier,
         };
         Shared.AddTo(verb);
-        // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
-        verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
+        verb.SetAction(RunAsync);
         return verb;
     }
 
-    static int Run(ParseResult parsed, CancellationToken cancel)
+    static async Task<int> RunAsync(ParseResult parsed, CancellationToken cancel)
     {
         var arguments = parsed.GetValue(Pictures);
         var files = PictureFiles.Of(arguments);
-        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed));
+        var earlier = await Invocation.ReadAsync(() => EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed)), cancel);
         var output = Shared.Output(parsed);
         var read = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay))).Run(files, cancel);
         VlcVerb.ReportRejected(read);

@@ -19,25 +19,28 @@ static class RangeVerb
     {
         var verb = new Command("range", "Estimate L_visu and the render time up to which it is constant.") { Pairs, Source };
         Shared.AddTo(verb);
-        // Runs on a separate thread, so that Ctrl-C can cancel it.
-        verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
+        verb.SetAction(RunAsync);
         return verb;
     }
 
-    internal static int Run(ParseResult parsed, CancellationToken cancel)
+    internal static async Task<int> RunAsync(ParseResult parsed, CancellationToken cancel)
     {
         var (file, source, conditions) = (parsed.GetValue(Pairs), parsed.GetValue(Source), Shared.Conditions(parsed));
-        var pictures = PairTable.Read(file);
         var kind = DeviceOptions.KindOf(source);
-        RequireRise(pictures, file, source);
-        var fit = FitOf(pictures, file);
         // The files of millions of pairs take seconds.
-        cancel.ThrowIfCancellationRequested();
+        var (pictures, fit) = await Invocation.ReadAsync(() => Read(file, source), cancel);
         var output = Shared.Output(parsed);
         var profile = RangeProfile.Of(fit, conditions, kind);
         var page = RangeProfile.Page("Constant-latency range", profile, fit, pictures, [["Pairs of", file]]);
         Shared.Finish(parsed, output, profile, page, fit.Json);
         return ExitStatus.Done;
+    }
+
+    static (IReadOnlyList<MeasuredPicture> Pictures, RangeFitResult Fit) Read(string file, string source)
+    {
+        var pictures = PairTable.Read(file);
+        RequireRise(pictures, file, source);
+        return (pictures, FitOf(pictures, file));
     }
 
     // Throws if the render time does not increase with the load, because no limit can then be found or monitored. Skipped for fewer than three loads.

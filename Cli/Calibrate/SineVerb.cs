@@ -43,17 +43,18 @@ static class SineVerb
             Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Former, Earlier,
         };
         Shared.AddTo(verb);
-        // Runs on a separate thread, so that Ctrl-C can cancel it.
-        verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
+        verb.SetAction(RunAsync);
         return verb;
     }
 
-    internal static int Run(ParseResult parsed, CancellationToken cancel)
+    internal static async Task<int> RunAsync(ParseResult parsed, CancellationToken cancel)
     {
         var path = parsed.GetValue(Recording);
         var way = SineWay.Of(parsed.GetValue(Application), parsed.GetValue(Sampling), parsed.GetValue(Configured) ?? parsed.GetValue(Former));
-        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed));
-        var tracks = Tracks(parsed, path, cancel);
+        var earlier = await Invocation.ReadAsync(() => EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed)), cancel);
+        var tracks = PictureFiles.IsVideo(path)
+            ? FilmedJog.Track(path, parsed.GetValue(RobotBox), parsed.GetValue(HologramBox), cancel)
+            : await Invocation.ReadAsync(() => Table(parsed, path), cancel);
         if (parsed.GetValue(Inverted)) tracks = tracks with { Shown = [.. tracks.Shown.Select(each => -each)] };
         var lag = EstimateOf(tracks, path);
         // Long tables take seconds.
@@ -66,13 +67,9 @@ static class SineVerb
         return ExitStatus.Done;
     }
 
-    static SineTracks Tracks(ParseResult parsed, string path, CancellationToken cancel)
-    {
-        if (PictureFiles.IsVideo(path)) return FilmedJog.Track(path, parsed.GetValue(RobotBox), parsed.GetValue(HologramBox), cancel);
-        return parsed.GetValue(Control) is string control
-            ? SineTracks.Of(path, parsed.GetValue(Columns), control, parsed.GetValue(Joint))
-            : SineTracks.Of(path, parsed.GetValue(Columns));
-    }
+    static SineTracks Table(ParseResult parsed, string path) => parsed.GetValue(Control) is string control
+        ? SineTracks.Of(path, parsed.GetValue(Columns), control, parsed.GetValue(Joint))
+        : SineTracks.Of(path, parsed.GetValue(Columns));
 
     static LagEstimate EstimateOf(SineTracks tracks, string path)
     {

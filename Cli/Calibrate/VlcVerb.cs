@@ -31,17 +31,21 @@ static class VlcVerb
             Pictures, Sweep, Readout, ControlDelay, Earlier,
         };
         Shared.AddTo(verb);
-        // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
-        verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
+        verb.SetAction(RunAsync);
         return verb;
     }
 
-    static int Run(ParseResult parsed, CancellationToken cancel)
+    static async Task<int> RunAsync(ParseResult parsed, CancellationToken cancel)
     {
         var files = PictureFiles.Of(parsed.GetValue(Pictures));
-        DisplayConditions conditions = null;
-        var sweep = parsed.GetValue(Sweep) is string path ? SweepTable.Read(path, out conditions) : null;
-        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed), conditions);
+        var (sweep, earlier) = await Invocation.ReadAsync(
+            () =>
+            {
+                DisplayConditions conditions = null;
+                var table = parsed.GetValue(Sweep) is string path ? SweepTable.Read(path, out conditions) : null;
+                return (table, EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed), conditions));
+            },
+            cancel);
         var output = Shared.Output(parsed, hasPairs: true);
         var run = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay)));
         var result = run.Run(files, cancel);

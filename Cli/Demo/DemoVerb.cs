@@ -79,8 +79,10 @@ static class DemoVerb
     static async Task<int> RunAsync(ParseResult parsed, CancellationToken cancel)
     {
         var folder = parsed.GetValue(Output);
-        var status = await (parsed.GetValue(Paper)
-            ? PaperSession.RunAsync(PaperSettings(parsed), parsed.GetValue(Repeats), folder, cancel) : RunAsync(parsed, folder, cancel));
+        var isPaper = parsed.GetValue(Paper);
+        var settings = await Invocation.ReadAsync(() => isPaper ? PaperSettings(parsed) : Settings(parsed), cancel);
+        var status = await (isPaper
+            ? PaperSession.RunAsync(settings, parsed.GetValue(Repeats), folder, cancel) : RunAsync(settings, parsed, folder, cancel));
         if (parsed.GetValue(Open) && status == ExitStatus.Done) Browser.OpenOrExplain(DemoOutput.ReportIn(Path.GetFullPath(folder)));
         return status;
     }
@@ -142,9 +144,8 @@ static class DemoVerb
         };
     }
 
-    static async Task<int> RunAsync(ParseResult parsed, string folder, CancellationToken cancel)
+    static async Task<int> RunAsync(DemoSettings settings, ParseResult parsed, string folder, CancellationToken cancel)
     {
-        var settings = Settings(parsed);
         var output = DemoOutput.At(folder, isPaper: false, parsed.GetValue(Robot), parsed.GetValue(Recording), parsed.GetValue(Profile));
         var run = await DemoStage.PlayAsync(settings, output.SessionPath, cancel);
         return Finish(run, output, cancel.IsCancellationRequested);

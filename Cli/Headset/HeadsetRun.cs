@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Clock;
-using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
 using Nowpose.Messages;
 using Nowpose.Network;
@@ -25,15 +24,14 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
     int _frames;
     CellParts _parts;
 
-    /// <exception cref="InputException">The file of the robot cannot be read, or the recording cannot be written.</exception>
+    /// <exception cref="InputException">The recording cannot be written.</exception>
     public HeadsetResult Play(Action<double, Func<string>> report, CancellationToken cancel)
     {
-        var given = settings.Robot == null ? null : RobotFiles.Load(settings.Robot);
         var isNewFile = settings.RecordingPath != null && !Path.Exists(settings.RecordingPath);
         // Opens the recording before the run, so that a wrong path is reported at once.
         using var file = settings.RecordingPath == null ? null : OptionPath.Open("--record", settings.RecordingPath);
         HeadsetResult undescribed = null;
-        var robot = given ?? DescribedRobot(cancel, out undescribed);
+        var robot = settings.Robot ?? DescribedRobot(cancel, out undescribed);
         if (robot == null)
         {
             // Nothing was recorded. An earlier recording is kept.

@@ -1,3 +1,4 @@
+using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
@@ -9,8 +10,8 @@ sealed record HeadsetSettings
 {
     public required ConnectionSettings Connection { get; init; }
 
-    /// <summary>"youbot", "ur5" or the path of a file; null to use the robot that the gateway describes.</summary>
-    public string Robot { get; init; }
+    /// <summary>The robot; null to use the robot that the gateway describes.</summary>
+    public RobotModel Robot { get; init; }
 
     /// <summary>Namespace of the robot; empty for the robot without a namespace.</summary>
     public string RobotNamespace { get; init; } = "";

@@ -58,10 +58,14 @@ static class HeadsetVerb
             Host, SyncPort, WebSocketPort, Pin, TokenFile, InsecureLan, Name, Robot, Namespace, Predictor, Estimator, Profile, Visualisation,
             FramesPerSecond, Seconds, Record, Json,
         };
-        verb.SetAction((parsed, cancel) => Task.Factory.StartNew(
-            () => Run(Settings(parsed), parsed.GetValue(Json), cancel),
-            // Runs on a separate thread, like a headset's frame loop. The run handles the cancellation itself and prints the results so far.
-            CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default));
+        verb.SetAction(async (parsed, cancel) =>
+        {
+            var settings = await Invocation.ReadAsync(() => Settings(parsed), cancel);
+            return await Task.Factory.StartNew(
+                () => Run(settings, parsed.GetValue(Json), cancel),
+                // Runs on a separate thread, like a headset's frame loop. The run handles the cancellation itself and prints the results so far.
+                CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+        });
         return verb;
     }
 
@@ -87,7 +91,7 @@ static class HeadsetVerb
             Connection = new ConnectionSettings(
                 parsed.GetValue(Host), parsed.GetValue(SyncPort), parsed.GetValue(WebSocketPort), pin == null ? null : CertificatePin.Parse(pin),
                 token: Token(parsed.GetValue(TokenFile)), insecureLan: parsed.GetValue(InsecureLan), headsetName: parsed.GetValue(Name)),
-            Robot = parsed.GetValue(Robot),
+            Robot = parsed.GetValue(Robot) is string robot ? RobotFiles.Load(robot) : null,
             RobotNamespace = NamespaceOf(parsed.GetValue(Namespace)),
             Predictor = parsed.GetValue(Predictor),
             Estimator = parsed.GetValue(Estimator),

@@ -34,15 +34,14 @@ static class RecommendVerb
             if (RecordingText.IsSession(path)) RecordingOptions.RequireUnsetForSession(parsed, path, sampling, latency, grid);
             else if (parsed.GetValue(grid)) RecordingOptions.RequireUnset(parsed, RecommendMessages.GridSets, sampling, latency);
             (double, double)[] conditions = parsed.GetValue(grid) ? Grid : [(parsed.GetValue(sampling), parsed.GetValue(latency))];
-            // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
-            return Task.Run(() => Run(path, conditions, parsed.GetValue(json), cancel), CancellationToken.None);
+            return RunAsync(path, conditions, parsed.GetValue(json), cancel);
         });
         return verb;
     }
 
-    static int Run(string path, (double SamplingMs, double LatencyMs)[] conditions, bool json, CancellationToken cancel)
+    static async Task<int> RunAsync(string path, (double SamplingMs, double LatencyMs)[] conditions, bool json, CancellationToken cancel)
     {
-        var recording = RecordingText.IsSession(path) ? OfSession(path) : OfMotion(path, conditions);
+        var recording = await Invocation.ReadAsync(() => RecordingText.IsSession(path) ? OfSession(path) : OfMotion(path, conditions), cancel);
         var evaluation = new CandidateEvaluation(recording.Subjects);
         ConsoleProgress.Run("trying predictors", "runs", evaluation.Runs, report => evaluation.Run(report, cancel));
         var recommendations = evaluation.Recommendations();

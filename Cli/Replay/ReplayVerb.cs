@@ -52,24 +52,22 @@ static class ReplayVerb
                 Blend = RecordingOptions.IsGiven(parsed, blend) ? parsed.GetValue(blend) / MsPerSecond : null,
                 Seed = parsed.GetValue(seed)
             };
-            // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
-            return Task.Run(
-                () => Run(path, settings, parsed.GetValue(json), cancellation), CancellationToken.None);
+            return RunAsync(path, settings, parsed.GetValue(json), cancellation);
         });
         return verb;
     }
 
-    static int Run(string path, ReplaySettings settings, bool json, CancellationToken cancellation)
+    static async Task<int> RunAsync(string path, ReplaySettings settings, bool json, CancellationToken cancellation)
     {
         if (RecordingText.IsSession(path))
         {
-            var session = RecordedSession.Read(path);
-            if (session.Lost > 0) Console.Error.WriteLine(ConsoleMessages.LostLines(path, session.Lost));
+            var session = await Invocation.ReadAsync(() => RecordedSession.Read(path), cancellation);
+            if (session.Lost > 0) await Console.Error.WriteLineAsync(ConsoleMessages.LostLines(path, session.Lost));
             Print(WithProgress("events", 2 * session.Events.Count, report => RunSession(path, session, settings, report, cancellation)), json);
         }
         else
         {
-            var recording = MotionRecording.Read(path);
+            var recording = await Invocation.ReadAsync(() => MotionRecording.Read(path), cancellation);
             if (recording.IsBody)
             {
                 var replay = new BodyReplay(path, recording, settings);

@@ -28,10 +28,8 @@ static class SyncVerb
             HelpName = "FILE.html",
         };
         var verb = new Command("sync", "Run the clock estimator with a log of sync exchanges.") { file, estimator, at, json, page };
-        // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
-        verb.SetAction((parsed, cancel) => Task.Run(
-            () => Run(parsed.GetValue(file), parsed.GetValue(estimator), parsed.GetValue(at), parsed.GetValue(json), PageOf(parsed, page), cancel),
-            CancellationToken.None));
+        verb.SetAction((parsed, cancel) =>
+            RunAsync(parsed.GetValue(file), parsed.GetValue(estimator), parsed.GetValue(at), parsed.GetValue(json), PageOf(parsed, page), cancel));
         return verb;
     }
 
@@ -39,16 +37,15 @@ static class SyncVerb
         parsed.GetResult(page) is { Implicit: false } ? parsed.GetValue(page) ?? SyncPage.DefaultPath : null;
 
     /// <param name="page">Path of the page; null to write none.</param>
-    static int Run(string file, string estimator, string at, bool json, string page, CancellationToken cancel)
+    static async Task<int> RunAsync(string file, string estimator, string at, bool json, string page, CancellationToken cancel)
     {
-        var log = SyncLog.Read(file);
+        var (log, instants) = await Invocation.ReadAsync(() => (SyncLog.Read(file), at == null ? null : SyncLog.ReadInstants(at)), cancel);
         var replay = new SyncReplay(ClockEstimators.Create(estimator));
-        var instants = at == null ? null : SyncLog.ReadInstants(at);
         var estimates = at == null ? replay.AfterEach(log) : replay.At(instants, log);
         if (page != null)
         {
             SyncPage.Write(page, file, at, [.. log.Select(each => each.Exchange)], estimator);
-            Console.Error.WriteLine(page);
+            await Console.Error.WriteLineAsync(page);
         }
         Print(estimates.TakeWhile(_ => !cancel.IsCancellationRequested), instants?.Count ?? log.Count, at != null, json);
         foreach (var (fault, count) in replay.Dropped)

@@ -34,7 +34,7 @@ public static class Invocation
         using var end = new EndRequest(cancel);
         try
         {
-            var parsed = root.Parse(complete == null ? args : complete(root, args));
+            var parsed = root.Parse(complete == null ? args : await ReadAsync(() => complete(root, args), end.Token));
             if (parsed.Errors.Count > 0 && parsed.Action is not HelpAction)
                 return Fail(program, ExitStatus.BadInput, OptionMessages.SeeHelp(Complaint(parsed)));
             // A null timeout disables the library's signal handling, which returns the same status for every signal.
@@ -65,10 +65,16 @@ public static class Invocation
     }
 
     /// <summary>
-    /// Runs the part of a command that only reads and computes. Ctrl-C ends the command at once also while this part cannot end itself, for example
-    /// because a file does not end. The command writes its files after this part, so that a file is never left incomplete.
+    /// Runs the part of a command that reads its input. Ctrl-C ends the command at once also while this part cannot end itself, for example because a
+    /// file does not end.
     /// </summary>
-    public static Task<T> ReadAsync<T>(Func<T> read, CancellationToken cancel) => Task.Run(read, CancellationToken.None).WaitAsync(cancel);
+    /// <exception cref="OperationCanceledException">The user cancelled the command.</exception>
+    public static async Task<T> ReadAsync<T>(Func<T> read, CancellationToken cancel)
+    {
+        var result = await Task.Run(read, CancellationToken.None).WaitAsync(cancel);
+        cancel.ThrowIfCancellationRequested();
+        return result;
+    }
 
     // Prefers the error about an unknown command. The library lists it after the error that no command was given.
     static string Complaint(ParseResult parsed)

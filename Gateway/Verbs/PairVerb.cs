@@ -32,7 +32,7 @@ static class PairVerb
         pin.AddTo(command);
         command.SetAction(async (parsed, stop) =>
         {
-            var key = pin.Read(parsed);
+            var key = await Invocation.ReadAsync(() => pin.Read(parsed), stop);
             var uri = new UriBuilder(
                 key == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps, parsed.GetValue(host), parsed.GetValue(socket), PairingLimits.Path + "/code").Uri;
             var (code, left) = await AskAsync(uri, key, parsed.GetValue(renew), stop);

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Configuration;
+using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
 using Nowpose.Motion;
@@ -24,19 +25,30 @@ static class PlantCommand
         {
             if (server.IsCheck(parsed))
             {
-                var findings = new Findings();
-                server.Check(parsed, findings);
-                findings.Try(() => motionOf(parsed, RobotFiles.Load(plant.Robot(parsed))));
+                var findings = await Invocation.ReadAsync(
+                    () =>
+                    {
+                        var found = new Findings();
+                        server.Check(parsed, found);
+                        found.Try(() => motionOf(parsed, RobotFiles.Load(plant.Robot(parsed))));
+                        return found;
+                    },
+                    stop);
                 findings.Good("robot", plant.Robot(parsed));
                 findings.Conclude();
                 return;
             }
 
-            var robot = RobotFiles.Load(plant.Robot(parsed), out var urdf);
-            var motion = motionOf(parsed, robot);
+            var (robot, urdf, motion, options) = await Invocation.ReadAsync(
+                () =>
+                {
+                    var model = RobotFiles.Load(plant.Robot(parsed), out var text);
+                    return (model, text, motionOf(parsed, model), server.Options(parsed));
+                },
+                stop);
             var clock = server.Clock(parsed);
             await using var gateway = await GatewayServer.StartAsync(
-                server.Options(parsed) with { ControlClock = PlantClocks.Own }, clock, Announcement.Log, stop);
+                options with { ControlClock = PlantClocks.Own }, clock, Announcement.Log, stop);
             var work = WorkOf(robot, motion, plant.Robots(parsed));
             using var source = gateway.Hub.OpenSource();
             foreach (var name in work?.Robots.Select(each => each.Namespace) ?? [""]) source.Describe(urdf, name);

@@ -60,13 +60,12 @@ static class ServeVerb
                 return;
             }
 
-            var description = name == null ? null : Describe(name);
-            var placed = frames == null ? null : StationaryFrames.Load(frames);
             var clock = server.Clock(parsed, parsed.GetValue(ownClock) == System);
-            var options = server.Options(parsed) with
-            {
-                ControlClock = parsed.GetValue(controlClock),
-            };
+            var (description, placed, options) = await Invocation.ReadAsync(
+                () => (
+                    name == null ? null : Describe(name), frames == null ? null : StationaryFrames.Load(frames),
+                    server.Options(parsed) with { ControlClock = parsed.GetValue(controlClock) }),
+                stop);
             var read = await AdapterProcesses.CheckAsync(files, options, stop);
             options = options with { ExpectsSources = PlantFile.ExpectsJoints(read, description) };
             foreach (var one in read) Announcement.Log(one.Summary);
@@ -91,11 +90,16 @@ static class ServeVerb
         ServerArguments server, ParseResult parsed, bool isSystemClock, string robot, string[] plants, string stationary, CancellationToken stop)
     {
         var findings = new Findings();
-        var options = server.Check(parsed, findings);
-        findings.Try(() => server.Clock(parsed, isSystemClock));
-        var description = robot == null ? null : findings.Try(() => Describe(robot));
-        findings.Good("robot", robot);
-        var placed = stationary == null ? null : findings.Try(() => StationaryFrames.Load(stationary));
+        var (options, description, placed) = await Invocation.ReadAsync(
+            () =>
+            {
+                var checkedOptions = server.Check(parsed, findings);
+                findings.Try(() => server.Clock(parsed, isSystemClock));
+                var text = robot == null ? null : findings.Try(() => Describe(robot));
+                findings.Good("robot", robot);
+                return (checkedOptions, text, stationary == null ? null : findings.Try(() => StationaryFrames.Load(stationary)));
+            },
+            stop);
         if (placed != null) findings.Good("stationary", $"{stationary} ({placed.Count} frames)");
         try
         {

@@ -107,7 +107,7 @@ public class HeadsetVerbTests
             Seconds = Soon.Limit.TotalSeconds,
             FramesPerSecond = 60,
             RecordingPath = recordingPath,
-            Robot = robot,
+            Robot = robot == null ? null : RobotFiles.Load(robot),
         };
         using var enough = new CancellationTokenSource();
         void Look(double seconds, Func<string> status)

@@ -34,7 +34,7 @@ public class RangeVerbTests : CalibrationFolder
     {
         var parsed = RangeVerb.Create().Parse([Write("pairs.csv", Sweep(7, 2)), "--out", Out]);
 
-        Assert.That(() => RangeVerb.Run(parsed, new CancellationToken(canceled: true)), Throws.InstanceOf<OperationCanceledException>());
+        Assert.That(() => RangeVerb.RunAsync(parsed, new CancellationToken(canceled: true)), Throws.InstanceOf<OperationCanceledException>());
         Assert.That(Directory.Exists(Out), Is.False);
     }
 

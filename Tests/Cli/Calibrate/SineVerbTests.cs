@@ -53,7 +53,7 @@ public class SineVerbTests : CalibrationFolder
     {
         var parsed = SineVerb.Create().Parse([Write("jog.csv", new Jog(100).Lines()), "--out", Out]);
 
-        Assert.That(() => SineVerb.Run(parsed, new CancellationToken(canceled: true)), Throws.InstanceOf<OperationCanceledException>());
+        Assert.That(() => SineVerb.RunAsync(parsed, new CancellationToken(canceled: true)), Throws.InstanceOf<OperationCanceledException>());
         Assert.That(Directory.Exists(Out), Is.False);
     }
 

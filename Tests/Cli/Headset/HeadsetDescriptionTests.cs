@@ -67,16 +67,14 @@ public class HeadsetDescriptionTests
     }
 
     [Test]
-    public void Play_RobotIsNotReadable_LeavesNoRecording()
+    public async Task Headset_RobotIsNotReadable_LeavesNoRecording()
     {
         using var folder = new TemporaryFolder();
-        var settings = Settings(1, 1) with
-        {
-            RecordingPath = Path.Combine(folder.Path, "session.jsonl"),
-            Robot = Path.Combine(folder.Path, "missing.urdf"),
-        };
 
-        Assert.That(() => new HeadsetRun(settings, _ => { }).Play((_, _) => { }, CancellationToken.None), Throws.TypeOf<InputException>());
+        var run = await CliRun.OfAsync(
+            "headset", "--record", Path.Combine(folder.Path, "session.jsonl"), "--robot", Path.Combine(folder.Path, "missing.urdf"));
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2), run.Errors);
         Assert.That(Directory.GetFiles(folder.Path), Is.Empty);
     }
 

@@ -55,7 +55,7 @@ public class HeadsetNamespaceTests
     {
         await using var gateway = await Gateways.StartAsync();
         using var cell = SimulateTwo(gateway);
-        var run = new HeadsetRun(Settings(gateway) with { Robot = "youbot" }, _ => { });
+        var run = new HeadsetRun(Settings(gateway) with { Robot = RobotFiles.Load("youbot") }, _ => { });
 
         await PlayAsync(run);
 
