@@ -6,10 +6,16 @@ using UnityEngine;
 namespace Nowpose.Unity.Tests.Assets;
 
 /// <summary>
-/// Tests the scenes in a player. The sessions do not connect, because other programs may use the ports of this machine.
+/// Tests the scenes in a player. The sessions do not connect, because other programs may use the ports of this machine. Their clock advances with the
+/// frames, so that the simulated control systems produce the same samples on every machine.
 /// </summary>
 public sealed class PackageScenesTests
 {
+    SteppedClock _clock;
+
+    [SetUp]
+    public void CreateClock() => _clock = new SteppedClock();
+
     static IEnumerable<string> Scenes => RepositoryFiles.All.Where(f => f.EndsWith(".unity", StringComparison.Ordinal));
 
     static IEnumerable<string> ScenesWithRobot => Scenes.Where(s => !s.Contains("Any Robot", StringComparison.Ordinal));
@@ -19,7 +25,7 @@ public sealed class PackageScenesTests
     {
         using var player = Play(path);
 
-        for (var frame = 0; frame < 30; frame++) player.Step(frame / 60.0);
+        for (var frame = 0; frame < 30; frame++) Step(player, frame / 60.0);
 
         Assert.That(player.Logs.Where(l => l.Type != LogType.Log).Select(l => l.Message).Where(m => !IsOfNoHeadset(m)), Is.Empty);
         var rig = player.Find<VirtualGripper>().Rig;
@@ -36,8 +42,8 @@ public sealed class PackageScenesTests
         var ghost = player.Find<BaseAnchor>().GetComponentInChildren<Ghost>(true);
 
         ghost.Visible = true;
-        player.Step(0);
-        player.Step(0.1);
+        Step(player, 0);
+        Step(player, 0.1);
 
         Assert.That(ghost.GapMetres, Is.EqualTo(0).Within(1e-6), "nothing has moved yet");
         Assert.That(ghost.GetComponentInChildren<VirtualGripper>().Rig, Is.SameAs(ghost.GetComponent<RobotRig>()));
@@ -46,12 +52,19 @@ public sealed class PackageScenesTests
     /// <summary>Returns whether a message is a warning of AR Foundation about a missing headset. The package does not suppress it.</summary>
     static bool IsOfNoHeadset(string message) => message.StartsWith("No active ", StringComparison.Ordinal);
 
-    static Player Play(string path)
+    void Step(Player player, double seconds)
+    {
+        _clock.Set(100 + seconds);
+        player.Step(seconds);
+    }
+
+    Player Play(string path)
     {
         var player = new Player(RepositoryAssets.NewLibrary());
         player.LoadScene(path, roots =>
         {
-            foreach (var session in roots.SelectMany(r => r.GetComponents<MrilSession>())) session.With("_connectOnEnable", false);
+            foreach (var session in roots.SelectMany(r => r.GetComponents<MrilSession>()))
+                session.With("_connectOnEnable", false).HeadsetClock = _clock;
         });
         return player;
     }
