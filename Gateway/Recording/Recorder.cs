@@ -43,7 +43,7 @@ public sealed class Recorder : IAsyncDisposable
     readonly List<RecordedFile> _retired = [];
     readonly List<Task> _ending = [];
     readonly RecordingPaths _paths;
-    readonly Timer _timer;
+    readonly ITimer _timer;
     volatile RecordedFile _file;
     volatile bool _isWanted;
     // The described robots by their namespaces; replaced as a whole.
@@ -67,7 +67,7 @@ public sealed class Recorder : IAsyncDisposable
         _log = log;
         _open = open ?? LineFile.Create;
         _exists = open == null ? File.Exists : _ => true;
-        _timer = new Timer(_ => Tick());
+        _timer = options.Time.CreateTimer(_ => Tick(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
         _subscriptions.Add(hub.Subscribe(RosTopics.RobotDescription, Describe));
         _subscriptions.Add(hub.SubscribeToRobots(RosTopics.RobotDescription, Describe));
         foreach (var robot in hub.Robots)
@@ -139,7 +139,7 @@ public sealed class Recorder : IAsyncDisposable
 
             _isWanted = false;
             EndRetired(TimeSpan.Zero);
-            if (!_isDisposed) _timer.Change(Timeout.Infinite, Timeout.Infinite);
+            if (!_isDisposed) _timer.Change(Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
             return Task.WhenAll(_ending);
         }
     }

@@ -33,18 +33,20 @@ sealed class SteppedTimers : TimeProvider
 
     sealed class Timer(TimeProvider time, Action fire) : ITimer
     {
+        TimeSpan _period;
+
         public long Due { get; private set; } = long.MaxValue;
 
         public bool Change(TimeSpan dueTime, TimeSpan period)
         {
-            if (period != Timeout.InfiniteTimeSpan) throw new NotSupportedException("timers fire once");
+            _period = period;
             Due = dueTime == Timeout.InfiniteTimeSpan ? long.MaxValue : time.GetTimestamp() + dueTime.Ticks;
             return true;
         }
 
         public void Fire()
         {
-            Due = long.MaxValue;
+            Due = _period == Timeout.InfiniteTimeSpan ? long.MaxValue : Due + _period.Ticks;
             fire();
         }
 
