@@ -105,6 +105,23 @@ public class ReaderProgressTests
     }
 
     [Test]
+    public async Task WatchAsync_ClientAnswersPings_ContinuesForLongerThanTheTimeout()
+    {
+        var time = new SteppedTimers();
+        var pings = new List<byte[]>();
+        using var progress = Progress(time, pings);
+        using var stop = new CancellationTokenSource();
+        var watching = progress.WatchAsync(stop.Token);
+
+        for (var answered = 0; time.GetElapsedTime(0) < 5 * PongTimeout; time.Advance(TimeSpan.FromMilliseconds(100)))
+            for (; answered < pings.Count; answered++) progress.OnPong(pings[answered]);
+
+        Assert.That(watching.IsCompleted, Is.False);
+        Assert.That(pings, Has.Count.InRange(10, 15), "a ping every two seconds");
+        await stop.CancelAsync();
+    }
+
+    [Test]
     public async Task OpensAsync_PongWithoutAMatchingPing_IsIgnored()
     {
         var time = new SteppedTimers();
