@@ -114,11 +114,15 @@ namespace Nowpose.Frames
         /// <inheritdoc cref="HandOver.IsOvertaken"/>
         public bool IsOvertaken(in FrameTransform pose) => _handOver.IsOvertaken(pose, _parent, Newest);
 
+        /// <inheritdoc cref="HandOver.Refuse"/>
+        public void Refuse(in FrameTransform pose) => _handOver.Refuse(pose);
+
         /// <summary>Adds a received pose, whose parent may differ from the previous one.</summary>
         /// <param name="epoch">Time from which the predictor counts.</param>
         public DropReason Add(in FrameTransform pose, bool isStationary, ControlTime epoch)
         {
             IsOutdated = false;
+            _handOver.EndRefusals();
             if (_parent == null) Begin(pose, isStationary);
             if (pose.Parent == _parent && isStationary == _isStationary && _handOver.Count == 0)
             {
@@ -234,11 +238,7 @@ namespace Nowpose.Frames
         }
 
         /// <summary>Keeps the displayed pose, because the parent or a frame above it is unknown.</summary>
-        public void Orphan()
-        {
-            State = FrameState.Orphan;
-            IsFixed = false;
-        }
+        public void Orphan() => (State, IsFixed) = (FrameState.Orphan, false);
 
         /// <summary>Discards the poses of a tracked frame, because their times are no longer valid. The displayed pose is kept.</summary>
         public void Reset()

@@ -56,7 +56,11 @@ namespace Nowpose.Frames
         public DropReason Add(in FrameTransform pose, bool isStationary, int replaced = -1)
         {
             var index = IndexOf(pose.Child);
-            if (index >= 0 && !isStationary && _frames[index].IsOvertaken(pose)) return DropReason.LateSample;
+            if (index >= 0 && !isStationary && _frames[index].IsOvertaken(pose))
+            {
+                _frames[index].Refuse(pose);
+                return DropReason.LateSample;
+            }
             var reason = TrySetParent(pose, replaced);
             if (reason != DropReason.None) return reason;
             if (!isStationary) _epoch ??= pose.Stamp;

@@ -16,8 +16,8 @@ namespace Nowpose.Frames
         const int MinFarBehind = 2;
 
         readonly FrameTransform[] _waiting = new FrameTransform[MaxWaiting];
-        ControlTime _overtaken;
-        int _overtakenCount;
+        ControlTime _refused;
+        int _refusedCount;
 
         /// <summary>Number of waiting poses.</summary>
         public int Count { get; private set; }
@@ -28,24 +28,23 @@ namespace Nowpose.Frames
         public bool IsStationary { get; private set; }
 
         /// <summary>
-        /// Returns whether a pose in another parent is older than the newest pose, or than the waiting poses in a third parent. Returns false if the clock of
-        /// the source went back. Call it once for each received pose.
+        /// Returns whether a pose in another parent is older than the newest pose, or than the waiting poses in a third parent. Returns false if this pose and
+        /// the refused poses before it prove that the clock of the source went back.
         /// </summary>
         /// <param name="parent">Present parent of the frame.</param>
         /// <param name="newest">Stamp of the newest pose in the present parent; null if there is none.</param>
         public bool IsOvertaken(in FrameTransform pose, string parent, ControlTime? newest)
         {
             if (Count > 0 && !IsStationary) (parent, newest) = (_waiting[0].Parent, _waiting[Count - 1].Stamp);
-            if (pose.Parent == parent || !(pose.Stamp <= newest))
-            {
-                _overtakenCount = 0;
-                return false;
-            }
-            if (_overtakenCount == 0 || pose.Stamp < _overtaken) _overtakenCount = 1;
-            else if (pose.Stamp > _overtaken) _overtakenCount++;
-            _overtaken = pose.Stamp;
-            return _overtakenCount < MinFarBehind || !ArrivalOrder.IsFarBehind(pose.Stamp, newest.Value);
+            if (pose.Parent == parent || !(pose.Stamp <= newest)) return false;
+            return RefusedCount(pose.Stamp) < MinFarBehind || !ArrivalOrder.IsFarBehind(pose.Stamp, newest.Value);
         }
+
+        /// <summary>Records a received pose that is not used because it is overtaken.</summary>
+        public void Refuse(in FrameTransform pose) => (_refusedCount, _refused) = (RefusedCount(pose.Stamp), pose.Stamp);
+
+        /// <summary>Ends the series of refused poses, because a pose was used.</summary>
+        public void EndRefusals() => _refusedCount = 0;
 
         /// <summary>Adds a pose. Discards the waiting poses in a third parent.</summary>
         public void Add(in FrameTransform pose, bool isStationary)
@@ -65,5 +64,8 @@ namespace Nowpose.Frames
             // A stationary pose has no time, and is sent only once.
             if (!IsStationary) Count = 0;
         }
+
+        // Number of consecutive refused poses, each newer than the previous one, if a pose with this stamp is the next.
+        int RefusedCount(ControlTime stamp) => _refusedCount == 0 || stamp < _refused ? 1 : stamp > _refused ? _refusedCount + 1 : _refusedCount;
     }
 }

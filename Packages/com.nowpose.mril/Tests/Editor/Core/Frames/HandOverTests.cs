@@ -112,6 +112,20 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(FrameOf(tree, "a").Parent, Is.EqualTo("b"));
         }
 
+        [Test]
+        public void IsOvertaken_RefusedPosesProveThatTheClockWentBack_IsFalse()
+        {
+            var handOver = new HandOver();
+            bool IsOvertaken(double seconds) => handOver.IsOvertaken(Pose(seconds, "b", "a"), "world", At(100));
+
+            Assert.That(IsOvertaken(1) && IsOvertaken(1.1) && IsOvertaken(1.2), Is.True, "no pose was refused");
+            handOver.Refuse(Pose(1, "b", "a"));
+            Assert.That(IsOvertaken(1), Is.True, "not newer than the refused pose");
+            Assert.That(IsOvertaken(1.1) || IsOvertaken(1.1), Is.False);
+            handOver.EndRefusals();
+            Assert.That(IsOvertaken(1.1), Is.True);
+        }
+
         // The sources of both parents have the same clock. Two late poses can be overtaken if they are not very late.
         [TestCase(0.1, false, "world")]
         [TestCase(0.1, true, "b")]
