@@ -35,17 +35,19 @@ static class HeadVerb
             Pictures, Readout, ControlDelay, Earlier,
         };
         Shared.AddTo(verb);
-        verb.SetAction(RunAsync);
+        verb.SetAction((parsed, cancel) => RunAsync(
+            parsed, files => new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay))).Run(files, cancel), cancel));
         return verb;
     }
 
-    static async Task<int> RunAsync(ParseResult parsed, CancellationToken cancel)
+    /// <param name="readPictures">Reads the codes in the pictures with these paths.</param>
+    internal static async Task<int> RunAsync(ParseResult parsed, Func<IReadOnlyList<string>, VlcResult> readPictures, CancellationToken cancel)
     {
         var arguments = parsed.GetValue(Pictures);
         var files = PictureFiles.Of(arguments);
         var earlier = await Invocation.ReadAsync(() => EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed)), cancel);
         var output = Shared.Output(parsed);
-        var read = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay))).Run(files, cancel);
+        var read = readPictures(files);
         VlcVerb.ReportRejected(read);
         if (read.Read.Count == 0)
             return cancel.IsCancellationRequested ? ExitStatus.Interrupted : throw new InputException(read.NothingRead());
