@@ -20,8 +20,8 @@ public class InterruptTests
     static readonly Dictionary<string, Func<System.CommandLine.Command>> Programs = new()
     {
         ["nowpose"] = () => Invocation.Root(
-            "nowpose", "", KinematicsVerb.Create(), Nowpose.Cli.Replay.ReplayVerb.Create(), SyncVerb.Create(), RecommendVerb.Create(), CalibrateVerb.Create(),
-            UnityVerb.Create(), HeadsetVerb.Create(), DemoVerb.Create()),
+            "nowpose", "", KinematicsVerb.Create(), Nowpose.Cli.Replay.ReplayVerb.Create(), SyncVerb.Create(), RecommendVerb.Create(),
+            CalibrateVerb.Create(), UnityVerb.Create(), HeadsetVerb.Create(), DemoVerb.Create()),
         ["gateway"] = () => Invocation.Root(
             "gateway", "", Nowpose.Gateway.Verbs.SimulateVerb.Create(), ReplayVerb.Create(), ServeVerb.Create(), MarkerCodeVerb.Create(),
             PairVerb.Create(), PairingsVerb.Create()),

@@ -54,7 +54,7 @@ public class PlayedNamespaceTests : PlayedParts
         Assert.That(FaultsNow(), Is.Empty);
         Run(1, t => Send(t, isBaseSent: false));
         Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Held), "the robot is not where its base was");
-        Assert.That(FaultsNow(), Is.EqualTo("robot arm2: " + StatusMessages.BaseNotCurrent));
+        Assert.That(FaultsNow(), Is.EqualTo(RobotMessages.OfRobot("arm2", StatusMessages.BaseNotCurrent)));
         AssertStoppedBefore(1);
         Run(2, t => Send(t));
         Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Current));
@@ -82,13 +82,13 @@ public class PlayedNamespaceTests : PlayedParts
 
         _session.Session.Listener.Described(RobotFiles.LoadText("youbot"), "arm2");
         Run(0.2, t => Send(t, 0.1));
-        Assert.That(FaultsNow(), Is.EqualTo("robot arm2: " + RobotMessages.DescriptionDiffers));
+        Assert.That(FaultsNow(), Is.EqualTo(RobotMessages.OfRobot("arm2", RobotMessages.DescriptionDiffers)));
 
         _session.Session.Listener.Described(RobotFiles.LoadText("ur5"), "arm2");
         Run(1, t => Send(t, 45));
         var found = _session.Session.Robots[1].Limits.Present;
         Assert.That(found.Joint.Name, Is.EqualTo(joints[0]));
-        Assert.That(FaultsNow(), Is.EqualTo("robot arm2: " + found.Words));
+        Assert.That(FaultsNow(), Is.EqualTo(RobotMessages.OfRobot("arm2", found.Words)));
         Assert.That(_cell.Messages, Has.Exactly(1).Contains(RobotMessages.OfRobot("arm2", found.Words)));
     }
 

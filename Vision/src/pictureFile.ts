@@ -76,7 +76,7 @@ function writePng(path: string, { width, height, data, colours }: Grey): void {
   writeWhole(path, PNG.sync.write(png, { ...format, deflateLevel: 1, filterType: 1 } as Parameters<typeof PNG.sync.write>[1]));
 }
 
-/** Writes a file that is complete as soon as it has its name, even if the process ends meanwhile. */
+/** Writes a file under a temporary name first, so that it is complete as soon as it has its own name. */
 function writeWhole(path: string, content: Buffer): void {
   const unfinished = `${path}.new`;
   try {

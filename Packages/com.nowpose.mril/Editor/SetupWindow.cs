@@ -34,7 +34,7 @@ namespace Nowpose.Editor
         string _activity;
 
         [MenuItem("Window/Nowpose/Project Setup")]
-        static void Open() => GetWindow<SetupWindow>("Nowpose Setup").minSize = new Vector2(520, 300);
+        static void Open() => GetWindow<SetupWindow>(SetupTexts.WindowTitle).minSize = new Vector2(520, 300);
 
         internal void Show(IProjectSettings project)
         {
@@ -71,7 +71,7 @@ namespace Nowpose.Editor
                 for (var i = 0; i < _review.Checks.Count; i++)
                     if (Draw(i)) clicked = i;
             }
-            var again = GUILayout.Button("Check again");
+            var again = GUILayout.Button(SetupTexts.CheckAgain);
             var part = DrawParts();
 
             // Executes the action after this event, because the number of controls must not change within an event, and a fix may recompile all

@@ -2,6 +2,7 @@ using System.Text.Json;
 using System.Text.RegularExpressions;
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Virtual;
+using Nowpose.Cli.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
@@ -33,7 +34,7 @@ public class DemoFilesTests
         Assert.That(status, Is.EqualTo(0));
         Assert.That(output, Does.Contain("report.html").And.Contain("uncompensated"));
         AssertFields(JsonDocument.Parse(Written("result.json")).RootElement);
-        Assert.That(Written("report.html"), Does.Contain("Nowpose demo: youbot"));
+        Assert.That(Written("report.html"), Does.Contain(DemoTexts.ReportTitle("youbot")));
         if (Nowpose.Web.ReportPage.HasPlots) AssertPlayback(Written("report.html"));
     }
 

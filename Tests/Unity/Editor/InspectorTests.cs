@@ -67,7 +67,7 @@ public sealed class InspectorTests : EditorFixture
         _played.Inspect(mounted).OnInspectorGUI();
         _played.Inspect(source).OnInspectorGUI();
 
-        Assert.That(GuiRecorder.Texts, Does.Contain("Attached to: arm_link_5"));
+        Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.AttachedTo + ": arm_link_5"));
         Assert.That(GuiRecorder.Texts, Does.Contain("Source: " + RenderTimeNames.NameOf(RenderTimeSourceKind.None)));
     }
 
@@ -92,7 +92,8 @@ public sealed class InspectorTests : EditorFixture
         Assert.That(GuiRecorder.Texts, Does.Contain("Parent: –").And.Contain("State: " + FrameMessages.NoPose));
         Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.StrokeShare + ": 0 %").And.Contain("Value: –"));
         Assert.That(GuiRecorder.Texts.Count(text => text == "State: " + SignalMessages.NoConnection), Is.EqualTo(3), "part, signal and gripper");
-        Assert.That(GuiRecorder.Texts, Does.Contain("Holds: unknown").And.Contain("Drawn ahead: nothing").And.Contain("Moved by hand: no"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Holds: unknown")
+            .And.Contain(InspectorTexts.DrawnAhead + ": nothing").And.Contain(InspectorTexts.MovedByHand + ": no"));
         Assert.That(GuiRecorder.Texts, Does.Contain("State: " + ObjectMessages.NotPlaced).And.Contain("State: " + path.Fault));
     }
 
@@ -122,7 +123,7 @@ public sealed class InspectorTests : EditorFixture
 
         _played.Inspect(gripper).OnInspectorGUI();
 
-        Assert.That(GuiRecorder.Texts, Does.Contain("Attached to: –").And.Contain("gripper_finger_joint_l: –"));
+        Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.AttachedTo + ": –").And.Contain("gripper_finger_joint_l: –"));
     }
 
     [Test]
@@ -145,7 +146,7 @@ public sealed class InspectorTests : EditorFixture
         _played.Play(session, 2);
         editor.OnInspectorGUI();
         Assert.That(GuiRecorder.Texts, Does.Contain("Shown: " + PoseMessages.Of(PoseState.Held))
-            .And.Contain("Reason: " + StatusMessages.TooFewSamples).And.Contain("Drawn: striped, fade 0.5"));
+            .And.Contain("Reason: " + StatusMessages.TooFewSamples).And.Contain("Drawn: " + InspectorTexts.Striped("0.5")));
 
         GuiRecorder.Clear();
         session.enabled = false;
@@ -180,7 +181,7 @@ public sealed class InspectorTests : EditorFixture
 
         _played.Inspect(panel).OnInspectorGUI();
         Assert.That(GuiRecorder.Texts, Does.Contain("Pose: " + PoseMessages.Of(PoseState.Current))
-            .And.Contain("L_visu: 40.0 ms, " + StatusMessages.LatencySet).And.Contain("Legible up to: –"));
+            .And.Contain("L_visu: 40.0 ms, " + StatusMessages.LatencySet).And.Contain(InspectorTexts.LegibleUpTo + ": –"));
 
         GuiRecorder.Clear();
         panel.enabled = false;
@@ -204,13 +205,13 @@ public sealed class InspectorTests : EditorFixture
         head.rotation = Quaternion.Euler(0, 20, 0);
         _played.Cell.Frame(null);
         editor.OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Follows: Head, staying put").And.Contain("Beside the view: 20° to the left"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("From the head: 1.30 m"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Follows: " + InspectorTexts.Following("Head", isGliding: false))
+            .And.Contain($"{InspectorTexts.BesideView}: 20{InspectorTexts.DegreesLeft}").And.Contain(InspectorTexts.FromHead + ": 1.30 m"));
 
         GuiRecorder.Clear();
         head.rotation = Quaternion.Euler(0, 80, 0);
         _played.Cell.Frame(null);
         editor.OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Follows: Head, gliding"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Follows: " + InspectorTexts.Following("Head", isGliding: true)));
     }
 }

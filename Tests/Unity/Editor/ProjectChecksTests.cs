@@ -63,13 +63,11 @@ public sealed class ProjectChecksTests : EditorFixture
     [Test]
     public void Checks_ForHoloLens_NameTheRequiredCapabilities()
     {
-        var capabilities = ProjectChecks.ForHoloLens().Select(c => c.Title).Where(title => title.StartsWith("Capability ", StringComparison.Ordinal));
+        var capabilities = ProjectChecks.ForHoloLens().Select(check => check.Title)
+            .Where(title => title.StartsWith(CheckTitles.Capability(""), StringComparison.Ordinal));
 
-        Assert.That(capabilities, Is.EqualTo(new[]
-        {
-            "Capability InternetClient", "Capability PrivateNetworkClientServer", "Capability WebCam", "Capability SpatialPerception",
-            "Capability GazeInput", "Capability Microphone",
-        }));
+        string[] needed = ["InternetClient", "PrivateNetworkClientServer", "WebCam", "SpatialPerception", "GazeInput", "Microphone"];
+        Assert.That(capabilities, Is.EqualTo(needed.Select(CheckTitles.Capability)));
     }
 
     [Test]

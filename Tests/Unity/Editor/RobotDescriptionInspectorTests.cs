@@ -23,7 +23,7 @@ public sealed class RobotDescriptionInspectorTests : EditorFixture
         Draw(Inspect(Robot));
 
         Assert.That(GuiRecorder.Texts, Does.Contain("Robot: two"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("Moving joints: elbow"));
+        Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.MovingJoints + ": elbow"));
         Assert.That(GuiRecorder.Texts, Does.Contain("Characters: " + Robot.Length));
         Assert.That(GuiRecorder.Texts, Does.Contain("SHA-256: " + Nowpose.Kinematics.UrdfHash.Of(Robot)));
         Assert.That(GuiRecorder.Properties, Is.Empty, "a text field of the Inspector does not hold a whole URDF");

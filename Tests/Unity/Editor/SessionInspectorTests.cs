@@ -38,8 +38,9 @@ public sealed class SessionInspectorTests : EditorFixture
         Assert.That(GuiRecorder.Texts, Does.Contain("Robot: –, youbot"));
         Assert.That(GuiRecorder.Texts, Does.Contain("Pose: " + PoseMessages.Of(PoseState.Current)));
         Assert.That(GuiRecorder.Texts, Does.Contain("L_visu: 40.0 ms, " + StatusMessages.LatencySet));
-        Assert.That(GuiRecorder.Texts.Single(t => t.StartsWith("End to end: 12", StringComparison.Ordinal)), Does.EndWith(" ms"));
-        Assert.That(GuiRecorder.Texts.Single(t => t.StartsWith("L_app 8", StringComparison.Ordinal)), Does.EndWith("ms   (100 ms at the top)"));
+        Assert.That(GuiRecorder.Texts.Single(t => t.StartsWith(InspectorTexts.EndToEnd + ": 12", StringComparison.Ordinal)), Does.EndWith(" ms"));
+        Assert.That(
+            GuiRecorder.Texts.Single(t => t.StartsWith("L_app 8", StringComparison.Ordinal)), Does.EndWith("ms   " + InspectorTexts.AtTop("100 ms")));
         Assert.That(GuiRecorder.Properties, Does.Contain("_settings"));
         Assert.That(GuiRecorder.Lines, Has.Count.EqualTo(3), "latency, horizon, error");
     }
@@ -57,8 +58,8 @@ public sealed class SessionInspectorTests : EditorFixture
         editor.OnInspectorGUI();
 
         Assert.That(editor, Is.InstanceOf<LatencyNudgeEditor>());
-        Assert.That(GuiRecorder.Texts, Does.Contain("Shifted by: 2.0 mm"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("Marks: 0 forward, 0 backward"));
+        Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.ShiftedBy + ": 2.0 mm"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Marks: " + InspectorTexts.Marks(0, 0)));
     }
 
     [Test]
@@ -152,7 +153,7 @@ public sealed class SessionInspectorTests : EditorFixture
         var editor = _played.Inspect(session);
         Assert.That(session.Settings.Visualisation.Length.TotalMilliseconds, Is.EqualTo(40));
 
-        GuiRecorder.Click = "Restart session";
+        GuiRecorder.Click = InspectorTexts.RestartSession;
         editor.OnInspectorGUI();
 
         Assert.That(session.Settings.Visualisation.Length.TotalMilliseconds, Is.EqualTo(55));
@@ -215,11 +216,11 @@ public sealed class SessionInspectorTests : EditorFixture
         var rig = new GameObject("Robot").AddComponent<RobotRig>();
         var editor = _played.Inspect(rig);
         editor.OnInspectorGUI();
-        Assert.That(GuiRecorder.Buttons, Is.EqualTo(new[] { "Use 'Cell'" }));
+        Assert.That(GuiRecorder.Buttons, Is.EqualTo(new[] { InspectorTexts.Use("Cell") }));
         Assert.That(Undo.Steps, Is.Empty, "nothing is changed without the click");
 
         GuiRecorder.Clear();
-        GuiRecorder.Click = "Use 'Cell'";
+        GuiRecorder.Click = InspectorTexts.Use("Cell");
         editor.OnInspectorGUI();
 
         Assert.That(editor.serializedObject.FindProperty("_session").objectReferenceValue, Is.SameAs(session));

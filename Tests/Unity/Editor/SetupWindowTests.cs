@@ -30,7 +30,7 @@ public sealed class SetupWindowTests : EditorFixture
     [Test]
     public void Click_OnAFix_AppliesOnlyThatFix()
     {
-        GuiRecorder.Click = "Declare WebCam";
+        GuiRecorder.Click = CheckTitles.Declare("WebCam");
         Send("OnGUI");
         Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam), Is.False, "the check runs while the window is drawn");
         EditorApplication.RunDelayed();
@@ -38,8 +38,8 @@ public sealed class SetupWindowTests : EditorFixture
         Send("OnGUI");
 
         Assert.That(GuiRecorder.Texts[2], Is.EqualTo(SetupTexts.Summary(14, HeadsetPlatform.HoloLens2.Headset)));
-        Assert.That(GuiRecorder.Texts, Does.Contain("✓ Capability WebCam"));
-        Assert.That(GuiRecorder.Buttons, Does.Not.Contain("Declare WebCam"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("✓ " + CheckTitles.Capability("WebCam")));
+        Assert.That(GuiRecorder.Buttons, Does.Not.Contain(CheckTitles.Declare("WebCam")));
         Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam));
         Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.InternetClient), Is.False);
     }
@@ -58,7 +58,7 @@ public sealed class SetupWindowTests : EditorFixture
     [Test]
     public void Click_WindowAlreadyClosed_HasNoEffect()
     {
-        GuiRecorder.Click = "Declare WebCam";
+        GuiRecorder.Click = CheckTitles.Declare("WebCam");
         Send("OnGUI");
         UnityEngine.Object.DestroyImmediate(_window);
 
@@ -72,7 +72,7 @@ public sealed class SetupWindowTests : EditorFixture
     {
         GuiRecorder.Click = SetupTexts.AndroidHeadset;
         Send("OnGUI");
-        Assert.That(GuiRecorder.Texts, Does.Contain("✗ Capability WebCam"), "changed between a layout and its event");
+        Assert.That(GuiRecorder.Texts, Does.Contain("✗ " + CheckTitles.Capability("WebCam")), "changed between a layout and its event");
         EditorApplication.RunDelayed();
 
         var texts = Draw();
@@ -99,10 +99,10 @@ public sealed class SetupWindowTests : EditorFixture
     public void Reload_AfterAFailure_KeepsReasonAndAdvice()
     {
         EditorUserBuildSettings.HasUwp = false;
-        GuiRecorder.Click = "Switch to UWP";
+        GuiRecorder.Click = CheckTitles.SwitchTo("UWP");
         Send("OnGUI");
         EditorApplication.RunDelayed();
-        GuiRecorder.Click = "Add com.unity.xr.openxr";
+        GuiRecorder.Click = CheckTitles.AddPackage("com.unity.xr.openxr");
         Send("OnGUI");
         EditorApplication.RunDelayed();
         Client.Newest.Fail("offline");
@@ -130,7 +130,7 @@ public sealed class SetupWindowTests : EditorFixture
     public void Click_OnCheckAgain_ShowsTheChange()
     {
         PlayerSettings.enableFrameTimingStats = true;
-        GuiRecorder.Click = "Check again";
+        GuiRecorder.Click = SetupTexts.CheckAgain;
 
         Send("OnGUI");
         EditorApplication.RunDelayed();
@@ -142,7 +142,7 @@ public sealed class SetupWindowTests : EditorFixture
     [Test]
     public void Update_WhileAPackageIsAdded_ShowsProgressAndResult()
     {
-        GuiRecorder.Click = "Add com.unity.xr.openxr";
+        GuiRecorder.Click = CheckTitles.AddPackage("com.unity.xr.openxr");
         Send("OnGUI");
         EditorApplication.RunDelayed();
         var texts = Draw();
@@ -159,7 +159,7 @@ public sealed class SetupWindowTests : EditorFixture
     [Test]
     public void Update_PackageUnchanged_DoesNotCheckAgain()
     {
-        GuiRecorder.Click = "Add com.unity.xr.openxr";
+        GuiRecorder.Click = CheckTitles.AddPackage("com.unity.xr.openxr");
         Send("OnGUI");
         EditorApplication.RunDelayed();
         PlayerSettings.enableFrameTimingStats = true;
@@ -212,7 +212,7 @@ public sealed class SetupWindowTests : EditorFixture
     {
         EditorApplication.ExecuteMenuItem("Window/Nowpose/Project Setup");
 
-        Assert.That(_window.Title, Is.EqualTo("Nowpose Setup"));
+        Assert.That(_window.Title, Is.EqualTo(SetupTexts.WindowTitle));
     }
 
     // Unity keeps only the serialised fields when it reloads the scripts.

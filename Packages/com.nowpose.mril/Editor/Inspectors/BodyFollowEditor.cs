@@ -21,9 +21,10 @@ namespace Nowpose.Editor.Inspectors
             }
             var place = AroundHead.Of(follow.transform.position, head.position);
             var aside = Mathf.DeltaAngle(AroundHead.HeadingOf(head.rotation), place.Azimuth);
-            EditorGUILayout.LabelField("Follows", head.name + (follow.IsGliding ? ", gliding" : ", staying put"));
-            EditorGUILayout.LabelField("Beside the view", LiveText.Number(Mathf.Abs(aside), "0", aside < 0 ? "° to the left" : "° to the right"));
-            EditorGUILayout.LabelField("From the head", LiveText.Number(Vector3.Distance(follow.transform.position, head.position), "0.00", " m"));
+            EditorGUILayout.LabelField("Follows", InspectorTexts.Following(head.name, follow.IsGliding));
+            EditorGUILayout.LabelField(
+                InspectorTexts.BesideView, LiveText.Number(Mathf.Abs(aside), "0", aside < 0 ? InspectorTexts.DegreesLeft : InspectorTexts.DegreesRight));
+            EditorGUILayout.LabelField(InspectorTexts.FromHead, LiveText.Number(Vector3.Distance(follow.transform.position, head.position), "0.00", " m"));
         }
     }
 }

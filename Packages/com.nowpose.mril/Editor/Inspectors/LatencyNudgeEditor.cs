@@ -21,8 +21,8 @@ namespace Nowpose.Editor.Inspectors
                 return;
             }
             EditorGUILayout.LabelField(InspectorTexts.AxisSpeed, LiveText.Number(Target.SpeedMmPerS, "0", " mm/s") + (Target.IsSteady ? "" : ", not steady"));
-            EditorGUILayout.LabelField("Shifted by", LiveText.Number(Target.OffsetMm, "0.0", " mm"));
-            EditorGUILayout.LabelField("Marks", Target.ForwardCount + " forward, " + Target.BackwardCount + " backward");
+            EditorGUILayout.LabelField(InspectorTexts.ShiftedBy, LiveText.Number(Target.OffsetMm, "0.0", " mm"));
+            EditorGUILayout.LabelField("Marks", InspectorTexts.Marks(Target.ForwardCount, Target.BackwardCount));
             if (Target.Problem != null) EditorGUILayout.HelpBox(Target.Problem, MessageType.Warning);
             DrawButtons();
         }

@@ -46,7 +46,7 @@ namespace Nowpose.Editor.Inspectors
         {
             DrawValues();
             // This is the last control, because the number of controls may differ after a restart and must not change within one event.
-            if (GUILayout.Button("Restart session")) Target.Restart();
+            if (GUILayout.Button(InspectorTexts.RestartSession)) Target.Restart();
         }
 
         void DrawValues()

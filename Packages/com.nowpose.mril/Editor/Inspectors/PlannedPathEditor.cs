@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using UnityEditor;
 
@@ -10,7 +11,7 @@ namespace Nowpose.Editor.Inspectors
         protected override void DrawLive()
         {
             var shown = (PlannedPath)target;
-            EditorGUILayout.LabelField("Drawn ahead", shown.DrawnSeconds > 0 ? LiveText.Number(shown.DrawnSeconds, "0.00", " s") : "nothing");
+            EditorGUILayout.LabelField(InspectorTexts.DrawnAhead, shown.DrawnSeconds > 0 ? LiveText.Number(shown.DrawnSeconds, "0.00", " s") : "nothing");
             EditorGUILayout.LabelField("State", shown.Fault ?? "drawn");
         }
     }

@@ -19,6 +19,6 @@ namespace Nowpose.Editor.Inspectors
             EditorGUILayout.LabelField("Parts", appearance.PartCount.ToString());
         }
 
-        static string Manner(in PoseLook look) => look.IsHatched ? "striped, fade " + LiveText.Number(look.Fade, "0.0", "") : "plain";
+        static string Manner(in PoseLook look) => look.IsHatched ? InspectorTexts.Striped(LiveText.Number(look.Fade, "0.0", "")) : "plain";
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Editor.Messages;
 using UnityEditor;
 using UnityEngine;
 using Object = UnityEngine.Object;
@@ -44,7 +45,7 @@ namespace Nowpose.Editor.Inspectors
         public Shortcoming Shortcoming(Component component)
         {
             var remedy = _remedy(component);
-            return new Shortcoming(_message, remedy == null ? null : "Use '" + remedy.name + "'", Assign);
+            return new Shortcoming(_message, remedy == null ? null : InspectorTexts.Use(remedy.name), Assign);
         }
 
         // The remedy differs between the components: each panel has texts of its own.

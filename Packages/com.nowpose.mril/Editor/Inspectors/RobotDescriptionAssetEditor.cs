@@ -18,7 +18,7 @@ namespace Nowpose.Editor.Inspectors
             var asset = (RobotDescriptionAsset)target;
             if (_summary == null || !_summary.IsOf(asset)) _summary = new UrdfSummary(asset);
             EditorGUILayout.LabelField("Robot", _summary.Robot);
-            EditorGUILayout.LabelField("Moving joints", _summary.Joints);
+            EditorGUILayout.LabelField(InspectorTexts.MovingJoints, _summary.Joints);
             EditorGUILayout.LabelField("Characters", _summary.Length);
             EditorGUILayout.LabelField("SHA-256", _summary.Hash);
             if (_summary.Fault != null) EditorGUILayout.HelpBox(_summary.Fault, MessageType.Error);

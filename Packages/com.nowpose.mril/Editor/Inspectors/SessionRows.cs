@@ -12,7 +12,7 @@ namespace Nowpose.Editor.Inspectors
         {
             yield return ("Round trip", LiveText.Ms(session.RoundTripTime));
             yield return ("Clock steps", session.ClockSteps.ToString());
-            yield return ("End to end", LiveText.Ms(session.EndToEndLatency));
+            yield return (InspectorTexts.EndToEnd, LiveText.Ms(session.EndToEndLatency));
             yield return ("Display time", DisplayTimeOf(session));
             yield return ("Reprojection, depth", Words(LatencyNames.Reprojection.NameOf(session.Reprojection)) + ", "
                 + Words(LatencyNames.DepthSubmission.NameOf(session.DepthSubmission)));

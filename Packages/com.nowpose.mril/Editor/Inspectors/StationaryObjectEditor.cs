@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using UnityEditor;
 
@@ -10,7 +11,7 @@ namespace Nowpose.Editor.Inspectors
         protected override void DrawLive()
         {
             var shown = (StationaryObject)target;
-            EditorGUILayout.LabelField("Moved by hand", shown.IsMoving ? "now" : "no");
+            EditorGUILayout.LabelField(InspectorTexts.MovedByHand, shown.IsMoving ? "now" : "no");
             EditorGUILayout.LabelField("State", shown.Fault ?? "current");
         }
     }

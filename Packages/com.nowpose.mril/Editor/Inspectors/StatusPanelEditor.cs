@@ -16,7 +16,7 @@ namespace Nowpose.Editor.Inspectors
                 EditorGUILayout.LabelField("Shows", InspectorTexts.Disabled);
                 return;
             }
-            EditorGUILayout.LabelField("Legible up to", LiveText.Number(panel.LegibleMetres, "0.0", " m"));
+            EditorGUILayout.LabelField(InspectorTexts.LegibleUpTo, LiveText.Number(panel.LegibleMetres, "0.0", " m"));
             StatusLines.Draw(panel.Texts);
         }
     }

@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using Nowpose.Editor.Messages;
 using UnityEditor;
 using UnityEngine;
 
@@ -47,7 +48,7 @@ namespace Nowpose.Editor.Inspectors
             var range = ChartRange.Of(_series);
             EditorGUI.DrawRect(area, Background);
             DrawLine(area, range);
-            GUI.Label(Row(area, area.yMin), _label + " " + Text(_series.Newest) + "   (" + Text(range.Top) + " at the top)", EditorStyles.miniLabel);
+            GUI.Label(Row(area, area.yMin), _label + " " + Text(_series.Newest) + "   " + InspectorTexts.AtTop(Text(range.Top)), EditorStyles.miniLabel);
             if (range.Bottom < 0) GUI.Label(Row(area, area.yMax - EditorGUIUtility.singleLineHeight), Text(range.Bottom), EditorStyles.miniLabel);
         }
 

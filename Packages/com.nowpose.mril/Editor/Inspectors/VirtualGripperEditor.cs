@@ -11,7 +11,7 @@ namespace Nowpose.Editor.Inspectors
         protected override void DrawLive()
         {
             var gripper = (VirtualGripper)target;
-            EditorGUILayout.LabelField("Attached to", gripper.Flange == null ? LiveText.Unknown : gripper.Flange.name);
+            EditorGUILayout.LabelField(InspectorTexts.AttachedTo, gripper.Flange == null ? LiveText.Unknown : gripper.Flange.name);
             foreach (var finger in gripper.Fingers) EditorGUILayout.LabelField(LabelOf(finger), StateOf(finger, gripper.Rig));
         }
 

@@ -6,6 +6,10 @@ namespace Nowpose.Editor.Messages
         public static string BuildTarget(string player) => $"Build target is {player}";
         public static string Feature(string feature) => $"OpenXR feature {feature}";
         public static string OpenXrOption(string option, string value) => $"OpenXR {option} is {value}";
+        public static string Capability(string capability) => $"Capability {capability}";
+        public static string Declare(string capability) => $"Declare {capability}";
+        public static string AddPackage(string package) => $"Add {package}";
+        public static string SwitchTo(string player) => $"Switch to {player}";
 
         public const string ApiLevel = "Api Compatibility Level is .NET Standard 2.1";
         public const string CameraBackground = "Main camera clears to black with alpha 0";

@@ -29,6 +29,18 @@ namespace Nowpose.Editor.Messages
         public const string FindProfile = "Look for a profile";
         public const string OneObject = "Live values are shown for one object at a time.";
         public const string ComponentDisabled = "this component is disabled";
+        public const string AttachedTo = "Attached to";
+        public const string DrawnAhead = "Drawn ahead";
+        public const string MovedByHand = "Moved by hand";
+        public const string LegibleUpTo = "Legible up to";
+        public const string BesideView = "Beside the view";
+        public const string DegreesLeft = "° to the left";
+        public const string DegreesRight = "° to the right";
+        public const string FromHead = "From the head";
+        public const string ShiftedBy = "Shifted by";
+        public const string EndToEnd = "End to end";
+        public const string MovingJoints = "Moving joints";
+        public const string RestartSession = "Restart session";
         public const string LoadUrdf = "Load a URDF file …";
         public const string LoadUrdfTitle = "Load a URDF file (expand xacro files first)";
 
@@ -37,6 +49,17 @@ namespace Nowpose.Editor.Messages
 
         /// <param name="name">Name under which the device has stored the anchor; null if it has not stored it.</param>
         public static string Held(string name) => name == null ? "yes" : $"yes, kept as {name}";
+
+        public static string Following(string head, bool isGliding) => head + (isGliding ? ", gliding" : ", staying put");
+
+        public static string Marks(int forward, int backward) => $"{forward} forward, {backward} backward";
+
+        public static string Striped(string fade) => $"striped, fade {fade}";
+
+        public static string Use(string remedy) => $"Use '{remedy}'";
+
+        /// <param name="value">Value at the top of a chart.</param>
+        public static string AtTop(string value) => $"({value} at the top)";
 
         public static string Ignored(string faults) => $"ignored: {faults}";
 

@@ -41,7 +41,7 @@ namespace Nowpose.Editor.Setup
                 return package.Serves(version) == true
                     ? CheckResult.Good(package.Name + " " + version) : new CheckResult(without, OutsideBounds(package, version));
             },
-            "Add " + package.Name, ProjectCheck.Always(project => project.Add(package)));
+            CheckTitles.AddPackage(package.Name), ProjectCheck.Always(project => project.Add(package)));
 
         static string OutsideBounds(PackageOrigin package, string version) =>
             CheckResults.OutsideBounds(package.Name, version, package.IsTooNew(version), package.Bounds);

@@ -58,7 +58,7 @@ namespace Nowpose.Editor.Setup
             CheckTitles.BuildTarget(platform.Player), CheckReasons.BuildTarget(platform.Headset),
             project => project.OtherTarget == null
                 ? CheckResult.Good(project.Platform.Player) : CheckResult.Missing(CheckResults.BuildTarget(project.OtherTarget)),
-            "Switch to " + platform.ShortPlayer,
+            CheckTitles.SwitchTo(platform.ShortPlayer),
             project => project.SwitchToPlatform() ? null : CheckFixes.BuildSupport(project.Platform.Player));
 
         public static ProjectCheck ScriptingBackend(HeadsetPlatform platform) => new ProjectCheck(
@@ -71,9 +71,9 @@ namespace Nowpose.Editor.Setup
         /// <param name="without">State of a project that does not declare the capability.</param>
         public static ProjectCheck Capability(PlayerSettings.WSACapability capability, string why, CheckState without = CheckState.Missing) =>
             new ProjectCheck(
-                "Capability " + capability, why,
+                CheckTitles.Capability(capability.ToString()), why,
                 project => project.IsAllowed(capability) ? CheckResult.Good("declared") : new CheckResult(without, "not declared"),
-                "Declare " + capability, ProjectCheck.Always(project => project.Allow(capability)));
+                CheckTitles.Declare(capability.ToString()), ProjectCheck.Always(project => project.Allow(capability)));
 
         static CheckResult LookAtInput(IProjectSettings project)
         {

@@ -28,8 +28,8 @@ namespace Nowpose.Frames
         public bool IsStationary { get; private set; }
 
         /// <summary>
-        /// Returns whether a pose in another parent is older than the newest pose, or than the waiting poses in a third parent. Returns false if this pose and
-        /// the refused poses before it prove that the clock of the source went back.
+        /// Returns whether a pose in another parent is older than the newest pose, or than the waiting poses in a third parent. Returns false if this
+        /// pose and the refused poses before it prove that the clock of the source went back.
         /// </summary>
         /// <param name="parent">Present parent of the frame.</param>
         /// <param name="newest">Stamp of the newest pose in the present parent; null if there is none.</param>
