@@ -16,7 +16,6 @@ public sealed partial class AssertedTextTests
     static readonly Dictionary<string, int> Exceptions = new()
     {
         ["Tests/Benchmarks/LinkScoreTests.cs"] = 1,
-        ["Tests/Gateway/Status/OverallStatusTests.cs"] = 1,
     };
 
     /// <summary>Catalogues whose members the tests can use.</summary>
