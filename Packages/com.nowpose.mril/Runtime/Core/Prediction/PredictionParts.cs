@@ -54,7 +54,7 @@ namespace Nowpose.Prediction
         /// <summary>Ignores samples before a change point.</summary>
         ChangePoints = 8192,
 
-        /// <summary>Limits forecasts while samples only scatter, and starts the first move after that as a line.</summary>
+        /// <summary>Predicts the mean of samples that only scatter, and starts the first move after that as a line.</summary>
         Scatter = 16384,
 
         /// <summary>Limits the distance of a forecast from the line.</summary>

@@ -30,12 +30,6 @@ namespace Nowpose.Prediction.Mixing
         const double PriorErrors = 20;
 
         /// <summary>
-        /// Minimum evidence (<see cref="MixtureWeights.Evidence"/>) for the use of the weights while samples only scatter: one second of
-        /// samples.
-        /// </summary>
-        const double MinEvidence = 0.05;
-
-        /// <summary>
         /// Maximum distance of a candidate's forecast from a sample that it explains, relative to the displacement of the sample. A fast motion that
         /// repeats is not a jump.
         /// </summary>
@@ -52,12 +46,6 @@ namespace Nowpose.Prediction.Mixing
         /// recordings are 0.4 % larger.
         /// </summary>
         const double SpeedRatioAfterStop = 0.5;
-
-        /// <summary>
-        /// Maximum displacement from the newest sample while samples only scatter, as a multiple of their mean distance: the forecasters would amplify the
-        /// noise. With 0.5 or 2, the errors change by at most 0.1 %.
-        /// </summary>
-        const double MaxScatterRatio = 1;
 
         const int Hold = ForecasterSet.Hold, Line = ForecasterSet.Line;
 
@@ -222,18 +210,10 @@ namespace Nowpose.Prediction.Mixing
         void FillMixture(MotionState motion, double speedFactor)
         {
             // The weights of the last seconds would displace a constant velocity if they include hold.
-            var isLine = motion.NewestTime < _lineUntil || (Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady);
-            if (!isLine && _scatter.Scatters && _weights.Evidence < MinEvidence) return;
-            if (isLine) _forecasters.AddTo(_table, Line, 1, _points);
-            else
-            {
-                var weights = _weights.Values;
-                for (var i = Line; i < weights.Length; i++)
-                    if (weights[i] != 0) _forecasters.AddTo(_table, i, weights[i] * _distance.Factor, _points);
-                if (_distance.Factor < 1) _forecasters.AddTo(_table, Line, 1 - _distance.Factor, _points);
-            }
+            if (motion.NewestTime < _lineUntil || (Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady)) _forecasters.AddTo(_table, Line, 1, _points);
+            else if (_scatter.Scatters) FillMean();
+            else AddForecasts();
             if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Timing.Interval, _limits);
-            if (!isLine && _scatter.Scatters) LimitToNoise(MaxScatterRatio * _scatter.Noise);
             foreach (var position in _table)
             {
                 if (double.IsFinite(position)) continue;
@@ -242,15 +222,18 @@ namespace Nowpose.Prediction.Mixing
             }
         }
 
-        void LimitToNoise(double max)
+        // A motion within the noise cannot be distinguished from it, and the forecasters would amplify the noise.
+        void FillMean()
         {
-            for (int point = 1, start = _components; point < _points; point++, start += _components)
-            {
-                var squares = 0.0;
-                for (var c = 0; c < _components; c++) squares += _table[start + c] * _table[start + c];
-                if (!(squares > max * max)) continue;
-                for (var c = 0; c < _components; c++) _table[start + c] *= max / Math.Sqrt(squares);
-            }
+            for (int point = 1, start = _components; point < _points; point++, start += _components) _scatter.Mean.CopyTo(_table.AsSpan(start));
+        }
+
+        void AddForecasts()
+        {
+            var weights = _weights.Values;
+            for (var i = Line; i < weights.Length; i++)
+                if (weights[i] != 0) _forecasters.AddTo(_table, i, weights[i] * _distance.Factor, _points);
+            if (_distance.Factor < 1) _forecasters.AddTo(_table, Line, 1 - _distance.Factor, _points);
         }
     }
 }
