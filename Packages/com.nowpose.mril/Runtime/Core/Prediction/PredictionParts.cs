@@ -57,15 +57,11 @@ namespace Nowpose.Prediction
         /// <summary>Predicts the mean of samples that only scatter, and starts the first move after that as a line.</summary>
         Scatter = 16384,
 
-        /// <summary>Limits the distance of a forecast from the line.</summary>
-        DistanceLimit = 32768,
-
         /// <summary>Detects positions that jump.</summary>
-        Jumps = 65536,
+        Jumps = 32768,
 
         /// <summary>The parts for joints and objects.</summary>
-        Common = Preparation | Quadratic | Cubic | QuadraticOfFive | CubicOfSix | QuadraticOfTen | Process | Repetition | ChangePoints | Scatter | DistanceLimit
-            | Jumps,
+        Common = Preparation | Quadratic | Cubic | QuadraticOfFive | CubicOfSix | QuadraticOfTen | Process | Repetition | ChangePoints | Scatter | Jumps,
 
         /// <summary>All parts for a joint.</summary>
         Joint = Common | Reported | Profiles,

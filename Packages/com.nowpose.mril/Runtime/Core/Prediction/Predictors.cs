@@ -36,13 +36,6 @@ namespace Nowpose.Prediction
         const double StartGate = 0.09;
 
         /// <summary>
-        /// Time constant with which the gates forget errors in motion, in s. For joints, it is a few samples long, so that the gate closes soon after a
-        /// repetition ends; with 0.5 s, the displayed tool of the virtual cell left a gripped workpiece by up to 2.3 mm. For objects with 0.2 s, false
-        /// repetitions double the rotation errors of vehicles; with 0.8 s, those of simulated motions are 1.3 % larger.
-        /// </summary>
-        const double JointGateTimeConstant = 0.3, ObjectGateTimeConstant = 0.5;
-
-        /// <summary>
         /// Weight of the line in the prior: on first moves of real machines, a Gaussian process alone overshoots more. With 0.3, the errors of simulated
         /// motions are 0.6 % larger.
         /// </summary>
@@ -117,7 +110,7 @@ namespace Nowpose.Prediction
         /// <inheritdoc cref="Create(string, PredictionLimits, double)"/>
         internal static PredictionPipeline<TSample> OfAnObject<TSample>(string name, PredictionLimits limits, ForecasterSet forecasters, PredictionParts parts)
             where TSample : struct, ISample<TSample> => Pipeline<TSample>(name, limits, parts, 2, motion => MixtureOf(3, limits, parts,
-                forecasters ??= ForecastersOfObjects(parts), ObjectGateTimeConstant, ObjectMatchInterval,
+                forecasters ??= ForecastersOfObjects(parts), ObjectMatchInterval,
                 motion == 0 ? new ObjectJumpDetector(3, MinJump, MaxAcceleration) : new ObjectJumpDetector(3, MinTurn, MaxAngularAcceleration)));
 
         /// <summary>Returns the time constant of the blend for a predictor: none for hold, the reference for comparisons.</summary>
@@ -140,17 +133,17 @@ namespace Nowpose.Prediction
         }
 
         static Mixture Joint(PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters) =>
-            MixtureOf(1, limits, parts, forecasters, JointGateTimeConstant, JointMatchInterval, new OutlierReturnDetector());
+            MixtureOf(1, limits, parts, forecasters, JointMatchInterval, new OutlierReturnDetector());
 
         static Mixture MixtureOf(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters,
-            double gateTimeConstant, double matchInterval, JumpDetector jumps)
+            double matchInterval, JumpDetector jumps)
         {
             var candidates = new List<Candidate>();
             if (Has(parts, PredictionParts.Repetition))
                 candidates.Add(new Candidate(components, new TemplateForecaster(components, limits.MaximumGap, matchInterval),
-                    new CandidateGate(TemplateGate, StartGate, gateTimeConstant)));
+                    new CandidateGate(TemplateGate, StartGate)));
             if (Has(parts, PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
-                candidates.Add(new Candidate(components, new ProfileForecaster(limits), new CandidateGate(ProfileGate, ProfileGate, gateTimeConstant)));
+                candidates.Add(new Candidate(components, new ProfileForecaster(limits), new CandidateGate(ProfileGate, ProfileGate)));
             return new Mixture(components, limits, parts, forecasters, candidates.ToArray(), jumps);
         }
 

@@ -39,20 +39,6 @@ namespace Nowpose.Prediction.Candidates
             ErrorRatio = _hasForecast ? _gate.ErrorRatio(motion.StillSamples > 0) : double.PositiveInfinity;
         }
 
-        /// <summary>Returns the distance of the forecast made at the previous sample from the newest sample.</summary>
-        /// <inheritdoc cref="Add" path="/param[@name='points']"/>
-        public double DistanceFrom(MotionState motion, int points)
-        {
-            var ahead = Math.Min(motion.Timing.Interval, (points - 2) * ForecastTable.Step);
-            var (time, squares) = (new TableTime(ahead), 0.0);
-            for (var c = 0; c < _components; c++)
-            {
-                var difference = motion.Previous[c] + time.Read(Table, 0, c, _components) - motion.Newest[c];
-                squares += difference * difference;
-            }
-            return Math.Sqrt(squares);
-        }
-
         /// <summary>Computes the forecast position.</summary>
         /// <param name="time">Time after the newest sample.</param>
         /// <returns>False without a forecast.</returns>

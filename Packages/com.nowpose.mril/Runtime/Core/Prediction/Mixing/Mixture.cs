@@ -30,12 +30,6 @@ namespace Nowpose.Prediction.Mixing
         const double PriorErrors = 20;
 
         /// <summary>
-        /// Maximum distance of a candidate's forecast from a sample that it explains, relative to the displacement of the sample. A fast motion that
-        /// repeats is not a jump.
-        /// </summary>
-        const double MaxExplainedRatio = 0.5;
-
-        /// <summary>
         /// Threshold for a first move, which is a motion much faster than the noise before it: minimum ratio of the squared displacement within one
         /// horizon to the mean square error of hold. For a motion that continues at constant speed, the ratio is 1.
         /// </summary>
@@ -59,7 +53,6 @@ namespace Nowpose.Prediction.Mixing
         readonly ScatterDetector _scatter;
         readonly MixtureWeights _weights;
         readonly PendingForecasts _pending;
-        readonly DistanceLimit _distance = new DistanceLimit();
 
         // The table of the displayed forecast.
         readonly double[] _table;
@@ -96,7 +89,7 @@ namespace Nowpose.Prediction.Mixing
             if (motion.IsNewest)
             {
                 _forgettingFactor = Math.Exp(-motion.Timing.Interval / TimeConstant);
-                DetectJump(motion);
+                if (Uses(PredictionParts.Jumps)) _jumps.Add(motion);
                 DetectChangePoint(motion);
                 Learn(motion);
             }
@@ -114,23 +107,12 @@ namespace Nowpose.Prediction.Mixing
             _scatter.Reset();
             _weights.Reset(_forecasters.Prior(isReported: false));
             _pending.Clear();
-            _distance.Clear();
             Array.Clear(_table, 0, _table.Length);
             _lineUntil = double.NegativeInfinity;
             _wasReported = false;
         }
 
         bool Uses(PredictionParts part) => (_parts & part) != 0;
-
-        void DetectJump(MotionState motion)
-        {
-            if (!Uses(PredictionParts.Jumps)) return;
-            _jumps.Add(motion);
-            if (!IsVelocityUnknown) return;
-            var max = MaxExplainedRatio * Vectors.Distance(motion.Newest, motion.Previous);
-            foreach (var candidate in _candidates)
-                if (!double.IsInfinity(candidate.ErrorRatio) && candidate.DistanceFrom(motion, _points) < max) _jumps.Dismiss();
-        }
 
         void DetectChangePoint(MotionState motion)
         {
@@ -141,11 +123,7 @@ namespace Nowpose.Prediction.Mixing
         void Learn(MotionState motion)
         {
             // After a gap or a jump, earlier forecasts are wrong for a reason that no forecaster can know.
-            if (motion.Timing.ConnectedSamples == 1 || IsVelocityUnknown)
-            {
-                _pending.Clear();
-                _distance.Release();
-            }
+            if (motion.Timing.ConnectedSamples == 1 || IsVelocityUnknown) _pending.Clear();
             Score(motion);
             if (Uses(PredictionParts.Scatter)) _scatter.Add(motion.Displacements, Connected(motion));
             if (_scatter.HasLeft && IsFirstMove(motion)) _lineUntil = motion.NewestTime + motion.Timing.Horizon + motion.Timing.Interval;
@@ -178,14 +156,8 @@ namespace Nowpose.Prediction.Mixing
             if (Uses(PredictionParts.ChangePoints)) samples = Math.Min(samples, _changePoints.SamplesSince);
             var speedFactor = motion.Count < 2 || IsVelocityUnknown ? 0 : samples == 1 && !_changePoints.SpeedIncreased ? SpeedRatioAfterStop : 1;
             _forecasters.Fill(motion, samples, speedFactor, _points);
-            if (motion.IsNewest) Expect(motion);
+            if (motion.IsNewest) _pending.Add(motion);
             FillTable(motion, speedFactor);
-        }
-
-        void Expect(MotionState motion)
-        {
-            var distance = _pending.Add(motion);
-            if (Uses(PredictionParts.DistanceLimit)) _distance.Add(distance, _forgettingFactor, _jumps.IsUnconfirmed);
         }
 
         void FillTable(MotionState motion, double speedFactor)
@@ -232,8 +204,7 @@ namespace Nowpose.Prediction.Mixing
         {
             var weights = _weights.Values;
             for (var i = Line; i < weights.Length; i++)
-                if (weights[i] != 0) _forecasters.AddTo(_table, i, weights[i] * _distance.Factor, _points);
-            if (_distance.Factor < 1) _forecasters.AddTo(_table, Line, 1 - _distance.Factor, _points);
+                if (weights[i] != 0) _forecasters.AddTo(_table, i, weights[i], _points);
         }
     }
 }

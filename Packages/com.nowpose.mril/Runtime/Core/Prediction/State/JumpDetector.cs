@@ -25,9 +25,6 @@ namespace Nowpose.Prediction.State
             else SamplesSince = IsJump(motion) ? 1 : Math.Min(SamplesSince, int.MaxValue - 1) + 1;
         }
 
-        /// <summary>Counts the newest jump as a motion, because a repetition explains it.</summary>
-        public virtual void Dismiss() => SamplesSince = int.MaxValue;
-
         public virtual void Reset() => (SamplesSince, IsUnconfirmed) = (int.MaxValue, false);
 
         /// <summary>Returns whether the displacement to the newest sample from its predecessor is a jump.</summary>

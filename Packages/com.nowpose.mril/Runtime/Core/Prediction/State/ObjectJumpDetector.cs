@@ -42,12 +42,6 @@ namespace Nowpose.Prediction.State
             (_jump, _displacement) = (new double[components], new double[components]);
         }
 
-        public override void Dismiss()
-        {
-            base.Dismiss();
-            _isKnown = false;
-        }
-
         public override void Reset()
         {
             base.Reset();
