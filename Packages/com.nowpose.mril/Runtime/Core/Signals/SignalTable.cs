@@ -28,6 +28,9 @@ namespace Nowpose.Signals
         /// </summary>
         public event Action<SignalTrack> Restarted;
 
+        /// <inheritdoc cref="SignalTrack.Resumed"/>
+        public event Action<SignalTrack> Resumed;
+
         public int Count => _signals.Count;
 
         public SignalTrack this[int index] => _signals[index];
@@ -44,6 +47,7 @@ namespace Nowpose.Signals
             _indices.Add(name, index);
             var signal = _signals[index] = new SignalTrack(name);
             signal.Restarted += restarted => Restarted?.Invoke(restarted);
+            signal.Resumed += resumed => Resumed?.Invoke(resumed);
             return signal;
         }
 

@@ -31,6 +31,12 @@ namespace Nowpose.Signals
         /// <summary>Raised when all times have become invalid. <see cref="Value"/> is kept, and <see cref="Since"/> becomes null.</summary>
         public event Action<SignalTrack> Restarted;
 
+        /// <summary>
+        /// Raised when the first value after an interruption becomes visible, before it is reported as a change. The signal may have changed in the
+        /// meantime, also if the value is the same as before. Not raised if the value has its former stamp, which shows that nothing has changed.
+        /// </summary>
+        public event Action<SignalTrack> Resumed;
+
         /// <summary>Whether a value is visible.</summary>
         public bool IsKnown => _isVisible;
 
@@ -73,11 +79,12 @@ namespace Nowpose.Signals
                 RestartWith(stackalloc[] { (stamp, value) });
                 return DropReason.None;
             }
+            var isResumed = isOfNewSource && stamp > Newest;
             if (stamp > arrival)
             {
                 // The ordinary values that follow may be late by a normal delay. If they are older, the clock of the source went back.
                 if (!(arrival.Value - ClockTicks.Span(ArrivalOrder.MaxDelay) <= _newestSample)) _newestSample = arrival.Value - ClockTicks.Span(ArrivalOrder.MaxDelay);
-                return Place(stamp, value);
+                return Place(stamp, value, isResumed);
             }
             if (_late.Add(stamp, value, _newestSample))
             {
@@ -85,7 +92,7 @@ namespace Nowpose.Signals
                 return DropReason.None;
             }
             if (!(stamp <= _newestSample)) _newestSample = stamp;
-            return Place(stamp, value);
+            return Place(stamp, value, isResumed);
         }
 
         /// <summary>Keeps a received value whose stamp is in the future until the next value or the next <see cref="Restart"/>.</summary>
@@ -97,13 +104,16 @@ namespace Nowpose.Signals
         {
             while (_isVisible && _count > 1 && _changes[1].Stamp <= at && _changes[1].Value == Value)
             {
+                var isResumed = _changes[1].IsResumed;
                 _changes[0].Confirm(_changes[1].Confirmed);
                 Remove(1);
+                if (isResumed) Resumed?.Invoke(this);
             }
             var next = _isVisible ? 1 : 0;
             if (next >= _count || _changes[next].Stamp > at) return false;
             if (_isVisible) Remove(0);
             _isVisible = true;
+            if (_changes[0].IsResumed) Resumed?.Invoke(this);
             return true;
         }
 
@@ -151,14 +161,15 @@ namespace Nowpose.Signals
             return place >= 0 && _changes[place].Value == value;
         }
 
-        DropReason Place(ControlTime stamp, double value)
+        DropReason Place(ControlTime stamp, double value, bool isResumed = false)
         {
             var place = _count;
             while (place > 0 && _changes[place - 1].Stamp > stamp) place--;
             if (_isVisible && place == 0) return DropReason.LateSample;
             if (place > 0 && _changes[place - 1].Stamp == stamp) return Replace(place - 1, value);
             if (!(stamp <= Newest)) Newest = stamp;
-            if (place > 0 && _changes[place - 1].Value == value) _changes[place - 1].Confirm(stamp);
+            if (isResumed) Insert(place, new Change(stamp, value, isResumed: true));
+            else if (place > 0 && _changes[place - 1].Value == value) _changes[place - 1].Confirm(stamp);
             else Insert(place, stamp, value);
             return DropReason.None;
         }
@@ -166,7 +177,7 @@ namespace Nowpose.Signals
         DropReason Replace(int place, double value)
         {
             if (_changes[place].Value == value || (_isVisible && place == 0)) return DropReason.DuplicateSample;
-            _changes[place] = new Change(_changes[place].Stamp, value);
+            _changes[place] = new Change(_changes[place].Stamp, value, _changes[place].IsResumed);
             return DropReason.None;
         }
 
@@ -207,14 +218,18 @@ namespace Nowpose.Signals
 
         struct Change
         {
-            public Change(ControlTime stamp, double value)
+            public Change(ControlTime stamp, double value, bool isResumed = false)
             {
                 Stamp = Confirmed = stamp;
                 Value = value;
+                IsResumed = isResumed;
             }
 
             public ControlTime Stamp { get; private set; }
             public double Value { get; }
+
+            /// <summary>Whether this is the first value after an interruption.</summary>
+            public bool IsResumed { get; }
 
             /// <summary>Newest stamp with which the value was received.</summary>
             public ControlTime Confirmed { get; private set; }
