@@ -2,6 +2,7 @@ using System;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Mixing;
+using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Frames
 {
@@ -17,6 +18,7 @@ namespace Nowpose.Frames
         readonly RotationHistory _rotations = new RotationHistory();
         readonly PredictionPipeline<BodySample> _pipeline;
         readonly SectionBlend[] _blends = new SectionBlend[Parts];
+        readonly PastValues<PoseSample> _past;
         readonly double _horizonCap;
         bool _restsBeforeSecondSample;
 
@@ -34,6 +36,7 @@ namespace Nowpose.Frames
         {
             _pipeline = Predictors.OfAnObject<BodySample>(predictor, limits, forecasters, parts);
             for (var part = 0; part < Parts; part++) _blends[part] = new SectionBlend(Components, Predictors.BlendOf(predictor, blend));
+            _past = new PastValues<PoseSample>(limits.MaximumGap, Between);
             _horizonCap = limits.HorizonCap;
         }
 
@@ -58,6 +61,7 @@ namespace Nowpose.Frames
             var reason = Order(sample);
             if (Restarts != restarts) Restart(displayed);
             else UseReady(displayed);
+            if (reason == DropReason.None) _past.Add(sample.Time, sample);
             return reason;
         }
 
@@ -75,6 +79,19 @@ namespace Nowpose.Frames
             if (kind == PredictionKind.None) return RigidTransform.Identity;
             if (kind == PredictionKind.Held && _restsBeforeSecondSample && time - NewestTime <= _horizonCap) kind = PredictionKind.Predicted;
             return PoseOf(_rotations.RotationOf(At(Angles, time, place), time), At(Position, time, place));
+        }
+
+        /// <summary>
+        /// Returns the pose at a given time, which may be earlier than the samples that are used for predictions: up to 1.2 s before the newest sample.
+        /// </summary>
+        public RigidTransform PoseAt(double time, out PoseOrigin origin)
+        {
+            var pose = At(time, out var kind);
+            var isKnown = kind != PredictionKind.None && (kind != PredictionKind.Held || time > NewestTime);
+            origin = !isKnown ? PoseOrigin.None : time > NewestTime ? PoseOrigin.Forecast : PoseOrigin.Measured;
+            if (isKnown || !_past.TryGet(time, out var past)) return pose;
+            origin = PoseOrigin.Measured;
+            return PoseOf(past.Rotation, past.Position);
         }
 
         /// <summary>Returns <see cref="Hold"/>. Use it while the display time is unknown.</summary>
@@ -100,6 +117,7 @@ namespace Nowpose.Frames
         {
             _restsBeforeSecondSample = false;
             _rotations.Clear();
+            _past.Clear();
             _pipeline.Reset();
             foreach (var blend in _blends) blend.Reset();
         }
@@ -155,6 +173,10 @@ namespace Nowpose.Frames
             var position = _pipeline.At(place, part, component);
             return double.IsNaN(time) ? position : position + _blends[part].RemainderAt(time, component);
         }
+
+        static PoseSample Between(PoseSample before, PoseSample after, double fraction) => new PoseSample(
+            before.Time + fraction * (after.Time - before.Time), before.Position + (after.Position - before.Position) * fraction,
+            UnitQuaternion.Slerp(before.Rotation, after.Rotation, fraction));
 
         static RigidTransform PoseOf(in UnitQuaternion rotation, in Vector3D position) => rotation.At(position.X, position.Y, position.Z);
     }

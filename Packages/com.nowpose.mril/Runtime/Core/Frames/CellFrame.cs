@@ -182,11 +182,7 @@ namespace Nowpose.Frames
         public RigidTransform PoseAt(double time, out PoseOrigin origin)
         {
             origin = PoseOrigin.Measured;
-            if (_isStationary) return _given;
-            var pose = _predictor.At(time, out var kind);
-            origin = kind == PredictionKind.None ? PoseOrigin.None
-                : kind == PredictionKind.Held || _predictor.NewestTime < time ? PoseOrigin.Forecast : PoseOrigin.Measured;
-            return pose;
+            return _isStationary ? _given : _predictor.PoseAt(time, out origin);
         }
 
         /// <summary>

@@ -4,6 +4,7 @@ using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Mixing;
+using Nowpose.Prediction.Samples;
 using Nowpose.Protocol;
 
 namespace Nowpose.Session
@@ -13,6 +14,7 @@ namespace Nowpose.Session
     {
         readonly RobotModel _robot;
         readonly JointPredictor[] _joints;
+        readonly PastValues<double>[] _past;
         readonly double[] _positions;
         readonly double[] _held;
         readonly PredictionKind[] _kinds;
@@ -28,8 +30,15 @@ namespace Nowpose.Session
             _robot = robot;
             var count = robot.MovingJoints.Count;
             _joints = new JointPredictor[count];
+            _past = new PastValues<double>[count];
+            var gap = ClockTicks.Seconds(settings.MaximumGap);
             var forecasters = Predictors.ForecastersOfJoints();
-            for (var i = 0; i < count; i++) _joints[i] = settings.Create(BoundsOf(robot.MovingJoints[i], settings), forecasters);
+            for (var i = 0; i < count; i++)
+            {
+                var bounds = BoundsOf(robot.MovingJoints[i], settings);
+                _joints[i] = settings.Create(bounds, forecasters);
+                _past[i] = bounds.IsEndless ? new PastValues<double>(gap, AngleBetween) : new PastValues<double>(gap, Between);
+            }
             _positions = new double[count];
             _held = new double[count];
             _kinds = new PredictionKind[count];
@@ -83,11 +92,16 @@ namespace Nowpose.Session
                 if (joint < 0) continue;
                 var restarts = _joints[joint].Restarts;
                 var each = _joints[joint].Add(Sample(time, message, i), _displayed);
-                if (each == DropReason.None) _limits.Add(joint, message.Positions[i]);
                 if (reason != DropReason.None) reason = each;
-                if (_joints[joint].Restarts == restarts) continue;
-                hasRestarted = true;
-                Restarted?.Invoke(joint);
+                if (_joints[joint].Restarts != restarts)
+                {
+                    hasRestarted = true;
+                    _past[joint].Clear();
+                    Restarted?.Invoke(joint);
+                }
+                if (each != DropReason.None) continue;
+                _limits.Add(joint, message.Positions[i]);
+                _past[joint].Add(time, message.Positions[i]);
             }
             if (hasRestarted) RestartOthers(time, message, joints);
             return reason;
@@ -102,7 +116,9 @@ namespace Nowpose.Session
                 var joint = joints[i];
                 if (joint < 0 || !(_joints[joint].NewestTime > time)) continue;
                 _joints[joint].Reset();
+                _past[joint].Clear();
                 _joints[joint].Add(Sample(time, message, i), _displayed);
+                _past[joint].Add(time, message.Positions[i]);
                 Restarted?.Invoke(joint);
             }
         }
@@ -137,24 +153,40 @@ namespace Nowpose.Session
             CompleteMimics();
         }
 
-        /// <summary>Computes the positions at a time other than the display time. Joints without samples keep their displayed positions.</summary>
+        /// <summary>
+        /// Computes the positions at a time other than the display time, up to 1.2 s before the newest samples. Joints without samples keep their displayed
+        /// positions.
+        /// </summary>
         /// <param name="judged">Joints whose data determine the result's origin; must not contain mimic joints.</param>
         /// <param name="positions">Receives one position per moving joint.</param>
         public PoseOrigin At(ControlTime at, int[] judged, double[] positions)
         {
             var time = ClockTicks.Seconds(at - _epoch);
-            for (var i = 0; i < positions.Length; i++) positions[i] = HasSample(i) ? _joints[i].At(time).Position : _positions[i];
+            for (var i = 0; i < positions.Length; i++) positions[i] = HasSample(i) ? PositionAt(i, time, out _) : _positions[i];
             _robot.CompleteMimics(positions, _given);
-            var origin = PoseOrigin.Measured;
-            foreach (var each in judged)
+            var least = PoseOrigin.Measured;
+            foreach (var joint in judged)
             {
-                var joint = _joints[each];
-                var kind = joint.At(time).Kind;
-                if (kind == PredictionKind.None || kind == PredictionKind.Held) return PoseOrigin.None;
-                if (joint.NewestTime < time) origin = PoseOrigin.Forecast;
+                PositionAt(joint, time, out var origin);
+                if (origin < least) least = origin;
             }
-            return origin;
+            return least;
         }
+
+        double PositionAt(int joint, double time, out PoseOrigin origin)
+        {
+            var prediction = _joints[joint].At(time);
+            var isKnown = prediction.Kind != PredictionKind.None && prediction.Kind != PredictionKind.Held;
+            origin = !isKnown ? PoseOrigin.None : time > _joints[joint].NewestTime ? PoseOrigin.Forecast : PoseOrigin.Measured;
+            if (isKnown || !_past[joint].TryGet(time, out var past)) return prediction.Position;
+            origin = PoseOrigin.Measured;
+            return past;
+        }
+
+        static double Between(double before, double after, double fraction) => before + fraction * (after - before);
+
+        static double AngleBetween(double before, double after, double fraction) =>
+            Between(before, after - JointPredictor.WholeTurns(after - before), fraction);
 
         /// <summary>Computes the planned positions at a given time, however far in the future. Other joints keep their displayed positions.</summary>
         /// <param name="needed">Joints that must follow a plan at that time.</param>
@@ -186,6 +218,7 @@ namespace Nowpose.Session
         public void Reset()
         {
             foreach (var joint in _joints) joint.Reset();
+            foreach (var past in _past) past.Clear();
             _hasEpoch = false;
             _displayed = double.NaN;
         }

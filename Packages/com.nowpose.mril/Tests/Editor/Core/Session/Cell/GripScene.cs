@@ -1,6 +1,8 @@
 using System;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
+using Nowpose.Protocol.Cell;
+using Nowpose.Session;
 
 namespace Nowpose.Tests.Core.Session.Cell
 {
@@ -25,14 +27,32 @@ namespace Nowpose.Tests.Core.Session.Cell
 
         public static (CellSession Cell, ReachGrip Grip) NewCell(params string[] objects)
         {
-            var cell = new CellSession { Sampling = null };
+            var cell = new CellSession();
+            return (cell, NewGrip(cell, objects));
+        }
+
+        public static ReachGrip NewGrip(CellSession cell, params string[] objects)
+        {
             foreach (var name in objects) cell.Session.Frames.Need(name);
             var robot = cell.Session.Robots[0];
             var grip = new ReachGrip(
                 cell.Session.Frames.Tree, robot, robot.Robot.IndexOfLink("tool_centre_point"), Reach, objects);
             cell.Session.Grips.Add(grip, "grip");
-            return (cell, grip);
+            return grip;
         }
+
+        public static PoseState StateOf(CellSession cell, string name = "box") => cell.Session.Frames.StateOf(Find(cell, name));
+
+        /// <summary>Sends the shoulder angles of the last 50 ms.</summary>
+        public static void SendShoulder(CellSession cell, double t, double interval)
+        {
+            for (var i = (int)Math.Round(CellSession.Interval / interval) - 1; i >= 0; i--)
+                cell.SendJoints(t - i * interval, Shoulder(t - i * interval), 0);
+        }
+
+        /// <summary>Sends a value of the gripper's signal that arrives now.</summary>
+        public static void SendGripNow(CellSession cell, double stamp, double value) => cell.Session.Listener.SignalsReceived(
+            new SignalsMessage(ControlTime.FromSeconds(stamp), new SignalValue("grip", value)), HeadsetTime.FromSeconds(cell.Now));
 
         public static CellFrame Find(CellSession cell, string name) => cell.Session.Frames.Find(name);
 
