@@ -1,6 +1,5 @@
 using System;
 using Nowpose.Kinematics;
-using Nowpose.Messages;
 using Nowpose.Prediction;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -12,17 +11,14 @@ namespace Nowpose.Frames
     {
         readonly Func<BodyPredictor> _newPredictor;
         readonly HandOver _handOver = new HandOver();
+        readonly ObjectGrips _grips = new ObjectGrips();
         readonly DisplayedPose _shown = new DisplayedPose();
         BodyPredictor _predictor;
         RigidTransform _given = RigidTransform.Identity;
-        ControlTime? _newest, _movedAt;
+        ControlTime? _newest;
         string _parent;
-        ReachPlace _reach, _nextReach;
-        ReachGrip _unknownGrip;
-        SourceRest _sourceRest;
-        CarrierRest _carrierRest;
         double _displayed = double.NaN;
-        bool _isStationary, _isReachWaiting;
+        bool _isStationary;
 
         /// <param name="newPredictor">Creates the predictor for the first pose of a tracked frame. Stationary frames need no predictor.</param>
         public CellFrame(string name, Func<BodyPredictor> newPredictor)
@@ -37,13 +33,13 @@ namespace Nowpose.Frames
         /// Name of the parent of the displayed pose. While a gripper determines the place, this is the gripper's link or, after the release, the
         /// world.
         /// </summary>
-        public string Parent => _reach?.Parent ?? _parent;
+        public string Parent => _grips.Shown?.Parent ?? _parent;
 
         /// <summary>Name of the parent in the poses that are received.</summary>
         public string SourceParent => _parent;
 
         /// <summary>Whether the displayed pose comes from /tf_static.</summary>
-        public bool IsStationary => _isStationary && _reach == null;
+        public bool IsStationary => _isStationary && _grips.Shown == null;
 
         /// <summary>
         /// Whether the pose of a stationary frame is from before the newest connection, so that its source may be gone. The next pose resets it.
@@ -59,39 +55,25 @@ namespace Nowpose.Frames
         /// <summary>
         /// Place that a gripper assigns to the object from the next display frame on; null if the object's own source determines the place.
         /// </summary>
-        public ReachPlace Reach => _isReachWaiting ? _nextReach : _reach;
+        public ReachPlace Reach => _grips.Place;
 
         /// <summary>Whether a change of the parent, or of the place that a gripper determines, waits for the next display frame.</summary>
-        public bool IsBeingHandedOver => _handOver.Count > 0 || _isReachWaiting;
+        public bool IsBeingHandedOver => _handOver.Count > 0 || _grips.IsWaiting;
 
-        /// <summary>A gripper that may hold the object, because its held object is unknown; null if there is none.</summary>
-        public ReachGrip UnknownGrip
-        {
-            get => _unknownGrip?.Fault != null ? _unknownGrip : null;
-            set
-            {
-                if (value != null && UnknownGrip == null && Reach == null) Watch();
-                _unknownGrip = value;
-            }
-        }
+        /// <inheritdoc cref="ObjectGrips.UnknownGrip"/>
+        public ReachGrip UnknownGrip => _grips.UnknownGrip;
 
-        /// <summary>
-        /// A gripper that may have moved the object, and has no fault any more; null if there is none. The place of the object is unknown until its source
-        /// reports another pose, or until a gripper grips the object.
-        /// </summary>
-        public ReachGrip UnknownMover { get; private set; }
+        /// <inheritdoc cref="ObjectGrips.UnknownMover"/>
+        public ReachGrip UnknownMover => _grips.UnknownMover;
 
         /// <summary>Whether a gripper determines the place, although the object's source names a parent that can move.</summary>
-        public bool IsAwayFromCarrier => _reach != null && _parent != FrameParents.World;
+        public bool IsAwayFromCarrier => _grips.Shown != null && _parent != FrameParents.World;
 
-        bool HasCarrierLeft => _reach?.IsReleased == true && _carrierRest?.HasMoved == true;
-
-        /// <summary>Reason why it is unknown whether the object has been moved from its displayed place, in one line; null if it is known.</summary>
-        public string GripFault =>
-            UnknownGrip?.Fault ?? (UnknownMover != null ? FrameMessages.ReleasedUnnoticed : HasCarrierLeft ? FrameMessages.CarrierMoved : null);
+        /// <inheritdoc cref="ObjectGrips.Fault"/>
+        public string GripFault => _grips.Fault;
 
         /// <summary>Control time since which the state has been <see cref="FrameState.GripUnknown"/>; null if this time is unknown.</summary>
-        public ControlTime? GripFaultSince => UnknownGrip != null ? UnknownGrip.FaultSince : UnknownMover != null ? _movedAt : _carrierRest?.MovedAt;
+        public ControlTime? GripFaultSince => _grips.FaultSince;
 
         /// <inheritdoc cref="DisplayedPose.World"/>
         public RigidTransform World => _shown.World;
@@ -100,7 +82,7 @@ namespace Nowpose.Frames
         public bool IsPlaced => _shown.IsKnown && State != FrameState.Orphan;
 
         /// <summary>Newest pose in the parent, which a display without compensation shows; the identity before the first pose.</summary>
-        public RigidTransform Held => _reach != null ? _reach.Pose : _given;
+        public RigidTransform Held => _grips.Shown?.Pose ?? _given;
 
         public FrameState State { get; private set; }
 
@@ -126,7 +108,7 @@ namespace Nowpose.Frames
             if (_parent == null) Begin(pose, isStationary);
             if (pose.Parent == _parent && isStationary == _isStationary && _handOver.Count == 0)
             {
-                if (IsMovedBy(pose)) Put(null);
+                if (_grips.IsWatched && !(pose.Stamp <= _newest) && _grips.IsMovedBy(pose.ToPose(), pose.Stamp, _isStationary)) Put(null);
                 return Take(pose, epoch);
             }
             _handOver.Add(pose, isStationary);
@@ -137,45 +119,31 @@ namespace Nowpose.Frames
         /// Sets the place that a gripper assigns to the object from the next display frame on. It is blended like a change of the parent.
         /// </summary>
         /// <param name="place">The place, after a withdrawn grip that of the earlier release; null if the object's own source determines the place again.</param>
-        public void Put(ReachPlace place)
-        {
-            if (Reach == null && place != null) Watch();
-            if (place?.IsReleased != true) SetUnknownMover(null, null);
-            if (place?.IsReleased == true && Reach?.IsReleased != true && !(place.Since < Reach?.Since))
-            {
-                _sourceRest.Release(_given);
-                _carrierRest?.Release();
-            }
-            _nextReach = place;
-            _isReachWaiting = true;
-        }
+        public void Put(ReachPlace place) => _grips.Put(place, _given);
+
+        /// <inheritdoc cref="ObjectGrips.SetUnknownGrip"/>
+        public void SetUnknownGrip(ReachGrip gripper, bool isUnknown) => _grips.SetUnknownGrip(gripper, isUnknown);
 
         /// <summary>
-        /// Marks the object, because a gripper may have moved it unnoticed. Has no effect if the source has moved the object during the unknown grip: the
-        /// object was then not in the gripper, or its source follows it there.
+        /// Marks the object, because a gripper may have moved it unnoticed. Has no effect if the source has moved the object during the unknown grip:
+        /// the object was then not in the gripper, or its source follows it there.
         /// </summary>
-        /// <param name="gripper">The gripper; null to remove the mark.</param>
         /// <param name="since">Time of the opening; null if unknown.</param>
-        public void SetUnknownMover(ReachGrip gripper, ControlTime? since)
-        {
-            if (gripper != null && Reach == null)
-            {
-                if (_sourceRest == null) Watch();
-                if (_sourceRest.HasMoved(_given)) return;
-                _sourceRest.Release(_given);
-            }
-            (UnknownMover, _movedAt) = (gripper, since);
-        }
+        public void SetUnknownMover(ReachGrip gripper, ControlTime? since) => _grips.SetUnknownMover(gripper, since, _given);
 
-        void Watch()
-        {
-            (_sourceRest ??= new SourceRest()).Begin();
-            _carrierRest?.Begin();
-        }
+        /// <summary>
+        /// Lets the object's own source determine its place again, and marks the object as <see cref="SetUnknownMover"/> does, because a gripper has
+        /// released it at an unknown place.
+        /// </summary>
+        /// <param name="since">Time of the release; null if unknown.</param>
+        public void Lose(ReachGrip gripper, ControlTime? since) => _grips.Lose(gripper, since, _given);
+
+        /// <inheritdoc cref="ObjectGrips.Forget"/>
+        public void Forget(ReachGrip gripper) => _grips.Forget(gripper);
 
         /// <summary>Takes the pose of <see cref="SourceParent"/> in the world, according to the newest samples. Allocates at the first call.</summary>
         /// <param name="at">Display time; null while it is unknown.</param>
-        public void WatchCarrier(in RigidTransform carrier, ControlTime? at) => (_carrierRest ??= new CarrierRest(_reach?.IsReleased == true)).Add(carrier, at);
+        public void WatchCarrier(in RigidTransform carrier, ControlTime? at) => _grips.WatchCarrier(carrier, at);
 
         /// <summary>Returns the pose in <see cref="SourceParent"/> at a time other than the displayed one, according to its source.</summary>
         /// <param name="time">Time since the epoch, s.</param>
@@ -193,12 +161,10 @@ namespace Nowpose.Frames
         public void ChangeParent(ControlTime epoch)
         {
             _shown.Continue();
-            if (_isReachWaiting) _reach = _nextReach;
-            _isReachWaiting = false;
+            _grips.Show();
             if (_handOver.Count == 0) return;
             // The object's source has priority: it has given the object another parent.
-            _reach = null;
-            SetUnknownMover(null, null);
+            _grips.TakeOver();
             Begin(_handOver[0], _handOver.IsStationary);
             for (var i = 0; i < _handOver.Count; i++) Take(_handOver[i], epoch);
             _handOver.End();
@@ -215,7 +181,7 @@ namespace Nowpose.Frames
             var pose = PoseInParent(time, out var kind);
             State = kind == PredictionKind.None ? FrameState.Missing
                 : kind == PredictionKind.Held ? FrameState.Held
-                : UnknownGrip != null || UnknownMover != null || HasCarrierLeft ? FrameState.GripUnknown
+                : _grips.IsUnknown ? FrameState.GripUnknown
                 : isParentCurrent ? FrameState.Current : FrameState.ParentNotCurrent;
             if (kind != PredictionKind.None) _shown.Show(time, parent * pose);
         }
@@ -224,13 +190,13 @@ namespace Nowpose.Frames
         RigidTransform PoseInParent(double time, out PredictionKind kind)
         {
             kind = PredictionKind.Interpolated;
-            if (_reach?.IsReleased == false) return Held;
+            if (_grips.Shown?.IsReleased == false) return Held;
             if (_isStationary && IsOutdated) kind = PredictionKind.Held;
             if (_isStationary) return Held;
             var pose = double.IsNaN(time) ? _predictor.Newest(out kind) : _predictor.At(time, out kind);
-            if (_reach == null) return pose;
+            if (_grips.Shown == null) return pose;
             if (kind == PredictionKind.None) kind = PredictionKind.Held;
-            return _reach.Pose;
+            return _grips.Shown.Pose;
         }
 
         /// <summary>Keeps the displayed pose, because the parent or a frame above it is unknown.</summary>
@@ -241,26 +207,11 @@ namespace Nowpose.Frames
         {
             _handOver.Reset();
             _shown.Reset();
-            _carrierRest?.ForgetTime();
-            _reach = Reach?.WithoutTime();
-            _isReachWaiting = false;
+            _grips.ForgetTimes();
             _displayed = double.NaN;
-            _movedAt = null;
             if (_isStationary) return;
             _predictor.Reset();
             _newest = null;
-        }
-
-        // A source that has no data about the gripper repeats the pose from before the grip. Therefore, only a different pose shows that the object
-        // was moved.
-        bool IsMovedBy(in FrameTransform pose)
-        {
-            if (Reach == null && UnknownGrip == null && UnknownMover == null || pose.Stamp <= _newest) return false;
-            var source = pose.ToPose();
-            // A stationary pose has no time, and no noise.
-            if (!_isStationary) _sourceRest.Add(source);
-            var isReleased = Reach == null ? UnknownMover != null : Reach.IsReleased && (_isStationary || pose.Stamp > Reach.Since);
-            return isReleased && _sourceRest.IsLeftBy(source);
         }
 
         void Begin(in FrameTransform pose, bool isStationary)

@@ -116,11 +116,14 @@ namespace Nowpose.Frames
         public void TakeFrom(ReachGrip gripper)
         {
             for (var i = 0; i < _frames.Count; i++)
-            {
-                if (_frames[i].Reach?.Gripper != gripper) continue;
-                Put(i, null);
-                _frames[i].SetUnknownMover(gripper, null);
-            }
+                if (_frames[i].Reach?.Gripper == gripper) Lose(i, gripper, since: null);
+        }
+
+        /// <inheritdoc cref="CellFrame.Lose"/>
+        public void Lose(int index, ReachGrip gripper, ControlTime? since)
+        {
+            _frames[index].Lose(gripper, since);
+            _isHandedOver = true;
         }
 
         /// <summary>Returns the pose of a frame in the world at a time other than the displayed one.</summary>

@@ -126,9 +126,7 @@ namespace Nowpose.Frames
             {
                 var index = _tree.IndexOf(_objects[i]);
                 if (index < 0) continue;
-                var frame = _tree[index];
-                if (CanMove(index)) frame.UnknownGrip = this;
-                else if (frame.UnknownGrip == this) frame.UnknownGrip = null;
+                _tree[index].SetUnknownGrip(this, CanMove(index));
             }
         }
 
@@ -139,8 +137,7 @@ namespace Nowpose.Frames
             _held = -1;
             _isFinal = true;
             _unknown = _signalFault = null;
-            for (var i = 0; i < _tree.Count; i++)
-                if (_tree[i].UnknownMover == this) _tree[i].SetUnknownMover(null, null);
+            for (var i = 0; i < _tree.Count; i++) _tree[i].Forget(this);
         }
 
         void Decide(bool isLast)

@@ -1,0 +1,148 @@
+using Nowpose.Kinematics;
+using Nowpose.Messages;
+
+namespace Nowpose.Frames
+{
+    /// <summary>
+    /// What the grippers of the cell do to one object: the place that they assign to it, and whether they may have moved it unnoticed.
+    /// </summary>
+    sealed class ObjectGrips
+    {
+        SourceRest _sourceRest;
+        CarrierRest _carrierRest;
+        ReachPlace _waiting;
+        ReachGrip _unknownGrip;
+        ControlTime? _movedAt;
+
+        /// <summary>Place in the displayed frame; null if the object's own source determines the place.</summary>
+        public ReachPlace Shown { get; private set; }
+
+        /// <summary>Place from the next display frame on; null if the object's own source determines the place.</summary>
+        public ReachPlace Place => IsWaiting ? _waiting : Shown;
+
+        /// <summary>Whether <see cref="Place"/> is not displayed yet.</summary>
+        public bool IsWaiting { get; private set; }
+
+        /// <summary>A gripper that may hold the object, because its held object is unknown; null if there is none.</summary>
+        public ReachGrip UnknownGrip => _unknownGrip?.Fault != null ? _unknownGrip : null;
+
+        /// <summary>
+        /// A gripper that may have moved the object, and has no fault any more; null if there is none. The place of the object is unknown until its
+        /// source reports another pose, or until a gripper grips the object.
+        /// </summary>
+        public ReachGrip UnknownMover { get; private set; }
+
+        /// <summary>Whether it is unknown whether the object has been moved from its displayed place.</summary>
+        public bool IsUnknown => Fault != null;
+
+        /// <summary>Reason why it is unknown whether the object has been moved from its displayed place, in one line; null if it is known.</summary>
+        public string Fault =>
+            UnknownGrip?.Fault ?? (UnknownMover != null ? FrameMessages.ReleasedUnnoticed : HasCarrierLeft ? FrameMessages.CarrierMoved : null);
+
+        /// <summary>Control time since which there is a <see cref="Fault"/>; null if this time is unknown.</summary>
+        public ControlTime? FaultSince => UnknownGrip != null ? UnknownGrip.FaultSince : UnknownMover != null ? _movedAt : _carrierRest?.MovedAt;
+
+        bool HasCarrierLeft => Shown?.IsReleased == true && _carrierRest?.HasMoved == true;
+
+        /// <summary>Whether the poses of the object's source are needed, because the source alone does not determine the place.</summary>
+        public bool IsWatched => Place != null || UnknownGrip != null || UnknownMover != null;
+
+        /// <inheritdoc cref="CellFrame.Put"/>
+        /// <param name="given">Newest pose of the object's source.</param>
+        public void Put(ReachPlace place, in RigidTransform given)
+        {
+            if (Place == null && place != null) Watch();
+            if (place?.IsReleased != true) UnknownMover = null;
+            if (place?.IsReleased == true && Place?.IsReleased != true && !(place.Since < Place?.Since))
+            {
+                _sourceRest.Release(given);
+                _carrierRest?.Release();
+            }
+            (_waiting, IsWaiting) = (place, true);
+        }
+
+        /// <summary>Sets whether it is unknown whether a gripper holds the object. Has no effect on another gripper's mark.</summary>
+        public void SetUnknownGrip(ReachGrip gripper, bool isUnknown)
+        {
+            if (!isUnknown && _unknownGrip == gripper) _unknownGrip = null;
+            if (!isUnknown) return;
+            if (!IsWatched) Watch();
+            _unknownGrip = gripper;
+        }
+
+        /// <inheritdoc cref="CellFrame.SetUnknownMover"/>
+        /// <param name="given">Newest pose of the object's source.</param>
+        public void SetUnknownMover(ReachGrip gripper, ControlTime? since, in RigidTransform given)
+        {
+            if (!IsWatched) Watch();
+            if (Place == null && !IsAtRest(given)) return;
+            (UnknownMover, _movedAt) = (gripper, since);
+        }
+
+        /// <inheritdoc cref="CellFrame.Lose"/>
+        /// <param name="given">Newest pose of the object's source.</param>
+        public void Lose(ReachGrip gripper, ControlTime? since, in RigidTransform given)
+        {
+            Put(null, given);
+            if (IsAtRest(given)) (UnknownMover, _movedAt) = (gripper, since);
+        }
+
+        /// <summary>Removes the marks of a gripper.</summary>
+        public void Forget(ReachGrip gripper)
+        {
+            SetUnknownGrip(gripper, isUnknown: false);
+            if (UnknownMover == gripper) UnknownMover = null;
+        }
+
+        // If the source has moved the object since the grip, the object was not in the gripper, or its source follows it there. If not, compares
+        // later poses with the present one.
+        bool IsAtRest(in RigidTransform given)
+        {
+            if (_sourceRest.HasMoved(given)) return false;
+            _sourceRest.Release(given);
+            return true;
+        }
+
+        void Watch()
+        {
+            (_sourceRest ??= new SourceRest()).Begin();
+            _carrierRest?.Begin();
+        }
+
+        /// <inheritdoc cref="CellFrame.WatchCarrier"/>
+        public void WatchCarrier(in RigidTransform carrier, ControlTime? at) =>
+            (_carrierRest ??= new CarrierRest(Shown?.IsReleased == true)).Add(carrier, at);
+
+        /// <summary>Adds a newer pose of the object's source. Call it only while <see cref="IsWatched"/>.</summary>
+        /// <returns>Whether the source has moved the object after the release.</returns>
+        /// <param name="isStationary">Whether the pose has no time and no noise.</param>
+        /// <remarks>
+        /// A source that has no data about the gripper repeats the pose from before the grip. Therefore, only a different pose shows that the object
+        /// was moved.
+        /// </remarks>
+        public bool IsMovedBy(in RigidTransform source, ControlTime stamp, bool isStationary)
+        {
+            if (!isStationary) _sourceRest.Add(source);
+            var isReleased = Place == null ? UnknownMover != null : Place.IsReleased && (isStationary || stamp > Place.Since);
+            return isReleased && _sourceRest.IsLeftBy(source);
+        }
+
+        /// <summary>Displays <see cref="Place"/> from now on.</summary>
+        public void Show() => (Shown, IsWaiting) = (Place, false);
+
+        /// <summary>Lets the object's own source determine its place at once, because the source has given the object another parent.</summary>
+        public void TakeOver()
+        {
+            (Shown, IsWaiting) = (null, false);
+            UnknownMover = null;
+        }
+
+        /// <summary>Discards all times, because they are no longer valid.</summary>
+        public void ForgetTimes()
+        {
+            _carrierRest?.ForgetTime();
+            (Shown, IsWaiting) = (Place?.WithoutTime(), false);
+            _movedAt = null;
+        }
+    }
+}
