@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
 using Nowpose.Messages;
@@ -27,17 +26,18 @@ namespace Nowpose.Frames
 
         readonly FrameTree _tree;
         readonly IRobotLinks _robot;
-        readonly int _link;
         readonly string _linkName;
         readonly double _reach;
         readonly IReadOnlyList<string> _objects;
+        readonly PosesAtChange _poses;
         bool? _isClosed;
         bool _isFinal = true;
-        ControlTime _since;
+        // The object that the gripper gripped when it closed, its place before the grip, and its pose in the hand.
         int _held = -1;
-        RigidTransform _inHand;
         ReachPlace _before;
-        string _unknown, _signalFault;
+        KnownPose _inHand;
+        // Reasons why any object may be in the gripper: a change that was missed or cannot be evaluated, and a signal that is not current.
+        string _missed, _signalFault;
 
         /// <param name="link">Index of the link in the robot; its origin is the gripping point.</param>
         /// <param name="reach">Maximum distance of an object's origin from the gripping point, m.</param>
@@ -46,17 +46,17 @@ namespace Nowpose.Frames
         {
             _tree = tree;
             _robot = robot;
-            _link = link;
             _linkName = RobotTopic.Qualified(robot.Namespace, robot.Robot.Links[link].Name);
             _reach = reach;
             _objects = objects;
+            _poses = new PosesAtChange(tree, robot, link);
         }
 
         /// <summary>Name of the held object; null if the gripper holds none.</summary>
         public string Held => _isClosed == true && IsMine ? _tree[_held].Name : null;
 
-        /// <summary>Reason why the held object is unknown, in one line; null if it is known.</summary>
-        public string Fault => _unknown ?? _signalFault;
+        /// <summary>Reason why the held object, or the place of an object that was held, is unknown, in one line; null if it is known.</summary>
+        public string Fault { get; private set; }
 
         /// <summary>Control time since which the held object has been unknown; null while this time is unknown, and without a fault.</summary>
         public ControlTime? FaultSince { get; private set; }
@@ -69,30 +69,13 @@ namespace Nowpose.Frames
         public void Change(bool isClosed, ControlTime? since)
         {
             if (isClosed == _isClosed) return;
-            Decide(isLast: true);
-            var mayHaveMoved = !isClosed && _unknown != null;
-            (_isClosed, _since, _isFinal) = (isClosed, since ?? default, since == null);
-            _unknown = isClosed && since == null ? FrameMessages.ClosedAtUnknownTime : null;
-            if (!isClosed && since == null) Leave();
-            if (mayHaveMoved) MarkAsMoved(since);
+            Settle();
+            if (isClosed) _missed = since == null ? FrameMessages.ClosedAtUnknownTime : null;
+            else Open(since);
+            _isClosed = isClosed;
+            _isFinal = since == null;
+            if (since is ControlTime at) _poses.Begin(at);
         }
-
-        // The object was released at an unknown place, and its own source may still report the place from before the grip.
-        void MarkAsMoved(ControlTime? since)
-        {
-            for (var i = 0; i < _objects.Count; i++)
-            {
-                var index = _tree.IndexOf(_objects[i]);
-                if (index >= 0 && CanMove(index)) _tree[index].SetUnknownMover(this, since);
-            }
-        }
-
-        /// <summary>Determines the effect of a change from the data that have arrived. Call it before the tree is evaluated.</summary>
-        /// <param name="light">Display time.</param>
-        public void Decide(ControlTime light) => Decide(isLast: ClockTicks.Seconds(light - _since) > Patience);
-
-        /// <summary>Determines the effect of a change without waiting for more data. Call it before samples are discarded.</summary>
-        public void Settle() => Decide(isLast: true);
 
         /// <summary>Handles a restart of the gripper's signal, during which the gripper may have opened and closed unnoticed.</summary>
         /// <param name="isOfSource">
@@ -108,26 +91,7 @@ namespace Nowpose.Frames
                 _tree.TakeFrom(this);
                 _held = -1;
             }
-            if (_isClosed == true) _unknown = FrameMessages.SignalRestarted;
-        }
-
-        /// <summary>
-        /// Marks the objects that the gripper may hold or may have moved if its held object is unknown. Call it after each <see cref="Decide(ControlTime)"/>.
-        /// </summary>
-        /// <param name="signalFault">Reason why the value of the gripper's signal is not current; null if it is current.</param>
-        /// <param name="since">Control time at which the value stopped being current; null if unknown.</param>
-        public void Judge(string signalFault, ControlTime? since)
-        {
-            _signalFault = signalFault;
-            FaultSince = _unknown == null ? since : null;
-            if (Fault == null) return;
-            // A foreach loop over an IReadOnlyList allocates its enumerator.
-            for (var i = 0; i < _objects.Count; i++)
-            {
-                var index = _tree.IndexOf(_objects[i]);
-                if (index < 0) continue;
-                _tree[index].SetUnknownGrip(this, CanMove(index));
-            }
+            if (_isClosed == true) _missed = FrameMessages.SignalRestarted;
         }
 
         /// <summary>Lets a held object's own source determine its place again.</summary>
@@ -136,76 +100,119 @@ namespace Nowpose.Frames
             if (IsMine) _tree.Put(_held, null);
             _held = -1;
             _isFinal = true;
-            _unknown = _signalFault = null;
+            Fault = _missed = _signalFault = null;
             for (var i = 0; i < _tree.Count; i++) _tree[i].Forget(this);
         }
+
+        /// <summary>Determines the effect of a change from the data that have arrived. Call it before the tree is evaluated.</summary>
+        /// <param name="light">Display time.</param>
+        public void Decide(ControlTime light) => Decide(isLast: ClockTicks.Seconds(light - _poses.At) > Patience);
+
+        /// <summary>Determines the effect of a change without waiting for more data. Call it before samples are discarded.</summary>
+        public void Settle() => Decide(isLast: true);
 
         void Decide(bool isLast)
         {
             if (_isFinal) return;
-            var hand = _tree.LinkAt(_tree.IndexOf(_robot), _link, _since, out var origin);
-            if (_isClosed == true) Grip(hand, origin, isLast);
-            else Release(hand, origin, isLast);
+            _poses.UpdateHand();
+            if (_isClosed == true) Grip(isLast);
+            else Release(isLast);
         }
 
-        void Grip(in RigidTransform hand, PoseOrigin handOrigin, bool isLast)
+        void Grip(bool isLast)
         {
-            var nearest = -1;
-            var inHand = RigidTransform.Identity;
-            var isMeasured = handOrigin == PoseOrigin.Measured;
+            _missed = _poses.Hand.IsKnown ? null : FrameMessages.ArmWithoutData;
+            _isFinal = isLast;
+            if (!_poses.Hand.IsKnown) return;
+            var nearest = new NearestObject(_poses.Hand, _reach);
+            var areAllMeasured = _poses.Hand.IsMeasured;
             for (var i = 0; i < _objects.Count; i++)
             {
-                var name = _objects[i];
-                var index = _tree.IndexOf(name);
-                if (handOrigin == PoseOrigin.None || index < 0 || !CanGrip(index)) continue;
-                if (IsTakenLater(_tree[index].Reach)) continue;
-                var pose = hand.Inverse * _tree.PoseAt(index, index == _held ? _before : _tree[index].Reach, _since, out var origin);
-                isMeasured &= origin == PoseOrigin.Measured;
-                if (origin == PoseOrigin.None || DistanceOf(pose) > _reach) continue;
-                if (nearest >= 0 && !IsBefore(DistanceOf(pose), name, DistanceOf(inHand), _tree[nearest].Name)) continue;
-                (nearest, inHand) = (index, pose);
+                var index = _tree.IndexOf(_objects[i]);
+                if (index < 0) continue;
+                var pose = _poses.Of(index, index == _held ? _before : _tree[index].Reach);
+                if (!CanGrip(index) || IsTakenLater(_tree[index].Reach)) continue;
+                areAllMeasured &= pose.IsMeasured;
+                nearest.Add(index, _objects[i], pose);
             }
-            _isFinal = isMeasured || isLast;
-            if (_isFinal && handOrigin == PoseOrigin.None) _unknown = FrameMessages.ArmWithoutData;
-            if (nearest != _held) Take(nearest, inHand);
-            else if (_isFinal && IsMine) Put(new ReachPlace(this, _linkName, inHand, _since, isReleased: false));
+            _isFinal |= areAllMeasured;
+            if (nearest.Index != _held) Take(nearest);
+            else if (IsMine && nearest.InHand.Origin > _inHand.Origin) PutInHand(nearest.InHand);
+        }
+
+        // The gripper that closed or opened last determines the place, in whichever order the messages arrive. At equal times, the name decides.
+        bool IsTakenLater(ReachPlace place) => place != null && place.Gripper != this
+            && (place.Since > _poses.At || place.Since == _poses.At && string.CompareOrdinal(place.Gripper._linkName, _linkName) < 0);
+
+        void Take(in NearestObject nearest)
+        {
+            if (IsMine) _tree.Put(_held, _before);
+            _held = nearest.Index;
+            if (_held < 0) return;
+            _before = _tree[_held].Reach;
+            PutInHand(nearest.InHand);
+        }
+
+        void PutInHand(in KnownPose inHand)
+        {
             _inHand = inHand;
+            Put(_linkName, inHand.Pose, isReleased: false);
+        }
+
+        // Marks the objects that may have been in the gripper unnoticed. Their own sources may still report the places from before the grip.
+        void Open(ControlTime? since)
+        {
+            // A foreach loop over an IReadOnlyList allocates its enumerator.
+            for (var i = 0; i < _objects.Count; i++)
+            {
+                var index = _tree.IndexOf(_objects[i]);
+                if (index >= 0 && _missed != null && CanMove(index)) _tree[index].SetUnknownMover(this, since);
+            }
+            _missed = null;
+            if (since == null) Lose(since);
+        }
+
+        void Release(bool isLast)
+        {
+            var hand = _poses.Hand;
+            _isFinal = isLast || !IsMine || hand.IsMeasured;
+            if (IsMine && hand.IsKnown) Put(FrameParents.World, hand.Pose * _inHand.Pose, isReleased: true);
+            else if (IsMine) Put(FrameParents.World, _tree[_held].World, isReleased: true);
+            if (_isFinal) _held = -1;
+        }
+
+        // The held object was released at an unknown place.
+        void Lose(ControlTime? since)
+        {
+            if (IsMine) _tree.Lose(_held, this, since);
+            _held = -1;
+        }
+
+        void Put(string parent, in RigidTransform pose, bool isReleased) =>
+            _tree.Put(_held, new ReachPlace(this, parent, pose, _poses.At, isReleased));
+
+        /// <summary>
+        /// Marks the objects that the gripper may hold, or may have released at an unknown place. Call it after each
+        /// <see cref="Decide(ControlTime)"/>.
+        /// </summary>
+        /// <param name="signalFault">Reason why the value of the gripper's signal is not current; null if it is current.</param>
+        /// <param name="since">Control time at which the value stopped being current; null if unknown.</param>
+        public void Judge(string signalFault, ControlTime? since)
+        {
+            _signalFault = signalFault;
+            Fault = _missed ?? _signalFault;
+            for (var i = 0; i < _objects.Count; i++)
+            {
+                var index = _tree.IndexOf(_objects[i]);
+                if (index < 0) continue;
+                _tree[index].SetUnknownGrip(this, Fault != null && CanMove(index));
+            }
+            FaultSince = _missed == null ? since : null;
         }
 
         bool CanGrip(int index) => !_tree.IsCarried(index) && !_tree.IsBelow(_tree.IndexOf(_robot), index);
 
         // Another gripper would have to release its object first.
         bool CanMove(int index) => CanGrip(index) && !(_tree[index].Reach is { IsReleased: false } place && place.Gripper != this);
-
-        // The gripper that closed or opened last determines the place, in whichever order the messages arrive. At equal times, the name decides.
-        bool IsTakenLater(ReachPlace place) => place != null && place.Gripper != this
-            && (place.Since > _since || place.Since == _since && string.CompareOrdinal(place.Gripper._linkName, _linkName) < 0);
-
-        void Take(int index, in RigidTransform inHand)
-        {
-            if (IsMine) _tree.Put(_held, _before);
-            _held = index;
-            if (index < 0) return;
-            _before = _tree[index].Reach;
-            Put(new ReachPlace(this, _linkName, inHand, _since, isReleased: false));
-        }
-
-        void Release(in RigidTransform hand, PoseOrigin origin, bool isLast)
-        {
-            _isFinal = !IsMine || origin == PoseOrigin.Measured || isLast;
-            if (IsMine)
-            {
-                var pose = origin == PoseOrigin.None ? _tree[_held].World : hand * _inHand;
-                Put(new ReachPlace(this, FrameParents.World, pose, _since, isReleased: true));
-            }
-            if (_isFinal) _held = -1;
-        }
-
-        void Put(ReachPlace place) => _tree.Put(_held, place);
-
-        static bool IsBefore(double distance, string name, double otherDistance, string otherName) =>
-            distance < otherDistance || (distance == otherDistance && string.CompareOrdinal(name, otherName) < 0);
-
-        static double DistanceOf(in RigidTransform pose) => Math.Sqrt(pose.X * pose.X + pose.Y * pose.Y + pose.Z * pose.Z);
     }
 }

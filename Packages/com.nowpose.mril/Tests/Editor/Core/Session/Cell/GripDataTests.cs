@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Kinematics;
+using Nowpose.Session;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Session.Cell.GripScene;
 
@@ -8,6 +9,50 @@ namespace Nowpose.Tests.Core.Session.Cell
     /// <summary>Tests grips by reach whose data are late or missing: the signal, the joints, or the poses of objects.</summary>
     public class GripDataTests
     {
+        [TestCase("adaptive", 0.01)]
+        [TestCase("adaptive", 0.025)]
+        [TestCase("adaptive", 0.05)]
+        [TestCase("linear", 0.05)]
+        [TestCase("quadratic", 0.05)]
+        public void Close_PosesOfAnotherObjectHaveStopped_HoldsTheObject(string predictor, double interval)
+        {
+            var cell = new CellSession(predictor: predictor);
+            var grip = NewGrip(cell, "box", "far");
+            cell.Sampling = t =>
+            {
+                SendShoulder(cell, t, interval);
+                cell.Send("world", "box", t, At(1, 0.02));
+                if (t < Close - 1) cell.Send("world", "far", t, At(5, 0));
+            };
+            cell.Send("grip", 19, 0);
+            Until(cell, Close);
+            cell.Send("grip", Close, 1);
+            Until(cell, Close + 0.1);
+
+            Until(cell, Close + 2, t => Assert.That((grip.Held, grip.Fault, StateOf(cell)),
+                Is.EqualTo(("box", (string)null, PoseState.Current)), $"{t} s"));
+        }
+
+        // The displayed place in the hand must not wait for the object whose poses have stopped.
+        [Test]
+        public void Close_PosesOfAnotherObjectHaveStopped_IsCorrectedWhenTheSamplesArrive()
+        {
+            var (cell, grip) = NewCell("box", "far");
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(Math.Min(t, Close)), 0);
+                cell.Send("world", "box", t, At(1, 0));
+                if (t < Close - 1) cell.Send("world", "far", t, At(5, 0));
+            };
+            cell.Send("grip", 19, 0);
+            Until(cell, Close - 0.3);
+            cell.Send("grip", Close, 1);
+            Until(cell, Close + 0.5);
+
+            Assert.That(grip.Held, Is.EqualTo("box"));
+            Assert.That(Distance(ToolOf(cell).Inverse * Find(cell, "box").World, RigidTransform.Identity), Is.LessThan(1e-6));
+        }
+
         [TestCase("adaptive", 0.01)]
         [TestCase("adaptive", 0.025)]
         [TestCase("linear", 0.01)]
