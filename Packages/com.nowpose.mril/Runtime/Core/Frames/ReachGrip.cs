@@ -177,7 +177,7 @@ namespace Nowpose.Frames
             var hand = _poses.Hand;
             _isFinal = isLast || !IsMine || hand.IsMeasured;
             if (IsMine && hand.IsKnown) Put(FrameParents.World, hand.Pose * _inHand.Pose, isReleased: true);
-            else if (IsMine) Put(FrameParents.World, _tree[_held].World, isReleased: true);
+            else if (_isFinal) Lose(_poses.At);
             if (_isFinal) _held = -1;
         }
 
@@ -205,10 +205,17 @@ namespace Nowpose.Frames
             {
                 var index = _tree.IndexOf(_objects[i]);
                 if (index < 0) continue;
-                _tree[index].SetUnknownGrip(this, Fault != null && CanMove(index));
+                var reason = ReasonFor(index);
+                if (reason != null && !CanMove(index)) reason = null;
+                _tree[index].SetUnknownGrip(this, reason != null);
+                Fault ??= reason;
             }
             FaultSince = _missed == null ? since : null;
         }
+
+        // Returns the reason why it is unknown whether the gripper holds an object; null if it is known.
+        string ReasonFor(int index) => _missed ?? _signalFault
+            ?? (index == _held && _isClosed == false && !_isFinal && !_poses.Hand.IsKnown ? FrameMessages.OpenedWithoutData : null);
 
         bool CanGrip(int index) => !_tree.IsCarried(index) && !_tree.IsBelow(_tree.IndexOf(_robot), index);
 

@@ -34,8 +34,10 @@ namespace Nowpose.Messages
         public const string SignalRestarted =
             "the gripper's signal restarted while the gripper was closed, so the held object is unknown; open and close the gripper";
 
+        public const string OpenedWithoutData = "the arm had no data when the gripper opened, so the place of the released object is unknown";
+
         public const string ArmWithoutData = "the arm had no data when the gripper closed, so the held object is unknown; open and close the gripper";
-        public const string ReleasedUnnoticed = "the gripper opened while its held object was unknown; move or grip the object";
+        public const string ReleasedUnnoticed = "a gripper may have released it at another place; move or grip the object";
 
         public const string CarrierMoved =
             "the parent that the object's source reports has moved since the gripper released the object; report the object's new pose or parent";

@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Session;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Session.Cell.GripScene;
@@ -82,6 +83,53 @@ namespace Nowpose.Tests.Core.Session.Cell
             SendGripNow(cell, open, 0);
             Until(cell, open + late + 0.5);
             Assert.That(Distance(Find(cell, "box").World, Tool(Shoulder(open)) * Tool(0).Inverse * Box(Close)), Is.LessThan(1e-3));
+        }
+
+        [Test]
+        public void Open_ArmHasNoData_ObjectIsNotCurrentAndFollowsItsSource()
+        {
+            var (cell, grip) = NewCell("box");
+            cell.Sampling = t =>
+            {
+                if (t < Open - 1.5 || t > Open + 2) cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "box", t, At(1, 0.02));
+            };
+            CloseAndOpen(cell);
+            Until(cell, Open + 0.1);
+
+            Until(cell, Open + 4, t => Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held), $"{t} s"));
+
+            Assert.That(grip.Held, Is.Null);
+            Assert.That(Find(cell, "box").GripFault, Is.EqualTo(FrameMessages.ReleasedUnnoticed));
+            Assert.That(cell.Session.Frames.HeldSince(Find(cell, "box")), Is.EqualTo((ControlTime?)ControlTime.FromSeconds(Open)));
+            Assert.That(Distance(Find(cell, "box").World, At(1, 0.02)), Is.LessThan(1e-9));
+        }
+
+        // The gap is too long for an interpolation, and the joints are current again before the release is final.
+        [Test]
+        public void Open_InAGapOfTheJoints_ObjectIsNeverCurrent()
+        {
+            var (cell, _) = NewCell("box");
+            cell.Sampling = t =>
+            {
+                if (Math.Abs(t - Open) > 0.35) cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "box", t, At(1, 0.02));
+            };
+            CloseAndOpen(cell);
+            Until(cell, Open + 0.1);
+
+            Until(cell, Open + 3, t => Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held), $"{t} s"));
+
+            Assert.That(cell.Session.Robots[0].Frame.State, Is.EqualTo(PoseState.Current));
+        }
+
+        static void CloseAndOpen(CellSession cell)
+        {
+            cell.Send("grip", 19, 0);
+            Until(cell, Close);
+            cell.Send("grip", Close, 1);
+            Until(cell, Open);
+            cell.Send("grip", Open, 0);
         }
     }
 }
