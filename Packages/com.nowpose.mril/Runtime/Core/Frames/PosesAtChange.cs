@@ -56,6 +56,9 @@ namespace Nowpose.Frames
             if (origin != PoseOrigin.None) _objects[frame] = known = new KnownPose(pose, origin);
             return known;
         }
+
+        /// <summary>Returns whether the pose of an object is known.</summary>
+        public bool Include(CellFrame frame) => _objects.ContainsKey(frame);
     }
 
     /// <summary>A pose and its origin; <c>default</c> for an unknown pose.</summary>

@@ -166,7 +166,7 @@ namespace Nowpose.Frames
             for (var i = 0; i < _objects.Count; i++)
             {
                 var index = _tree.IndexOf(_objects[i]);
-                if (index >= 0 && _missed != null && CanMove(index)) _tree[index].SetUnknownMover(this, since);
+                if (index >= 0 && (_missed != null || MayHoldUnseen(index)) && CanMove(index)) _tree[index].SetUnknownMover(this, since);
             }
             _missed = null;
             if (since == null) Lose(since);
@@ -215,7 +215,11 @@ namespace Nowpose.Frames
 
         // Returns the reason why it is unknown whether the gripper holds an object; null if it is known.
         string ReasonFor(int index) => _missed ?? _signalFault
-            ?? (index == _held && _isClosed == false && !_isFinal && !_poses.Hand.IsKnown ? FrameMessages.OpenedWithoutData : null);
+            ?? (MayHoldUnseen(index) ? FrameMessages.ObjectWithoutPose
+            : index == _held && _isClosed == false && !_isFinal && !_poses.Hand.IsKnown ? FrameMessages.OpenedWithoutData : null);
+
+        // The gripper may have gripped an object whose pose at that time is unknown, because it gripped none of the others.
+        bool MayHoldUnseen(int index) => _isClosed == true && _held < 0 && !_poses.Include(_tree[index]);
 
         bool CanGrip(int index) => !_tree.IsCarried(index) && !_tree.IsBelow(_tree.IndexOf(_robot), index);
 

@@ -34,6 +34,9 @@ namespace Nowpose.Messages
         public const string SignalRestarted =
             "the gripper's signal restarted while the gripper was closed, so the held object is unknown; open and close the gripper";
 
+        public const string ObjectWithoutPose =
+            "the pose of an object was unknown when the gripper closed, so the held object is unknown; open and close the gripper";
+
         public const string OpenedWithoutData = "the arm had no data when the gripper opened, so the place of the released object is unknown";
 
         public const string ArmWithoutData = "the arm had no data when the gripper closed, so the held object is unknown; open and close the gripper";

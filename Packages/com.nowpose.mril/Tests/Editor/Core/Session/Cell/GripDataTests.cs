@@ -123,6 +123,57 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(cell.Session.Robots[0].Frame.State, Is.EqualTo(PoseState.Current));
         }
 
+        // The source of the object repeats the place from before the grip.
+        [TestCase(false)]
+        [TestCase(true)]
+        public void Close_SourceOfAnObjectStartsAfterwards_ObjectIsHeldUntilItsSourceReportsAnotherPose(bool isStationary)
+        {
+            var (cell, grip) = NewCell("box", "far");
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "far", t, At(5, 0));
+                if (t > 25 && (!isStationary || t < 25.1)) cell.Send("world", "box", t, At(t < 28 ? 1 : 1.1, 0.02), isStationary);
+            };
+            cell.Send("grip", 19, 0);
+            Until(cell, Close);
+            cell.Send("grip", Close, 1);
+            Until(cell, 25);
+            Assert.That((grip.Held, grip.Fault, StateOf(cell, "far")), Is.EqualTo(((string)null, (string)null, PoseState.Current)));
+            Until(cell, 25.5);
+
+            Until(cell, 26, t => Assert.That((grip.Fault, StateOf(cell), StateOf(cell, "far")),
+                Is.EqualTo((FrameMessages.ObjectWithoutPose, PoseState.Held, PoseState.Current)), $"{t} s"));
+
+            cell.Send("grip", 26, 0);
+            Until(cell, 27);
+            Assert.That((grip.Fault, StateOf(cell), StateOf(cell, "far")), Is.EqualTo(((string)null, PoseState.Held, PoseState.Current)));
+
+            Until(cell, 29);
+            if (isStationary) cell.Send("world", "box", 29, At(1.1, 0.02), isStationary: true);
+            Until(cell, 30);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
+        }
+
+        // A gripper that holds an object cannot hold another one.
+        [Test]
+        public void Close_SourceOfAnotherObjectStartsDuringTheGrip_IsCurrent()
+        {
+            var (cell, grip) = NewCell("box", "next");
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "box", t, At(1, 0.02));
+                if (t > Close + 0.5) cell.Send("world", "next", t, At(1, 0.02));
+            };
+            cell.Send("grip", 19, 0);
+            Until(cell, Close);
+            cell.Send("grip", Close, 1);
+            Until(cell, Close + 1.5);
+
+            Assert.That((grip.Held, grip.Fault, StateOf(cell, "next")), Is.EqualTo(("box", (string)null, PoseState.Current)));
+        }
+
         static void CloseAndOpen(CellSession cell)
         {
             cell.Send("grip", 19, 0);
