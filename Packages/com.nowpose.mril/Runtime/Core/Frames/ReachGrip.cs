@@ -77,6 +77,15 @@ namespace Nowpose.Frames
             if (since is ControlTime at) _poses.Begin(at);
         }
 
+        /// <summary>Handles the first value after an interruption, during which the gripper may have opened and closed unnoticed.</summary>
+        public void Resume(bool isClosed)
+        {
+            Settle();
+            _missed = FrameMessages.SignalInterrupted;
+            if (!isClosed) Open(since: null);
+            _isClosed = isClosed;
+        }
+
         /// <summary>Handles a restart of the gripper's signal, during which the gripper may have opened and closed unnoticed.</summary>
         /// <param name="isOfSource">
         /// Whether the source of the signal has restarted. In this case, the objects' own sources determine the places of all objects that the

@@ -34,6 +34,9 @@ namespace Nowpose.Messages
         public const string SignalRestarted =
             "the gripper's signal restarted while the gripper was closed, so the held object is unknown; open and close the gripper";
 
+        public const string SignalInterrupted =
+            "the gripper's signal was interrupted and may have changed meanwhile, so the held object is unknown; open and close the gripper";
+
         public const string ObjectWithoutPose =
             "the pose of an object was unknown when the gripper closed, so the held object is unknown; open and close the gripper";
 

@@ -21,6 +21,7 @@ namespace Nowpose.Session.Cell
             _signals = signals;
             signals.Table.Changed += Take;
             signals.Table.Restarted += Restart;
+            signals.Table.Resumed += Resume;
         }
 
         /// <summary>Makes a gripper follow a signal from now on. Call it on the thread of <see cref="CompensationSession.Tick"/>.</summary>
@@ -81,12 +82,20 @@ namespace Nowpose.Session.Cell
                 if (name == signal.Name) grip.Restart(isOfSource: signal.Newest.HasValue);
         }
 
+        void Resume(SignalTrack signal)
+        {
+            foreach (var (grip, name) in _grips)
+                if (name == signal.Name) grip.Resume(IsClosed(signal));
+        }
+
         void Judge(ReachGrip grip, string signal)
         {
             var (reason, since) = _signals.FaultOf(signal, _canReceive);
             grip.Judge(reason, since);
         }
 
-        static void Change(ReachGrip grip, SignalTrack signal) => grip.Change(signal.Value >= 0.5, signal.Since);
+        static void Change(ReachGrip grip, SignalTrack signal) => grip.Change(IsClosed(signal), signal.Since);
+
+        static bool IsClosed(SignalTrack signal) => signal.Value >= 0.5;
     }
 }

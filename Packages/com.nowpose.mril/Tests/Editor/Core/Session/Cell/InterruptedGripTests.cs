@@ -1,0 +1,117 @@
+using System;
+using Nowpose.Frames;
+using Nowpose.Messages;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using NUnit.Framework;
+using static Nowpose.Tests.Core.Session.Cell.GripScene;
+
+namespace Nowpose.Tests.Core.Session.Cell
+{
+    /// <summary>
+    /// Tests grips by reach after an interruption of the gripper's signal: a lost connection, or an end of the signal's source. The sources of the
+    /// objects repeat their poses. If the first value after the interruption has a new stamp, the signal may have changed unnoticed.
+    /// </summary>
+    public class InterruptedGripTests
+    {
+        const double End = 22.5, Start = 26;
+
+        [Test]
+        public void Interruption_ClosedBeforeAndAfterwards_HeldObjectIsUnknownOnlyIfTheStampIsNewer(
+            [Values(Close, Start - 1)] double stamp, [Values(false, true)] bool isOfConnection)
+        {
+            var (cell, grip) = NewGripper();
+            Until(cell, Close);
+            cell.Send("grip", Close, 1);
+            Until(cell, End);
+            Assert.That((grip.Held, StateOf(cell), StateOf(cell, "other")), Is.EqualTo(("box", PoseState.Current, PoseState.Current)));
+
+            Interrupt(cell, isOfConnection, stamp, 1);
+
+            var isUnknown = stamp > Close;
+            var expected = isUnknown ? PoseState.Held : PoseState.Current;
+            Until(cell, Start + 1, t => Assert.That((grip.Fault, StateOf(cell), StateOf(cell, "other")),
+                Is.EqualTo((isUnknown ? FrameMessages.SignalInterrupted : null, expected, expected)), $"{t} s"));
+
+            cell.Send("grip", Start + 1, 0);
+            Until(cell, Start + 2);
+            Assert.That((grip.Held, grip.Fault, StateOf(cell), StateOf(cell, "other")), Is.EqualTo(((string)null, (string)null, expected, expected)));
+        }
+
+        [Test]
+        public void Interruption_OpenBeforeAndAfterwards_ObjectsAreHeldOnlyIfTheStampIsNewer(
+            [Values(19, Start - 1)] double stamp, [Values(false, true)] bool isOfConnection)
+        {
+            var (cell, grip) = NewGripper();
+            Until(cell, End);
+
+            Interrupt(cell, isOfConnection, stamp, 0);
+
+            var expected = stamp > 19 ? PoseState.Held : PoseState.Current;
+            Until(cell, Start + 1, t =>
+                Assert.That((grip.Fault, StateOf(cell), StateOf(cell, "other")), Is.EqualTo(((string)null, expected, expected)), $"{t} s"));
+        }
+
+        [Test]
+        public void Interruption_OpenAfterwards_ObjectFollowsItsSourceAndIsHeldUntilTheSourceReportsAnotherPose([Values(false, true)] bool isOfConnection)
+        {
+            var (cell, grip) = NewGripper(t => t < Start + 1 ? 1 : 1.1);
+            Until(cell, Close);
+            cell.Send("grip", Close, 1);
+            Until(cell, End);
+
+            Interrupt(cell, isOfConnection, Start - 1, 0);
+
+            Until(cell, Start + 1, t =>
+                Assert.That((grip.Held, grip.Fault, StateOf(cell)), Is.EqualTo(((string)null, (string)null, PoseState.Held)), $"{t} s"));
+            Assert.That(Distance(Find(cell, "box").World, At(1, 0)), Is.LessThan(1e-9));
+            Assert.That(Find(cell, "box").GripFault, Is.EqualTo(FrameMessages.ReleasedUnnoticed));
+
+            Until(cell, Start + 2);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
+        }
+
+        // The stamp may be that of a repeated value, so it does not show where the gripper closed.
+        [Test]
+        public void Interruption_ClosedAfterwards_HeldObjectIsUnknown([Values(false, true)] bool isOfConnection)
+        {
+            var (cell, grip) = NewGripper();
+            Until(cell, End);
+
+            Interrupt(cell, isOfConnection, Start - 1, 1);
+
+            Until(cell, Start + 1, t => Assert.That((grip.Held, grip.Fault, StateOf(cell)),
+                Is.EqualTo(((string)null, FrameMessages.SignalInterrupted, PoseState.Held)), $"{t} s"));
+        }
+
+        static (CellSession Cell, ReachGrip Grip) NewGripper(Func<double, double> x = null)
+        {
+            var (cell, grip) = NewCell("box", "other");
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "box", t, At(x?.Invoke(t) ?? 1, 0));
+                cell.Send("world", "other", t, At(-1, 0));
+            };
+            cell.Send("grip", 19, 0);
+            return (cell, grip);
+        }
+
+        // Nothing arrives while the connection is interrupted.
+        static void Interrupt(CellSession cell, bool isOfConnection, double stamp, double value)
+        {
+            var sampling = cell.Sampling;
+            if (isOfConnection) cell.Sampling = null;
+            else Report(cell, new JointReport("grip", JointDataState.Stale, ControlTime.FromSeconds(End), "its source has ended"));
+            Until(cell, Start);
+            if (isOfConnection) cell.Reconnect();
+            else Report(cell);
+            cell.Sampling = sampling;
+            SendGripNow(cell, stamp, value);
+            Until(cell, Start + 0.5);
+        }
+
+        static void Report(CellSession cell, params JointReport[] reports) =>
+            cell.Session.Listener.SignalStatusReceived(new JointStatusMessage(reports), HeadsetTime.FromSeconds(cell.Now));
+    }
+}
