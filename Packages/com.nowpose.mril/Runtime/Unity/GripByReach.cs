@@ -45,7 +45,9 @@ namespace Nowpose.Unity
         /// <summary>Frame name of the object that the gripper holds; null if it holds none.</summary>
         public string Held => _grip?.Held;
 
-        /// <summary>Reason why <see cref="Held"/> is unknown, in one line; null if it is known.</summary>
+        /// <summary>
+        /// Reason why <see cref="Held"/>, or the place of an object that was held, is unknown, in one line; null if it is known.
+        /// </summary>
         public string Fault
         {
             get
