@@ -46,6 +46,41 @@ public class CellAllocationTests
         Assert.That(allocated, Is.Zero);
     }
 
+    // The gripper waits for an object whose poses have stopped, grips nothing, and then looks for objects that appear.
+    [Test]
+    public void Tick_GripperClosedWithoutAnObject_AllocatesNothing()
+    {
+        const double closed = 21;
+        var robot = RobotFiles.Load("youbot");
+        var session = new CompensationSession(
+            new SessionSettings(new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40)), robot, new StopwatchHeadsetClock());
+        session.Robots.Add("arm2", robot);
+        var names = Enumerable.Range(0, Objects).Select(i => $"object{i}").ToArray();
+        foreach (var name in names) session.Frames.Need(name);
+        var grip = new ReachGrip(session.Frames.Tree, session.Robots[0], robot.IndexOfLink(robot.ToolLink.Name), 1e-3, names);
+        session.Grips.Add(grip, "grip");
+        var joints = robot.MovingJoints.Select(joint => joint.Name).ToArray();
+        long allocated = 0;
+        var next = 10.0;
+        for (var i = 0; i < 1200; i++)
+        {
+            var now = 11 + i * Frame;
+            for (; next + 0.08 <= now; next += Interval)
+            {
+                Send(session, next < closed - 1 ? names : names[..^1], joints, next);
+                session.Listener.SignalsReceived(
+                    new SignalsMessage(ControlTime.FromSeconds(next), new SignalValue("grip", next < closed ? 0 : 1)), HeadsetTime.FromSeconds(next + 0.08));
+            }
+            Exchange(session, now);
+            var before = GC.GetAllocatedBytesForCurrentThread();
+            session.Tick(HeadsetTime.FromSeconds(now));
+            // At the first closing, the gripper allocates memory for its objects.
+            if (now > closed + 0.5) allocated += GC.GetAllocatedBytesForCurrentThread() - before;
+        }
+
+        Assert.That((grip.Held, grip.Fault, allocated), Is.EqualTo(((string)null, (string)null, 0L)));
+    }
+
     static void Send(CompensationSession session, string[] names, string[] joints, double t)
     {
         var arrival = HeadsetTime.FromSeconds(t + 0.08);
