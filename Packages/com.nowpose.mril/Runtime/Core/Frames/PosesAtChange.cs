@@ -58,7 +58,7 @@ namespace Nowpose.Frames
         }
 
         /// <summary>Returns whether the pose of an object is known.</summary>
-        public bool Include(CellFrame frame) => _objects.ContainsKey(frame);
+        public bool Includes(CellFrame frame) => _objects.ContainsKey(frame);
     }
 
     /// <summary>A pose and its origin; <c>default</c> for an unknown pose.</summary>

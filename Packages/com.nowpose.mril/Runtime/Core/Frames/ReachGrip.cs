@@ -41,7 +41,7 @@ namespace Nowpose.Frames
 
         /// <param name="link">Index of the link in the robot; its origin is the gripping point.</param>
         /// <param name="reach">Maximum distance of an object's origin from the gripping point, m.</param>
-        /// <param name="objects">Names of the frames that the gripper can grip. They are read at each change.</param>
+        /// <param name="objects">Names of the frames that the gripper can grip. The list may change.</param>
         public ReachGrip(FrameTree tree, IRobotLinks robot, int link, double reach, IReadOnlyList<string> objects)
         {
             _tree = tree;
@@ -228,7 +228,7 @@ namespace Nowpose.Frames
             : index == _held && _isClosed == false && !_isFinal && !_poses.Hand.IsKnown ? FrameMessages.OpenedWithoutData : null);
 
         // The gripper may have gripped an object whose pose at that time is unknown, because it gripped none of the others.
-        bool MayHoldUnseen(int index) => _isClosed == true && _held < 0 && !_poses.Include(_tree[index]);
+        bool MayHoldUnseen(int index) => _isClosed == true && _held < 0 && !_poses.Includes(_tree[index]);
 
         bool CanGrip(int index) => !_tree.IsCarried(index) && !_tree.IsBelow(_tree.IndexOf(_robot), index);
 

@@ -35,7 +35,7 @@ namespace Nowpose.Messages
             "the gripper's signal restarted while the gripper was closed, so the held object is unknown; open and close the gripper";
 
         public const string SignalInterrupted =
-            "the gripper's signal was interrupted and may have changed meanwhile, so the held object is unknown; open and close the gripper";
+            "the gripper's signal was interrupted and may have changed, so the held object is unknown; open and close the gripper";
 
         public const string ObjectWithoutPose =
             "the pose of an object was unknown when the gripper closed, so the held object is unknown; open and close the gripper";
