@@ -40,7 +40,8 @@ namespace Nowpose.Messages
         public const string ObjectWithoutPose =
             "the pose of an object was unknown when the gripper closed, so the held object is unknown; open and close the gripper";
 
-        public const string OpenedWithoutData = "the arm had no data when the gripper opened, so the place of the released object is unknown";
+        public const string OpenedWithoutData =
+            "the arm had no data when the gripper opened, so the place of the released object is unknown; move or grip the object";
 
         public const string ArmWithoutData = "the arm had no data when the gripper closed, so the held object is unknown; open and close the gripper";
         public const string ReleasedUnnoticed = "a gripper may have released it at another place; move or grip the object";
