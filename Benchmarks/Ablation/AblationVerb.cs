@@ -13,7 +13,7 @@ static class AblationVerb
     [
         PredictionParts.Repetition, PredictionParts.Profiles, PredictionParts.Process, PredictionParts.Quadratic, PredictionParts.Cubic,
         PredictionParts.QuadraticOfFive, PredictionParts.CubicOfSix, PredictionParts.QuadraticOfTen, PredictionParts.LineOfTen, PredictionParts.Reported,
-        PredictionParts.ChangePoints, PredictionParts.Scatter, PredictionParts.Jumps, PredictionParts.StampCorrection,
+        PredictionParts.ChangePoints, PredictionParts.Scatter, PredictionParts.DistanceLimit, PredictionParts.Jumps, PredictionParts.StampCorrection,
         PredictionParts.Thinning, PredictionParts.Interpolation,
     ];
 

@@ -60,11 +60,14 @@ namespace Nowpose.Prediction
         /// <summary>Detects positions that jump.</summary>
         Jumps = 32768,
 
+        /// <summary>Limits the distance of a forecast from the line.</summary>
+        DistanceLimit = 65536,
+
         /// <summary>The parts for joints and objects.</summary>
         Common = Preparation | Quadratic | Cubic | QuadraticOfFive | CubicOfSix | QuadraticOfTen | Process | Repetition | ChangePoints | Scatter | Jumps,
 
         /// <summary>All parts for a joint.</summary>
-        Joint = Common | Reported | Profiles,
+        Joint = Common | Reported | Profiles | DistanceLimit,
 
         /// <summary>All parts for an object, whose tracker may be noisy.</summary>
         Object = Common | LineOfTen

@@ -53,6 +53,7 @@ namespace Nowpose.Prediction.Mixing
         readonly ScatterDetector _scatter;
         readonly MixtureWeights _weights;
         readonly PendingForecasts _pending;
+        readonly DistanceLimit _distance = new DistanceLimit();
 
         // The table of the displayed forecast.
         readonly double[] _table;
@@ -107,6 +108,7 @@ namespace Nowpose.Prediction.Mixing
             _scatter.Reset();
             _weights.Reset(_forecasters.Prior(isReported: false));
             _pending.Clear();
+            _distance.Clear();
             Array.Clear(_table, 0, _table.Length);
             _lineUntil = double.NegativeInfinity;
             _wasReported = false;
@@ -123,7 +125,11 @@ namespace Nowpose.Prediction.Mixing
         void Learn(MotionState motion)
         {
             // After a gap or a jump, earlier forecasts are wrong for a reason that no forecaster can know.
-            if (motion.Timing.ConnectedSamples == 1 || IsVelocityUnknown) _pending.Clear();
+            if (motion.Timing.ConnectedSamples == 1 || IsVelocityUnknown)
+            {
+                _pending.Clear();
+                _distance.Release();
+            }
             Score(motion);
             if (Uses(PredictionParts.Scatter)) _scatter.Add(motion.Displacements, Connected(motion));
             if (_scatter.HasLeft && IsFirstMove(motion)) _lineUntil = motion.NewestTime + motion.Timing.Horizon + motion.Timing.Interval;
@@ -156,8 +162,14 @@ namespace Nowpose.Prediction.Mixing
             if (Uses(PredictionParts.ChangePoints)) samples = Math.Min(samples, _changePoints.SamplesSince);
             var speedFactor = motion.Count < 2 || IsVelocityUnknown ? 0 : samples == 1 && !_changePoints.SpeedIncreased ? SpeedRatioAfterStop : 1;
             _forecasters.Fill(motion, samples, speedFactor, _points);
-            if (motion.IsNewest) _pending.Add(motion);
+            if (motion.IsNewest) Expect(motion);
             FillTable(motion, speedFactor);
+        }
+
+        void Expect(MotionState motion)
+        {
+            var distance = _pending.Add(motion);
+            if (Uses(PredictionParts.DistanceLimit)) _distance.Add(distance, _forgettingFactor, _jumps.IsUnconfirmed);
         }
 
         void FillTable(MotionState motion, double speedFactor)
@@ -204,7 +216,8 @@ namespace Nowpose.Prediction.Mixing
         {
             var weights = _weights.Values;
             for (var i = Line; i < weights.Length; i++)
-                if (weights[i] != 0) _forecasters.AddTo(_table, i, weights[i], _points);
+                if (weights[i] != 0) _forecasters.AddTo(_table, i, weights[i] * _distance.Factor, _points);
+            if (_distance.Factor < 1) _forecasters.AddTo(_table, Line, 1 - _distance.Factor, _points);
         }
     }
 }

@@ -44,15 +44,16 @@ namespace Nowpose.Prediction.Mixing
         }
 
         /// <summary>Adds the forecasts after the newest sample for the time of one horizon ahead.</summary>
-        public void Add(MotionState motion)
+        /// <returns>Distance of the mixture from the line at that time, m or rad.</returns>
+        public double Add(MotionState motion)
         {
-            var (expected, horizon) = (Append(), motion.Timing.Horizon);
+            var (expected, horizon, squares) = (Append(), motion.Timing.Horizon, 0.0);
             var time = new TableTime(horizon);
             expected.Due = motion.NewestTime + horizon;
             expected.WasStill = motion.StillSamples > 0;
             for (var c = 0; c < _components; c++)
             {
-                var sum = 0.0;
+                var (sum, line) = (0.0, _forecasters.At(Line, time, c));
                 for (var i = 0; i < _errors.Length; i++)
                 {
                     var forecast = _forecasters.At(i, time, c);
@@ -60,8 +61,10 @@ namespace Nowpose.Prediction.Mixing
                     sum += _weights.Values[i] * forecast;
                 }
                 expected.Mixture[c] = motion.Newest[c] + sum;
+                squares += (sum - line) * (sum - line);
             }
             for (var i = 0; i < _candidates.Length; i++) expected.HasCandidate[i] = _candidates[i].TryForecast(time, motion, expected.Candidates[i]);
+            return Math.Sqrt(squares);
         }
 
         /// <summary>
