@@ -28,7 +28,7 @@ static class OutputFile
         // Opens an existing file also to respect its write protection, which does not prevent a replacement.
         using (var present = File.Exists(path) ? new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite | FileShare.Delete, 0) : null)
         {
-            if (present is { CanSeek: false } || target.StartsWith("/dev/", StringComparison.Ordinal))
+            if (present != null && (!present.CanSeek || IsDevice(target)))
             {
                 write(present);
                 return;
@@ -37,6 +37,10 @@ static class OutputFile
 
         WholeFile.Write(target, write, temporary => Open(temporary, FileMode.Create, target, mode));
     }
+
+    // Some devices, such as /dev/null, can seek. Below /dev/shm are ordinary files.
+    static bool IsDevice(string target) =>
+        target.StartsWith("/dev/", StringComparison.Ordinal) && !target.StartsWith("/dev/shm/", StringComparison.Ordinal);
 
     /// <summary>Writes a new file that only its owner may read. An existing file is kept, and the method throws.</summary>
     public static void CreateSecret(string path, byte[] content) => WholeFile.Write(

@@ -75,6 +75,26 @@ public sealed class OutputFileTests
         Assert.That((new FileInfo(At("link")).LinkTarget, File.ReadAllText("/dev/null")), Is.EqualTo(("/dev/null", "")));
     }
 
+    // Files below /dev/shm are ordinary files in memory, not devices.
+    [Test]
+    [Platform(Include = "Linux")]
+    public void Write_BelowDevShm_CreatesAndReplacesTheFile()
+    {
+        var path = Path.Combine("/dev/shm", Path.GetRandomFileName());
+        try
+        {
+            OutputFile.Write(path, "longer text");
+            Assert.That(File.ReadAllText(path), Is.EqualTo("longer text"));
+
+            OutputFile.Write(path, "text");
+            Assert.That(File.ReadAllText(path), Is.EqualTo("text"));
+        }
+        finally
+        {
+            File.Delete(path);
+        }
+    }
+
     [Test]
     public void CreateSecret_ExistingFile_KeepsIt()
     {
