@@ -183,6 +183,23 @@ public class BaseAnchorDisplayTests
     }
 
     [Test]
+    public void HandPlacedMarker_OfAnotherBase_PlacesOnlyThatBase()
+    {
+        var other = PlayedRig.Below<BaseAnchor>("Other base", _played.Session.transform)
+            .With("_markers", new List<AnchorMarker> { new("b", Vector3.zero, Vector3.zero) });
+        var hand = PlayedRig.Below<HandPlacedMarker>("Hand", _played.Session.transform).With("_payload", "b");
+        _played.PlayLocked();
+
+        hand.BeginMove();
+        _played.Cell.Run(1, _played.Session);
+        hand.EndMove();
+        _played.Cell.Run(1, _played.Session);
+
+        Assert.That((_played.Anchor.State, new BaseTexts().FaultOf(_played.Anchor)), Is.EqualTo((BaseAnchorState.Locked, (string)null)));
+        Assert.That(other.State, Is.EqualTo(BaseAnchorState.Locked));
+    }
+
+    [Test]
     public void Fields_InvalidAfterALock_BaseIsLockedWhenTheyAreValidAgain()
     {
         _played.PlayLocked();

@@ -182,7 +182,7 @@ namespace Nowpose.Unity
             var head = Viewer.Head;
             Tracker.SourceProblem = _sources.Problem;
             Tracker.Tick(
-                _session.ClockOrDevices().Now, _sources.Read(),
+                _session.ClockOrDevices().Now, _sources.ReadFor(Tracker),
                 head != null ? UnityPoses.ToRoom(head.position, head.rotation) : (Kinematics.RigidTransform?)null, _sources.Anchors);
             if (Tracker.Shown is Kinematics.RigidTransform shown)
             {

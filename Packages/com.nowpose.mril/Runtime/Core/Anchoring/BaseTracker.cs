@@ -83,6 +83,9 @@ namespace Nowpose.Anchoring
         /// <inheritdoc cref="HandPlacement.RefusedPayload"/>
         internal string RefusedPayload => _hand.RefusedPayload;
 
+        /// <summary>Returns whether a marker that is placed by hand determines the pose of this base.</summary>
+        internal bool Has(string payload) => _markers.PoseInBase(payload) != null;
+
         /// <summary>Whether the device has an anchor for the position of the base, in any state of the anchor.</summary>
         public bool IsHeld => _place.IsThere;
 

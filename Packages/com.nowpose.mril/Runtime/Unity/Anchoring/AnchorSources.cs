@@ -10,6 +10,7 @@ namespace Nowpose.Unity.Anchoring
     {
         readonly MarkerSources _sources = new MarkerSources();
         readonly List<ISpatialAnchors> _anchors = new List<ISpatialAnchors>();
+        readonly List<BaseAnchor> _bases = new List<BaseAnchor>();
 
         public bool IsEmpty => _sources.Found.Count == 0 && _anchors.Count == 0;
 
@@ -47,11 +48,27 @@ namespace Nowpose.Unity.Anchoring
 
         public void Find(Transform root)
         {
-            if (_sources.Find(root)) root.GetComponentsInChildren(true, _anchors);
+            if (!_sources.Find(root)) return;
+            root.GetComponentsInChildren(true, _anchors);
+            root.GetComponentsInChildren(true, _bases);
         }
 
-        /// <inheritdoc cref="MarkerSources.Read"/>
-        public List<MarkerSighting> Read() => _sources.Read();
+        /// <summary>Reads the sightings of all enabled sources, except markers placed by hand that belong to another base.</summary>
+        public List<MarkerSighting> ReadFor(BaseTracker tracker)
+        {
+            var sightings = _sources.Read();
+            for (var i = sightings.Count - 1; i >= 0; i--)
+                if (sightings[i].Tracking == MarkerTracking.Placed && IsOfAnother(tracker, sightings[i].Payload)) sightings.RemoveAt(i);
+            return sightings;
+        }
+
+        bool IsOfAnother(BaseTracker tracker, string payload)
+        {
+            if (tracker.Has(payload)) return false;
+            foreach (var other in _bases)
+                if (other != null && other.Tracker != tracker && other.Tracker?.Has(payload) == true) return true;
+            return false;
+        }
 
         /// <summary>Moves the hand-placed markers along with the base, except the markers that the user is moving.</summary>
         public void Rest(Pose place, IReadOnlyList<TrackedMarker> markers)
