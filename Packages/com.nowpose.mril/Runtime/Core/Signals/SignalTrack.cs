@@ -23,6 +23,8 @@ namespace Nowpose.Signals
         double? _future;
         int _count;
         bool _isVisible;
+        // Whether no value has been used since an interruption.
+        bool _isInterrupted;
 
         public SignalTrack(string name) => Name = name;
 
@@ -33,7 +35,8 @@ namespace Nowpose.Signals
 
         /// <summary>
         /// Raised when the first value after an interruption becomes visible, before it is reported as a change. The signal may have changed in the
-        /// meantime, also if the value is the same as before. Not raised if the value has its former stamp, which shows that nothing has changed.
+        /// meantime, also if the value is the same as before. Not raised if the value has the stamp <see cref="Newest"/>, which shows that nothing has
+        /// changed.
         /// </summary>
         public event Action<SignalTrack> Resumed;
 
@@ -62,6 +65,12 @@ namespace Nowpose.Signals
         /// <remarks>Either the control clock has stepped, which the headset does not know yet, or the clock of the source is wrong.</remarks>
         public double? Unplaced => _future ?? _late.NewestFarBehind(_newestSample);
 
+        /// <summary>
+        /// Handles an interruption: the source may have ended since its last value. The next value that is used is not an overtaken one, and raises
+        /// <see cref="Resumed"/>.
+        /// </summary>
+        public void Interrupt() => _isInterrupted = _count > 0;
+
         /// <summary>Adds a received value, which may repeat the previous value.</summary>
         /// <remarks>
         /// If late stamps show that the source's clock went back, the signal restarts with the late values. An announced change, whose stamp is later
@@ -69,22 +78,20 @@ namespace Nowpose.Signals
         /// source has restarted; it is sufficient if it differs from the known values, because a source that publishes only changes sends no other.
         /// </remarks>
         /// <param name="arrival">Control time of the arrival; null if unknown.</param>
-        /// <param name="isOfNewSource">Whether the former source may have ended since its last value. The value is then not an overtaken one.</param>
-        public DropReason Add(ControlTime stamp, double value, ControlTime? arrival = null, bool isOfNewSource = false)
+        public DropReason Add(ControlTime stamp, double value, ControlTime? arrival = null)
         {
             _future = null;
-            var newest = isOfNewSource ? Newest : _newestSample;
-            if (stamp < newest && (isOfNewSource || !LateValues.IsOvertaken(stamp, newest)) && !Includes(stamp, value))
+            var newest = _isInterrupted ? Newest : _newestSample;
+            if (stamp < newest && (_isInterrupted || !LateValues.IsOvertaken(stamp, newest)) && !Includes(stamp, value))
             {
                 RestartWith(stackalloc[] { (stamp, value) });
                 return DropReason.None;
             }
-            var isResumed = isOfNewSource && stamp > Newest;
             if (stamp > arrival)
             {
                 // The ordinary values that follow may be late by a normal delay. If they are older, the clock of the source went back.
                 if (!(arrival.Value - ClockTicks.Span(ArrivalOrder.MaxDelay) <= _newestSample)) _newestSample = arrival.Value - ClockTicks.Span(ArrivalOrder.MaxDelay);
-                return Place(stamp, value, isResumed);
+                return Place(stamp, value);
             }
             if (_late.Add(stamp, value, _newestSample))
             {
@@ -92,7 +99,7 @@ namespace Nowpose.Signals
                 return DropReason.None;
             }
             if (!(stamp <= _newestSample)) _newestSample = stamp;
-            return Place(stamp, value, isResumed);
+            return Place(stamp, value);
         }
 
         /// <summary>Keeps a received value whose stamp is in the future until the next value or the next <see cref="Restart"/>.</summary>
@@ -124,11 +131,11 @@ namespace Nowpose.Signals
         public void Restart()
         {
             if (_count == 0 && Unplaced == null) return;
-            var newest = Unplaced ?? _changes[_count - 1].Value;
-            _count = 0;
-            if (_isVisible) _changes[_count++] = new Change(Always, _changes[0].Value);
-            if (!_isVisible || _changes[0].Value != newest) _changes[_count++] = new Change(Always, newest);
-            Newest = _newestSample = null;
+            var unplaced = Unplaced;
+            var newest = unplaced ?? _changes[_count - 1].Value;
+            var isResumed = DiscardTimes() || (_isInterrupted && unplaced.HasValue);
+            if (isResumed || !_isVisible || Value != newest) _changes[_count++] = new Change(Always, newest, isResumed);
+            if (unplaced.HasValue) _isInterrupted = false;
             _future = null;
             _late.Clear();
             Restarted?.Invoke(this);
@@ -145,12 +152,21 @@ namespace Nowpose.Signals
         // before the clock went back.
         void RestartWith(ReadOnlySpan<(ControlTime, double)> lateValues)
         {
-            _count = 0;
-            if (_isVisible) _changes[_count++] = new Change(Always, _changes[0].Value);
-            Newest = _newestSample = null;
+            _isInterrupted |= DiscardTimes();
             foreach (var (stamp, value) in lateValues) Place(stamp, value);
             _late.Clear();
             Restarted?.Invoke(this);
+        }
+
+        // Keeps only the visible value. Returns whether a discarded value was the first after an interruption.
+        bool DiscardTimes()
+        {
+            var isResumed = false;
+            for (var i = _isVisible ? 1 : 0; i < _count; i++) isResumed |= _changes[i].IsResumed;
+            _count = 0;
+            if (_isVisible) _changes[_count++] = new Change(Always, _changes[0].Value);
+            Newest = _newestSample = null;
+            return isResumed;
         }
 
         // Returns whether the signal had a value at a time, according to the changes that are kept.
@@ -161,11 +177,13 @@ namespace Nowpose.Signals
             return place >= 0 && _changes[place].Value == value;
         }
 
-        DropReason Place(ControlTime stamp, double value, bool isResumed = false)
+        DropReason Place(ControlTime stamp, double value)
         {
+            var isResumed = _isInterrupted && stamp != Newest;
             var place = _count;
             while (place > 0 && _changes[place - 1].Stamp > stamp) place--;
             if (_isVisible && place == 0) return DropReason.LateSample;
+            _isInterrupted = false;
             if (place > 0 && _changes[place - 1].Stamp == stamp) return Replace(place - 1, value);
             if (!(stamp <= Newest)) Newest = stamp;
             if (isResumed) Insert(place, new Change(stamp, value, isResumed: true));

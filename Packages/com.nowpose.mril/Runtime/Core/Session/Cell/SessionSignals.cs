@@ -198,9 +198,10 @@ namespace Nowpose.Session.Cell
             var arrival = clock.ToControl(arrived.Arrival);
             var isInFuture = StampRule.IsInFuture(arrived.Stamp, arrival, clock.ErrorBound);
             var signal = Table.FindOrAdd(arrived.Value.Name);
+            if (signal != null && IsOfNewSource(signal, arrived.Arrival)) signal.Interrupt();
             var reason = isInFuture ? DropReason.StampInFuture
                 : signal == null ? DropReason.TooManySignals
-                : signal.Add(arrived.Stamp, arrived.Value.Value, arrival, IsOfNewSource(signal, arrived.Arrival));
+                : signal.Add(arrived.Stamp, arrived.Value.Value, arrival);
             if (isInFuture) signal?.AddFuture(arrived.Value.Value);
             var isUsed = reason == DropReason.None || reason == DropReason.DuplicateSample;
             if (signal != null && (isUsed || signal.Unplaced.HasValue)) signal.Received = arrived.Arrival;

@@ -244,27 +244,6 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That((signal.Since, signal.Value), Is.EqualTo(((ControlTime?)At(11), 1.0)));
         }
 
-        [TestCase(1, 11, true)]
-        [TestCase(0, 11, true)]
-        [TestCase(1, 10, false)]
-        public void Next_FirstValueAfterAnInterruption_IsResumedOnceIfItsStampIsNewer(double value, double stamp, bool isResumed)
-        {
-            var signal = new SignalTrack("grip");
-            var resumed = new List<double>();
-            signal.Resumed += each => resumed.Add(each.Value);
-            signal.Add(At(9), 1);
-            signal.Add(At(10), 1);
-            while (signal.Next(At(10))) { }
-
-            signal.Add(At(stamp), value, isOfNewSource: true);
-            Assert.That((signal.Next(At(10.9)), resumed.Count), Is.EqualTo((false, 0)));
-            Assert.That(signal.Next(At(11)), Is.EqualTo(value != 1));
-            signal.Add(At(12), value);
-            Assert.That(signal.Next(At(12)), Is.False);
-
-            Assert.That(resumed, Is.EqualTo(isResumed ? new[] { value } : Array.Empty<double>()));
-        }
-
         [Test]
         public void Add_OlderThanTheVisibleChange_IsLate()
         {

@@ -10,15 +10,15 @@ namespace Nowpose.Tests.Core.Session.Cell
 {
     /// <summary>
     /// Tests grips by reach after an interruption of the gripper's signal: a lost connection, or an end of the signal's source. The sources of the
-    /// objects repeat their poses. If the first value after the interruption has a new stamp, the signal may have changed unnoticed.
+    /// objects repeat their poses. If the first value after the interruption has another stamp, the signal may have changed unnoticed.
     /// </summary>
     public class InterruptedGripTests
     {
         const double End = 22.5, Start = 26;
 
         [Test]
-        public void Interruption_ClosedBeforeAndAfterwards_HeldObjectIsUnknownOnlyIfTheStampIsNewer(
-            [Values(Close, Start - 1)] double stamp, [Values(false, true)] bool isOfConnection)
+        public void Interruption_ClosedBeforeAndAfterwards_HeldObjectIsUnknownUnlessTheStampIsTheFormerOne(
+            [Values(15, Close, Start - 1)] double stamp, [Values(false, true)] bool isOfConnection)
         {
             var (cell, grip) = NewGripper();
             Until(cell, Close);
@@ -28,7 +28,7 @@ namespace Nowpose.Tests.Core.Session.Cell
 
             Interrupt(cell, isOfConnection, stamp, 1);
 
-            var isUnknown = stamp > Close;
+            var isUnknown = stamp != Close;
             var expected = isUnknown ? PoseState.Held : PoseState.Current;
             Until(cell, Start + 1, t => Assert.That((grip.Fault, StateOf(cell), StateOf(cell, "other")),
                 Is.EqualTo((isUnknown ? FrameMessages.SignalInterrupted : null, expected, expected)), $"{t} s"));
@@ -39,17 +39,50 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Interruption_OpenBeforeAndAfterwards_ObjectsAreHeldOnlyIfTheStampIsNewer(
-            [Values(19, Start - 1)] double stamp, [Values(false, true)] bool isOfConnection)
+        public void Interruption_OpenBeforeAndAfterwards_ObjectsAreHeldUnlessTheStampIsTheFormerOne(
+            [Values(15, 19, Start - 1)] double stamp, [Values(false, true)] bool isOfConnection)
         {
             var (cell, grip) = NewGripper();
             Until(cell, End);
 
             Interrupt(cell, isOfConnection, stamp, 0);
 
-            var expected = stamp > 19 ? PoseState.Held : PoseState.Current;
+            var expected = stamp != 19 ? PoseState.Held : PoseState.Current;
             Until(cell, Start + 1, t =>
                 Assert.That((grip.Fault, StateOf(cell), StateOf(cell, "other")), Is.EqualTo(((string)null, expected, expected)), $"{t} s"));
+        }
+
+        [Test]
+        public void Interruption_ControlClockStepsInTheMeantime_ObjectsAreHeld()
+        {
+            const double step = 7;
+            var (cell, _) = NewGripper();
+            Until(cell, End);
+            cell.Reconnect();
+            cell.Sampling = null;
+            cell.ClockStep = step;
+            Until(cell, Start + 4);
+            Assert.That(cell.Session.Clock.Steps, Is.EqualTo(1));
+
+            cell.Sampling = t => SendAll(cell, t + step, 1);
+            SendGripNow(cell, cell.Now + step - 0.1, 0);
+            Until(cell, Start + 5);
+
+            Assert.That((StateOf(cell), StateOf(cell, "other")), Is.EqualTo((PoseState.Held, PoseState.Held)));
+        }
+
+        // A value with a stamp in the future is not used.
+        [Test]
+        public void Interruption_FirstValueIsInTheFuture_ObjectsAreHeldAfterTheNextValue([Values(false, true)] bool isOfConnection)
+        {
+            var (cell, _) = NewGripper();
+            Until(cell, End);
+
+            Interrupt(cell, isOfConnection, Start + 60, 0);
+            SendGripNow(cell, cell.Now - 0.1, 0);
+            Until(cell, Start + 1);
+
+            Assert.That((StateOf(cell), StateOf(cell, "other")), Is.EqualTo((PoseState.Held, PoseState.Held)));
         }
 
         [Test]
@@ -87,14 +120,16 @@ namespace Nowpose.Tests.Core.Session.Cell
         static (CellSession Cell, ReachGrip Grip) NewGripper(Func<double, double> x = null)
         {
             var (cell, grip) = NewCell("box", "other");
-            cell.Sampling = t =>
-            {
-                cell.SendJoints(t, Shoulder(t), 0);
-                cell.Send("world", "box", t, At(x?.Invoke(t) ?? 1, 0));
-                cell.Send("world", "other", t, At(-1, 0));
-            };
+            cell.Sampling = t => SendAll(cell, t, x?.Invoke(t) ?? 1);
             cell.Send("grip", 19, 0);
             return (cell, grip);
+        }
+
+        static void SendAll(CellSession cell, double stamp, double x)
+        {
+            cell.SendJoints(stamp, Shoulder(stamp), 0);
+            cell.Send("world", "box", stamp, At(x, 0));
+            cell.Send("world", "other", stamp, At(-1, 0));
         }
 
         // Nothing arrives while the connection is interrupted.

@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Protocol;
+using Nowpose.Signals;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Signals
+{
+    /// <summary>Tests that the first value after an interruption is reported as such, because the signal may have changed unnoticed.</summary>
+    public class InterruptedSignalTests
+    {
+        static ControlTime At(double seconds) => ControlTime.FromSeconds(seconds);
+
+        [TestCase(1, 11, true)]
+        [TestCase(0, 11, true)]
+        [TestCase(1, 10, false)]
+        [TestCase(1, 9.5, true)]
+        [TestCase(1, 5, true)]
+        [TestCase(0, 5, true)]
+        public void Next_FirstValueAfterAnInterruption_IsResumedOnceIfItsStampIsNew(double value, double stamp, bool isResumed)
+        {
+            var (signal, resumed) = NewSignal();
+
+            signal.Interrupt();
+            signal.Add(At(stamp), value);
+            while (signal.Next(At(stamp - 0.1))) { }
+            Assert.That(resumed, Is.Empty);
+            Assert.That(signal.Next(At(11)), Is.EqualTo(value != 1));
+            signal.Add(At(12), value);
+            Assert.That(signal.Next(At(12)), Is.False);
+
+            Assert.That(resumed, Is.EqualTo(isResumed ? new[] { value } : Array.Empty<double>()));
+        }
+
+        [Test]
+        public void Next_TimesInvalidBetweenAnInterruptionAndTheNextValue_IsResumedOnce([Values(0, 1)] double value)
+        {
+            var (signal, resumed) = NewSignal();
+
+            signal.Interrupt();
+            signal.Restart();
+            while (signal.Next(At(5))) { }
+            Assert.That(resumed, Is.Empty);
+            signal.Add(At(6), value);
+            while (signal.Next(At(6))) { }
+
+            Assert.That(resumed, Is.EqualTo(new[] { value }));
+        }
+
+        [Test]
+        public void Restart_FirstValueAfterAnInterruptionIsNotVisibleYet_IsResumedOnce([Values(0, 1)] double value, [Values(false, true)] bool isInFuture)
+        {
+            var (signal, resumed) = NewSignal();
+
+            signal.Interrupt();
+            if (isInFuture) signal.AddFuture(value);
+            else signal.Add(At(11), value);
+            signal.Restart();
+            while (signal.Next(At(5))) { }
+            signal.Add(At(6), value);
+            while (signal.Next(At(6))) { }
+
+            Assert.That(resumed, Is.EqualTo(new[] { value }));
+            Assert.That(signal.Value, Is.EqualTo(value));
+        }
+
+        [Test]
+        public void Next_ValueInTheFutureAfterAnInterruption_TheNextValueIsResumed([Values(0, 1)] double value)
+        {
+            var (signal, resumed) = NewSignal();
+
+            signal.Interrupt();
+            signal.AddFuture(1);
+            signal.Add(At(11), value);
+            while (signal.Next(At(11))) { }
+
+            Assert.That(resumed, Is.EqualTo(new[] { value }));
+        }
+
+        static (SignalTrack Signal, List<double> Resumed) NewSignal()
+        {
+            var signal = new SignalTrack("grip");
+            var resumed = new List<double>();
+            signal.Resumed += each => resumed.Add(each.Value);
+            signal.Add(At(9), 1);
+            signal.Add(At(10), 1);
+            while (signal.Next(At(10))) { }
+            return (signal, resumed);
+        }
+    }
+}
