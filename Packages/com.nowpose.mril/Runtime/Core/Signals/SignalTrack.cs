@@ -220,6 +220,7 @@ namespace Nowpose.Signals
             if (_count == Capacity)
             {
                 var oldest = _isVisible ? 1 : 0;
+                if (_changes[oldest].IsResumed) _changes[oldest + 1].Resume();
                 Remove(oldest);
                 if (place > oldest) place--;
             }
@@ -246,8 +247,8 @@ namespace Nowpose.Signals
             public ControlTime Stamp { get; private set; }
             public double Value { get; }
 
-            /// <summary>Whether this is the first value after an interruption.</summary>
-            public bool IsResumed { get; }
+            /// <summary>Whether this is the first value that is kept after an interruption.</summary>
+            public bool IsResumed { get; private set; }
 
             /// <summary>Newest stamp with which the value was received.</summary>
             public ControlTime Confirmed { get; private set; }
@@ -258,6 +259,8 @@ namespace Nowpose.Signals
             }
 
             public void MoveTo(ControlTime stamp) => Stamp = stamp;
+
+            public void Resume() => IsResumed = true;
 
             /// <summary>
             /// Returns a change to the same value at the stamp <see cref="Confirmed"/>, and resets <see cref="Confirmed"/> of this change to its own

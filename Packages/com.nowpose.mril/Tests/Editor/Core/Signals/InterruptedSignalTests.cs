@@ -77,6 +77,19 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That(resumed, Is.EqualTo(new[] { value }));
         }
 
+        // The values wait for their display time, and the oldest of them are removed.
+        [Test]
+        public void Next_MoreChangesThanAreKeptAfterAnInterruption_IsResumedOnce()
+        {
+            var (signal, resumed) = NewSignal();
+
+            signal.Interrupt();
+            for (var k = 0; k < 1000; k++) signal.Add(At(11 + k), k % 2);
+            while (signal.Next(At(2000))) { }
+
+            Assert.That(resumed, Has.Count.EqualTo(1));
+        }
+
         static (SignalTrack Signal, List<double> Resumed) NewSignal()
         {
             var signal = new SignalTrack("grip");
