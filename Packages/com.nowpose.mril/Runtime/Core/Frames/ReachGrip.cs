@@ -216,8 +216,9 @@ namespace Nowpose.Frames
                 if (index < 0) continue;
                 var reason = ReasonFor(index);
                 if (reason != null && !CanMove(index)) reason = null;
-                _tree[index].SetUnknownGrip(this, reason != null);
+                // The object measures the noise of its source from the first fault on, so it needs the fault before the mark.
                 Fault ??= reason;
+                _tree[index].SetUnknownGrip(this, reason != null);
             }
             FaultSince = _missed == null ? since : null;
         }

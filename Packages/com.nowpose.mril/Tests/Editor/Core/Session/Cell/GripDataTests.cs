@@ -2,6 +2,7 @@ using System;
 using Nowpose.Kinematics;
 using Nowpose.Messages;
 using Nowpose.Session;
+using Nowpose.Simulation;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Session.Cell.GripScene;
 
@@ -124,16 +125,19 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         // The source of the object repeats the place from before the grip.
-        [TestCase(false)]
-        [TestCase(true)]
-        public void Close_SourceOfAnObjectStartsAfterwards_ObjectIsHeldUntilItsSourceReportsAnotherPose(bool isStationary)
+        [TestCase(false, 0)]
+        [TestCase(false, 0.001)]
+        [TestCase(true, 0)]
+        public void Close_SourceOfAnObjectStartsAfterwards_ObjectIsHeldUntilItsSourceReportsAnotherPose(bool isStationary, double noise)
         {
+            var random = new Random(1);
             var (cell, grip) = NewCell("box", "far");
             cell.Sampling = t =>
             {
                 cell.SendJoints(t, Shoulder(t), 0);
                 cell.Send("world", "far", t, At(5, 0));
-                if (t > 25 && (!isStationary || t < 25.1)) cell.Send("world", "box", t, At(t < 28 ? 1 : 1.1, 0.02), isStationary);
+                if (t <= 25 || isStationary && t >= 25.1) return;
+                cell.Send("world", "box", t, At((t < 28 ? 1 : 1.1) + noise * random.NextNormal(), 0.02), isStationary);
             };
             cell.Send("grip", 19, 0);
             Until(cell, Close);
