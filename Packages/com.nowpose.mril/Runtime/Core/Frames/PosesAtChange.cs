@@ -38,11 +38,13 @@ namespace Nowpose.Frames
         }
 
         /// <summary>Computes the pose of the gripping point from the samples that have arrived.</summary>
-        public void UpdateHand()
+        /// <returns>Whether samples from after the stamp have arrived since the last call.</returns>
+        public bool UpdateHand()
         {
-            if (Hand.IsMeasured) return;
+            if (Hand.IsMeasured) return false;
             var pose = _tree.LinkAt(_tree.IndexOf(_robot), _link, At, out var origin);
             if (origin != PoseOrigin.None) Hand = new KnownPose(pose, origin);
+            return Hand.IsMeasured;
         }
 
         /// <summary>Returns the pose of an object, computed from the samples that have arrived.</summary>

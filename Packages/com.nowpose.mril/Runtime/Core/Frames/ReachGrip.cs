@@ -123,12 +123,12 @@ namespace Nowpose.Frames
         void Decide(bool isLast)
         {
             if (_isFinal) return;
-            _poses.UpdateHand();
-            if (_isClosed == true) Grip(isLast);
+            var isHandCorrected = _poses.UpdateHand();
+            if (_isClosed == true) Grip(isLast, isHandCorrected);
             else Release(isLast);
         }
 
-        void Grip(bool isLast)
+        void Grip(bool isLast, bool isHandCorrected)
         {
             _missed = _poses.Hand.IsKnown ? null : FrameMessages.ArmWithoutData;
             _isFinal = isLast;
@@ -146,7 +146,7 @@ namespace Nowpose.Frames
             }
             _isFinal |= areAllMeasured;
             if (nearest.Index != _held) Take(nearest);
-            else if (IsMine && nearest.InHand.Origin > _inHand.Origin) PutInHand(nearest.InHand);
+            else if (IsMine && !_inHand.IsMeasured && (_isFinal || isHandCorrected || nearest.InHand.IsMeasured)) PutInHand(nearest.InHand);
         }
 
         // The gripper that closed or opened last determines the place, in whichever order the messages arrive. At equal times, the name decides.
