@@ -94,14 +94,8 @@ namespace Nowpose.Frames
             if (UnknownMover == gripper) UnknownMover = null;
         }
 
-        // If the source has moved the object since the grip, the object was not in the gripper, or its source follows it there. If not, compares
-        // later poses with the present one.
-        bool IsAtRest(in RigidTransform given)
-        {
-            if (_sourceRest.HasMoved(given)) return false;
-            _sourceRest.Release(given);
-            return true;
-        }
+        // If the source has moved the object since the grip, the object was not in the gripper, or its source follows it there.
+        bool IsAtRest(in RigidTransform given) => !_sourceRest.ReleaseAtFirst(given);
 
         void Watch()
         {
@@ -124,7 +118,7 @@ namespace Nowpose.Frames
         {
             if (!isStationary) _sourceRest.Add(source);
             var isReleased = Place == null ? UnknownMover != null : Place.IsReleased && (isStationary || stamp > Place.Since);
-            return isReleased && _sourceRest.IsLeftBy(source);
+            return isReleased && (isStationary || _sourceRest.IsNoiseKnown) && _sourceRest.IsLeftBy(source);
         }
 
         /// <summary>Displays <see cref="Place"/> from now on.</summary>

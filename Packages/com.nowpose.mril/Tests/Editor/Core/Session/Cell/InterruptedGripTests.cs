@@ -1,8 +1,10 @@
 using System;
 using Nowpose.Frames;
+using Nowpose.Kinematics;
 using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Simulation;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Session.Cell.GripScene;
 
@@ -50,6 +52,29 @@ namespace Nowpose.Tests.Core.Session.Cell
             var expected = stamp != 19 ? PoseState.Held : PoseState.Current;
             Until(cell, Start + 1, t =>
                 Assert.That((grip.Fault, StateOf(cell), StateOf(cell, "other")), Is.EqualTo(((string)null, expected, expected)), $"{t} s"));
+        }
+
+        // Few samples or none have arrived since the interruption when the value arrives, so the noise of the tracker is not known yet.
+        [Test]
+        public void Interruption_OpenAfterwardsAndSourceHasNoise_ObjectIsHeldUntilTheSourceReportsAnotherPose(
+            [Values(0, 0.1, 0.4)] double signalDelay, [Values(1, 2, 3)] int seed, [Values(false, true)] bool isOfConnection)
+        {
+            const double move = Start + 3;
+            var random = new Random(seed);
+            double Noise() => 0.001 * random.NextNormal();
+            var (cell, grip) = NewGripper();
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "box", t, RigidTransform.FromXyzRpy((t < move ? 1 : 1.1) + Noise(), Noise(), Noise(), 0, 0, 0));
+            };
+            Until(cell, End);
+
+            Interrupt(cell, isOfConnection, Start - 1, 0, signalDelay);
+
+            Until(cell, move, t => Assert.That((grip.Fault, StateOf(cell)), Is.EqualTo(((string)null, PoseState.Held)), $"{t} s"));
+            Until(cell, move + 1);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
         }
 
         [Test]
@@ -133,7 +158,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         // Nothing arrives while the connection is interrupted.
-        static void Interrupt(CellSession cell, bool isOfConnection, double stamp, double value)
+        static void Interrupt(CellSession cell, bool isOfConnection, double stamp, double value, double signalDelay = 0)
         {
             var sampling = cell.Sampling;
             if (isOfConnection) cell.Sampling = null;
@@ -142,6 +167,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             if (isOfConnection) cell.Reconnect();
             else Report(cell);
             cell.Sampling = sampling;
+            Until(cell, Start + signalDelay);
             SendGripNow(cell, stamp, value);
             Until(cell, Start + 0.5);
         }

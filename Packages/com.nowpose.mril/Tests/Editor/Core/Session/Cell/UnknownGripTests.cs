@@ -62,20 +62,21 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
         }
 
-        [Test]
-        public void StateOf_SourceMovesTheObjectDuringAnUnknownGrip_IsCurrentAfterTheOpening()
+        [TestCase(Close)]
+        [TestCase(20.4, Description = "Less than 12 samples have arrived.")]
+        public void StateOf_SourceMovesTheObjectDuringAnUnknownGrip_IsCurrentAfterTheOpening(double open)
         {
             var (cell, _) = NewGrip();
             cell.Sampling = t =>
             {
                 cell.SendJoints(t, Shoulder(t), 0);
-                cell.Send("world", "box", t, At(t < Close - 1 ? 1.05 : 1.15, 0.02));
+                cell.Send("world", "box", t, At(t < open - 0.2 ? 1.05 : 1.15, 0.02));
             };
             cell.Send("grip", 5, 1);
-            Until(cell, Close);
+            Until(cell, open);
 
-            cell.Send("grip", Close, 0);
-            Until(cell, Close + 1);
+            cell.Send("grip", open, 0);
+            Until(cell, open + 1);
 
             Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
         }
