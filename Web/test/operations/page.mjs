@@ -75,6 +75,8 @@ export const showsToolError = (page, min = 0, max = Infinity) => {
 export const bodiesDrawn = async page => {
   await page.locator('.stage').scrollIntoViewIfNeeded();
   return page.evaluate(() => new Promise(done => {
+    // Tables that are filled later move the view out of the window, where it is not drawn.
+    const keepsInView = setInterval(() => document.querySelector('.stage').scrollIntoView({ block: 'nearest' }), 100);
     const gl = WebGL2RenderingContext.prototype, { clear, drawElements, drawArrays } = gl;
     let count = null;
     const counted = draw => function (...all) { if (count !== null) count++; return draw.apply(this, all); };
@@ -88,6 +90,7 @@ export const bodiesDrawn = async page => {
     function end() {
       if (count === 0) return count = null;
       Object.assign(gl, { clear, drawElements, drawArrays });
+      clearInterval(keepsInView);
       done(count);
     }
   }));
