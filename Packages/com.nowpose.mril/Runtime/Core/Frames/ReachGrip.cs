@@ -36,8 +36,8 @@ namespace Nowpose.Frames
         int _held = -1;
         ReachPlace _before;
         KnownPose _inHand;
-        // Reasons why any object may be in the gripper: a change that was missed or cannot be evaluated, and a signal that is not current.
-        string _missed, _signalFault;
+        // Reason why any object may be in the gripper: a change that was missed or cannot be evaluated.
+        string _missed;
 
         /// <param name="link">Index of the link in the robot; its origin is the gripping point.</param>
         /// <param name="reach">Maximum distance of an object's origin from the gripping point, m.</param>
@@ -109,7 +109,7 @@ namespace Nowpose.Frames
             if (IsMine) _tree.Put(_held, null);
             _held = -1;
             _isFinal = true;
-            Fault = _missed = _signalFault = null;
+            Fault = _missed = null;
             for (var i = 0; i < _tree.Count; i++) _tree[i].Forget(this);
         }
 
@@ -208,13 +208,13 @@ namespace Nowpose.Frames
         /// <param name="since">Control time at which the value stopped being current; null if unknown.</param>
         public void Judge(string signalFault, ControlTime? since)
         {
-            _signalFault = signalFault;
-            Fault = _missed ?? _signalFault;
+            var common = _missed ?? signalFault;
+            Fault = common;
             for (var i = 0; i < _objects.Count; i++)
             {
                 var index = _tree.IndexOf(_objects[i]);
                 if (index < 0) continue;
-                var reason = ReasonFor(index);
+                var reason = common ?? ReasonFor(index);
                 if (reason != null && !CanMove(index)) reason = null;
                 // The object measures the noise of its source from the first fault on, so it needs the fault before the mark.
                 Fault ??= reason;
@@ -223,10 +223,9 @@ namespace Nowpose.Frames
             FaultSince = _missed == null ? since : null;
         }
 
-        // Returns the reason why it is unknown whether the gripper holds an object; null if it is known.
-        string ReasonFor(int index) => _missed ?? _signalFault
-            ?? (MayHoldUnseen(index) ? FrameMessages.ObjectWithoutPose
-            : index == _held && _isClosed == false && !_isFinal && !_poses.Hand.IsKnown ? FrameMessages.OpenedWithoutData : null);
+        // Returns the reason of this object alone why it is unknown whether the gripper holds it; null if it is known.
+        string ReasonFor(int index) => MayHoldUnseen(index) ? FrameMessages.ObjectWithoutPose
+            : index == _held && _isClosed == false && !_isFinal && !_poses.Hand.IsKnown ? FrameMessages.OpenedWithoutData : null;
 
         // The gripper may have gripped an object whose pose at that time is unknown, because it gripped none of the others.
         bool MayHoldUnseen(int index) => _isClosed == true && _held < 0 && !_poses.Includes(_tree[index]);
