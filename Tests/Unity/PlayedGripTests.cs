@@ -121,12 +121,39 @@ public class PlayedGripTests : PlayedParts
     }
 
     [Test]
-    public void GripByReach_NoRig_StatesWhatToAssign()
+    public void GripByReach_NoRig_StatesWhatToAssignAndIsShownOnThePanel()
     {
         var grip = Below<GripByReach>("grip", _session.transform);
         Run(0.5);
 
         Assert.That(grip.Fault, Is.EqualTo(StatusMessages.NoRig));
         Assert.That(_cell.Messages, Has.Exactly(1).Contains(ComponentMessages.GripWithoutRig("grip")));
+        Assert.That(FaultsNow(), Is.EqualTo("gripper grip: " + StatusMessages.NoRig));
+        grip.enabled = false;
+        Assert.That(FaultsNow(), Is.Empty);
+    }
+
+    [Test]
+    public void GripByReach_MovedBelowARig_FollowsItsRobot()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var grip = Below<GripByReach>("grip", _session.transform);
+        Run(0.5);
+
+        grip.transform.SetParent(rig.transform);
+        Run(0.5);
+
+        Assert.That(FaultsNow(), Is.EqualTo("gripper grip: " + SignalMessages.NoConnection));
+    }
+
+    [Test]
+    public void GripByReach_NoRigAndMovedOutOfTheSession_IsNoPartOfIt()
+    {
+        var grip = Below<GripByReach>("grip", _session.transform);
+        Run(0.5);
+
+        grip.transform.SetParent(null);
+
+        Assert.That(_session.Parts.Count, Is.Zero);
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Editor.Inspectors;
 using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Session;
@@ -53,11 +54,11 @@ namespace Nowpose.Editor
         static void ActuatedPart(MenuCommand command) => CreateOnce<ActuatedPart>("Actuated Part", command);
 
         [MenuItem(Folder + "Grip by Reach", false, Priority)]
-        static void GripByReach(MenuCommand command) => CreateOnce<GripByReach>("Grip by Reach", command);
+        static void GripByReach(MenuCommand command) => CreateOnce<GripByReach>("Grip by Reach", command, parentFor: RigFor);
 
         [MenuItem(Folder + "Planned Path", false, Priority)]
-        static void PlannedPath(MenuCommand command) =>
-            CreateOnce<PlannedPath>("Planned Path", command, path => path.GetComponent<LineRenderer>().sharedMaterial = Hologram);
+        static void PlannedPath(MenuCommand command) => CreateOnce<PlannedPath>(
+            "Planned Path", command, path => path.GetComponent<LineRenderer>().sharedMaterial = Hologram, RigFor);
 
         // A robot that is not current must look different, so it needs a Pose Appearance and a material that can fade.
         [MenuItem(Folder + "Another Robot", false, Priority)]
@@ -79,13 +80,23 @@ namespace Nowpose.Editor
         }
 
         /// <param name="setUp">Completes the new component; null if its default values are complete.</param>
-        static void CreateOnce<T>(string name, MenuCommand command, Action<T> setUp = null)
+        /// <param name="parentFor">Returns the parent of the new object for the selected object; null to use the selected object.</param>
+        static void CreateOnce<T>(string name, MenuCommand command, Action<T> setUp = null, Func<GameObject, GameObject> parentFor = null)
             where T : MonoBehaviour
         {
             if (!IsOnce(command)) return;
+            var selected = command.context as GameObject;
             var made = new GameObject(name).AddComponent<T>();
             setUp?.Invoke(made);
-            Put(made.gameObject, command);
+            Put(made.gameObject, parentFor == null ? selected : parentFor(selected));
+        }
+
+        // A component that needs a rig searches for it on its parents, so its object must not be beside the robot.
+        static GameObject RigFor(GameObject selected)
+        {
+            if (selected == null || selected.GetComponentInParent<RobotRig>(true) != null) return selected;
+            var rig = SceneSearch.OnlyDisplayedRigBelow(selected);
+            return rig != null ? rig.gameObject : selected;
         }
 
         static bool IsOnce(MenuCommand command) => command.context == null || command.context == Selection.activeObject;
@@ -100,13 +111,13 @@ namespace Nowpose.Editor
                 ConsoleLog.Fail(null, SetupTexts.PrefabMissing(prefab.Name, prefab.Guid));
                 return null;
             }
-            return Put((GameObject)PrefabUtility.InstantiatePrefab(asset), command);
+            return Put((GameObject)PrefabUtility.InstantiatePrefab(asset), command.context as GameObject);
         }
 
-        static GameObject Put(GameObject instance, MenuCommand command)
+        static GameObject Put(GameObject instance, GameObject parent)
         {
             StageUtility.PlaceGameObjectInCurrentStage(instance);
-            GameObjectUtility.SetParentAndAlign(instance, command.context as GameObject);
+            GameObjectUtility.SetParentAndAlign(instance, parent);
             Undo.RegisterCreatedObjectUndo(instance, "Create " + instance.name);
             Selection.activeObject = instance;
             return instance;

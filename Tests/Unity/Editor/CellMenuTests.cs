@@ -47,6 +47,22 @@ public sealed class CellMenuTests : EditorFixture
         Assert.That(Undo.Created, Is.EqualTo(new[] { made }));
     }
 
+    [TestCase("Grip by Reach", 1)]
+    [TestCase("Grip by Reach", 2)]
+    [TestCase("Planned Path", 1)]
+    public void MenuItem_ForAPartOfARobot_IsBelowTheOnlyDisplayedRig(string item, int displayed)
+    {
+        var anchor = Keep(new GameObject("Base Anchor"));
+        var robots = Enumerable.Range(0, displayed).Select(_ => Below<RobotRig>(anchor)).ToArray();
+        Below<RobotRig>(anchor).With("_shows", RigPose.Held);
+
+        var made = MadeBelow(anchor, item);
+
+        Assert.That(made.transform.parent, Is.SameAs(displayed == 1 ? robots[0].transform : anchor.transform));
+        made = MadeBelow(robots[^1].gameObject, item);
+        Assert.That(made.transform.parent, Is.SameAs(robots[^1].transform), "the selected rig");
+    }
+
     [Test]
     public void SetupWindow_Entries_EqualTheMenu()
     {
@@ -91,6 +107,19 @@ public sealed class CellMenuTests : EditorFixture
             "Error: [Nowpose] " + SetupTexts.PrefabMissing("Nowpose Robot Cell", PackageAsset.RobotCell.Guid),
         }));
         Assert.That(Undo.Steps, Is.Empty);
+    }
+
+    static T Below<T>(GameObject parent) where T : Component
+    {
+        var made = new GameObject(typeof(T).Name);
+        made.transform.SetParent(parent.transform);
+        return made.AddComponent<T>();
+    }
+
+    static GameObject MadeBelow(GameObject selected, string item)
+    {
+        CellMenu.Entries.Single(entry => entry.Name == item).Create(new MenuCommand(Selection.activeObject = selected));
+        return (GameObject)Selection.activeObject;
     }
 
     GameObject Put(PackageAsset prefab)

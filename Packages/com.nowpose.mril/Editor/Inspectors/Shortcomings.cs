@@ -17,36 +17,42 @@ namespace Nowpose.Editor.Inspectors
                 _ => PackageAsset.DefaultSettings.Load<SessionSettingsAsset>()),
             new ReferenceRule(
                 typeof(RobotRig), "_session", typeof(MrilSession),
-                ShortcomingTexts.RigSession, Only<MrilSession>),
+                ShortcomingTexts.RigSession, SceneSearch.Only<MrilSession>),
             new ReferenceRule(
                 typeof(RenderTimeSource), "_session", typeof(MrilSession),
-                ShortcomingTexts.ReportSession, Only<MrilSession>),
+                ShortcomingTexts.ReportSession, SceneSearch.Only<MrilSession>),
             new ReferenceRule(
                 typeof(LatencyProfileLoader), "_session", typeof(MrilSession),
-                ShortcomingTexts.CalibratedSession, Only<MrilSession>),
+                ShortcomingTexts.CalibratedSession, SceneSearch.Only<MrilSession>),
             new ReferenceRule(
                 typeof(LatencyNudge), "_session", typeof(MrilSession),
-                ShortcomingTexts.CalibratedSession, Only<MrilSession>),
+                ShortcomingTexts.CalibratedSession, SceneSearch.Only<MrilSession>),
             new ReferenceRule(
                 typeof(CellPairing), "_session", typeof(MrilSession),
-                ShortcomingTexts.PairedSession, Only<MrilSession>),
+                ShortcomingTexts.PairedSession, SceneSearch.Only<MrilSession>),
             new ReferenceRule(
                 typeof(PoseAppearance), "_session", typeof(MrilSession),
-                ShortcomingTexts.ShownSession, Only<MrilSession>),
+                ShortcomingTexts.ShownSession, SceneSearch.Only<MrilSession>),
             new ReferenceRule(
                 typeof(PoseAppearance), "_substitute", null,
                 ShortcomingTexts.Substitute,
                 _ => PackageAsset.Hologram.Load<Material>(), appearance => ((PoseAppearance)appearance).NeedsSubstitute),
             new ReferenceRule(
                 typeof(StatusPanel), "_session", typeof(MrilSession),
-                ShortcomingTexts.StatusSession, Only<MrilSession>),
+                ShortcomingTexts.StatusSession, SceneSearch.Only<MrilSession>),
             new ReferenceRule(
                 typeof(StatusPanel), "_cell", null,
                 ShortcomingTexts.PanelText,
                 panel => panel.GetComponentInChildren<TextMesh>(true)),
             new ReferenceRule(
                 typeof(VirtualGripper), "_rig", typeof(RobotRig),
-                ShortcomingTexts.Rig, Only<RobotRig>),
+                ShortcomingTexts.Rig, SceneSearch.OnlyDisplayedRig),
+            new ReferenceRule(
+                typeof(GripByReach), "_rig", typeof(RobotRig),
+                ShortcomingTexts.Rig, SceneSearch.OnlyDisplayedRig),
+            new ReferenceRule(
+                typeof(PlannedPath), "_rig", typeof(RobotRig),
+                ShortcomingTexts.Rig, SceneSearch.OnlyDisplayedRig),
             new AppearanceRule(),
         };
 
@@ -66,13 +72,6 @@ namespace Nowpose.Editor.Inspectors
                 if (shortcoming != null) found.Add(shortcoming);
             }
             return found;
-        }
-
-        // Searches the scene or open prefab of a component for components of a type. Returns null unless there is exactly one.
-        static Object Only<T>(Component component) where T : Component
-        {
-            var all = component.gameObject.scene.GetRootGameObjects().SelectMany(root => root.GetComponentsInChildren<T>(true)).ToArray();
-            return all.Length == 1 ? all[0] : null;
         }
     }
 }

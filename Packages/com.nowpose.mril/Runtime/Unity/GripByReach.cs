@@ -66,21 +66,18 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _source = _rig != null ? _rig : GetComponentInParent<RobotRig>();
-            if (_source == null)
-            {
-                ConsoleLog.Warn(this, ComponentMessages.GripWithoutRig(name));
-                return;
-            }
             _title = "gripper " + name;
-            Follow(_source.Session);
+            _source = _rig != null ? _rig : GetComponentInParent<RobotRig>();
+            if (_source == null) ConsoleLog.Warn(this, ComponentMessages.GripWithoutRig(name));
+            // Without a rig, the session above lists this component, because what the gripper carries is unknown.
+            Follow(_source != null ? _source.Session : this.SessionOr(null));
         }
 
         void OnDisable() => Follow(null);
 
         void OnTransformParentChanged()
         {
-            if (!this.IsBelowAnotherRig(_rig, _source)) return;
+            if (!this.IsBelowAnotherRig(_rig, _source) && (_source != null || !this.IsBelowAnotherSession(null, _session))) return;
             OnDisable();
             OnEnable();
         }
@@ -107,10 +104,11 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
-            if (_session.Session == _followed && _source.Robot == _robot) return;
+            var robot = _source != null ? _source.Robot : null;
+            if (_session.Session == _followed && robot == _robot) return;
             Drop();
             _followed = _session.Session;
-            _robot = _source.Robot;
+            _robot = robot;
             if (_robot == null || _followed == null) return;
             var link = string.IsNullOrEmpty(_link) ? _robot.Robot.ToolLink.Name : _link;
             var index = _robot.Robot.IndexOfLink(link);

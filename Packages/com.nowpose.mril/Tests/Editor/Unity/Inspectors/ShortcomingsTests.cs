@@ -79,6 +79,36 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
+        public void PartOfARobot_BesideTheOnlyDisplayedRig_OffersThatRig()
+        {
+            var session = _scene.New<MrilSession>("Session").transform;
+            var rig = Rig(session);
+            Rig(session).With("_shows", RigPose.Held);
+            var parts = new Component[]
+            {
+                _scene.New<GripByReach>("Grip", session), _scene.New<PlannedPath>("Path", session), _scene.New<VirtualGripper>("Gripper", session),
+            };
+
+            foreach (var part in parts)
+            {
+                var shortcoming = Of(part).Single();
+                Assert.That((shortcoming.Message, shortcoming.FixLabel), Is.EqualTo((ShortcomingTexts.Rig, "Use 'Robot'")), part.name);
+                shortcoming.Fix();
+
+                Assert.That(part.Shown("_rig"), Is.SameAs(rig));
+                Assert.That(Of(part), Is.Empty, part.name);
+            }
+        }
+
+        [Test]
+        public void PartOfARobot_BelowARig_IsComplete()
+        {
+            var rig = Rig(_scene.New<MrilSession>("Session").transform).transform;
+
+            Assert.That(Of(_scene.New<GripByReach>("Grip", rig)).Concat(Of(_scene.New<PlannedPath>("Path", rig))), Is.Empty);
+        }
+
+        [Test]
         public void RenderTimeSource_OnTheSession_IsComplete()
         {
             var session = _scene.New<MrilSession>("Session");

@@ -1,0 +1,29 @@
+using System.Linq;
+using Nowpose.Unity;
+using UnityEngine;
+
+namespace Nowpose.Editor.Inspectors
+{
+    /// <summary>Finds the component that a reference needs, if there is only one to choose.</summary>
+    static class SceneSearch
+    {
+        /// <summary>Searches the scene or open prefab of a component for components of a type. Returns null unless there is exactly one.</summary>
+        public static T Only<T>(Component component) where T : Component =>
+            OnlyOf(component.gameObject.scene.GetRootGameObjects().SelectMany(All<T>).ToArray());
+
+        /// <summary>
+        /// Searches the scene or open prefab of a component for rigs that show the displayed pose. Returns null unless there is exactly one.
+        /// </summary>
+        public static RobotRig OnlyDisplayedRig(Component component) => OnlyDisplayed(component.gameObject.scene.GetRootGameObjects());
+
+        /// <summary>Searches below an object for rigs that show the displayed pose. Returns null unless there is exactly one.</summary>
+        public static RobotRig OnlyDisplayedRigBelow(GameObject above) => OnlyDisplayed(above);
+
+        static RobotRig OnlyDisplayed(params GameObject[] roots) =>
+            OnlyOf(roots.SelectMany(All<RobotRig>).Where(rig => rig.Shows == RigPose.Displayed).ToArray());
+
+        static T[] All<T>(GameObject root) => root.GetComponentsInChildren<T>(true);
+
+        static T OnlyOf<T>(T[] found) where T : class => found.Length == 1 ? found[0] : null;
+    }
+}
