@@ -18,6 +18,7 @@ namespace Nowpose.Editor
         public static PackageAsset RobotCellAny { get; } = new PackageAsset("Nowpose " + SetupTexts.AnyRobotCell, "e8eea288bb4c4da5985170c59761926b");
         public static PackageAsset VirtualGripper { get; } = new PackageAsset("Virtual Gripper", "176885fd79569bed07f075035b658bde");
         public static PackageAsset Hologram { get; } = new PackageAsset("Hologram", "9de0e70208da3b674b333cda9ee663db");
+        public static PackageAsset Timestamp { get; } = new PackageAsset("Timestamp", "aa83367800e25fa19364e7d18432dcc5");
         public static PackageAsset HologramShader { get; } = new PackageAsset("Hologram", "a80c51a6e93c28d02a1283edfb854dcd");
         public static PackageAsset DefaultSettings { get; } = new PackageAsset("Default Session Settings", "66b6686ca18f5802cb9aa8d01ead1a10");
 

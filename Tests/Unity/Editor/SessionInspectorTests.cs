@@ -78,6 +78,28 @@ public sealed class SessionInspectorTests : EditorFixture
     }
 
     [Test]
+    public void ComponentsAtTheSession_Playing_ShowTheirValues()
+    {
+        var session = _played.Cell.NewSession();
+        session.gameObject.AddComponent<SessionRecording>().With("_recordOnEnable", false);
+        session.gameObject.AddComponent<LoadSweep>();
+        session.gameObject.AddComponent<CellActions>().SetNudgeMs(2);
+        session.gameObject.AddComponent<TimestampDisplay>();
+        session.gameObject.SetActive(true);
+        _played.Play(session, 8);
+
+        foreach (var shown in new Component[]
+            { session.GetComponent<SessionRecording>(), session.GetComponent<LoadSweep>(), session.GetComponent<CellActions>() })
+            _played.Inspect(shown).OnInspectorGUI();
+        _played.Inspect(session.GetComponent<TimestampDisplay>()).OnInspectorGUI();
+
+        Assert.That(GuiRecorder.Texts, Does.Contain("State: " + InspectorTexts.NotRecording).And.Contain("Progress: –")
+            .And.Contain(InspectorTexts.NudgeOfVisu + ": 2.0 ms").And.Contain(InspectorTexts.ConnectionRequested + ": no"));
+        // The control clock is 300 s ahead of the headset clock, which starts at 1000 s.
+        Assert.That(GuiRecorder.Texts, Has.Exactly(1).StartsWith(InspectorTexts.ShownTime + ": 130"));
+    }
+
+    [Test]
     public void CellPairing_CodeOnTheClipboard_AsksAndAcceptsTheAnswer()
     {
         var session = _played.Cell.NewSession();

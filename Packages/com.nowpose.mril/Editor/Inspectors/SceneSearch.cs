@@ -1,5 +1,6 @@
 using System.Linq;
 using Nowpose.Unity;
+using UnityEditor;
 using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
@@ -8,19 +9,22 @@ namespace Nowpose.Editor.Inspectors
     static class SceneSearch
     {
         /// <summary>Searches the scene or open prefab of a component for components of a type. Returns null unless there is exactly one.</summary>
-        public static T Only<T>(Component component) where T : Component =>
-            OnlyOf(component.gameObject.scene.GetRootGameObjects().SelectMany(All<T>).ToArray());
+        public static T Only<T>(Component component) where T : Component => OnlyOf(RootsOf(component).SelectMany(All<T>).ToArray());
 
         /// <summary>
         /// Searches the scene or open prefab of a component for rigs that show the displayed pose. Returns null unless there is exactly one.
         /// </summary>
-        public static RobotRig OnlyDisplayedRig(Component component) => OnlyDisplayed(component.gameObject.scene.GetRootGameObjects());
+        public static RobotRig OnlyDisplayedRig(Component component) => OnlyDisplayed(RootsOf(component));
 
         /// <summary>Searches below an object for rigs that show the displayed pose. Returns null unless there is exactly one.</summary>
         public static RobotRig OnlyDisplayedRigBelow(GameObject above) => OnlyDisplayed(above);
 
         static RobotRig OnlyDisplayed(params GameObject[] roots) =>
             OnlyOf(roots.SelectMany(All<RobotRig>).Where(rig => rig.Shows == RigPose.Displayed).ToArray());
+
+        // A prefab asset is in no scene.
+        static GameObject[] RootsOf(Component component) =>
+            EditorUtility.IsPersistent(component) ? new[] { component.transform.root.gameObject } : component.gameObject.scene.GetRootGameObjects();
 
         static T[] All<T>(GameObject root) => root.GetComponentsInChildren<T>(true);
 

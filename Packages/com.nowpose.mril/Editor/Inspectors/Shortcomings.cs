@@ -15,44 +15,28 @@ namespace Nowpose.Editor.Inspectors
             new ReferenceRule(
                 typeof(MrilSession), "_settings", null, ShortcomingTexts.Settings,
                 _ => PackageAsset.DefaultSettings.Load<SessionSettingsAsset>()),
-            new ReferenceRule(
-                typeof(RobotRig), "_session", typeof(MrilSession),
-                ShortcomingTexts.RigSession, SceneSearch.Only<MrilSession>),
-            new ReferenceRule(
-                typeof(RenderTimeSource), "_session", typeof(MrilSession),
-                ShortcomingTexts.ReportSession, SceneSearch.Only<MrilSession>),
-            new ReferenceRule(
-                typeof(LatencyProfileLoader), "_session", typeof(MrilSession),
-                ShortcomingTexts.CalibratedSession, SceneSearch.Only<MrilSession>),
-            new ReferenceRule(
-                typeof(LatencyNudge), "_session", typeof(MrilSession),
-                ShortcomingTexts.CalibratedSession, SceneSearch.Only<MrilSession>),
-            new ReferenceRule(
-                typeof(CellPairing), "_session", typeof(MrilSession),
-                ShortcomingTexts.PairedSession, SceneSearch.Only<MrilSession>),
-            new ReferenceRule(
-                typeof(PoseAppearance), "_session", typeof(MrilSession),
-                ShortcomingTexts.ShownSession, SceneSearch.Only<MrilSession>),
+            SessionRule<RobotRig>(ShortcomingTexts.RigSession), SessionRule<RenderTimeSource>(ShortcomingTexts.ReportSession),
+            SessionRule<LatencyProfileLoader>(ShortcomingTexts.CalibratedSession), SessionRule<LatencyNudge>(ShortcomingTexts.CalibratedSession),
+            SessionRule<CellPairing>(ShortcomingTexts.PairedSession), SessionRule<PoseAppearance>(ShortcomingTexts.ShownSession),
+            SessionRule<StatusPanel>(ShortcomingTexts.StatusSession), SessionRule<TrackedObject>(ShortcomingTexts.ObjectSession),
+            SessionRule<StationaryObject>(ShortcomingTexts.ObjectSession), SessionRule<CellSignal>(ShortcomingTexts.SignalSession),
+            SessionRule<ActuatedPart>(ShortcomingTexts.SignalSession), SessionRule<SessionRecording>(ShortcomingTexts.RecordedSession),
+            SessionRule<LoadSweep>(ShortcomingTexts.FramesSession), SessionRule<TimestampDisplay>(ShortcomingTexts.FramesSession),
+            SessionRule<CellActions>(ShortcomingTexts.ActionsSession),
+            RigRule<VirtualGripper>(), RigRule<GripByReach>(), RigRule<PlannedPath>(),
             new ReferenceRule(
                 typeof(PoseAppearance), "_substitute", null,
                 ShortcomingTexts.Substitute,
                 _ => PackageAsset.Hologram.Load<Material>(), appearance => ((PoseAppearance)appearance).NeedsSubstitute),
             new ReferenceRule(
-                typeof(StatusPanel), "_session", typeof(MrilSession),
-                ShortcomingTexts.StatusSession, SceneSearch.Only<MrilSession>),
-            new ReferenceRule(
                 typeof(StatusPanel), "_cell", null,
                 ShortcomingTexts.PanelText,
                 panel => panel.GetComponentInChildren<TextMesh>(true)),
             new ReferenceRule(
-                typeof(VirtualGripper), "_rig", typeof(RobotRig),
-                ShortcomingTexts.Rig, SceneSearch.OnlyDisplayedRig),
+                typeof(TimestampDisplay), "_light", null, ShortcomingTexts.Light, _ => PackageAsset.Timestamp.Load<Material>()),
             new ReferenceRule(
-                typeof(GripByReach), "_rig", typeof(RobotRig),
-                ShortcomingTexts.Rig, SceneSearch.OnlyDisplayedRig),
-            new ReferenceRule(
-                typeof(PlannedPath), "_rig", typeof(RobotRig),
-                ShortcomingTexts.Rig, SceneSearch.OnlyDisplayedRig),
+                typeof(LoadSweep), "_load", null, ShortcomingTexts.Load, SceneSearch.Only<LoadGenerator>,
+                sweep => sweep.GetComponentInChildren<LoadGenerator>(true) == null),
             new AppearanceRule(),
         };
 
@@ -73,5 +57,11 @@ namespace Nowpose.Editor.Inspectors
             }
             return found;
         }
+
+        static ReferenceRule SessionRule<T>(string message) where T : Component =>
+            new ReferenceRule(typeof(T), "_session", typeof(MrilSession), message, SceneSearch.Only<MrilSession>);
+
+        static ReferenceRule RigRule<T>() where T : Component =>
+            new ReferenceRule(typeof(T), "_rig", typeof(RobotRig), ShortcomingTexts.Rig, SceneSearch.OnlyDisplayedRig);
     }
 }

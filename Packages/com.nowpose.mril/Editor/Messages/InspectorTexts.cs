@@ -40,6 +40,10 @@ namespace Nowpose.Editor.Messages
         public const string ShiftedBy = "Shifted by";
         public const string EndToEnd = "End to end";
         public const string MovingJoints = "Moving joints";
+        public const string NotRecording = "not recording";
+        public const string ShownTime = "Displayed control time";
+        public const string ConnectionRequested = "Connection requested";
+        public const string NudgeOfVisu = "Nudge of L_visu";
         public const string RestartSession = "Restart session";
         public const string LoadUrdf = "Load a URDF file …";
         public const string LoadUrdfTitle = "Load a URDF file (expand xacro files first)";

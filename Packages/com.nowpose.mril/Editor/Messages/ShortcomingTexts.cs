@@ -10,6 +10,14 @@ namespace Nowpose.Editor.Messages
         public const string PairedSession = "This object and its parents have no session. Assign the session to set up.";
         public const string ShownSession = "This object and its parents have no session. Assign the session whose pose is shown.";
 
+        public const string ObjectSession = "This object and its parents have no session. Assign the session that receives the object's frame.";
+        public const string SignalSession = "This object and its parents have no session. Assign the session that receives the signal.";
+        public const string RecordedSession = "This object and its parents have no session. Assign the session to record.";
+        public const string FramesSession = "This object and its parents have no session. Assign the session whose frames are used.";
+        public const string ActionsSession = "This object and its parents have no session. Assign the session of the cell.";
+        public const string Load = "This object and its children have no load generator. Assign one.";
+        public const string Light = "It has no material for the lit squares. Assign a bright, unlit one.";
+
         public const string Substitute =
             "Some parts have materials that cannot fade, because their shaders lack _Hatch or _Fade. They are hidden while the pose is not "
             + "current. Assign a substitute, or add NowposePose.hlsl to their shaders.";

@@ -1,0 +1,69 @@
+using Nowpose.Editor.Inspectors;
+using Nowpose.Editor.Messages;
+using Nowpose.Unity.Tests.Manual;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Editor;
+
+/// <summary>Tests that the inspectors report the references that components lack.</summary>
+public sealed class MissingAssignmentTests : EditorFixture
+{
+    // Components that need the session or the rig above them, if none is assigned.
+    static IEnumerable<Type> Dependent => InspectedType.All.Where(type => type.Assembly == typeof(MrilSession).Assembly && new InspectedType(type).Fields.Any(
+        shown => (shown.Type == typeof(MrilSession) || shown.Type == typeof(RobotRig)) && shown.Tooltip.EndsWith(" a parent.", StringComparison.Ordinal)));
+
+    [TestCaseSource(nameof(Dependent))]
+    public void Inspector_ComponentAlone_ReportsWhatItNeedsOnAParent(Type component)
+    {
+        var alone = Inspect(Keep(new GameObject("alone")).AddComponent(component));
+        alone.OnInspectorGUI();
+
+        Assert.That(alone, Is.InstanceOf<LiveInspector>());
+        Assert.That(GuiRecorder.Texts, Has.Some.Matches<string>(IsReport));
+
+        GuiRecorder.Clear();
+        var cell = Keep(new GameObject("cell"));
+        cell.AddComponent<MrilSession>();
+        var robot = new GameObject("robot");
+        robot.transform.SetParent(cell.transform);
+        if (component != typeof(RobotRig)) robot.AddComponent<RobotRig>();
+        Inspect(robot.AddComponent(component)).OnInspectorGUI();
+
+        Assert.That(GuiRecorder.Texts, Has.None.Matches<string>(IsReport));
+    }
+
+    static bool IsReport(string text) => text == ShortcomingTexts.Rig || text.Contains(OfSessions, StringComparison.Ordinal);
+
+    static string OfSessions => ShortcomingTexts.RigSession[..ShortcomingTexts.RigSession.IndexOf('.', StringComparison.Ordinal)];
+
+    [Test]
+    public void Inspector_TimestampDisplayWithoutMaterial_AssignsThePackagesMaterial()
+    {
+        var session = Keep(new GameObject("cell")).AddComponent<MrilSession>();
+        var display = session.gameObject.AddComponent<TimestampDisplay>();
+        var light = Keep(new Material((Shader)null));
+        Project.PutAs(Nowpose.Editor.PackageAsset.Timestamp.Guid, "Timestamp.mat", light);
+
+        Shortcomings.Of([display]).Single(missing => missing.Message == ShortcomingTexts.Light).Fix();
+
+        Assert.That(Shortcomings.Of([display]), Is.Empty);
+    }
+
+    [Test]
+    public void Inspector_LoadSweepWithoutGenerator_OffersTheOnlyOne()
+    {
+        var session = Keep(new GameObject("cell")).AddComponent<MrilSession>();
+        var sweep = session.gameObject.AddComponent<LoadSweep>();
+        Keep(new GameObject("load")).AddComponent<LoadGenerator>();
+
+        var missing = Shortcomings.Of([sweep]).Single();
+
+        Assert.That((missing.Message, missing.FixLabel), Is.EqualTo((ShortcomingTexts.Load, InspectorTexts.Use("load"))));
+        missing.Fix();
+        Assert.That(Shortcomings.Of([sweep]), Is.Empty);
+    }
+
+    UnityEditor.Editor Inspect(Component component) => Keep(UnityEditor.Editor.CreateEditor(component));
+}
