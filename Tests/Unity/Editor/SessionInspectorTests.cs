@@ -46,6 +46,21 @@ public sealed class SessionInspectorTests : EditorFixture
     }
 
     [Test]
+    public void Session_PartNotCurrent_ShowsItsRowsOfTheStatusPanel()
+    {
+        var session = _played.Cell.Play();
+        PlayedInspectors.Below<TrackedObject>(session);
+        var editor = _played.Inspect(session);
+        _played.Play(session, 1);
+
+        editor.OnInspectorGUI();
+
+        Assert.That(GuiRecorder.Texts, Does.Contain("Objects: " + StatusMessages.NotCurrent(1)));
+        Assert.That(GuiRecorder.Texts, Has.Exactly(1).Contains("! object"));
+        Assert.That(GuiRecorder.Texts, Has.None.EqualTo(": "), "rows without a part take no space");
+    }
+
+    [Test]
     public void LatencyNudge_Playing_ShowsSpeedShiftAndMarks()
     {
         var session = _played.Cell.NewSession();

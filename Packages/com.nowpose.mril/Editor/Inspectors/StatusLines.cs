@@ -10,7 +10,7 @@ namespace Nowpose.Editor.Inspectors
         public static void Draw(StatusTexts texts)
         {
             for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
-                EditorGUILayout.LabelField(texts.LabelOf(row), Joined(texts.ValueOf(row), texts.NoteOf(row)));
+                if (texts.IsShown(row)) EditorGUILayout.LabelField(texts.LabelOf(row), Joined(texts.ValueOf(row), texts.NoteOf(row)));
             if (texts.ValueOf(StatusRow.Message).Length > 0) EditorGUILayout.HelpBox(texts.ValueOf(StatusRow.Message), MessageType.Warning);
         }
 
