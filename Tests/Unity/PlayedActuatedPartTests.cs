@@ -83,6 +83,38 @@ public class PlayedActuatedPartTests : PlayedParts
         Assert.That(IsHatched(moved), Is.False, "a disabled part follows no signal");
     }
 
+    [Test]
+    public void ActuatedPart_WithAnAppearanceOfItsOwn_DoesNotDependOnTheRobot()
+    {
+        var jaw = Below<ActuatedPart>("jaw", _session.transform);
+        var part = Rendering.PlayedAppearance.Part("moved", jaw.transform);
+        var appearance = jaw.gameObject.AddComponent<PoseAppearance>();
+        _cell.IsPlantUp = false;
+        Run(1);
+        SendSignal("jaw", _cell.Now - 1, 1);
+        Run(0.5);
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Incomplete), "the robot has no samples");
+        Assert.That((IsHatched(part), part.forceRenderingOff, appearance.Look.Label), Is.EqualTo((false, false, "")));
+
+        _session.Session.Listener.SignalStatusReceived(
+            new JointStatusMessage([new JointReport("jaw", JointDataState.Stale, At(0), "its source ended")]), HeadsetTime.FromSeconds(1000));
+        Run(0.1);
+        Assert.That((IsHatched(part), appearance.Look.Label), Is.EqualTo((true, ObjectMessages.SignalNotCurrent)));
+    }
+
+    [Test]
+    public void ActuatedPart_TimeNotKnown_LooksUnsynchronised()
+    {
+        var jaw = Below<ActuatedPart>("jaw", _session.transform);
+        var part = Rendering.PlayedAppearance.Part("moved", jaw.transform);
+        var appearance = jaw.gameObject.AddComponent<PoseAppearance>();
+        _cell.IsSyncUp = false;
+        Run(1);
+
+        Assert.That(IsHatched(part));
+        Assert.That(appearance.Look.Label, Does.StartWith(PoseMessages.Of(PoseState.Unsynchronised)));
+    }
+
     // A signal with the opening in millimetres would keep the jaw at its end.
     [TestCase(1.005, false)]
     [TestCase(42, true)]

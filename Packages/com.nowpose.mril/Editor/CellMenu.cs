@@ -42,16 +42,16 @@ namespace Nowpose.Editor
         static void VirtualGripper(MenuCommand command) => PlaceOnce(PackageAsset.VirtualGripper, command);
 
         [MenuItem(Folder + "Tracked Object", false, Priority)]
-        static void TrackedObject(MenuCommand command) => CreateOnce<TrackedObject>("Tracked Object", command);
+        static void TrackedObject(MenuCommand command) => CreateOnce<TrackedObject>("Tracked Object", command, AddAppearance);
 
         [MenuItem(Folder + "Stationary Object", false, Priority)]
-        static void StationaryObject(MenuCommand command) => CreateOnce<StationaryObject>("Stationary Object", command);
+        static void StationaryObject(MenuCommand command) => CreateOnce<StationaryObject>("Stationary Object", command, AddAppearance);
 
         [MenuItem(Folder + "Signal", false, Priority)]
-        static void Signal(MenuCommand command) => CreateOnce<CellSignal>("Signal", command);
+        static void Signal(MenuCommand command) => CreateOnce<CellSignal>("Signal", command, AddAppearance);
 
         [MenuItem(Folder + "Actuated Part", false, Priority)]
-        static void ActuatedPart(MenuCommand command) => CreateOnce<ActuatedPart>("Actuated Part", command);
+        static void ActuatedPart(MenuCommand command) => CreateOnce<ActuatedPart>("Actuated Part", command, AddAppearance);
 
         [MenuItem(Folder + "Grip by Reach", false, Priority)]
         static void GripByReach(MenuCommand command) => CreateOnce<GripByReach>("Grip by Reach", command, parentFor: RigFor);
@@ -87,8 +87,15 @@ namespace Nowpose.Editor
             if (!IsOnce(command)) return;
             var selected = command.context as GameObject;
             var made = new GameObject(name).AddComponent<T>();
-            setUp?.Invoke(made);
-            Put(made.gameObject, parentFor == null ? selected : parentFor(selected));
+            Put(made.gameObject, parentFor == null ? selected : parentFor(selected), () => setUp?.Invoke(made));
+        }
+
+        // What is not current must look different. An appearance above the object also applies to it.
+        static void AddAppearance(MonoBehaviour made)
+        {
+            if (made.TryGetComponent<PoseAppearance>(out var required)) AppearanceRule.Complete(required);
+            else if (made.gameObject.GetComponentInParent<PoseAppearance>(true) == null)
+                AppearanceRule.Complete(made.gameObject.AddComponent<PoseAppearance>());
         }
 
         // A component that needs a rig searches for it on its parents, so its object must not be beside the robot.
@@ -114,10 +121,12 @@ namespace Nowpose.Editor
             return Put((GameObject)PrefabUtility.InstantiatePrefab(asset), command.context as GameObject);
         }
 
-        static GameObject Put(GameObject instance, GameObject parent)
+        /// <param name="setUp">Completes the instance when it has its parent; null if it is complete.</param>
+        static GameObject Put(GameObject instance, GameObject parent, Action setUp = null)
         {
             StageUtility.PlaceGameObjectInCurrentStage(instance);
             GameObjectUtility.SetParentAndAlign(instance, parent);
+            setUp?.Invoke();
             Undo.RegisterCreatedObjectUndo(instance, "Create " + instance.name);
             Selection.activeObject = instance;
             return instance;

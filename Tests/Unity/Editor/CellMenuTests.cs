@@ -47,6 +47,25 @@ public sealed class CellMenuTests : EditorFixture
         Assert.That(Undo.Created, Is.EqualTo(new[] { made }));
     }
 
+    [TestCase("Tracked Object", false)]
+    [TestCase("Stationary Object", false)]
+    [TestCase("Signal", false)]
+    [TestCase("Signal", true)]
+    [TestCase("Actuated Part", false)]
+    [TestCase("Actuated Part", true)]
+    public void MenuItem_ForAPartOfACell_HasOnePoseAppearanceThatCanMarkEachMaterial(string item, bool isAbove)
+    {
+        var hologram = Keep(new Material((Shader)null));
+        Project.PutAs(PackageAsset.Hologram.Guid, "Hologram.mat", hologram);
+        var above = Keep(new GameObject("above"));
+        if (isAbove) above.AddComponent<PoseAppearance>();
+
+        var made = MadeBelow(above, item);
+
+        Assert.That(made.GetComponentsInParent<PoseAppearance>(true), Has.Length.EqualTo(1));
+        if (!isAbove) Assert.That(made.GetComponent<PoseAppearance>().Substitute, Is.SameAs(hologram));
+    }
+
     [TestCase("Grip by Reach", 1)]
     [TestCase("Grip by Reach", 2)]
     [TestCase("Planned Path", 1)]

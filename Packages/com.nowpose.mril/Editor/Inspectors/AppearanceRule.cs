@@ -6,32 +6,42 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Rule that a robot moved by a session has a Pose Appearance, so that a pose that is not current looks different.</summary>
+    /// <summary>
+    /// Rule that a robot moved by a session, and the parts that a signal moves or switches, have a Pose Appearance, so that they look different while
+    /// the pose or the signal is not current.
+    /// </summary>
     sealed class AppearanceRule : IShortcomingRule
     {
         public bool IsBrokenBy(Component component) =>
-            component is RobotRig && !EditorUtility.IsPersistent(component) && !IsBelow<PoseAppearance>(component) && HasSession(component);
+            (component is RobotRig || IsOfSignal(component) && IsDrawn(component))
+            && !EditorUtility.IsPersistent(component) && !IsBelow<PoseAppearance>(component) && HasSession(component);
 
-        public Shortcoming Shortcoming(Component component) =>
-            new Shortcoming(ShortcomingTexts.Appearance, InspectorTexts.AddAppearance, Add);
+        public Shortcoming Shortcoming(Component component) => new Shortcoming(
+            component is RobotRig ? ShortcomingTexts.Appearance : ShortcomingTexts.SignalAppearance, InspectorTexts.AddAppearance, Add);
 
-        // Materials of imported models cannot fade, so the parts need a substitute.
-        static void Add(Object[] rigs)
+        /// <summary>Sets the substitute of a new Pose Appearance, because the materials of imported models cannot fade.</summary>
+        public static void Complete(PoseAppearance added)
         {
-            foreach (var rig in rigs)
-            {
-                var added = Undo.AddComponent<PoseAppearance>(((Component)rig).gameObject);
-                added.Substitute = PackageAsset.Hologram.Load<Material>();
-                added.Refresh();
-            }
+            added.Substitute = PackageAsset.Hologram.Load<Material>();
+            added.Refresh();
         }
 
-        static bool HasSession(Component rig)
+        static void Add(Object[] components)
         {
-            using (var serialised = new SerializedObject(rig))
-                return serialised.FindProperty("_session").objectReferenceValue != null || IsBelow<MrilSession>(rig);
+            foreach (var component in components) Complete(Undo.AddComponent<PoseAppearance>(((Component)component).gameObject));
         }
 
-        static bool IsBelow<T>(Component rig) where T : Component => rig.gameObject.GetComponentInParent<T>(true) != null;
+        static bool IsOfSignal(Component component) => component is CellSignal || component is ActuatedPart;
+
+        // A signal may only raise events for objects elsewhere.
+        static bool IsDrawn(Component component) => component.GetComponentInChildren<Renderer>(true) != null;
+
+        static bool HasSession(Component component)
+        {
+            using (var serialised = new SerializedObject(component))
+                return serialised.FindProperty("_session").objectReferenceValue != null || IsBelow<MrilSession>(component);
+        }
+
+        static bool IsBelow<T>(Component component) where T : Component => component.gameObject.GetComponentInParent<T>(true) != null;
     }
 }

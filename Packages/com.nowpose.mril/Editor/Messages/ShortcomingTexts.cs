@@ -30,6 +30,9 @@ namespace Nowpose.Editor.Messages
         public const string Appearance =
             "This object and its parents have no Pose Appearance, so the robot looks the same while its pose is not current. Add one.";
 
+        public const string SignalAppearance =
+            "This object and its parents have no Pose Appearance, so the parts look the same while the signal is not current. Add one.";
+
         public const string Rig = "Its parents have no rig. Move the object below a rig, or assign a rig.";
     }
 }

@@ -23,7 +23,8 @@ namespace Nowpose.Unity.Rendering
         public bool IsUnplaced { get; }
 
         /// <summary>
-        /// Returns the state of the nearest object, rig or gripper at or above a transform; if there is none, that of the session's own robot.
+        /// Returns the state of the nearest object, rig or gripper at or above a transform. If there is none, returns that of the session's own robot;
+        /// for an object with a signal or actuated part, which no robot moves, returns that of the display time.
         /// </summary>
         public static PlacedState Of(Transform parts, DisplayFrame frame, MrilSession source)
         {
@@ -32,7 +33,7 @@ namespace Nowpose.Unity.Rendering
                 if (RigAt(at) is RobotRig rig) return Of(rig, frame);
                 if (at.TryGetComponent<ICellObject>(out var shown)) return Of(shown);
             }
-            return new PlacedState(source.StateIn(frame));
+            return new PlacedState(IsOfSignal(parts) && source.Session != null ? source.Session.Frames.StateOfTime : source.StateIn(frame));
         }
 
         /// <summary>Returns the nearest object, rig or gripper at or above a part and below the root; the root if there is none.</summary>
@@ -42,6 +43,8 @@ namespace Nowpose.Unity.Rendering
                 if (RigAt(at) != null || at.TryGetComponent<ICellObject>(out _)) return at;
             return root;
         }
+
+        static bool IsOfSignal(Transform parts) => parts.TryGetComponent<CellSignal>(out _) || parts.TryGetComponent<ActuatedPart>(out _);
 
         // A gripper moves with its rig, which may be elsewhere in the hierarchy.
         static RobotRig RigAt(Transform at)

@@ -107,6 +107,9 @@ namespace Nowpose.Session.Cell
         /// <param name="frame">A frame of <see cref="Tree"/>; null for an unknown frame.</param>
         public PoseState StateOf(CellFrame frame) => PoseStateRule.Of(_moment, frame);
 
+        /// <summary>State of a part of the scene that has no pose of its own, such as one that a signal switches: only the display time limits it.</summary>
+        public PoseState StateOfTime => PoseStateRule.Of(_moment, isIncomplete: false, isHeld: false);
+
         /// <summary>Whether poses of tracked frames wait until the control time is known.</summary>
         public bool IsWaitingForClock => !_moment.Clock.IsKnown;
 

@@ -109,6 +109,33 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
+        public void PartsOfASignal_WithoutAppearance_OfferOne()
+        {
+            var session = _scene.New<MrilSession>("Session").transform;
+            foreach (var driver in new Component[] { _scene.New<ActuatedPart>("Jaw", session), _scene.New<CellSignal>("Lamp", session) })
+            {
+                Assert.That(Of(driver), Is.Empty, "nothing is drawn");
+                _scene.New<MeshRenderer>("Drawn", driver.transform);
+                var shortcoming = Of(driver).Single();
+                Assert.That(shortcoming.Message, Is.EqualTo(ShortcomingTexts.SignalAppearance), driver.name);
+                shortcoming.Fix();
+
+                Assert.That(Of(driver), Is.Empty);
+                Assert.That(driver.GetComponent<PoseAppearance>().Shown("_substitute"), Is.Not.Null);
+            }
+        }
+
+        [Test]
+        public void PartsOfASignal_BelowAnAppearance_AreComplete()
+        {
+            var above = _scene.New<PoseAppearance>("Conveyor", _scene.New<MrilSession>("Session").transform).transform;
+            var part = _scene.New<ActuatedPart>("Stop", above);
+            _scene.New<MeshRenderer>("Drawn", part.transform);
+
+            Assert.That(Of(part), Is.Empty);
+        }
+
+        [Test]
         public void RenderTimeSource_OnTheSession_IsComplete()
         {
             var session = _scene.New<MrilSession>("Session");
