@@ -34,6 +34,7 @@ public sealed class InspectorTests : EditorFixture
 
         Assert.That(GuiRecorder.Texts, Does.Contain("arm_joint_1: 90.0°"));
         Assert.That(GuiRecorder.Texts, Does.Contain("gripper_finger_joint_l: 11.5 mm"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("State: current"));
     }
 
     [Test]

@@ -38,6 +38,7 @@ namespace Nowpose.Editor.Inspectors
                 typeof(LoadSweep), "_load", null, ShortcomingTexts.Load, SceneSearch.Only<LoadGenerator>,
                 sweep => sweep.GetComponentInChildren<LoadGenerator>(true) == null),
             new AppearanceRule(),
+            new SameRobotRule(),
         };
 
         /// <summary>Returns the problems of components. A problem of several components is returned only once.</summary>

@@ -33,6 +33,9 @@ namespace Nowpose.Editor.Messages
         public const string SignalAppearance =
             "This object and its parents have no Pose Appearance, so the parts look the same while the signal is not current. Add one.";
 
+        /// <param name="rig">Name of the other rig.</param>
+        public static string SameRobot(string rig) => $"'{rig}' displays the same robot. If this is another robot, enter its Robot Namespace.";
+
         public const string Rig = "Its parents have no rig. Move the object below a rig, or assign a rig.";
     }
 }

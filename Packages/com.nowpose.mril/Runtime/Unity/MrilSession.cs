@@ -57,8 +57,9 @@ namespace Nowpose.Unity
         readonly SessionWatch _watch = new SessionWatch();
         readonly FrameStatistics _statistics = new FrameStatistics();
 
-        /// <summary>The objects and signals of the cell that components show in this session.</summary>
+        /// <summary>The objects and signals of the cell that components show in this session, and the robots that rigs show.</summary>
         internal readonly ShownParts Parts = new ShownParts();
+        internal readonly RigRobots Robots = new RigRobots();
         readonly DeviceWatch _device = new DeviceWatch();
         readonly KeptDisplay _display = new KeptDisplay();
         readonly Listeners<Action<DisplayFrame>> _computed = new Listeners<Action<DisplayFrame>>(), _shown = new Listeners<Action<DisplayFrame>>();

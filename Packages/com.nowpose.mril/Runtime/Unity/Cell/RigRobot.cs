@@ -22,6 +22,7 @@ namespace Nowpose.Unity.Cell
         Transform _world;
         CompensationSession _session;
         SessionRobot _robot;
+        string _sameRobot;
 
         /// <param name="name">Namespace of the robot; empty for the session's own robot.</param>
         /// <param name="description">Description of a robot in a namespace; not used for the session's own robot.</param>
@@ -30,13 +31,20 @@ namespace Nowpose.Unity.Cell
         public RigRobot(RobotRig rig, string name, RobotDescriptionAsset description, MrilSession source)
         {
             _source = source;
-            Title = "robot " + name;
+            Title = "robot " + (name.Length == 0 ? rig.name : name);
             _rig = rig;
             FindWorld();
             _name = name;
             _description = description;
+            source.Robots.Add(this);
             if (IsListed) source.Parts.Add(this);
         }
+
+        /// <summary>Namespace of the robot; empty for the session's own robot.</summary>
+        public string Namespace => _name;
+
+        /// <summary>Whether the rig shows the pose at the display time, and not the newest samples for comparison.</summary>
+        public bool IsDisplayed => _rig.Shows == RigPose.Displayed;
 
         public string Title { get; }
 
@@ -46,8 +54,8 @@ namespace Nowpose.Unity.Cell
             {
                 if (_session != null && HasEnded) return StatusMessages.NoSession;
                 if (_robot == null) return _session == null ? StatusMessages.NoSession : StatusMessages.RobotNotAdded;
-                return FaultOf(_robot.Frame)
-                    ?? (StatisticsOf(_source.Statistics) is RobotStatistics robot ? FaultOf(robot) : StatusMessages.ReasonOf(_robot.Frame.State));
+                return FaultOf(_robot.Frame) ?? (IsSecond ? _sameRobot : null)
+                    ?? (StatisticsOf(_source.Statistics) is RobotStatistics robot ? FaultOf(robot) : ReasonOf(_robot.Frame.State));
             }
         }
 
@@ -72,9 +80,11 @@ namespace Nowpose.Unity.Cell
             ? StatusMessages.ReasonOf(frame.State, frame.IsLimitedByBase) : null;
 
         string FaultOf(RobotStatistics robot) => _missingJoints.Of(robot.JointStatuses, robot.Samples)
-            ?? (robot.Pose != PoseState.Current ? StatusMessages.ReasonOf(robot.Pose) : null)
+            ?? ReasonOf(robot.Pose)
             ?? robot.BeyondLimits?.Words
             ?? (robot.DescriptionMatch == RobotDescriptionMatch.Different ? RobotMessages.DescriptionDiffers : null);
+
+        static string ReasonOf(PoseState state) => state == PoseState.Current ? null : StatusMessages.ReasonOf(state);
 
         RobotStatistics StatisticsOf(SessionStatistics session)
         {
@@ -84,9 +94,12 @@ namespace Nowpose.Unity.Cell
         }
 
         // A rig that shows the newest samples for comparison is not listed, because its pose is never current.
-        bool IsListed => !IsOwn && _rig.Shows == RigPose.Displayed;
+        bool IsListed => !IsOwn && IsDisplayed;
 
-        bool IsOwn => string.IsNullOrEmpty(_name);
+        // Whether another rig shows the same robot. It is then probably the wrong one for this rig.
+        bool IsSecond => _sameRobot != null && _source.Robots.FirstDisplayed(_name) != this;
+
+        bool IsOwn => _name.Length == 0;
 
         /// <summary>Model of the robot; null while it is unknown.</summary>
         public RobotModel Model => IsOwn ? _source.Robot : _robot?.Robot;
@@ -110,6 +123,7 @@ namespace Nowpose.Unity.Cell
             {
                 _session = session;
                 _robot = IsOwn ? session.Robots[0] : Add(session);
+                CompareWithOthers();
             }
             if (IsListed && _robot != null) _robot.IsShown = true;
             return IsOwn ? frame : _robot?.Frame;
@@ -122,6 +136,7 @@ namespace Nowpose.Unity.Cell
         public void Leave()
         {
             _source.Parts.Remove(this);
+            _source.Robots.Remove(this);
             if (IsListed && _robot != null) _robot.IsShown = false;
         }
 
@@ -133,6 +148,15 @@ namespace Nowpose.Unity.Cell
             var tree = _session.Frames.Tree;
             _rig.transform.PlaceIn(_world, _rig.Shows == RigPose.Held ? tree.HeldOf(tree.IndexOf(_robot.Root)) : _robot.RootPose);
             return true;
+        }
+
+        // Runs in the first frame, because a script may set the namespace after it has added the rig.
+        void CompareWithOthers()
+        {
+            if (!IsDisplayed || _sameRobot != null || !(_source.Robots.FirstDisplayed(_name) is RigRobot first) || first == this) return;
+            _sameRobot = RigMessages.SameRobot(first._rig.name);
+            ConsoleLog.Warn(_rig, ComponentMessages.Of("rig", _rig.name, _sameRobot));
+            if (IsOwn) _source.Parts.Add(this);
         }
 
         SessionRobot Add(CompensationSession session)

@@ -6,6 +6,9 @@ namespace Nowpose.Unity.Messages
         public static string NoDescription(string robot, string rig) =>
             $"robot namespace '{robot}': it has no robot description; assign a Robot Description to the rig '{rig}'";
 
+        /// <param name="rig">Name of the other rig.</param>
+        public static string SameRobot(string rig) => $"same robot as the rig '{rig}'; enter the Robot Namespace of the other robot";
+
         public static string NoRootLink(string robot, string rig, string root, string drawn) =>
             $"robot '{robot}': no object below '{rig}' has the name of its root link '{root}', but '{drawn}' is drawn there; name an object "
             + $"after each link of the URDF, or remove '{drawn}' so that the rig builds the robot";

@@ -69,6 +69,20 @@ namespace Nowpose.Tests.Unity.Inspectors
             Assert.That(Of(Rig()).Single().FixLabel, Is.Null);
         }
 
+        [TestCase("", RigPose.Displayed, true)]
+        [TestCase("arm2", RigPose.Displayed, false)]
+        [TestCase("", RigPose.Held, false)]
+        public void Rigs_OfOneSession_AreReportedIfTheyDisplayTheSameRobot(string robot, RigPose shows, bool isReported)
+        {
+            var session = _scene.New<MrilSession>("Session").transform;
+            RobotRig one = Rig(session), two = Rig(session).With("_robotNamespace", robot).With("_shows", shows);
+            Rig(_scene.New<MrilSession>("Another").transform);
+            one.name = "One";
+
+            Assert.That(Of(two).Select(each => each.Message), Is.EqualTo(isReported ? new[] { ShortcomingTexts.SameRobot("One") } : System.Array.Empty<string>()));
+            Assert.That(Of(one).Length, Is.EqualTo(isReported ? 1 : 0));
+        }
+
         [Test]
         public void Gripper_BesideTheOnlyRig_OffersThatRig()
         {
@@ -177,7 +191,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         {
             var session = _scene.New<MrilSession>("Session");
             var below = Rig(session.transform);
-            RobotRig one = Rig(), two = Rig();
+            RobotRig one = Rig().With("_robotNamespace", "arm2"), two = Rig().With("_robotNamespace", "arm3");
 
             Shortcomings.Of(new Object[] { below, one, two }).Single().Fix();
 
