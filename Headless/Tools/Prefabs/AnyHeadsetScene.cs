@@ -10,7 +10,7 @@ static class AnyHeadsetScene
 {
     const string Right = "<XRController>{RightHand}/", Left = "<XRController>{LeftHand}/";
 
-    const float NudgeMs = 1, OpacityStep = 0.1f;
+    const float NudgeMs = 1, OpacityStep = 0.1f, ShiftStepMm = 1;
 
     /// <summary>Initial position of the base: in front of the user, at table height if the user stands.</summary>
     internal static readonly Vector3 BasePlace = new(0, -0.6f, 1.2f);
@@ -68,6 +68,17 @@ static class AnyHeadsetScene
         Step(actions, buttons, nameof(CellActions.ChangeNudgeMs), -NudgeMs, Right + "{Primary2DAxis}/left", "<Keyboard>/leftArrow");
         Step(actions, buttons, nameof(CellActions.ChangeOpacity), OpacityStep, Right + "{Primary2DAxis}/up", "<Keyboard>/upArrow");
         Step(actions, buttons, nameof(CellActions.ChangeOpacity), -OpacityStep, Right + "{Primary2DAxis}/down", "<Keyboard>/downArrow");
+        AddCalibration(actions, buttons);
+    }
+
+    // Calls for the calibration by eye.
+    static void AddCalibration(CellActions actions, GameObject buttons)
+    {
+        Step(actions, buttons, nameof(CellActions.ChangeShiftMm), ShiftStepMm, Left + "{Primary2DAxis}/right", "<Keyboard>/k");
+        Step(actions, buttons, nameof(CellActions.ChangeShiftMm), -ShiftStepMm, Left + "{Primary2DAxis}/left", "<Keyboard>/j");
+        Button(actions, buttons, nameof(CellActions.AddMark), Left + "{Primary2DAxisClick}", "<Keyboard>/m");
+        Button(actions, buttons, nameof(CellActions.ApplyMarks), Left + "{GripButton}", "<Keyboard>/enter");
+        Button(actions, buttons, nameof(CellActions.ClearMarks), Left + "{TriggerButton}", "<Keyboard>/backspace");
     }
 
     static void Button(CellActions actions, GameObject buttons, string method, params string[] paths) =>

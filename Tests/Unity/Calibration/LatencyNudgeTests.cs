@@ -119,6 +119,9 @@ public sealed class LatencyNudgeTests
         Assert.That((found[1], found[2]), Is.EqualTo((2.8, 4)), "spread in ms and number of marks");
         Assert.That(found[3], Is.EqualTo(3).Within(0.21), "offset in mm");
         Assert.That(_nudge.OffsetMm, Is.EqualTo(0));
+        Assert.That(_nudge.Progress, Is.EqualTo(_nudge.Report), "for the status panel");
+        _nudge.Clear();
+        Assert.That(_nudge.Progress, Is.Null);
         var kept = LatencyProfileFile.Load(Path.Combine(_folder, "latency-profile.json"));
         Assert.That(kept.Method, Is.EqualTo(CalibrationMethod.Nudge));
         Assert.That(kept.Device, Is.EqualTo("Stand-in"));

@@ -1,6 +1,8 @@
 using Nowpose.Anchoring;
 using Nowpose.Samples;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
+using Nowpose.Unity.Status;
 using Nowpose.UnityPlayer;
 using NUnit.Framework;
 using UnityEngine;
@@ -103,6 +105,35 @@ public sealed class AnyOpenXrHeadsetTests
         Assert.That(Actions.NudgeMs, Is.EqualTo(2));
         Assert.That(Actions.Opacity, Is.EqualTo(0.9f).Within(1e-6));
     }
+
+    [Test]
+    public void CalibrationButtons_Pressed_ShiftTheRobotAndReportOnThePanel()
+    {
+        var nudge = _session.GetComponent<LatencyNudge>();
+        Assert.That(nudge.enabled, Is.False, "as in the prefab");
+
+        Press("<XRController>{LeftHand}/{Primary2DAxis}/right");
+        Press("<Keyboard>/k");
+        Press("<XRController>{LeftHand}/{Primary2DAxis}/left");
+        Run(0.5);
+        Assert.That((nudge.enabled, nudge.OffsetMm), Is.EqualTo((true, 1f)));
+        Assert.That(Message, Is.EqualTo(NudgeReports.Progress(1, NudgeAxis.X, 0, 0)));
+
+        Press("<XRController>{LeftHand}/{Primary2DAxisClick}");
+        Run(0.5);
+        Assert.That(Message, Is.EqualTo("! " + NudgeReports.NotSteady), "the mark");
+
+        Press("<XRController>{LeftHand}/{GripButton}");
+        Run(0.5);
+        Assert.That(Message, Is.EqualTo("! " + nudge.Problem).And.Not.EqualTo("! " + NudgeReports.NotSteady), "the result");
+
+        Press("<XRController>{LeftHand}/{TriggerButton}");
+        Run(0.5);
+        Assert.That(nudge.Problem, Is.Null);
+    }
+
+    // The message of the panel without line breaks.
+    string Message => _session.GetComponentInChildren<StatusPanel>().Texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
 
     [Test]
     public void Grip_Held_CarriesTheMarkerWithTheHand()

@@ -136,6 +136,23 @@ public sealed class HoloLensTests
     }
 
     [Test]
+    public void VoiceCommand_ForTheCalibrationByEye_ShiftsTheRobotAndSetsMarks()
+    {
+        var nudge = _sample.Session.GetComponent<LatencyNudge>();
+
+        foreach (var keyword in new[] { "overlay forward", "overlay forward", "overlay backward" })
+            Assert.That(_sample.Speech.Say(keyword), Is.True, keyword);
+        Assert.That((nudge.enabled, nudge.OffsetMm), Is.EqualTo((true, 1f)));
+
+        foreach (var keyword in new[] { "overlay mark", "overlay apply" })
+        {
+            Assert.That(_sample.Speech.Say(keyword), Is.True, keyword);
+            Assert.That(nudge.Problem, Is.Not.Null, "the robot does not move");
+        }
+        Assert.That((_sample.Speech.Say("overlay clear"), nudge.Problem), Is.EqualTo((true, (string)null)));
+    }
+
+    [Test]
     public void MovableObjects_Interaction_SupportsHandPinchAndRay()
     {
         var grasped = _sample.Roots.SelectMany(r => r.GetComponentsInChildren<ObjectManipulator>(true)).ToList();

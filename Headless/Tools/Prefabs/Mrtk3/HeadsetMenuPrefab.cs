@@ -10,7 +10,7 @@ namespace Nowpose.Prefabs.Mrtk3;
 /// <summary>Creates MRTK3's hand menu with the actions of a cell. The actions are also available by voice.</summary>
 sealed class HeadsetMenuPrefab
 {
-    const float NudgeMs = 20, NudgeStepMs = 1, OpacityStep = 0.2f;
+    const float NudgeMs = 20, NudgeStepMs = 1, OpacityStep = 0.2f, ShiftStepMm = 1;
 
     readonly PackageAssets _assets;
     readonly GameObject _root;
@@ -76,6 +76,11 @@ sealed class HeadsetMenuPrefab
         AddCommand(commands, "overlay behind", nameof(CellActions.ChangeNudgeMs), -NudgeStepMs);
         AddCommand(commands, "overlay stronger", nameof(CellActions.ChangeOpacity), OpacityStep);
         AddCommand(commands, "overlay fainter", nameof(CellActions.ChangeOpacity), -OpacityStep);
+        AddCommand(commands, "overlay forward", nameof(CellActions.ChangeShiftMm), ShiftStepMm);
+        AddCommand(commands, "overlay backward", nameof(CellActions.ChangeShiftMm), -ShiftStepMm);
+        AddCommand(commands, "overlay mark", nameof(CellActions.AddMark));
+        AddCommand(commands, "overlay apply", nameof(CellActions.ApplyMarks));
+        AddCommand(commands, "overlay clear", nameof(CellActions.ClearMarks));
         Fields.Set(_root.AddComponent<VoiceCommands>(), "_commands", commands);
     }
 

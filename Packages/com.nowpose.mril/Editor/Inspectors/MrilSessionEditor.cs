@@ -54,7 +54,7 @@ namespace Nowpose.Editor.Inspectors
             var statistics = Target.Statistics;
             _texts.Update(
                 statistics, Target.Settings, Target.Robot?.Name, Target.Problem, Target.GetComponentInChildren<BaseAnchor>(true),
-                Target.GetComponentInChildren<CellPairing>(true), Target.Parts);
+                Target.GetComponentInChildren<CellPairing>(true), Target.Parts, Target.GetComponentInChildren<LatencyNudge>(true));
             StatusLines.Draw(_texts);
             if (statistics == null) return;
             foreach (var (label, value) in SessionRows.Of(statistics)) EditorGUILayout.LabelField(label, value);

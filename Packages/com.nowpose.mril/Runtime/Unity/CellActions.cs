@@ -155,6 +155,30 @@ namespace Nowpose.Unity
         /// <summary>Adds a difference in ms to <see cref="NudgeMs"/>. A button can call this method.</summary>
         public void ChangeNudgeMs(float by) => SetNudgeMs(NudgeMs + by);
 
+        /// <summary>
+        /// Sets the shift of the displayed robot for the calibration by eye, in mm. A slider can call this method. Like the other actions of the
+        /// calibration, it switches the <see cref="LatencyNudge"/> of the session on.
+        /// </summary>
+        public void SetShiftMm(float mm)
+        {
+            if (Calibration is LatencyNudge calibration) calibration.OffsetMm = mm;
+        }
+
+        /// <summary>Adds a difference in mm to the shift for the calibration by eye. A button can call this method.</summary>
+        public void ChangeShiftMm(float by)
+        {
+            if (Calibration is LatencyNudge calibration) calibration.Step(by);
+        }
+
+        /// <summary>Sets a mark of the calibration by eye. The status panel shows the number of marks, or why the mark was refused.</summary>
+        public void AddMark() => Calibration?.Mark();
+
+        /// <summary>Calibrates the session with the marks, as <see cref="LatencyNudge.Apply"/> does. The status panel shows the result.</summary>
+        public void ApplyMarks() => Calibration?.Apply();
+
+        /// <summary>Deletes all marks of the calibration by eye.</summary>
+        public void ClearMarks() => Calibration?.Clear();
+
         void OnEnable()
         {
             _source = this.SessionOr(_session);
@@ -189,6 +213,18 @@ namespace Nowpose.Unity
 
         // A user interface may call the actions while this component is disabled.
         MrilSession Session => _source != null ? _source : this.SessionOr(_session);
+
+        // The component is switched off in the prefabs. Null, not a destroyed object, if the session has none.
+        LatencyNudge Calibration
+        {
+            get
+            {
+                var found = Session is MrilSession session ? session.GetComponentInChildren<LatencyNudge>(true) : null;
+                if (found == null) ConsoleLog.Warn(this, ComponentMessages.NoCalibration(name));
+                else found.enabled = true;
+                return found != null ? found : null;
+            }
+        }
 
         // Ghosts may have been added since the last call.
         void FindGhosts() => _ghosts.Find(Session, _ghost);

@@ -55,6 +55,7 @@ namespace Nowpose.Unity
             {
                 _offsetMm = float.IsNaN(value) ? 0 : Mathf.Clamp(value, -MaxOffsetMm, MaxOffsetMm);
                 Shift();
+                UpdateProgress();
             }
         }
 
@@ -85,6 +86,9 @@ namespace Nowpose.Unity
         /// <summary>Describes the last result in one line; null before the first result.</summary>
         public string Report { get; private set; }
 
+        /// <summary>Shift and marks, or the result until the next change, for the status panel; null while the calibration is not used.</summary>
+        internal string Progress { get; private set; }
+
         /// <summary>Adds a length in mm to the shift. A button can call this method.</summary>
         public void Step(float mm) => OffsetMm += mm;
 
@@ -103,6 +107,7 @@ namespace Nowpose.Unity
                 _marks = new MarkedNudges(_usedVisu.TotalMilliseconds);
             }
             _marks.Add(_offsetMm, speed);
+            UpdateProgress();
         });
 
         /// <summary>Discards all marks.</summary>
@@ -111,6 +116,7 @@ namespace Nowpose.Unity
             _marks?.Clear();
             _speed.Reset();
             Problem = null;
+            UpdateProgress();
         }
 
         /// <summary>
@@ -133,6 +139,7 @@ namespace Nowpose.Unity
             Clear();
             // The session now uses the result, so a remaining shift would correct the displayed robot a second time.
             OffsetMm = 0;
+            Progress = Report;
             if (!isKept) throw new InputException(_loader.Problem);
         });
 
@@ -146,6 +153,7 @@ namespace Nowpose.Unity
             _source.Computed += Follow;
             TakeAxis();
             Shift();
+            UpdateProgress();
         }
 
         void OnDisable()
@@ -156,6 +164,7 @@ namespace Nowpose.Unity
             if (_moved != null) _moved.Shift = Vector3.zero;
             _moved = null;
             _speed.Reset();
+            Progress = null;
         }
 
         // The Inspector changes the field without the setter.
@@ -174,6 +183,12 @@ namespace Nowpose.Unity
             if (_moved != null && _moved.Robot is SessionRobot robot) frame = robot.Frame;
             if (frame.State == PoseState.Current && frame.DisplayTime.HasValue) _speed.Add(frame.DisplayTime.Value, AlongMm(frame.ToolPose));
             else _speed.Reset();
+        }
+
+        void UpdateProgress()
+        {
+            var isBegun = isActiveAndEnabled && (_offsetMm != 0 || ForwardCount + BackwardCount > 0);
+            Progress = isBegun ? NudgeReports.Progress(_offsetMm, _axis, ForwardCount, BackwardCount) : null;
         }
 
         double AlongMm(in RigidTransform tool)
@@ -196,8 +211,10 @@ namespace Nowpose.Unity
 
         CompensationSession NudgedSession()
         {
-            var session = _source != null ? _source.Session : null;
-            if (session == null) throw new InputException(NudgeReports.NoSession);
+            if (!isActiveAndEnabled) throw new InputException(NudgeReports.Disabled);
+            if (_source == null) throw new InputException(NudgeReports.NoSession);
+            var session = _source.Session;
+            if (session == null) throw new InputException(NudgeReports.NotRunning);
             // With display times from the runtime, L_visu does not affect the displayed robot.
             if (session.Statistics(default).IsLightPredicted)
                 throw new InputException(NudgeReports.Predicted);

@@ -42,6 +42,7 @@ namespace Nowpose.Unity
         MrilSession _source;
         BaseAnchor _anchor;
         CellPairing _pairing;
+        LatencyNudge _nudge;
         ReadingDistance _distance;
         float _due;
 
@@ -62,6 +63,7 @@ namespace Nowpose.Unity
             _source = this.RequiredSession(_session, "status panel");
             _anchor = _source != null ? _source.GetComponentInChildren<BaseAnchor>(true) : null;
             _pairing = _source != null ? _source.GetComponentInChildren<CellPairing>(true) : null;
+            _nudge = _source != null ? _source.GetComponentInChildren<LatencyNudge>(true) : null;
             _due = 0;
             if (_cell == null) ConsoleLog.Fail(this, ComponentMessages.PanelWithoutText(name));
         }
@@ -78,7 +80,7 @@ namespace Nowpose.Unity
             if (Cells == null) MakeCells();
             _texts.ShowsJointErrors = _showJoints;
             if (_source == null) _texts.Update(null, null, null, null);
-            else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem, _anchor, _pairing, _source.Parts);
+            else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem, _anchor, _pairing, _source.Parts, _nudge);
             Cells.Show(_texts);
             var viewer = Viewer.Head;
             if (viewer == null) return;

@@ -7,6 +7,8 @@ namespace Nowpose.Unity.Messages
 
         public static string NoAction(string component, string kind) => $"cell actions '{component}' have no {kind}; assign one";
 
+        public static string NoCalibration(string component) => $"cell actions '{component}': no Latency Nudge is at the session or below it; add one";
+
         public static string NoFontMaterial(string component) =>
             $"font texture '{component}' has no font material, so its letters are blocks; assign the material that is a sub-asset of the font";
 

@@ -94,9 +94,10 @@ namespace Nowpose.Unity.Status
         /// <param name="anchor">Anchor of the base; null if there is none.</param>
         /// <param name="pairing">Pairing of the session; null if there is none.</param>
         /// <param name="parts">Shown objects and signals of the cell; null if there are none.</param>
+        /// <param name="nudge">Calibration by eye; null if there is none.</param>
         public void Update(
             SessionStatistics statistics, SessionSettings settings, string robot, string problem, BaseAnchor anchor = null,
-            CellPairing pairing = null, ShownParts parts = null)
+            CellPairing pairing = null, ShownParts parts = null, LatencyNudge nudge = null)
         {
             for (var row = StatusRow.Pose; row < StatusRow.Message; row++) Set(row, Unknown, "");
             if (statistics != null)
@@ -111,15 +112,16 @@ namespace Nowpose.Unity.Status
             if (anchor != null) Set(StatusRow.Base, StatusMessages.Of(anchor.State), _base.NoteOf(anchor));
             parts?.Update();
             Set(StatusRow.Objects, parts?.Summary ?? "", "");
-            var isPairing = pairing != null;
+            var (isPairing, isNudging) = (pairing != null, nudge != null && nudge.isActiveAndEnabled);
             // Problems with the pairing have priority, because the connections and the base depend on the pairing.
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
             var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
-                ?? DisplayMessages.ProblemOf(statistics) ?? statistics?.VersionMismatch;
+                ?? DisplayMessages.ProblemOf(statistics) ?? statistics?.VersionMismatch ?? (isNudging ? nudge.Problem : null);
             if (guidance != null) SetMessage(guidance, "");
             else if (fault != null) SetMessage(fault, "! ");
-            else SetMessage(_restingJoints.Of(statistics) ?? (ShowsJointErrors && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
+            else SetMessage((isNudging ? nudge.Progress : null) ?? _restingJoints.Of(statistics)
+                ?? (ShowsJointErrors && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
             UpdateParts(parts, statistics?.Now);
         }
 
