@@ -19,6 +19,8 @@ static class AnyHeadsetScene
     {
         var cell = Scenes.Cell(assets, PackagePaths.Cell, PackagePaths.AnyHeadsetSettings);
         var session = cell.GetComponent<MrilSession>();
+        // Does not connect at startup. A button connects when the user has placed the base.
+        Fields.Set(session, "_connectOnEnable", false);
         cell.transform.Find("Base Anchor").localPosition = BasePlace;
         var rig = new GameObject("Tracking Origin");
         var camera = Props.HeadsetCamera();

@@ -26,7 +26,7 @@ public sealed class AnyOpenXrHeadsetTests
         _cell = new PlayedCell(RepositoryAssets.NewLibrary());
         _cell.Player.LoadScene(Scene, roots =>
         {
-            _session = roots.SelectMany(root => root.GetComponents<MrilSession>()).Single().With("_connectOnEnable", false);
+            _session = roots.SelectMany(root => root.GetComponents<MrilSession>()).Single();
             _session.HeadsetClock = _cell.Clock;
         });
         Run(0.1);
@@ -76,6 +76,18 @@ public sealed class AnyOpenXrHeadsetTests
         var camera = _cell.Player.Find<Camera>().transform;
         Assert.That(camera.position, Is.EqualTo(new Vector3(0.1f, 1.6f, -0.2f)));
         Assert.That(Quaternion.Angle(camera.rotation, Quaternion.Euler(10, 20, 0)), Is.LessThan(0.1f));
+    }
+
+    [Test]
+    public void ConnectButton_PressedTwice_ConnectsAndDisconnects()
+    {
+        Assert.That(_session.IsConnecting, Is.False, "the scene does not connect by itself");
+
+        Press("<XRController>{RightHand}/{PrimaryButton}");
+        Assert.That(_session.IsConnecting);
+
+        Press("<XRController>{RightHand}/{PrimaryButton}");
+        Assert.That(_session.IsConnecting, Is.False);
     }
 
     [TestCase("<XRController>{LeftHand}/{PrimaryButton}")]
