@@ -42,6 +42,21 @@ public class PlayedStationaryObjectTests : PlayedParts
         Assert.That(StationaryFrameFile.Load(Path.Combine(_folder, "stationary-objects.json"))[0].Child, Is.EqualTo("fixture"));
     }
 
+    // Each would replace the saved place of the other.
+    [TestCase("", 1)]
+    [TestCase("conveyor", 0)]
+    public void StationaryObjects_SameFrame_AreReportedOnce(string frame, int expected)
+    {
+        Below<StationaryObject>("fixture", _session.transform);
+        var other = Below<FrameProbe>("fixture", _session.transform).gameObject;
+        other.SetActive(false);
+        other.AddComponent<StationaryObject>().With("_frame", frame);
+        other.SetActive(true);
+        Run(0.5);
+
+        Assert.That(_cell.Messages, Has.Exactly(expected).Contains(ObjectMessages.SameFrame("fixture", "fixture")));
+    }
+
     [Test]
     public void StationaryObject_PlacedByHand_StaysSavedAndCarriesItsChildren()
     {

@@ -87,7 +87,12 @@ namespace Nowpose.Editor
             if (!IsOnce(command)) return;
             var selected = command.context as GameObject;
             var made = new GameObject(name).AddComponent<T>();
-            Put(made.gameObject, parentFor == null ? selected : parentFor(selected), () => setUp?.Invoke(made));
+            Put(made.gameObject, parentFor == null ? selected : parentFor(selected), () =>
+            {
+                // The name of an object is also that of its frame or signal, if none is entered.
+                GameObjectUtility.EnsureUniqueNameForSibling(made.gameObject);
+                setUp?.Invoke(made);
+            });
         }
 
         // What is not current must look different. An appearance above the object also applies to it.

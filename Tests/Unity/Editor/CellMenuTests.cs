@@ -66,6 +66,17 @@ public sealed class CellMenuTests : EditorFixture
         if (!isAbove) Assert.That(made.GetComponent<PoseAppearance>().Substitute, Is.SameAs(hologram));
     }
 
+    [Test]
+    public void MenuItem_UsedTwice_GivesTheObjectsDifferentFrames()
+    {
+        var anchor = Keep(new GameObject("Base Anchor"));
+
+        var frames = new[] { "Stationary Object", "Stationary Object", "Tracked Object" }
+            .Select(item => MadeBelow(anchor, item)).Select(made => made.name).ToArray();
+
+        Assert.That(frames, Is.EqualTo(new[] { "Stationary Object", "Stationary Object (1)", "Tracked Object" }));
+    }
+
     [TestCase("Grip by Reach", 1)]
     [TestCase("Grip by Reach", 2)]
     [TestCase("Planned Path", 1)]

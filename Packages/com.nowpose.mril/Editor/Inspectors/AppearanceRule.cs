@@ -14,7 +14,7 @@ namespace Nowpose.Editor.Inspectors
     {
         public bool IsBrokenBy(Component component) =>
             (component is RobotRig || IsOfSignal(component) && IsDrawn(component))
-            && !EditorUtility.IsPersistent(component) && !IsBelow<PoseAppearance>(component) && HasSession(component);
+            && !EditorUtility.IsPersistent(component) && !IsBelow<PoseAppearance>(component) && SceneSearch.SessionOf(component) != null;
 
         public Shortcoming Shortcoming(Component component) => new Shortcoming(
             component is RobotRig ? ShortcomingTexts.Appearance : ShortcomingTexts.SignalAppearance, InspectorTexts.AddAppearance, Add);
@@ -35,12 +35,6 @@ namespace Nowpose.Editor.Inspectors
 
         // A signal may only raise events for objects elsewhere.
         static bool IsDrawn(Component component) => component.GetComponentInChildren<Renderer>(true) != null;
-
-        static bool HasSession(Component component)
-        {
-            using (var serialised = new SerializedObject(component))
-                return serialised.FindProperty("_session").objectReferenceValue != null || IsBelow<MrilSession>(component);
-        }
 
         static bool IsBelow<T>(Component component) where T : Component => component.gameObject.GetComponentInParent<T>(true) != null;
     }

@@ -16,7 +16,7 @@ namespace Nowpose.Editor.Inspectors
 
         static RobotRig OtherOf(RobotRig rig)
         {
-            var session = rig.AssignedSession != null ? rig.AssignedSession : rig.GetComponentInParent<MrilSession>(true);
+            var session = SceneSearch.SessionOf(rig);
             if (session == null || !IsDisplayed(rig)) return null;
             return SceneSearch.All<RobotRig>(rig)
                 .FirstOrDefault(other => other != rig && IsDisplayed(other) && other.RobotNamespace == rig.RobotNamespace && other.IsOf(session));

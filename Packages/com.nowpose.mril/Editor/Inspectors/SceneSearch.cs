@@ -26,6 +26,16 @@ namespace Nowpose.Editor.Inspectors
         static RobotRig OnlyDisplayed(params GameObject[] roots) =>
             OnlyOf(roots.SelectMany(Below<RobotRig>).Where(rig => rig.Shows == RigPose.Displayed).ToArray());
 
+        /// <summary>Returns the session that is assigned to a component, or else the one on its object or a parent; null if there is none.</summary>
+        public static MrilSession SessionOf(Component component)
+        {
+            using (var serialised = new SerializedObject(component))
+            {
+                var assigned = serialised.FindProperty("_session").objectReferenceValue as MrilSession;
+                return assigned != null ? assigned : component.gameObject.GetComponentInParent<MrilSession>(true);
+            }
+        }
+
         // A prefab asset is in no scene.
         static GameObject[] RootsOf(Component component) =>
             EditorUtility.IsPersistent(component) ? new[] { component.transform.root.gameObject } : component.gameObject.scene.GetRootGameObjects();

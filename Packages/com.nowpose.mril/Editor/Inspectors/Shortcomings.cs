@@ -39,6 +39,7 @@ namespace Nowpose.Editor.Inspectors
                 sweep => sweep.GetComponentInChildren<LoadGenerator>(true) == null),
             new AppearanceRule(),
             new SameRobotRule(),
+            new SameFrameRule(),
         };
 
         /// <summary>Returns the problems of components. A problem of several components is returned only once.</summary>

@@ -36,6 +36,10 @@ namespace Nowpose.Editor.Messages
         /// <param name="rig">Name of the other rig.</param>
         public static string SameRobot(string rig) => $"'{rig}' displays the same robot. If this is another robot, enter its Robot Namespace.";
 
+        /// <param name="other">Name of the other object.</param>
+        public static string SameFrame(string other, string frame) =>
+            $"'{other}' has the same frame '{frame}', so each replaces the saved place of the other. Enter another Frame.";
+
         public const string Rig = "Its parents have no rig. Move the object below a rig, or assign a rig.";
     }
 }

@@ -86,6 +86,7 @@ namespace Nowpose.Unity
         {
             _followed = FollowedFrame.Of(this, _session, "stationary object", Frame, _canBeGripped, missing: ObjectMessages.NotPlaced);
             if (_followed == null) return;
+            if (_followed.IsShownTwice) ConsoleLog.Warn(this, ObjectMessages.SameFrame(name, Frame));
             _saved = Saved();
             _followed.Source.Movers.Add(this, Show);
         }

@@ -24,6 +24,10 @@ namespace Nowpose.Unity.Messages
             $"stationary object '{component}': its source or a gripper moves it, so it cannot be placed by hand; "
             + "stop its source, or release it from the gripper";
 
+        public static string SameFrame(string component, string frame) =>
+            $"stationary object '{component}': another object has the same frame '{frame}', so each replaces the saved place of the other; "
+            + "enter another Frame";
+
         public static string NotAccepted(string title, DropReason reason) =>
             $"{title} cannot be placed: {reason}; correct its frame, or reduce the frames of the cell";
 
