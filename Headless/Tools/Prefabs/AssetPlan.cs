@@ -25,6 +25,7 @@ public static class AssetPlan
         (PackagePaths.Ur16e, w => RobotAssets.Description(w, PackagePaths.Ur16e, PackagePaths.Ur16eUrdf)),
         (PackagePaths.Settings, w => RobotAssets.Settings(w, PackagePaths.Settings)),
         (PackagePaths.Gripper, GripperPrefab.Make),
+        (PackagePaths.PoseLabel, Texts.PoseLabel),
         (PackagePaths.Cell, w => CellPrefab.Make(w, PackagePaths.Cell, PackagePaths.Youbot)),
         (PackagePaths.CellUr5, w => CellPrefab.Make(w, PackagePaths.CellUr5, PackagePaths.Ur5)),
         (PackagePaths.CellAnyRobot, w => CellPrefab.Make(w, PackagePaths.CellAnyRobot, null)),

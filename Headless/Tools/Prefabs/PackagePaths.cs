@@ -40,6 +40,7 @@ static class PackagePaths
     public const string Ur16e = Runtime + "Robots/UR16e.asset";
     public const string Settings = Runtime + "Settings/Default Session Settings.asset";
     public const string Gripper = Runtime + "Prefabs/Virtual Gripper.prefab";
+    public const string PoseLabel = Runtime + "Prefabs/Pose Label.prefab";
     public const string Cell = Runtime + "Prefabs/Nowpose Robot Cell.prefab";
     public const string CellUr5 = Runtime + "Prefabs/Nowpose Robot Cell UR5.prefab";
     public const string Robot = Runtime + "Prefabs/Nowpose Robot.prefab";

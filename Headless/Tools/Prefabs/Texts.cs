@@ -12,6 +12,14 @@ static class Texts
     /// <summary>Scale at which letters are half a degree high at 1 m. Components adapt it to the distance from the user.</summary>
     const float Scale = 0.0035f;
 
+    /// <summary>Creates the label of an object that the menu adds to a scene: above the origin of the object.</summary>
+    public static string PoseLabel(PackageAssets assets)
+    {
+        var label = Add(assets, "Pose Label", null, TextAnchor.MiddleCenter, TextAlignment.Center);
+        label.transform.localPosition = new Vector3(0, 0.1f, 0);
+        return assets.Prefab(label.gameObject);
+    }
+
     public static TextMesh Add(PackageAssets assets, string name, Transform parent, TextAnchor anchor, TextAlignment alignment)
     {
         var made = Children.Add(name, parent);

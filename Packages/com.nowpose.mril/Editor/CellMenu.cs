@@ -64,7 +64,7 @@ namespace Nowpose.Editor
         [MenuItem(Folder + "Another Robot", false, Priority)]
         static void AnotherRobot(MenuCommand command) => CreateOnce<RobotRig>("Robot", command, rig =>
         {
-            rig.gameObject.AddComponent<PoseAppearance>();
+            AddLabel(rig.gameObject.AddComponent<PoseAppearance>());
             var serialized = new SerializedObject(rig);
             serialized.FindProperty("_armMaterial").objectReferenceValue = Hologram;
             serialized.FindProperty("_toolMaterial").objectReferenceValue = Hologram;
@@ -98,9 +98,24 @@ namespace Nowpose.Editor
         // What is not current must look different. An appearance above the object also applies to it.
         static void AddAppearance(MonoBehaviour made)
         {
-            if (made.TryGetComponent<PoseAppearance>(out var required)) AppearanceRule.Complete(required);
-            else if (made.gameObject.GetComponentInParent<PoseAppearance>(true) == null)
-                AppearanceRule.Complete(made.gameObject.AddComponent<PoseAppearance>());
+            if (!made.TryGetComponent<PoseAppearance>(out var appearance))
+            {
+                if (made.gameObject.GetComponentInParent<PoseAppearance>(true) != null) return;
+                appearance = made.gameObject.AddComponent<PoseAppearance>();
+            }
+            AppearanceRule.Complete(appearance);
+            AddLabel(appearance);
+        }
+
+        static void AddLabel(PoseAppearance appearance)
+        {
+            var asset = PackageAsset.PoseLabel.Load<GameObject>();
+            if (asset == null) return;
+            var label = (GameObject)PrefabUtility.InstantiatePrefab(asset);
+            label.transform.SetParent(appearance.transform, worldPositionStays: false);
+            var serialized = new SerializedObject(appearance);
+            serialized.FindProperty("_words").objectReferenceValue = label.GetComponent<TextMesh>();
+            serialized.ApplyModifiedProperties();
         }
 
         // A component that needs a rig searches for it on its parents, so its object must not be beside the robot.

@@ -133,7 +133,8 @@ public sealed class PackageAssetsTests
 
         var plain = drawn.Concat(built).Where(m => m.shader.name != "Nowpose/Occluder" && !(m.HasProperty("_Fade") && m.HasProperty("_Hatch")));
         Assert.That(plain.Select(m => m.name).Distinct(), Is.Empty);
-        var isPart = path.EndsWith("Virtual Gripper.prefab", StringComparison.Ordinal) || path.Contains("(MRTK3)/Prefabs/", StringComparison.Ordinal);
+        var isPart = path.EndsWith("Virtual Gripper.prefab", StringComparison.Ordinal) || path.EndsWith("Pose Label.prefab", StringComparison.Ordinal)
+            || path.Contains("(MRTK3)/Prefabs/", StringComparison.Ordinal);
         Assert.That(rigs, Has.Count.EqualTo(isPart ? 0 : IsOfTwoArms(path) ? 2 : 1));
     }
 

@@ -66,6 +66,21 @@ public sealed class CellMenuTests : EditorFixture
         if (!isAbove) Assert.That(made.GetComponent<PoseAppearance>().Substitute, Is.SameAs(hologram));
     }
 
+    [TestCase("Tracked Object")]
+    [TestCase("Stationary Object")]
+    [TestCase("Signal")]
+    [TestCase("Actuated Part")]
+    [TestCase("Another Robot")]
+    public void MenuItem_ForAPartOfACell_AddsALabel(string item)
+    {
+        Put(PackageAsset.PoseLabel).AddComponent<TextMesh>();
+
+        var made = MadeBelow(Keep(new GameObject("Base Anchor")), item);
+
+        var label = made.GetComponentInChildren<TextMesh>();
+        Assert.That(made.GetComponent<PoseAppearance>().Shown("_words"), Is.Not.Null.And.SameAs(label));
+    }
+
     [Test]
     public void MenuItem_UsedTwice_GivesTheObjectsDifferentFrames()
     {

@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Unity
         [Test]
         public void Files_OfEachKind_AreFound()
         {
-            Assert.That(Prefabs.Count(), Is.EqualTo(5));
+            Assert.That(Prefabs.Count(), Is.EqualTo(6));
             Assert.That(Materials.Count(), Is.EqualTo(9));
             Assert.That(Robots.Count(), Is.EqualTo(6));
         }
