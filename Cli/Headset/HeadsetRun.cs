@@ -53,8 +53,6 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         var statistics = session.Statistics(_clock.Now);
         if (statistics.Samples > 0) Notes = [.. HeadsetVerdict.NotesOf(statistics).Select(note => RobotMessages.OfRobot(robot.Name, note))];
         WhyFailed = HeadsetVerdict.FailureOf(result.Pose, statistics, _wasTimeTrusted, result.Outages);
-        if (WhyFailed != null && statistics.Samples == 0 && statistics.SampleLink.State == LinkState.Connected)
-            WhyFailed = OtherNamespaces(cancel) ?? WhyFailed;
         return result;
     }
 
@@ -120,20 +118,14 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         undescribed = null;
         if (session.DescribedRobot is { } robot) return robot;
         undescribed = Result(session, null, _clock.Now - start);
-        WhyFailed = OtherNamespaces(cancel) ?? HeadsetMessages.NoRobot(
-            settings.DescriptionTimeout.TotalSeconds, DescriptionFaultOf(session), settings.RobotNamespace);
+        WhyFailed = session.Robots[0].OtherNamespaces is { } fault
+            ? HeadsetMessages.OtherNamespaces(fault)
+            : HeadsetMessages.NoRobot(settings.DescriptionTimeout.TotalSeconds, DescriptionFaultOf(session), settings.RobotNamespace);
         return null;
     }
 
     static string DescriptionFaultOf(CompensationSession session) =>
         session.RobotDescriptionFault ?? (session.SampleLink.State == LinkState.Connected ? null : session.SampleLink.Detail);
-
-    // Gets a message if the gateway serves robots only in namespaces other than that of the settings; null otherwise.
-    string OtherNamespaces(CancellationToken cancel)
-    {
-        var served = ServedNamespaces.ReadAsync(settings.Connection, _clock, cancel).GetAwaiter().GetResult();
-        return served.Count == 0 || served.Contains(settings.RobotNamespace) ? null : HeadsetMessages.OtherNamespaces(settings.RobotNamespace, served);
-    }
 
     // An earlier recording is kept until the new one begins.
     static FileStream Emptied(FileStream file)

@@ -28,6 +28,7 @@ static class HeadsetVerdict
         var share = pose.CurrentShareOfRun ?? 0;
         if (pose.CurrentAfterS != null && share >= MinCurrentShare) return null;
         if (!wasTimeTrusted) return HeadsetMessages.NoClock(statistics.SyncLink.Detail);
+        if (statistics.OwnRobot.OtherNamespaces is { } fault) return HeadsetMessages.OtherNamespaces(fault);
         if (statistics.Samples == 0)
             return IsOtherRobot(statistics)
                 ? HeadsetMessages.NoJointsOfRobot(RobotMessages.DescriptionDiffers)

@@ -10,13 +10,8 @@ static class HeadsetMessages
         + (robotNamespace.Length == 0 ? "" : $" in the namespace {robotNamespace}")
         + FormattableString.Invariant($" within {seconds} s; check the gateway and its source, or use --robot with youbot, ur5 or a .urdf file");
 
-    /// <param name="robotNamespace">Namespace that the gateway does not serve; empty for the robot without a namespace.</param>
-    /// <param name="served">Namespaces that the gateway serves.</param>
-    public static string OtherNamespaces(string robotNamespace, IReadOnlyList<string> served) =>
-        (robotNamespace.Length == 0
-            ? "--namespace: missing, and the gateway serves no robot without a namespace"
-            : $"--namespace: the gateway serves no robot in the namespace {robotNamespace}")
-        + $"; it serves {string.Join(", ", served)}; use one of these names";
+    /// <param name="fault">Message that lists the namespaces of the robots that the gateway serves.</param>
+    public static string OtherNamespaces(string fault) => "--namespace: " + fault;
 
     public static string NamespaceInvalid(string name, int max) =>
         $"--namespace: is '{name}'; allowed: a letter, then letters, digits and underscores, up to {max} characters";

@@ -17,6 +17,7 @@ static class Seeds
         """{"op":"publish","topic":"/nowpose/diagnostics","msg":{"header":{"stamp":ROS2},"status":[{"level":0,"name":"nowpose","message":"","hardware_id":"left","values":[{"key":"rtt_ms","value":"1.5"}]}]}}""",
         """{"op":"service_response","id":"nowpose time 7","service":"/rosapi/get_time","values":{"time":ROS1},"result":true}""",
         """{"op":"service_response","service":"/rosapi/get_time","values":"Service does not exist","result":false}""",
+        """{"op":"service_response","service":"/rosapi/topics","values":{"topics":["/tf","/arm1/joint_states"],"types":["",""]},"result":true}""",
         """{"op":"service_response","id":"1","service":"/nowpose/plant_time/plc","result":true,"values":{"received":ROS2,"sent":ROS2,"resolution_ns":1000000,"error_bound_ns":0,"synchronised":true}}""",
         """{"op":"publish","topic":"/nowpose/joint_status","msg":{"header":{"stamp":ROS2},"status":[{"level":2,"name":"joints","message":"","hardware_id":"gateway","values":[{"key":"a1","value":"rest 1700000000.250 "},{"key":"a3","value":"fault 1700000000.250 node deleted"}]}]}}""",
         """{"op":"publish","topic":"/tf","msg":{"transforms":[{"header":{"seq":0,"stamp":ROS1,"frame_id":"world"},"child_frame_id":"belt","transform":{"translation":{"x":0.5,"y":-1e-3,"z":0},"rotation":{"x":0,"y":0,"z":0.6,"w":0.8}}},{"header":{"stamp":ROS2,"frame_id":"belt"},"child_frame_id":"box","transform":{"rotation":{"x":0,"y":0,"z":0,"w":-1.0005},"translation":{"x":0,"y":0,"z":1}}}]}}""",

@@ -50,6 +50,20 @@ public class CellTopicsTests
     }
 
     [Test]
+    public async Task Report_RobotWithoutSamples_RequestsTheNamespaces()
+    {
+        _played.Listener.NeedsNamespaces = true;
+        var socket = await _played.Server.AcceptAsync();
+
+        await NextAsync(socket, RosTopics.GetTopics, "call_service");
+        var topic = KeyValuePair.Create("/arm2/joint_states", RosTopics.JointStateType);
+        await Send(socket, RosbridgeWriter.TopicsResponse(RosTopics.GetTopics, null, [topic]));
+
+        await Soon.BecomesAsync(() => !_played.Listener.Namespaces.IsEmpty, "the namespaces");
+        Assert.That(_played.Listener.Namespaces.Single(), Is.EqualTo(new[] { "arm2" }));
+    }
+
+    [Test]
     public async Task Receive_FramesAndSignals_AreDistinguished()
     {
         var socket = await _played.Server.AcceptAsync();
@@ -83,10 +97,10 @@ public class CellTopicsTests
         await NextAsync(socket, RosTopics.Signals);
     }
 
-    static async Task NextAsync(WebSocket socket, string topic)
+    static async Task NextAsync(WebSocket socket, string topic, string op = "subscribe")
     {
         string text;
         do text = await ReceiveAsync(socket);
-        while (!text.Contains("\"subscribe\"") || !text.Contains($"\"{topic}\""));
+        while (!text.Contains($"\"{op}\"") || !text.Contains($"\"{topic}\""));
     }
 }

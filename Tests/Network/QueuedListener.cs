@@ -66,6 +66,12 @@ sealed class QueuedListener : IRosbridgeListener
 
     public bool HasPoseChanged { get; set; }
 
+    public bool NeedsNamespaces { get; set; }
+
+    public ConcurrentQueue<IReadOnlyList<string>> Namespaces { get; } = [];
+
+    public void NamespacesReceived(IReadOnlyList<string> names) => Namespaces.Enqueue(names);
+
     /// <summary>Called before each report.</summary>
     public Action Reporting { get; set; }
 

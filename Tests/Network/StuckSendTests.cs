@@ -98,6 +98,8 @@ public class StuckSendTests
         public void Dropped(DropReason reason) { }
         public DiagnosticsMessage Diagnostics() => null;
         public bool HasPoseChanged => false;
+        public bool NeedsNamespaces => false;
+        public void NamespacesReceived(IReadOnlyList<string> names) { }
         public JointStateMessage Displayed() => new(ControlTime.FromSeconds(5), ["a"], [0.5]);
     }
 }

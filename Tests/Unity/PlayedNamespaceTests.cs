@@ -71,6 +71,18 @@ public class PlayedNamespaceTests : PlayedParts
     }
 
     [Test]
+    public void Rig_NamespaceIsNotServed_HasAFaultThatNamesTheServedNamespaces()
+    {
+        Second(RobotFiles.LoadText("youbot"));
+        Run(0.5);
+
+        _session.Session.Listener.NamespacesReceived(["arm1", "arm3"]);
+        Run(0.5);
+
+        Assert.That(FaultsNow(), Is.EqualTo(RobotMessages.OfRobot("arm2", RobotMessages.OtherNamespaces("arm2", ["arm1", "arm3"]))));
+    }
+
+    [Test]
     public void Rig_WithNamespaceBeyondItsLimitsOrWithAnotherDescription_HasAFault()
     {
         Second(RobotFiles.LoadText("ur5"));

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Nowpose.Messages
 {
@@ -38,5 +39,11 @@ namespace Nowpose.Messages
 
         public static string NamespaceInvalid(string name, int max) =>
             $"robot namespace: is '{name}'; allowed: a letter, then letters, digits and underscores, up to {max} characters";
+
+        /// <param name="name">Namespace of the robot; empty for the robot without a namespace.</param>
+        /// <param name="served">Namespaces of the robots that the gateway serves.</param>
+        public static string OtherNamespaces(string name, IReadOnlyList<string> served) =>
+            (name.Length == 0 ? "the gateway serves no robot without a namespace" : $"the gateway serves no robot in the namespace {name}")
+            + $"; it serves {string.Join(", ", served)}; use one of these names as the robot's namespace";
     }
 }

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -53,6 +54,9 @@ namespace Nowpose.Network
         /// <summary>Receives the version of the gateway. An older gateway does not report its version.</summary>
         void VersionReceived(string version);
 
+        /// <summary>Receives the namespaces of the robots that the server serves, in alphabetical order.</summary>
+        void NamespacesReceived(IReadOnlyList<string> names);
+
         void Dropped(DropReason reason);
 
         /// <summary>Gets the displayed joints; null without new positions. Called up to twenty times a second.</summary>
@@ -66,5 +70,8 @@ namespace Nowpose.Network
 
         /// <summary>Whether the state of the pose has changed since the newest diagnostics; false before the first.</summary>
         bool HasPoseChanged { get; }
+
+        /// <summary>Whether a robot had no samples in the newest diagnostics. The client then asks the gateway for the namespaces.</summary>
+        bool NeedsNamespaces { get; }
     }
 }

@@ -94,9 +94,7 @@ namespace Nowpose.Network
             while (!_stop.IsCancellationRequested)
             {
                 var end = await EndOfAsync(ServeAsync(backoff)).ConfigureAwait(false);
-                _status = end == null
-                    ? LinkStatus.Waiting(ConnectionMessages.JointsClosed)
-                    : LinkStatus.Waiting("joint positions", end);
+                _status = end == null ? LinkStatus.Waiting(ConnectionMessages.JointsClosed) : LinkStatus.Waiting("joint positions", end);
                 await WaitAsync(backoff.Next()).ConfigureAwait(false);
             }
         }
@@ -212,6 +210,7 @@ namespace Nowpose.Network
             else if (message.JointStatus != null) _listener.StatusReceived(message.JointStatus, received.Arrival);
             else if (message.SignalStatus != null) _listener.SignalStatusReceived(message.SignalStatus, received.Arrival);
             else if (message.Data != null && message.RobotTopic.Kind == RosTopics.Version) _listener.VersionReceived(message.Data);
+            else if (message.Namespaces != null) _listener.NamespacesReceived(message.Namespaces);
             else if (message.Data != null) DescriptionsOf(message.RobotTopic.Robot).Add(message.Data);
         }
 
@@ -265,6 +264,9 @@ namespace Nowpose.Network
             if (diagnostics != null)
                 await sender.SendAsync(
                     RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, diagnostics, RosTimeForm.Sec), cancel).ConfigureAwait(false);
+            // Without a gateway, the call could delay an exchange of the clock.
+            if (_rosTime == null && _listener.NeedsNamespaces)
+                await sender.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTopics), cancel).ConfigureAwait(false);
         }
 
         // Runs separately from the tasks that send, because a send over a lost connection may never complete.

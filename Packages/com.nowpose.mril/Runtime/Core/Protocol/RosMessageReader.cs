@@ -9,6 +9,7 @@ namespace Nowpose.Protocol
     {
         static readonly JsonNames StringFields = new JsonNames("data");
         static readonly JsonNames TimeFields = new JsonNames("time");
+        static readonly JsonNames TopicsFields = new JsonNames("topics");
         static readonly JsonNames TrajectoryFields = new JsonNames("header", "joint_names", "points");
         static readonly JsonNames PointFields = new JsonNames("positions", "time_from_start", "velocities", "accelerations");
 
@@ -52,6 +53,7 @@ namespace Nowpose.Protocol
         {
             if (!into.Result) return ReadFailure(ref json, into);
             if (into.Service == RosTopics.GetTime) return ReadTime(ref json, into);
+            if (into.Service == RosTopics.GetTopics) return ReadTopics(ref json, into);
             return into.Service.StartsWith(RosTopics.PlantTime, StringComparison.Ordinal) ? PlantTimeReader.Read(ref json, into) : json.Skip();
         }
 
@@ -71,6 +73,23 @@ namespace Nowpose.Protocol
             if (!json.BeginObject()) return false;
             while (json.NextField(TimeFields, ref seen, out _)) RosTime.ReadStamp(ref json, out time);
             into.Time = time;
+            return json.EndObject(seen, 1);
+        }
+
+        static bool ReadTopics(ref JsonUtf8Reader json, RosbridgeMessage into)
+        {
+            var robots = new List<string>();
+            var seen = 0;
+            if (!json.BeginObject()) return false;
+            while (json.NextField(TopicsFields, ref seen, out _))
+            {
+                json.BeginArray();
+                while (json.NextElement() && json.Text(out var name))
+                    if (RobotTopic.Parse(name) is { Kind: RosTopics.JointStates, Robot: { Length: > 0 } robot }) robots.Add(robot);
+            }
+
+            robots.Sort(StringComparer.Ordinal);
+            into.Namespaces = robots;
             return json.EndObject(seen, 1);
         }
 

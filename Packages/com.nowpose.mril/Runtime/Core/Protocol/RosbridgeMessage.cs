@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Protocol
@@ -67,6 +68,12 @@ namespace Nowpose.Protocol
         public ControlTime? Time { get; internal set; }
 
         /// <summary>
+        /// Namespaces of the robots whose joint positions have a topic, in alphabetical order, in a response from /rosapi/topics; null for other
+        /// messages and failed calls.
+        /// </summary>
+        public IReadOnlyList<string> Namespaces { get; internal set; }
+
+        /// <summary>
         /// Values in the response from a service whose name begins with <see cref="RosTopics.PlantTime"/>; null for other messages and failed calls.
         /// </summary>
         public PlantTimeMessage PlantTime { get; internal set; }
@@ -85,6 +92,7 @@ namespace Nowpose.Protocol
             JointStatus = SignalStatus = null;
             Result = true;
             Time = null;
+            Namespaces = null;
             PlantTime = null;
         }
     }

@@ -27,6 +27,9 @@ namespace Nowpose.Session
         /// <summary>Number of used messages.</summary>
         public long Samples { get; set; }
 
+        /// <summary>Message if the robot has received no samples, and the gateway serves robots only in other namespaces; null otherwise.</summary>
+        public string OtherNamespaces { get; set; }
+
         /// <summary>Returns the cell-wide name of one of the robot's joints.</summary>
         public string NameOf(string joint) => RobotTopic.Qualified(Namespace, joint);
     }

@@ -89,6 +89,7 @@ namespace Nowpose.Session
         {
             yield return "the pose is " + PoseOf(statistics);
             if (missing.Length > 0) yield return "missing joints: " + missing;
+            foreach (var robot in statistics.Robots) yield return robot.OtherNamespaces;
         }
 
         static IEnumerable<string> NotCurrent(CellFaults cell)
@@ -118,20 +119,18 @@ namespace Nowpose.Session
         static string MissingJoints(SessionStatistics statistics) =>
             string.Join(",", Joints(statistics).Where(each => each.IsMissing).Select(each => each.Joint));
 
-        static IEnumerable<RobotStatistics> Robots(SessionStatistics statistics) => statistics.OtherRobots.Prepend(statistics.OwnRobot);
-
         // The joints of all robots. Those of a robot in a namespace have cell-wide names, such as arm2/elbow.
         static IEnumerable<JointStatus> Joints(SessionStatistics statistics) =>
-            from robot in Robots(statistics)
+            from robot in statistics.Robots
             from joint in robot.JointStatuses
             select robot.Namespace.Length == 0 ? joint : new JointStatus(robot.NameOf(joint.Joint), joint.State, joint.Since, joint.Age, joint.Reason);
 
         static string BeyondLimits(SessionStatistics statistics) => string.Join(",",
-            Robots(statistics).Where(robot => robot.BeyondLimits != null).Select(robot => robot.NameOf(robot.BeyondLimits.Joint.Name)));
+            statistics.Robots.Where(robot => robot.BeyondLimits != null).Select(robot => robot.NameOf(robot.BeyondLimits.Joint.Name)));
 
         // The robots whose description differs from that of the gateway; "main" for the robot without a namespace.
         static string OtherDescriptions(SessionStatistics statistics) => string.Join(",",
-            Robots(statistics).Where(robot => robot.DescriptionMatch == RobotDescriptionMatch.Different)
+            statistics.Robots.Where(robot => robot.DescriptionMatch == RobotDescriptionMatch.Different)
                 .Select(robot => robot.Namespace.Length == 0 ? "main" : robot.Namespace));
 
         static void AddPose(SessionStatistics statistics, DiagnosticValues values)

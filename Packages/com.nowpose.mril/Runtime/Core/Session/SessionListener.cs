@@ -1,3 +1,6 @@
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -13,6 +16,7 @@ namespace Nowpose.Session
         readonly IHeadsetClock _clock;
         // Most severe state of a pose in the newest diagnostics.
         volatile int _reportedPose = NoDiagnostics;
+        volatile bool _needsNamespaces;
 
         /// <param name="clock">Clock for time stamps of the diagnostics.</param>
         public SessionListener(CompensationSession session, IHeadsetClock clock)
@@ -52,16 +56,25 @@ namespace Nowpose.Session
         public void Connected(HeadsetTime at)
         {
             _session.VersionMismatch = null;
+            foreach (var robot in _session.Robots) robot.OtherNamespaces = null;
             _session.Cell.Connection.Set(at);
         }
 
         public void VersionReceived(string version) => _session.VersionMismatch = NowposeVersion.MismatchOf(version, "the gateway", "this headset");
+
+        public void NamespacesReceived(IReadOnlyList<string> names)
+        {
+            foreach (var robot in _session.Robots)
+                robot.OtherNamespaces = names.Count == 0 || names.Contains(robot.Namespace) ? null : RobotMessages.OtherNamespaces(robot.Namespace, names);
+        }
 
         public void Dropped(DropReason reason) => _session.Drops.Count(reason);
 
         public JointStateMessage Displayed() => _session.Displayed();
 
         public bool HasPoseChanged => _reportedPose != NoDiagnostics && _reportedPose != (int)_session.ReadWorstPose();
+
+        public bool NeedsNamespaces => _needsNamespaces;
 
         /// <summary>
         /// Returns the diagnostics that this headset publishes once per second, and at once when the state of the pose changes. The time stamp is zero
@@ -72,6 +85,7 @@ namespace Nowpose.Session
             var now = _clock.Now;
             var statistics = _session.Statistics(now);
             _reportedPose = (int)statistics.WorstPose;
+            _needsNamespaces = statistics.Robots.Any(robot => robot.Samples == 0);
             return SessionDiagnostics.Of(
                 statistics, _session.Cell.Faults(now), _session.Settings.Connection.HeadsetName,
                 statistics.Clock.IsKnown ? statistics.Clock.ToControl(now) : default);

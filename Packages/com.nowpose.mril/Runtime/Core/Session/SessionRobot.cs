@@ -46,6 +46,11 @@ namespace Nowpose.Session
         /// <summary>Description of this robot from the gateway. Thread-safe.</summary>
         public ReceivedDescription Description { get; }
 
+        /// <summary>
+        /// Message if the gateway serves robots, but only in other namespaces; null if it does not, or if this is unknown. Set on the socket's thread.
+        /// </summary>
+        public string OtherNamespaces { get; set; }
+
         /// <summary>Queues of messages for the next frame.</summary>
         public SessionIntake Intake { get; }
 
@@ -115,6 +120,7 @@ namespace Nowpose.Session
             into.DescriptionMatch = Description.Match;
             into.BeyondLimits = Limits.Present;
             into.Samples = Intake.Samples;
+            into.OtherNamespaces = into.Samples == 0 ? OtherNamespaces : null;
             Joints.Fill(into.JointStatuses, now, clock, Frame.DisplayTime);
         }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.DisplayTime;
@@ -185,6 +186,9 @@ namespace Nowpose.Session
 
         /// <summary>States of the displayed robots other than <see cref="CompensationSession.Robot"/>.</summary>
         internal IReadOnlyList<RobotStatistics> OtherRobots => _otherRobots;
+
+        /// <summary>States of all displayed robots; allocates.</summary>
+        internal IEnumerable<RobotStatistics> Robots => _otherRobots.Prepend(_robot);
 
         /// <summary>Writes the states of all robots.</summary>
         internal void Fill(SessionRobots robots, HeadsetTime now)

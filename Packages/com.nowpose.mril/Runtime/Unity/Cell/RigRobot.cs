@@ -79,7 +79,7 @@ namespace Nowpose.Unity.Cell
         static string FaultOf(DisplayFrame frame) => frame.IsLimitedByBase || frame.State == PoseState.Unsynchronised || frame.State == PoseState.OutsideRange
             ? StatusMessages.ReasonOf(frame.State, frame.IsLimitedByBase) : null;
 
-        string FaultOf(RobotStatistics robot) => _missingJoints.Of(robot.JointStatuses, robot.Samples)
+        string FaultOf(RobotStatistics robot) => robot.OtherNamespaces ?? _missingJoints.Of(robot.JointStatuses, robot.Samples)
             ?? ReasonOf(robot.Pose)
             ?? robot.BeyondLimits?.Words
             ?? (robot.DescriptionMatch == RobotDescriptionMatch.Different ? RobotMessages.DescriptionDiffers : null);

@@ -114,6 +114,20 @@ namespace Nowpose.Tests.Core.Protocol
             Assert.That(message.Time, Is.Null);
         }
 
+        // Controllers of ROS also have topics named joint_trajectory, and are not robots.
+        [TestCase("\"/joint_states\",\"/arm2/joint_states\",\"/arm2/joint_trajectory\",\"/arm1/joint_states\"", new[] { "arm1", "arm2" })]
+        [TestCase("\"/controller/joint_trajectory\",\"/a/b/joint_states\",\"/tf\",\"\"", new string[0])]
+        [TestCase("", new string[0])]
+        public void TryRead_ListOfTopics_HasTheNamespacesOfTheRobots(string topics, string[] expected) =>
+            Assert.That(Read(TopicsOf("[" + topics + "]")).Namespaces, Is.EqualTo(expected));
+
+        [TestCase("[1]")]
+        [TestCase("\"/arm1/joint_states\"")]
+        public void TryRead_ListOfTopicsOfWrongType_IsRefused(string topics) => Refuse(TopicsOf(topics), DropReason.WrongType);
+
+        static string TopicsOf(string topics) =>
+            "{\"op\":\"service_response\",\"service\":\"/rosapi/topics\",\"values\":{\"topics\":" + topics + ",\"types\":[]},\"result\":true}";
+
         [Test]
         public void TryRead_DiagnosticsWithoutExactlyOneStatus_IsRefused()
         {

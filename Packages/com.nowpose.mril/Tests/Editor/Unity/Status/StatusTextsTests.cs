@@ -42,6 +42,22 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
+        public void Update_GatewayServesOtherNamespaces_NamesThemUnlessTheConnectionHasFailed()
+        {
+            var statistics = new SessionStatistics { SampleLink = LinkStatus.Connected };
+            statistics.OwnRobot.OtherNamespaces = RobotMessages.OtherNamespaces("", new[] { "arm1", "arm2" });
+            var texts = new StatusTexts();
+
+            texts.Update(statistics, Loopback, "test", null);
+            var connected = texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
+            statistics.SampleLink = LinkStatus.Waiting(ConnectionMessages.JointsClosed);
+            texts.Update(statistics, Loopback, "test", null);
+
+            Assert.That(connected, Is.EqualTo("! " + statistics.OwnRobot.OtherNamespaces));
+            Assert.That(texts.ValueOf(StatusRow.Message).Replace('\n', ' '), Is.EqualTo("! " + ConnectionMessages.JointsClosed));
+        }
+
+        [Test]
         public void Update_ProfileForOtherConditions_IsMarkedUnlessTheDisplayTimeIsPredicted()
         {
             var conditions = new DisplayConditions(graphicsApi: "Direct3D11", reprojection: ReprojectionMode.Depth);

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Session.Cell;
@@ -185,6 +186,34 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(
                 () => new CellSession(robotNamespace: name),
                 Throws.TypeOf<InputException>().With.Message.Contains("'" + name + "'").And.Message.Contains("32"));
+
+        [TestCase("", new[] { "arm1", "arm2" }, true)]
+        [TestCase("arm3", new[] { "arm1", "arm2" }, true)]
+        [TestCase("arm2", new[] { "arm1", "arm2" }, false)]
+        [TestCase("", new string[0], false)]
+        public void Statistics_NoSamples_NameTheServedNamespacesUnlessTheyIncludeTheRobot(string robotNamespace, string[] served, bool areOthers)
+        {
+            var cell = new CellSession(robotNamespace: robotNamespace);
+            var expected = areOthers ? RobotMessages.OtherNamespaces(robotNamespace, served) : null;
+            string Now() => cell.Session.Statistics(HeadsetTime.FromSeconds(cell.Now)).OwnRobot.OtherNamespaces;
+            cell.Run(0.1);
+            var message = cell.Session.Listener.Diagnostics().Message;
+            var isNeeded = cell.Session.Listener.NeedsNamespaces;
+
+            cell.Session.Listener.NamespacesReceived(served);
+            var without = Now();
+            var reported = cell.Session.Listener.Diagnostics().Message;
+            cell.Reconnect();
+            var reconnected = Now();
+            cell.Session.Listener.NamespacesReceived(served);
+            cell.Sampling = t => cell.SendJoints(t, 0, 0, robotNamespace);
+            cell.Run(1);
+            cell.Session.Listener.Diagnostics();
+
+            Assert.That((without, reconnected, Now()), Is.EqualTo((expected, (string)null, (string)null)));
+            Assert.That(reported, Is.EqualTo(areOthers ? message + "; " + expected : message));
+            Assert.That((isNeeded, cell.Session.Listener.NeedsNamespaces), Is.EqualTo((true, false)));
+        }
 
         static RobotModel Other() => UrdfReader.Read("<robot name='other'><link name='base'/></robot>", "test");
 
