@@ -58,6 +58,8 @@ public abstract class PlayedParts
         return made.AddComponent<T>();
     }
 
+    protected static T Loose<T>(string name) where T : Component => new GameObject(name).AddComponent<T>();
+
     // A rig of the robot arm2 below the session; without a description if the text is null.
     protected RobotRig Second(string urdf, RigPose shows = RigPose.Displayed)
     {

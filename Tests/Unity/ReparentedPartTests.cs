@@ -249,6 +249,4 @@ public class ReparentedPartTests : PlayedParts
 
         Assert.That(rig.Session, Is.SameAs(_session));
     }
-
-    static T Loose<T>(string name) where T : Component => new GameObject(name).AddComponent<T>();
 }

@@ -87,6 +87,21 @@ namespace Nowpose.Unity
         /// <summary>Raised with each new value.</summary>
         public event Action<double> Changed;
 
+        /// <summary>
+        /// Sets the fields Session and Signal, and follows the signal from now on. A script can call this method at any time, for example after it has
+        /// created the object.
+        /// </summary>
+        /// <param name="session">The session that receives the signal; null to use the session on this object or a parent.</param>
+        /// <param name="signal">Name of the signal; empty for the name of this object.</param>
+        public void Follow(MrilSession session, string signal = "")
+        {
+            var isFollowing = isActiveAndEnabled;
+            if (isFollowing) OnDisable();
+            _session = session;
+            _signal = signal;
+            if (isFollowing) OnEnable();
+        }
+
         void OnEnable()
         {
             _isOn = null;

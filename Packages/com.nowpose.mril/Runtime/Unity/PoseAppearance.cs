@@ -146,12 +146,20 @@ namespace Nowpose.Unity
             Draw();
         }
 
+        /// <summary>Sets the field Session, and shows the state of the pose in this session from now on.</summary>
+        /// <param name="session">The session; null to use that of the object or rig, or the session on this object or a parent.</param>
+        public void Follow(MrilSession session)
+        {
+            _session = session;
+            FindSession();
+        }
+
         void OnEnable()
         {
             _block ??= new MaterialPropertyBlock();
             _isEnded = false;
             _rig = GetComponentInParent<RobotRig>();
-            if (_rig != null) _rig.Followed += FollowRig;
+            if (_rig != null) _rig.Followed += FindSession;
             _source = Searched;
             // Without a session, a script moves the robot, and its pose has no state.
             if (_source == null && _rig != null) return;
@@ -174,7 +182,7 @@ namespace Nowpose.Unity
             if (_rig is object)
             {
                 _rig.Bound -= Refresh;
-                _rig.Followed -= FollowRig;
+                _rig.Followed -= FindSession;
             }
             if (_source is object)
             {
@@ -197,16 +205,14 @@ namespace Nowpose.Unity
             foreach (var other in GetComponentsInParent<PoseAppearance>(true)) other.Refresh();
         }
 
-        void OnTransformParentChanged()
-        {
-            if (isActiveAndEnabled) FollowRig();
-        }
+        void OnTransformParentChanged() => FindSession();
 
-        // The session of the robot also applies to its parts.
-        MrilSession Searched => this.SessionOr(_session != null || _rig == null ? _session : _rig.AssignedSession);
+        MrilSession Searched => this.SessionOfParts(_session, _rig);
 
-        void FollowRig()
+        /// <summary>Follows the session, rig and anchor again if they have changed.</summary>
+        internal void FindSession()
         {
+            if (!isActiveAndEnabled) return;
             if (Searched == _source && _rig == GetComponentInParent<RobotRig>() && _anchor == GetComponentInParent<BaseAnchor>()) return;
             OnDisable();
             OnEnable();

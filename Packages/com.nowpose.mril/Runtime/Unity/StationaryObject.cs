@@ -56,9 +56,27 @@ namespace Nowpose.Unity
         /// <summary>Reason why the object's pose is not current, in one line; null if it is current.</summary>
         public string Fault => _followed == null ? StatusMessages.NoSession : _followed.Fault;
 
+        MrilSession ICellObject.AssignedSession => _session;
+
         bool ICellObject.IsUnplaced => _followed != null && !_followed.IsKnown;
 
         bool ICellObject.IsFixed => _followed != null && _followed.IsFixed;
+
+        /// <summary>
+        /// Sets the fields Session and Frame, and follows the frame from now on; ends a move by hand. A script can call this method at any time, for
+        /// example after it has created the object.
+        /// </summary>
+        /// <param name="session">The session that receives the object's frame; null to use the session on this object or a parent.</param>
+        /// <param name="frame">Name of the frame; empty for the name of this object.</param>
+        public void Follow(MrilSession session, string frame = "")
+        {
+            var isFollowing = isActiveAndEnabled;
+            if (isFollowing) OnDisable();
+            _session = session;
+            _frame = frame;
+            if (isFollowing) OnEnable();
+            GetComponent<PoseAppearance>().FindSession();
+        }
 
         /// <summary>
         /// Starts a move by hand, in which the frame follows this transform. Does nothing while a source or a gripper moves the object.

@@ -51,11 +51,29 @@ namespace Nowpose.Unity
         /// </summary>
         public float? GapMetres => _followed?.GapMetres;
 
+        MrilSession ICellObject.AssignedSession => _session;
+
         bool ICellObject.IsUnplaced => false;
 
         bool ICellObject.IsFixed => _followed != null && _followed.IsFixed;
 
         internal bool IsOf(MrilSession session) => this.IsOf(_session, session);
+
+        /// <summary>
+        /// Sets the fields Session and Frame, and follows the frame from now on. A script can call this method at any time, for example after it has
+        /// created the object.
+        /// </summary>
+        /// <param name="session">The session that receives the object; null to use the session on this object or a parent.</param>
+        /// <param name="frame">Name of the frame; empty for the name of this object.</param>
+        public void Follow(MrilSession session, string frame = "")
+        {
+            var isFollowing = isActiveAndEnabled;
+            if (isFollowing) OnDisable();
+            _session = session;
+            _frame = frame;
+            if (isFollowing) OnEnable();
+            GetComponent<PoseAppearance>().FindSession();
+        }
 
         void OnEnable()
         {

@@ -1,3 +1,4 @@
+using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
 using UnityEngine;
 
@@ -11,6 +12,18 @@ namespace Nowpose.Unity.Session
         /// <summary>Returns the assigned session, or else the session on the component's object or a parent; null if there is none.</summary>
         public static MrilSession SessionOr(this Component component, MrilSession assigned) =>
             assigned != null ? assigned : component.GetComponentInParent<MrilSession>();
+
+        /// <summary>
+        /// Returns the assigned session, or else the session that is assigned to the object of the cell or to the rig, because it also applies to their
+        /// parts, or else the session on the component's object or a parent; null if there is none.
+        /// </summary>
+        /// <param name="rig">The rig of the parts; null if they have none.</param>
+        public static MrilSession SessionOfParts(this Component component, MrilSession assigned, RobotRig rig)
+        {
+            if (assigned == null && component.TryGetComponent<ICellObject>(out var shown)) assigned = shown.AssignedSession;
+            if (assigned == null && rig != null) assigned = rig.AssignedSession;
+            return component.SessionOr(assigned);
+        }
 
         /// <summary>Returns whether a component, which may be inactive, belongs to a session.</summary>
         /// <param name="assigned">The session that is assigned to the component; null to use the one on its object or a parent.</param>

@@ -51,6 +51,13 @@ namespace Nowpose.Tests.Unity
             second.Follow(null, "arm2", description);
         }
 
+        internal static void AddAnObject(BaseAnchor anchor, MrilSession session)
+        {
+            var made = new GameObject("Workpiece");
+            made.transform.SetParent(anchor.transform, worldPositionStays: false);
+            made.AddComponent<TrackedObject>().Follow(session, "workpiece_7");
+        }
+
         internal static void MoveWithoutASession(RobotRig rig, RobotDescriptionAsset asset)
         {
             rig.Bind(asset.Read());
