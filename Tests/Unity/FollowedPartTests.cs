@@ -1,4 +1,5 @@
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Tests.Rendering;
 using NUnit.Framework;
 using UnityEngine;
@@ -108,6 +109,22 @@ public class FollowedPartTests : PlayedParts
         foreach (var part in parts) part.enabled = true;
 
         Assert.That(_session.Parts.Count, Is.EqualTo(4));
+    }
+
+    [Test]
+    public void Follow_GripByReachElsewhere_GripsWithTheRobotOfTheRig()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var grip = Loose<GripByReach>("prefab(Clone)");
+
+        grip.Follow(rig, "closed");
+        Run(1);
+        SendSignal("closed", _cell.Now - 1, 0);
+        Run(0.5);
+        Assert.That((grip.Signal, grip.Fault), Is.EqualTo(("closed", (string)null)));
+
+        grip.Follow(null);
+        Assert.That((grip.Fault, _session.Parts.Count), Is.EqualTo((StatusMessages.NoRig, 0)));
     }
 
     [Test]

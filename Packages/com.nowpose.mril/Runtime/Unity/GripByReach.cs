@@ -58,6 +58,21 @@ namespace Nowpose.Unity
             }
         }
 
+        /// <summary>
+        /// Sets the fields Rig and Signal, and follows the signal from now on. A script can call this method at any time, for example after it has
+        /// created the object.
+        /// </summary>
+        /// <param name="rig">The rig whose robot carries the gripper; null to use the rig on a parent.</param>
+        /// <param name="signal">Name of the signal; empty for the name of this object.</param>
+        public void Follow(RobotRig rig, string signal = "")
+        {
+            var isFollowing = isActiveAndEnabled;
+            if (isFollowing) OnDisable();
+            _rig = rig;
+            _signal = signal;
+            if (isFollowing) OnEnable();
+        }
+
         string IShownPart.Title => _title;
 
         bool IShownPart.IsFaultCommon => _grip != null && Fault == SignalMessages.ClockUnsynchronised;
@@ -73,7 +88,7 @@ namespace Nowpose.Unity
             Follow(_source != null ? _source.Session : this.SessionOr(null));
         }
 
-        void OnDisable() => Follow(null);
+        void OnDisable() => Follow(session: null);
 
         void OnTransformParentChanged()
         {
