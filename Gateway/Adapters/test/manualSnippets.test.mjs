@@ -1,0 +1,28 @@
+// Parses the parts of configurations that the manual shows, because users copy them.
+import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { it } from 'node:test';
+import { parse } from 'yaml';
+import { adapters } from './program.mjs';
+
+const folder = join(adapters, '../../Packages/com.nowpose.mril/Documentation~');
+
+/** Returns the YAML blocks of a page and the mappings within its lines. */
+const snippetsOf = page => [
+  ...[...page.matchAll(/^```ya?ml\n(.*?)^```/gms)].map(([, block]) => block),
+  ...[...page.matchAll(/`(\{ [^`\n]*)`/g)].map(([, mapping]) => mapping),
+];
+
+const pages = readdirSync(folder).filter(name => name.endsWith('.md'))
+  .map(name => [name, snippetsOf(readFileSync(join(folder, name), 'utf8'))]).filter(([, snippets]) => snippets.length > 0);
+
+it('Manual_PagesAboutPlants_HaveSnippets', () => {
+  for (const name of ['objects-from-a-plc.md', 'plant-configuration.md', 'plant-mqtt.md'])
+    assert.ok(pages.some(([page, snippets]) => page === name && snippets.length >= 2), name);
+});
+
+for (const [name, snippets] of pages)
+  it(`Snippets_Of${name}_AreValid`, () => {
+    for (const snippet of snippets) assert.doesNotThrow(() => parse(snippet), snippet);
+  });
