@@ -26,3 +26,14 @@ for (const [name, snippets] of pages)
   it(`Snippets_Of${name}_AreValid`, () => {
     for (const snippet of snippets) assert.doesNotThrow(() => parse(snippet), snippet);
   });
+
+it('ObjectsFromAPlc_DeclaredVariables_AreVisibleToOpcUa', () => {
+  const [declarations] = readFileSync(join(folder, 'objects-from-a-plc.md'), 'utf8').match(/VAR_GLOBAL.*?END_VAR/s);
+  const namesIn = pattern => [...declarations.matchAll(pattern)].map(([, name]) => name);
+
+  // An attribute applies only to the declaration that follows it.
+  const visible = namesIn(/'OPC\.UA\.DA' := '1'.*'OPC\.UA\.DA\.Access' := '1'.*\n\s*(\w+) :/g);
+
+  assert.ok(visible.length > 0);
+  assert.deepEqual(visible, namesIn(/^\s*(\w+) : /gm));
+});
