@@ -70,6 +70,28 @@ public class PairingEventsTests
         Assert.That(problems, Is.EqualTo(1));
     }
 
+    [TestCase("accepted")]
+    [TestCase("refused")]
+    [TestCase("disabled")]
+    public void OnQuestion_QuestionAppearsAndEnds_PassesItsTextAndThenAnEmptyString(string end)
+    {
+        var shown = new List<string>();
+        var onQuestion = new UnityEvent<string>();
+        onQuestion.AddListener(shown.Add);
+        _played.Pairing.With("_onQuestion", onQuestion);
+        _played.Shown.Texts.Add(Desk);
+        _played.Frames(10);
+        var question = _played.Pairing.Question;
+
+        if (end == "accepted") _played.Pairing.Accept();
+        else if (end == "refused") _played.Pairing.Refuse();
+        else _played.Pairing.enabled = false;
+        _played.Frames(10);
+
+        Assert.That(question, Is.Not.Empty);
+        Assert.That(shown, Is.EqualTo(new[] { question, "" }));
+    }
+
     [Test]
     public void Listener_DisablesThePairing_EventCompletes()
     {

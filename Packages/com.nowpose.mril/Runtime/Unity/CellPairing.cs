@@ -40,6 +40,9 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Called when there is a question. Show it, and call Accept or Refuse.")]
         UnityEvent _onAsked = new UnityEvent();
 
+        [SerializeField, Tooltip("Called with the text of a question when it appears or changes, and with an empty string when it ends.")]
+        UnityEvent<string> _onQuestion = new UnityEvent<string>();
+
         [SerializeField, Tooltip("Called when the gateway has given this headset a token. The session then connects.")]
         UnityEvent _onPaired = new UnityEvent();
 
@@ -50,7 +53,7 @@ namespace Nowpose.Unity
         readonly CodesInView _view = new CodesInView();
         MrilSession _source;
         BaseAnchor _target;
-        string _fileProblem, _name, _path;
+        string _fileProblem, _name, _path, _shown = "";
         bool _isApplied;
 
         /// <summary>Raised when <see cref="Question"/>, <see cref="Words"/>, <see cref="Problem"/> or <see cref="Cell"/> has changed.</summary>
@@ -121,6 +124,7 @@ namespace Nowpose.Unity
         {
             Flow?.Dispose();
             Flow = null;
+            ShowQuestion();
         }
 
         // Runs before the session computes its frame in LateUpdate.
@@ -160,9 +164,18 @@ namespace Nowpose.Unity
             if ((changes & PairingChange.Paired) != 0) ConsoleLog.Info(this, Flow.Words);
             // A listener may disable this component.
             Changed?.Invoke();
+            ShowQuestion();
             if ((changes & PairingChange.Asked) != 0) _onAsked.Invoke();
             if ((changes & PairingChange.Paired) != 0) _onPaired.Invoke();
             if ((changes & PairingChange.Problem) != 0) _onProblem.Invoke();
+        }
+
+        void ShowQuestion()
+        {
+            var question = Question ?? "";
+            if (question == _shown) return;
+            _shown = question;
+            _onQuestion.Invoke(question);
         }
 
         void Keep()
