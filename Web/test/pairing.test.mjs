@@ -12,7 +12,7 @@ import { messages } from './messages.mjs';
 import { readBlocks, readElement } from './qr.mjs';
 import { skipWithout } from './required.mjs';
 
-const { pairingLabels } = messages;
+const { pairingLabels, pairingReasons } = messages;
 
 const path = relative => fileURLToPath(new URL(relative, import.meta.url));
 const gateway = ['Debug', 'Release'].map(kind => path(`../../Gateway/bin/${kind}/net10.0/Nowpose.Gateway.dll`)).filter(existsSync)
@@ -90,6 +90,16 @@ describe('pairing', { skip: skipWithout(gateway !== undefined, 'the gateway is n
     await page.click('#renew');
     await page.waitForFunction(old => document.querySelector('#token path').getAttribute('d') !== old, drawn);
     assert.notEqual(await shown(), text);
+  });
+
+  it('draws a marker without a pose, and names the fields that are missing in a pose', async () => {
+    assert.doesNotMatch(await page.textContent('#caption'), /&o=/);
+    assert.match(await page.textContent('#caption'), /&m=0\.12$/);
+
+    for (const name of ['x', 'pitch']) await page.fill(`[data-offset=${name}]`, '0');
+
+    await page.waitForFunction(fault => document.querySelector('#fault').textContent === fault, pairingReasons.poseIncomplete('y, z, roll, yaw'));
+    assert.ok(await page.locator('#print').isHidden());
   });
 
   it('draws the marker from the form\'s fields', async () => {

@@ -30,5 +30,10 @@ export const pairingLabels = {
   hideCode: 'Hide the code',
   validFor: (time: string) => `valid for ${time}, or until a headset has used it`,
   marker: (name: string, size: string, offset: string, modules: number, text: string) =>
-    `${name} · edge of the code ${size} mm · pose in the base frame ${offset} (m, °) · ${modules} modules · ${text}`,
+    `${name} · edge of the code ${size} mm · ${offset === '' ? 'no pose' : `pose in the base frame ${offset} (m, °)`} · ${modules} modules · ${text}`,
+};
+
+/** Reasons why the pairing page draws no marker. */
+export const pairingReasons = {
+  poseIncomplete: (empty: string) => `marker in the base frame: enter ${empty}, or leave all six fields empty for a code without a pose`,
 };

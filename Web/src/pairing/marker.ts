@@ -1,5 +1,5 @@
 import { el } from '../dom';
-import { pairingLabels } from '../messages/codes';
+import { pairingLabels, pairingReasons } from '../messages/codes';
 import { draw, setEdge } from './drawing';
 import { byId } from './elements';
 import { ask, type Beginning, type Marker } from './gateway';
@@ -8,7 +8,14 @@ import { ask, type Beginning, type Marker } from './gateway';
 const PAUSE_MS = 250;
 
 const field = (id: string) => byId<HTMLInputElement>(id).value;
-const offset = () => [...document.querySelectorAll<HTMLInputElement>('[data-offset]')].map(input => input.value.trim()).join(',');
+const poseFields = () => [...document.querySelectorAll<HTMLInputElement>('[data-offset]')];
+const isEmpty = (input: HTMLInputElement) => input.value.trim() === '';
+
+/** Pose of the marker as in its code; empty for a code without a pose. */
+function offset(): string {
+  const values = poseFields().map(input => input.value.trim());
+  return values.every(value => value === '') ? '' : values.join(',');
+}
 
 let newest = 0;
 
@@ -38,6 +45,10 @@ export async function startMarker(): Promise<void> {
 async function make(): Promise<boolean> {
   const own = ++newest;
   if (field('name') === '') return fail('');
+  const empty = poseFields()
+    .filter(isEmpty)
+    .map(input => input.dataset.offset);
+  if (offset() !== '' && empty.length > 0) return fail(pairingReasons.poseIncomplete(empty.join(', ')));
   const answer = await ask<Marker>('cell', { name: field('name'), host: field('host'), offset: offset(), size_mm: field('size') });
   // The user has changed the form since this request.
   if (own !== newest) return false;
