@@ -53,7 +53,7 @@ public sealed class PackageChecksTests : EditorFixture
         var found = _reviewed.Review.Results[_reviewed.IndexOf("AR Foundation")];
         Assert.That(found.State, Is.EqualTo(CheckState.Advice));
         Assert.That(found.Found, Is.EqualTo(
-            CheckResults.OutsideBounds("com.unity.xr.arfoundation", "4.1.7", isTooNew: false, "5.0.0" + CheckResults.OrNewer(new Version(7, 0, 0)))));
+            CheckResults.OutsideBounds("com.unity.xr.arfoundation", "4.1.7", isTooNew: false, "5.0.0" + CheckResults.OrNewer(new Version(6, 4, 0)))));
         Assert.That(_reviewed.Review.Results[_reviewed.IndexOf("Mixed Reality OpenXR")].State, Is.EqualTo(CheckState.Good));
     }
 

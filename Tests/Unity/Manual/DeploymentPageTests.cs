@@ -50,6 +50,7 @@ public sealed partial class DeploymentPageTests
     [TestCase("1.9.0", "1.8.3", false)]
     [TestCase("[5.0.0,7.0.0-pre)", "5.1.5", true)]
     [TestCase("[5.0.0,7.0.0-pre)", "7.0.0", false)]
+    [TestCase("[5.0.0,6.4.0-pre)", "6.3.5", true)]
     [TestCase("[5.0.0,7.0.0-pre)", "4.2.9", false)]
     public void Contains_VersionExpression_IsEvaluated(string expression, string version, bool contains)
     {

@@ -32,6 +32,19 @@ public sealed partial class VersionBoundsTests
             Assert.That(words.Contains(fact, StringComparison.Ordinal) || !found.Contains(fact, StringComparison.Ordinal), Is.True, fact);
     }
 
+    [Test]
+    public void ArFoundation_ForMicrosoftsPlugin_HasTheSameBoundsInTheCheckTheAssemblyAndThePages()
+    {
+        var definition = RepositoryFiles.Read(RepositoryFiles.Package + "/Runtime/OpenXRAnchoring/Nowpose.OpenXR.Anchoring.asmdef");
+
+        var versions = new[] { "4.2.9", "5.0.0", "6.3.5", "6.4.0" };
+
+        Assert.That(versions.Select(ProjectNeeds.ArFoundation.Serves), Is.EqualTo(new bool?[] { false, true, true, false }));
+        Assert.That(definition, Does.Contain("\"com.unity.xr.arfoundation\", \"expression\": \"[5.0.0,6.4.0-pre)\""));
+        foreach (var page in new[] { "qr-markers", "anchor-store" })
+            Assert.That(RepositoryFiles.Read(RepositoryFiles.Package + $"/Documentation~/{page}.md"), Does.Match(@"5\.0 to \[?6\.3\b"), page);
+    }
+
     [TestCaseSource(nameof(Addresses))]
     public void DeploymentPage_RequiredPackage_IsNamed(string package)
     {

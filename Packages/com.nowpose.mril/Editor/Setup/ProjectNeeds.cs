@@ -14,8 +14,11 @@ namespace Nowpose.Editor.Setup
         public static readonly PackageOrigin MixedRealityOpenXr =
             PackageOrigin.Of(ScopedRegistry.Microsoft, "com.microsoft.mixedreality.openxr", "1.11.2", min: "1.11.1");
 
+        /// <summary>
+        /// AR Foundation for Microsoft's plugin. Version 6.4 has marker types with the same names. Without the plugin, all versions 5 and 6 are supported.
+        /// </summary>
         public static readonly PackageOrigin ArFoundation =
-            PackageOrigin.OfUnity("com.unity.xr.arfoundation", "5.1.5", min: "5.0.0", below: "7.0.0");
+            PackageOrigin.OfUnity("com.unity.xr.arfoundation", "5.1.5", min: "5.0.0", below: "6.4.0");
 
         public static readonly PackageOrigin InputSystem =
             PackageOrigin.OfUnity("com.unity.inputsystem", "1.7.0", isEditorsChoice: true);
