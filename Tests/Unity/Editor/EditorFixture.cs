@@ -25,6 +25,7 @@ public abstract class EditorFixture
         EditorApplication.delayCall = null;
         EditorUtility.Chosen = "";
         Undo.Clear();
+        SessionState.Clear();
         PrefabUtility.Recorded.Clear();
         QualitySettings.renderPipeline = null;
         Selection.activeObject = null;

@@ -27,9 +27,30 @@ public sealed class ProjectChecksTests : EditorFixture
         Assert.That(_reviewed.Review.Results[check].State, Is.Not.EqualTo(CheckState.Good), "before");
 
         _reviewed.Review.Fix(check);
+        RestartTheEditor();
 
         Assert.That(_reviewed.Review.Results[check].State, Is.EqualTo(CheckState.Good), _reviewed.Review.Results[check].Found);
         Assert.That(_reviewed.Review.Advice[check], Is.Null);
+    }
+
+    void RestartTheEditor()
+    {
+        SessionState.Clear();
+        _reviewed.Review.Refresh();
+    }
+
+    [Test]
+    public void InputHandling_Fixed_IsMissingUntilTheEditorRestarts()
+    {
+        var check = _reviewed.IndexOf(CheckTitles.InputHandling);
+
+        _reviewed.Review.Fix(check);
+        _reviewed.Review.Refresh();
+
+        Assert.That(_reviewed.Review.Results[check].State, Is.EqualTo(CheckState.Missing));
+        Assert.That(_reviewed.Review.Results[check].Found, Is.EqualTo(CheckResults.AfterRestart(CheckTitles.InputSystem)));
+        RestartTheEditor();
+        Assert.That(_reviewed.Review.Results[check].State, Is.EqualTo(CheckState.Good));
     }
 
     [TestCaseSource(nameof(SettingChecks))]
@@ -38,6 +59,7 @@ public sealed class ProjectChecksTests : EditorFixture
         var before = _reviewed.Review.Results.ToArray();
 
         _reviewed.Review.Fix(_reviewed.IndexOf(title));
+        RestartTheEditor();
 
         var changed = Enumerable.Range(0, before.Length).Where(i => before[i].State != _reviewed.Review.Results[i].State);
         // Excludes Graphics Jobs: Unity reports this setting only for the active build target, which another fix may change.
@@ -111,6 +133,7 @@ public sealed class ProjectChecksTests : EditorFixture
         {
             Assert.That(_reviewed.Review.Results[check].State, Is.Not.EqualTo(CheckState.Good), _reviewed.Review.Checks[check].Title);
             _reviewed.Review.Fix(check);
+            RestartTheEditor();
             Assert.That(_reviewed.Review.Results[check].State, Is.EqualTo(CheckState.Good), _reviewed.Review.Checks[check].Title);
         }
 

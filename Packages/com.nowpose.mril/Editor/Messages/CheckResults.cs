@@ -19,6 +19,8 @@ namespace Nowpose.Editor.Messages
 
         public static string InputHandlingOnAndroid(string name) => $"{name}, which Unity does not support on Android";
 
+        public static string AfterRestart(string name) => $"{name}, which takes effect when you restart Unity";
+
         public const string InternetAccess = "the app requests the permission INTERNET";
 
         public static string NearClip(string found, double millimetres, double metres) =>

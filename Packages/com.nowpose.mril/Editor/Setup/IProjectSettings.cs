@@ -43,6 +43,9 @@ namespace Nowpose.Editor.Setup
         /// <summary>0 for the old Input Manager, 1 for the Input System, 2 for both; null if the setting cannot be read.</summary>
         int? InputHandling { get; }
 
+        /// <summary>Whether <see cref="InputHandling"/> was set since Unity was started. It takes effect when Unity is started again.</summary>
+        bool IsInputHandlingPending { get; }
+
         /// <summary>Type name of the render pipeline asset; null for the built-in pipeline.</summary>
         string RenderPipeline { get; }
 

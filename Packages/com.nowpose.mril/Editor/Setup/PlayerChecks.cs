@@ -81,7 +81,8 @@ namespace Nowpose.Editor.Setup
             var name = value >= 0 && value < InputNames.Length ? InputNames[value] : FormattableString.Invariant($"unknown value {value}");
             if (value == BothInputs && project.Platform == HeadsetPlatform.AndroidHeadset)
                 return CheckResult.Advice(CheckResults.InputHandlingOnAndroid(name));
-            return value == InputSystem || value == BothInputs ? CheckResult.Good(name) : CheckResult.Missing(name);
+            if (value != InputSystem && value != BothInputs) return CheckResult.Missing(name);
+            return project.IsInputHandlingPending ? CheckResult.Missing(CheckResults.AfterRestart(name)) : CheckResult.Good(name);
         }
     }
 }

@@ -9,8 +9,14 @@ namespace Nowpose.Editor.Setup
         const string Player = "ProjectSettings/ProjectSettings.asset", Graphics = "ProjectSettings/GraphicsSettings.asset";
         const string Handling = "activeInputHandler";
 
+        // The editor keeps the state of its session until it ends.
+        const string HasChangedHandling = "Nowpose.HasChangedInputHandling";
+
         /// <summary>Number of the setting Active Input Handling; null if the setting is not found.</summary>
         public static int? InputHandling => Read(Player, Handling, property => (int?)property.intValue);
+
+        /// <summary>Whether the number was set since Unity was started. It takes effect when Unity is started again.</summary>
+        public static bool IsInputHandlingPending => SessionState.GetBool(HasChangedHandling, false);
 
         /// <summary>Type name of the default render pipeline asset; null for the built-in pipeline.</summary>
         public static string DefaultRenderPipeline => Read(Graphics, "m_CustomRenderPipeline", TypeOfReferenced);
@@ -21,6 +27,7 @@ namespace Nowpose.Editor.Setup
         {
             property.intValue = value;
             property.serializedObject.ApplyModifiedProperties();
+            SessionState.SetBool(HasChangedHandling, true);
             return true;
         });
 

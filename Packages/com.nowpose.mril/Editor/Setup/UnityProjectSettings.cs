@@ -88,6 +88,8 @@ namespace Nowpose.Editor.Setup
 
         public int? InputHandling => ProjectAssets.InputHandling;
 
+        public bool IsInputHandlingPending => ProjectAssets.IsInputHandlingPending;
+
         public string RenderPipeline =>
             QualitySettings.renderPipeline == null ? ProjectAssets.DefaultRenderPipeline : QualitySettings.renderPipeline.GetType().Name;
 

@@ -30,6 +30,7 @@ namespace Nowpose.Tests.Unity.Setup
         public bool IsGraphicsApiAutomatic { get; set; }
         public bool? UsesGraphicsJobs { get; set; }
         public int? InputHandling { get; set; }
+        public bool IsInputHandlingPending { get; set; }
         public string RenderPipeline { get; set; }
         public bool? ClearsToTransparentBlack { get; set; }
         public float? NearClipMetres { get; set; }
@@ -51,7 +52,7 @@ namespace Nowpose.Tests.Unity.Setup
 
         public bool ChooseInputHandling(int value)
         {
-            if (IsInputHandlingWritable) InputHandling = value;
+            if (IsInputHandlingWritable) (InputHandling, IsInputHandlingPending) = (value, true);
             return IsInputHandlingWritable;
         }
 

@@ -71,6 +71,9 @@ namespace Nowpose.Tests.Unity.Setup
             Assert.That(check.Fix(_project), Is.Null);
 
             Assert.That(_project.InputHandling, Is.EqualTo(1));
+            Assert.That(State(check, _project), Is.EqualTo("Missing"), "until Unity restarts");
+            Assert.That(check.Look(_project).Found, Is.EqualTo(CheckResults.AfterRestart(CheckTitles.InputSystem)));
+            _project.IsInputHandlingPending = false;
             Assert.That(State(check, _project), Is.EqualTo("Good"));
         }
 
