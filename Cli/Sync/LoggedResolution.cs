@@ -3,13 +3,16 @@ using Nowpose.Sync;
 namespace Nowpose.Cli.Sync;
 
 /// <summary>
-/// Determines the resolution of the control clock from the time stamps of a log. The time stamps of a PLC are the start times of its cycles.
-/// Their differences are multiples of the cycle time, and the stamps are half a cycle early on average.
+/// Determines the resolution of the control clock from the time stamps of a log, row by row. The time stamps of a PLC are the start times of its
+/// cycles. Their differences are multiples of the cycle time, and the stamps are half a cycle early on average.
 /// </summary>
-static class LoggedResolution
+sealed class LoggedResolution
 {
-    /// <summary>Minimum number of exchanges. With fewer, stamps can differ by whole milliseconds by chance.</summary>
-    const int MinExchanges = 50;
+    /// <summary>
+    /// Minimum number of exchanges. With fewer, stamps can differ by whole milliseconds by chance. The clock is not synchronised before, so no
+    /// synchronised estimate lacks the resolution.
+    /// </summary>
+    static readonly int MinExchanges = ClockSettings.Default.ExchangesToSynchronise;
 
     /// <summary>Range of the resolution, ns. Half of a shorter cycle is negligible; a longer common step does not count as a cycle.</summary>
     const long MinNs = 100_000, MaxNs = 20_000_000;
@@ -20,24 +23,32 @@ static class LoggedResolution
     /// </summary>
     const int FinerHeadsetClock = 10;
 
-    /// <param name="rows">Rows of t1, t2, t3 and t4, ns.</param>
-    /// <returns>The resolution; zero if the stamps do not show one.</returns>
-    public static TimeSpan Of(IReadOnlyList<long[]> rows)
+    LoggedStamps _first;
+    Int128 _control, _headset;
+    int _rows;
+
+    /// <summary>Adds the next row of the log.</summary>
+    /// <returns>The resolution according to all rows so far; zero if they do not show one. It changes a few times at most.</returns>
+    public TimeSpan Add(LoggedStamps row)
     {
-        if (rows.Count < MinExchanges) return TimeSpan.Zero;
-        var control = CommonStep(rows, 1, 2);
-        if (control is < MinNs or > MaxNs || CommonStep(rows, 0, 3) > control / FinerHeadsetClock) return TimeSpan.Zero;
-        return TimeSpan.FromTicks(control / TimeSpan.NanosecondsPerTick);
+        if (_rows++ == 0) _first = row;
+        _control = CommonStep(_control, row.T2 - (Int128)_first.T2, row.T3 - (Int128)_first.T2);
+        _headset = CommonStep(_headset, row.T1 - (Int128)_first.T1, row.T4 - (Int128)_first.T1);
+        if (_rows < MinExchanges || _control < MinNs || _control > MaxNs || _headset > _control / FinerHeadsetClock) return TimeSpan.Zero;
+        return TimeSpan.FromTicks((long)_control / TimeSpan.NanosecondsPerTick);
     }
 
-    static long CommonStep(IReadOnlyList<long[]> rows, int first, int second)
+    /// <summary>Returns the exchanges with the resolution that the complete log shows.</summary>
+    public static IReadOnlyList<SyncExchange> ExchangesOf(IReadOnlyList<LoggedExchange> log)
     {
-        Int128 step = 0;
-        foreach (var row in rows)
-            foreach (var column in (ReadOnlySpan<int>)[first, second])
-                step = GreatestCommonDivisor(step, Int128.Abs((Int128)row[column] - rows[0][first]));
-        return (long)Int128.Min(step, long.MaxValue);
+        var (logged, resolution) = (new LoggedResolution(), TimeSpan.Zero);
+        foreach (var each in log)
+            if (each.Stamps is { } stamps) resolution = logged.Add(stamps);
+        return [.. log.Select(each => each.ExchangeWith(resolution))];
     }
+
+    static Int128 CommonStep(Int128 step, Int128 first, Int128 second) =>
+        GreatestCommonDivisor(GreatestCommonDivisor(step, Int128.Abs(first)), Int128.Abs(second));
 
     static Int128 GreatestCommonDivisor(Int128 a, Int128 b)
     {

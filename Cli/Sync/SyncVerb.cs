@@ -1,7 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
-using Nowpose.Sync;
 
 namespace Nowpose.Cli.Sync;
 
@@ -40,11 +39,11 @@ static class SyncVerb
     static async Task<int> RunAsync(string file, string estimator, string at, bool json, string page, CancellationToken cancel)
     {
         var (log, instants) = await Invocation.ReadAsync(() => (SyncLog.Read(file), at == null ? null : SyncLog.ReadInstants(at)), cancel);
-        var replay = new SyncReplay(ClockEstimators.Create(estimator));
+        var replay = new SyncReplay(estimator);
         var estimates = at == null ? replay.AfterEach(log) : replay.At(instants, log);
         if (page != null)
         {
-            SyncPage.Write(page, file, at, [.. log.Select(each => each.Exchange)], estimator);
+            SyncPage.Write(page, file, at, LoggedResolution.ExchangesOf(log), estimator);
             await Console.Error.WriteLineAsync(page);
         }
         Print(estimates.TakeWhile(_ => !cancel.IsCancellationRequested), instants?.Count ?? log.Count, at != null, json);

@@ -79,12 +79,12 @@ public class SyncVerbTests
     }
 
     /// <summary>Returns a log of exchanges at irregular times with short delays. The time stamps of the control clock are whole cycles.</summary>
-    static string LogOfCycles(long cycleNs)
+    static string LogOfCycles(long cycleNs, int rows = 400, int before = 0)
     {
         var random = new Random(5);
         var log = new StringBuilder(Header);
         long Stamp(long t) => (ControlEpoch + t) / cycleNs * cycleNs;
-        for (var i = 0; i < 400; i++)
+        for (var i = before; i < before + rows; i++)
         {
             var t1 = i * 200_000_000L + random.Next(9_000_000);
             var (t2, t4) = (t1 + 150_000 + random.Next(100_000), t1 + 500_000 + random.Next(100_000));
@@ -103,6 +103,41 @@ public class SyncVerbTests
 
         var error = long.Parse(run.Lines[^1].Split(',')[1], CultureInfo.InvariantCulture) + ControlEpoch;
         Assert.That(error, Is.EqualTo(0).Within(cycleNs / 8), "seed 5; half a cycle would be too much");
+    }
+
+    /// <summary>The cycle time changes, so that the log shows another resolution from row 101 on.</summary>
+    static string LogOfTwoCycles => LogOfCycles(4_000_000, 100) + LogOfCycles(1_000_000, 50, before: 100)[Header.Length..];
+
+    [TestCase(12)]
+    [TestCase(20)]
+    [TestCase(60)]
+    [TestCase(110)]
+    public async Task Sync_ControlClockStampsWholeCycles_EstimatesFromTheEarlierRowsOnly(int rows)
+    {
+        var log = LogOfTwoCycles.Split('\n');
+        using var file = new TemporaryFile(LogOfTwoCycles);
+        using var part = new TemporaryFile(string.Join('\n', log[..(rows + 1)]) + "\n");
+        using var instants = new TemporaryFile($"t_ns\n{log[rows].Split(',')[3]}\n");
+
+        var whole = await CliRun.OfAsync("sync", file.Path);
+        var partial = await CliRun.OfAsync("sync", part.Path);
+        var wholeAt = await CliRun.OfAsync("sync", file.Path, "--at", instants.Path);
+        var partialAt = await CliRun.OfAsync("sync", part.Path, "--at", instants.Path);
+
+        Assert.That(partial.Lines, Is.EqualTo(whole.Lines[..(rows + 1)]), "seed 5");
+        Assert.That(wholeAt.Output, Is.EqualTo(partialAt.Output), "seed 5");
+    }
+
+    [Test]
+    public async Task Sync_ControlClockStampsWholeCycles_HasNoBiasOnceSynchronised()
+    {
+        using var file = new TemporaryFile(LogOfCycles(1_000_000));
+
+        var run = await CliRun.OfAsync("sync", file.Path);
+
+        var first = run.Lines.First(line => line.Contains("synchronised", StringComparison.Ordinal)).Split(',');
+        Assert.That(long.Parse(first[1], CultureInfo.InvariantCulture) + ControlEpoch, Is.EqualTo(0).Within(250_000), "seed 5; half a cycle is 500 µs");
+        Assert.That(run.Errors, Is.Empty, "no exchange is dropped");
     }
 
     [Test]
