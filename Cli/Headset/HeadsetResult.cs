@@ -28,9 +28,7 @@ sealed record HeadsetResult(
 
     /// <param name="CurrentShare">Share of frames with a current pose, counted from the first current frame.</param>
     /// <param name="LongestNotCurrentS">Longest time without a current pose after the first current frame.</param>
-    /// <param name="CurrentShareOfRun">
-    /// Share of frames with a current pose in the whole run. Frames before the first current frame count only from 3 s on.
-    /// </param>
+    /// <param name="CurrentShareOfRun">Share of frames with a current pose in the whole run, from its first frame on.</param>
     /// <param name="NotCurrentS">Total time without a current pose after the first current frame. Frames in this time are not scored.</param>
     public sealed record PoseResult(
         string State, double? CurrentAfterS, double? CurrentShare, double LongestNotCurrentS, double? CurrentShareOfRun, double NotCurrentS);

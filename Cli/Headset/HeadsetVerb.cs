@@ -53,7 +53,7 @@ static class HeadsetVerb
     {
         var verb = new Command(
             "headset", "Connect the headset runtime to a running gateway, and report accuracy and latency. The exit status is 1 if the "
-            + "pose was current for less than half of the time. The time before the first current pose counts from 3 s on.")
+            + "pose was current for less than half of the run, from its start.")
         {
             Host, SyncPort, WebSocketPort, Pin, TokenFile, InsecureLan, Name, Robot, Namespace, Predictor, Estimator, Profile, Visualisation,
             FramesPerSecond, Seconds, Record, Json,

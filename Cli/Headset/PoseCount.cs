@@ -5,9 +5,6 @@ namespace Nowpose.Cli.Headset;
 /// <summary>Counts the frames with a current pose, and measures the time without one.</summary>
 sealed class PoseCount
 {
-    /// <summary>Initial time in which frames without a current pose are not counted, because the clock is still synchronising.</summary>
-    static readonly TimeSpan StartAllowance = TimeSpan.FromSeconds(3);
-
     TimeSpan? _first, _lost;
     TimeSpan _longest, _notCurrent, _previous;
     int _frames, _framesOfRun, _current;
@@ -16,7 +13,7 @@ sealed class PoseCount
     public void Add(TimeSpan time, PoseState state)
     {
         if (state == PoseState.Current) _first ??= time;
-        if (_first != null || time >= StartAllowance) _framesOfRun++;
+        _framesOfRun++;
         if (_first == null) return;
         if (_lost is { } lost)
         {
