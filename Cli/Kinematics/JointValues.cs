@@ -29,13 +29,14 @@ sealed class JointValues
         return positions;
     }
 
-    /// <summary>Gets one sentence for each value that exceeds the joint's limits.</summary>
-    public IEnumerable<string> OutOfLimits()
+    /// <summary>Gets one sentence for each position outside the joint's limits, of the joints with a value and of mimic joints.</summary>
+    /// <param name="positions">The positions of <see cref="Complete"/>.</param>
+    public IEnumerable<string> OutOfLimits(double[] positions)
     {
-        for (var i = 0; i < _positions.Length; i++)
+        for (var i = 0; i < positions.Length; i++)
         {
             var joint = _model.MovingJoints[i];
-            if (_given[i] && !joint.Limits.Contains(_positions[i])) yield return OutOfLimits(joint, _positions[i]);
+            if ((_given[i] || joint.Mimic != null) && !joint.Limits.Contains(positions[i])) yield return OutOfLimits(joint, positions[i]);
         }
     }
 

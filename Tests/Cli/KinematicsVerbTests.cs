@@ -11,7 +11,8 @@ public class KinematicsVerbTests
     const string Slide = """
         <robot name="slide"><link name="base"/><link name="a"/><link name="b"/><link name="plate"/>
         <joint name="lead" type="prismatic"><parent link="base"/><child link="a"/><limit lower="0" upper="0.5"/></joint>
-        <joint name="follow" type="prismatic"><parent link="base"/><child link="b"/><mimic joint="lead" multiplier="2" offset="0.1"/></joint>
+        <joint name="follow" type="prismatic"><parent link="base"/><child link="b"/><limit lower="-1" upper="0.8"/>
+        <mimic joint="lead" multiplier="2" offset="0.1"/></joint>
         <joint name="mount" type="fixed"><parent link="base"/><child link="plate"/><axis xyz="0 0 0"/></joint></robot>
         """;
 
@@ -66,6 +67,16 @@ public class KinematicsVerbTests
         Assert.That(run.ExitStatus, Is.EqualTo(0));
         Assert.That(X(run, "a"), Is.EqualTo(-0.25));
         Assert.That(run.Errors.TrimEnd(), Is.EqualTo("nowpose: " + KinematicsMessages.BeyondLimits("lead", -0.25, "m", 0, 0.5)));
+    }
+
+    [Test]
+    public async Task Kinematics_MimicJointOutsideItsLimits_ComputesAndWarns()
+    {
+        var run = await RunAsync("--joints", "lead=0.5", "--json");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0));
+        Assert.That(X(run, "b"), Is.EqualTo(1.1));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo("nowpose: " + KinematicsMessages.BeyondLimits("follow", 1.1, "m", -1, 0.8)));
     }
 
     [Test]
