@@ -36,7 +36,7 @@ public static class Invocation
         {
             var parsed = root.Parse(complete == null ? args : await ReadAsync(() => complete(root, args), end.Token));
             if (parsed.Errors.Count > 0 && parsed.Action is not HelpAction)
-                return Fail(program, ExitStatus.BadInput, OptionMessages.SeeHelp(Complaint(parsed)));
+                return Fail(program, ExitStatus.BadInput, Complaint(parsed));
             // A null timeout disables the library's signal handling, which returns the same status for every signal.
             var configuration = new InvocationConfiguration { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null };
             var status = await parsed.InvokeAsync(configuration, end.Token);
@@ -79,10 +79,10 @@ public static class Invocation
     // Prefers the error about an unknown command. The library lists it after the error that no command was given.
     static string Complaint(ParseResult parsed)
     {
-        if (parsed.UnmatchedTokens.Count == 0) return parsed.Errors[0].Message;
+        if (parsed.UnmatchedTokens.Count == 0) return OptionMessages.SeeHelp(parsed.Errors[0].Message);
         var unknown = parsed.UnmatchedTokens[0];
         var isVerb = parsed.RootCommandResult.Command.Subcommands.Any(verb => verb.Name == unknown);
-        return isVerb ? OptionMessages.CommandFirst(unknown) : OptionMessages.UnknownArgument(unknown);
+        return isVerb ? OptionMessages.SeeHelp(OptionMessages.CommandFirst(unknown)) : OptionMessages.UnknownArgument(unknown);
     }
 
     static int Fail(string program, int status, string message)

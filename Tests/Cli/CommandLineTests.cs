@@ -23,6 +23,16 @@ public class CommandLineTests
         Assert.That(run.Errors, Does.StartWith("nowpose: "));
     }
 
+    [TestCase("--bogus")]
+    [TestCase("--seconds", "5", "--bogus=3")]
+    public async Task Run_UnknownOption_RefersToTheHelpOnce(params string[] options)
+    {
+        var run = await CliRun.OfAsync(["demo", .. options]);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo(ConsoleMessages.Line(OptionMessages.UnknownArgument(options[^1]))));
+    }
+
     [Test]
     public async Task Run_FileMissing_NamesTheFile()
     {
