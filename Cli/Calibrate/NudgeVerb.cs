@@ -38,8 +38,11 @@ static class NudgeVerb
             return ExitStatus.Done;
         }
         var speed = parsed.GetValue(Speed) ?? throw new InputException(CalibrationMessages.NoSpeed);
+        var (forward, backward) = (parsed.GetValue(Forward), parsed.GetValue(Backward));
+        if (forward.Length == 0) throw new InputException(CalibrationMessages.NoOffset(Forward.Name));
+        if (backward.Length == 0) throw new InputException(CalibrationMessages.NoOffset(Backward.Name));
         var configuredMs = parsed.GetValue(Former) ?? parsed.GetValue(Configured);
-        var marks = new NudgeMarks(speed, configuredMs, parsed.GetValue(Forward), parsed.GetValue(Backward));
+        var marks = new NudgeMarks(speed, configuredMs, forward, backward);
         var result = marks.Result();
         var earlier = await Invocation.ReadAsync(() => EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed)), cancel);
         var output = Shared.Output(parsed);

@@ -4,7 +4,6 @@ using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
-using Nowpose.Network;
 using Nowpose.Protocol;
 
 namespace Nowpose.Cli.Headset;
@@ -85,12 +84,11 @@ static class HeadsetVerb
 
     static HeadsetSettings Settings(ParseResult parsed)
     {
-        var pin = parsed.GetValue(Pin);
         return new HeadsetSettings
         {
-            Connection = new ConnectionSettings(
-                parsed.GetValue(Host), parsed.GetValue(SyncPort), parsed.GetValue(WebSocketPort), pin == null ? null : CertificatePin.Parse(pin),
-                token: Token(parsed.GetValue(TokenFile)), insecureLan: parsed.GetValue(InsecureLan), headsetName: parsed.GetValue(Name)),
+            Connection = HeadsetConnection.Of(
+                parsed.GetValue(Host), parsed.GetValue(SyncPort), parsed.GetValue(WebSocketPort), parsed.GetValue(Pin), parsed.GetValue(TokenFile),
+                parsed.GetValue(InsecureLan), parsed.GetValue(Name)),
             Robot = parsed.GetValue(Robot) is string robot ? RobotFiles.Load(robot) : null,
             RobotNamespace = NamespaceOf(parsed.GetValue(Namespace)),
             Predictor = parsed.GetValue(Predictor),
@@ -105,6 +103,4 @@ static class HeadsetVerb
 
     static string NamespaceOf(string given) => given == null || RobotTopic.IsNamespace(given)
         ? given ?? "" : throw new InputException(HeadsetMessages.NamespaceInvalid(given, ProtocolLimits.NamespaceLength));
-
-    static string Token(string path) => path == null ? null : OptionPath.Read(TokenFile.Name, path, () => File.ReadAllText(path).Trim());
 }

@@ -13,5 +13,7 @@ static class CalibrationMessages
 
     public const string NoSpeed = "--speed-mm-s is missing; allowed: 1 to 10000 mm/s";
 
+    public static string NoOffset(string option) => $"{option} is missing; give at least one offset for each direction of motion";
+
     public static string BothNames(string former, string present) => $"{former} is the former name of {present}; use only {present}.";
 }

@@ -16,6 +16,12 @@ static class HeadsetMessages
     public static string NamespaceInvalid(string name, int max) =>
         $"--namespace: is '{name}'; allowed: a letter, then letters, digits and underscores, up to {max} characters";
 
+    public static string PlainNotAllowed(string host) =>
+        $"--host: {host} is another machine; use --pin with the gateway's pin, or, on a trusted network only, --insecure-lan";
+
+    public static string TokenUnencrypted(string host) =>
+        $"--token-file: the token would be sent unencrypted to {host}; use --pin with the gateway's pin";
+
     public static string LinesLost(long lines) =>
         FormattableString.Invariant($"--record: {lines} lines are missing, because the disk was too slow; record to a faster disk");
 

@@ -86,7 +86,8 @@ public class NudgeVerbTests : CalibrationFolder
 
     static readonly string[][] InvalidMarks =
     [
-        ["--speed-mm-s 250 --forward-mm 2", NudgeMessages.NoMark(isForward: false)],
+        ["--speed-mm-s 250 --forward-mm 2", CalibrationMessages.NoOffset("--backward-mm")],
+        ["--speed-mm-s 250 --backward-mm -2", CalibrationMessages.NoOffset("--forward-mm")],
         ["--forward-mm 2 --backward-mm -2", CalibrationMessages.NoSpeed],
         ["--json", CalibrationMessages.NoSpeed],
         ["--speed-mm-s 0 --forward-mm 2 --backward-mm -2", OptionMessages.OutOfRange("--speed-mm-s", "0", " mm/s", "allowed: 1 to 10000 mm/s.")],
