@@ -6,7 +6,8 @@ namespace Nowpose.Cli.Calibrate;
 static class CalibrateVerb
 {
     public static Command Create() => new(
-        "calibrate", "Determine the visualisation latency and the constant-latency range. Each method writes a profile for the headset and a page.")
+        "calibrate", "Determine the visualisation latency and the constant-latency range. Each method writes a page and a profile for the headset; "
+        + "sine writes a profile only with --app-ms or --visu-ms. simulate writes test data instead.")
     {
         VlcVerb.Create(), HeadVerb.Create(), RangeVerb.Create(), SineVerb.Create(), NudgeVerb.Create(), SimulateVerb.Create(),
     };
