@@ -32,7 +32,7 @@ static class PaperVerb
         {
             var given = new DemoSettings { Network = NetworkProfile.Wifi, Acquisition = new(55, 105), VisualisationMs = VisuMs, Seed = seed };
             var calibration = PaperCalibration.Of(PaperScenario.Of(given, swing), PaperSession.PicturesPerLoad, stop);
-            if (calibration == null) return ExitStatus.Interrupted;
+            if (stop.IsCancellationRequested) return ExitStatus.Interrupted;
             Console.WriteLine(Text(seed, calibration.Profile));
         }
         return ExitStatus.Done;

@@ -9,8 +9,11 @@ namespace Nowpose.Cli.Demo;
 /// <summary>The output folder of a run.</summary>
 sealed class DemoOutput
 {
-    DemoOutput(string folder)
+    readonly bool _isPaper;
+
+    DemoOutput(string folder, bool isPaper)
     {
+        _isPaper = isPaper;
         ResultPath = Path.Combine(folder, "result.json");
         ReportPath = ReportIn(folder);
         SessionPath = Path.Combine(folder, "session.jsonl");
@@ -31,20 +34,27 @@ sealed class DemoOutput
     /// <summary>Gets the path of the report in a folder.</summary>
     public static string ReportIn(string folder) => Path.Combine(folder, "report.html");
 
-    /// <summary>
-    /// Creates the folder, checks that it is writable and removes the files of an earlier run, which could be mistaken for new ones.
-    /// </summary>
+    /// <summary>Creates the folder and checks that it is writable. The files of an earlier run stay until <see cref="RemoveEarlier"/>.</summary>
     /// <param name="isPaper">Whether the run also writes the files of <c>--paper</c>. Without it, these files are kept.</param>
     /// <param name="inputs">Paths of the input files, which are never removed; null for an input that was not given.</param>
     /// <exception cref="InputException">The folder or the calibration in it is not writable, or an input is among the files to write.</exception>
     public static DemoOutput At(string folder, bool isPaper, params string[] inputs) => OptionPath.InFolder("--out", folder, full =>
     {
-        var output = new DemoOutput(full);
+        var output = new DemoOutput(full, isPaper);
         OptionPath.RequireNoInput("--out", [output.ReportPath, output.SessionPath, output.ResultPath], inputs);
         if (isPaper) CalibrationOutput.At(output.Folder);
-        foreach (var path in new[] { output.ReportPath, output.SessionPath, output.ResultPath }) File.Delete(path);
-        if (isPaper) PaperOutput.RemoveEarlier(output.Folder);
         return output;
+    });
+
+    /// <summary>
+    /// Removes the files of an earlier run, which could be mistaken for new ones. Called right before the first file is written, so that a run that
+    /// ends before it keeps them.
+    /// </summary>
+    /// <exception cref="InputException">A file cannot be removed.</exception>
+    public void RemoveEarlier() => OptionPath.Write("--out", Folder, () =>
+    {
+        foreach (var path in new[] { ReportPath, SessionPath, ResultPath }) File.Delete(path);
+        if (_isPaper) PaperOutput.RemoveEarlier(Folder);
     });
 
     /// <param name="figures">The paper's figures from this run; null without <c>--paper</c>.</param>

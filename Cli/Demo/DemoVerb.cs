@@ -147,6 +147,7 @@ static class DemoVerb
     static async Task<int> RunAsync(DemoSettings settings, ParseResult parsed, string folder, CancellationToken cancel)
     {
         var output = DemoOutput.At(folder, isPaper: false, parsed.GetValue(Robot), parsed.GetValue(Recording), parsed.GetValue(Profile));
+        output.RemoveEarlier();
         var run = await DemoStage.PlayAsync(settings, output.SessionPath, cancel);
         return Finish(run, output, cancel.IsCancellationRequested);
     }

@@ -12,6 +12,7 @@ static class ConsoleMessages
     public static string Progress(int done, int? total, string units) => total is int all ? $"{done} of {all} {units}" : $"{done} {units}";
 
     public static string Repeat(int repeat, int repeats) => $"repeat {repeat} of {repeats}";
+    public static string CalibrationInterrupted(string path) => $"nowpose: the calibration was interrupted; {path} shows the pictures so far";
     public static string NotOpened(string reason, string path) => $"nowpose: --open: {reason}; open {path} in a browser";
 
     public const string NoDesktop = "this machine has no desktop (DISPLAY and WAYLAND_DISPLAY are not set)";

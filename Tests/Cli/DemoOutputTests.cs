@@ -3,30 +3,41 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli;
 
-/// <summary>Tests which files of the output folder the start of a run removes.</summary>
+/// <summary>Tests which files of an earlier run are removed from the output folder.</summary>
 public sealed class DemoOutputTests
 {
     static readonly string[] OfDemo = ["report.html", "result.json", "session.jsonl"];
     static readonly string[] OfPaper = ["frames.csv", "exchanges.csv", "figure-8.csv", "figure-16.csv", "profile.json", "calibration.html"];
 
     [Test]
-    public void At_WithoutPaper_RemovesOnlyItsOwnFiles()
+    public void RemoveEarlier_WithoutPaper_RemovesOnlyItsOwnFiles()
     {
         using var folder = Filled();
 
-        DemoOutput.At(folder.Path, isPaper: false);
+        DemoOutput.At(folder.Path, isPaper: false).RemoveEarlier();
 
         Assert.That(Names(folder), Is.EquivalentTo(OfPaper));
     }
 
     [Test]
-    public void At_WithPaper_RemovesTheFilesOfAnEarlierPaperRun()
+    public void RemoveEarlier_WithPaper_RemovesTheFilesOfAnEarlierPaperRun()
     {
         using var folder = Filled();
 
-        DemoOutput.At(folder.Path, isPaper: true);
+        DemoOutput.At(folder.Path, isPaper: true).RemoveEarlier();
 
         Assert.That(Names(folder), Is.Empty);
+    }
+
+    [TestCase(false)]
+    [TestCase(true)]
+    public void At_EarlierFiles_KeepsThem(bool isPaper)
+    {
+        using var folder = Filled();
+
+        DemoOutput.At(folder.Path, isPaper);
+
+        Assert.That(Names(folder), Is.EquivalentTo(OfDemo.Concat(OfPaper)));
     }
 
     [TestCase("profile.json")]

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Figures.Swing;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
@@ -23,8 +24,13 @@ static class PaperSession
             if (repeats > 1) await Console.Error.WriteLineAsync(ConsoleMessages.Repeat(repeat, repeats));
             var settings = scenario with { Seed = given.Seed + repeat - 1 };
             var calibration = await Task.Run(() => PaperCalibration.Of(settings, PicturesPerLoad, cancel), CancellationToken.None);
-            if (calibration == null) break;
+            if (cancel.IsCancellationRequested)
+            {
+                if (repeat == 1 && calibration != null) WriteInterrupted(calibration, output);
+                break;
+            }
             firstCalibration ??= calibration;
+            if (repeat == 1) output.RemoveEarlier();
             // Records the first repeat only. The plots of the report show the same repeat.
             var run = await DemoStage.PlayAsync(settings with { Profile = calibration.Profile }, repeat == 1 ? output.SessionPath : null, cancel);
             // A clock that was never synchronised is a valid result: its claim does not hold.
@@ -34,6 +40,15 @@ static class PaperSession
         }
         if (runs.Count > 0) Finish(runs, firstCalibration, output);
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+    }
+
+    /// <summary>Writes the page of a calibration that the user interrupted. The profile is not written, because no run has used it.</summary>
+    internal static void WriteInterrupted(PaperCalibration calibration, DemoOutput output)
+    {
+        output.RemoveEarlier();
+        var files = CalibrationOutput.At(output.Folder);
+        files.Write(profile: null, calibration.Page);
+        Console.Error.WriteLine(ConsoleMessages.CalibrationInterrupted(files.PagePath));
     }
 
     static void Finish(List<PaperRun> runs, PaperCalibration calibration, DemoOutput output)
