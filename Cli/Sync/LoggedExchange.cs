@@ -18,5 +18,6 @@ readonly record struct LoggedExchange(long T4Nanoseconds, SyncExchange Exchange,
 readonly record struct LoggedStamps(long T1, long T2, long T3, long T4)
 {
     public SyncExchange ExchangeWith(TimeSpan resolution) => new(
-        HeadsetTime.FromNanoseconds(T1), ControlTime.FromNanoseconds(T2), ControlTime.FromNanoseconds(T3), HeadsetTime.FromNanoseconds(T4), resolution);
+        HeadsetTime.FromNanoseconds(T1), ControlTime.FromNanoseconds(T2), ControlTime.FromNanoseconds(T3), HeadsetTime.FromNanoseconds(T4),
+        resolution);
 }
