@@ -26,7 +26,7 @@ sealed class PoseStretch(TimeSpan from, ControlTime displayTime)
     public bool HasBegunBy(ControlTime at) => displayTime <= at;
 
     /// <summary>Adds the error of a current frame, m.</summary>
-    public void AddError(in ErrorSample error) => _errors.Add(error);
+    public void AddError(in ErrorSums error) => _errors.Add(error);
 
     public HeadsetResult.StretchResult Result() => new(
         from.TotalSeconds, _to.TotalSeconds, (double)_current / _frames, HeadsetResult.ErrorResult.Of(_errors.Read()?.Times(1000)));

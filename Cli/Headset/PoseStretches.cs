@@ -35,7 +35,7 @@ sealed class PoseStretches
     /// State of the frame. Only current frames are scored. The samples after an outage also give errors for the last frames of the outage,
     /// whose pose is older than the outage.
     /// </param>
-    public void AddError(ControlTime displayTime, PoseState state, ErrorSample error)
+    public void AddError(ControlTime displayTime, PoseState state, ErrorSums error)
     {
         if (state != PoseState.Current || _stretches.FindLast(stretch => stretch.HasBegunBy(displayTime)) is not { } stretch) return;
         stretch.AddError(error);

@@ -22,7 +22,7 @@ public class PoseStretchesTests
             _outages.Add(TimeSpan.FromSeconds(time), state == PoseState.Current, () => ("", [], ""));
             _stretches.Add(TimeSpan.FromSeconds(time), state, ControlTime.FromSeconds(1000 + time), _outages.IsOutage);
             if (errorMm is double mm)
-                _stretches.AddError(ControlTime.FromSeconds(1000 + time), state, new ErrorSample(mm * mm * 1e-6, 100e-6, 0, 0));
+                _stretches.AddError(ControlTime.FromSeconds(1000 + time), state, new ErrorSums(mm * mm * 1e-6, 100e-6, 0, 0));
         }
     }
 
@@ -108,7 +108,7 @@ public class PoseStretchesTests
         Play(1, PoseState.Current);
 
         // The error of a frame is known only after samples have resumed.
-        _stretches.AddError(ControlTime.FromSeconds(1006.9), PoseState.Current, new ErrorSample(1, 1, 0, 0));
+        _stretches.AddError(ControlTime.FromSeconds(1006.9), PoseState.Current, new ErrorSums(1, 1, 0, 0));
 
         Assert.That(_stretches.Result()[0].ToolErrorMm.Rms, Is.GreaterThan(50));
         Assert.That(_stretches.Result()[1].ToolErrorMm, Is.Null);

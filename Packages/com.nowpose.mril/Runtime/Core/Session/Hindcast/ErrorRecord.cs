@@ -7,10 +7,10 @@ namespace Nowpose.Session.Hindcast
         readonly ErrorRun _run = new ErrorRun();
 
         /// <param name="isOfRun">False for a frame that was shown before the run started.</param>
-        public void Add(ControlTime at, in ErrorSample sample, bool isOfRun)
+        public void Add(ControlTime at, in ErrorSums frame, bool isOfRun)
         {
-            _window.Add(at, sample);
-            if (isOfRun) _run.Add(sample);
+            _window.Add(at, frame);
+            if (isOfRun) _run.Add(frame);
         }
 
         /// <summary>Returns the errors of the last ten seconds; null while unknown.</summary>

@@ -15,38 +15,26 @@ namespace Nowpose.Session.Hindcast
         const int FramesPerFirstBatch = 64;
 
         readonly ErrorSums[] _batches = new ErrorSums[MaxBatches];
-        readonly ErrorHistogram _displayed = new ErrorHistogram();
-        readonly ErrorHistogram _held = new ErrorHistogram();
-        ErrorSums _sums;
+        readonly ErrorTotals _totals = new ErrorTotals();
         int _count;
         int _framesPerBatch = FramesPerFirstBatch;
 
-        public void Add(in ErrorSample sample)
+        public void Add(in ErrorSums frame)
         {
             if (_count == 0 || _batches[_count - 1].Count >= _framesPerBatch) BeginBatch();
-            _batches[_count - 1].Add(sample);
-            _sums.Add(sample);
-            _displayed.Add(sample.DisplayedSquared);
-            _held.Add(sample.HeldSquared);
+            _batches[_count - 1].Add(frame);
+            _totals.Add(frame);
         }
 
-        /// <returns>Null without a sample.</returns>
-        public DisplayedError? Read() => _sums.Count == 0 ? (DisplayedError?)null : Of(_sums, _displayed, _held, _batches.AsSpan(0, _count));
+        /// <returns>Null without a frame.</returns>
+        public DisplayedError? Read() => _totals.Read(_batches.AsSpan(0, _count));
 
         public void Reset()
         {
-            _sums = default;
+            _totals.Clear();
             _count = 0;
             _framesPerBatch = FramesPerFirstBatch;
-            _displayed.Clear();
-            _held.Clear();
         }
-
-        internal static DisplayedError Of(
-            in ErrorSums sums, ErrorHistogram displayed, ErrorHistogram held, ReadOnlySpan<ErrorSums> batches) => new DisplayedError(
-                sums.Count, Math.Sqrt(sums.Displayed / sums.Count), displayed.At(0.95), Math.Sqrt(sums.Held / sums.Count), held.At(0.95),
-                ReductionEstimate.Of(sums), ReductionEstimate.UncertaintyOf(sums, batches),
-                Math.Sqrt(sums.Truth / sums.Count), Math.Sqrt(sums.Clock / sums.Count));
 
         void BeginBatch()
         {

@@ -1,19 +1,28 @@
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>Sums over frames, from which root mean squares are computed.</summary>
+    /// <summary>
+    /// Squared errors of one quantity, in the quantity's unit squared: those of one frame, or their sums over frames, from which root mean
+    /// squares are computed.
+    /// </summary>
     struct ErrorSums
     {
+        /// <summary>Number of frames.</summary>
         public int Count;
-        public double Displayed, Held, Truth, Clock;
 
-        public void Add(in ErrorSample sample)
-        {
-            Count++;
-            Displayed += sample.DisplayedSquared;
-            Held += sample.HeldSquared;
-            Truth += sample.TruthSquared;
-            Clock += sample.ClockSquared;
-        }
+        public double Displayed;
+
+        /// <summary>Square of the error that the uncompensated hold would have had.</summary>
+        public double Held;
+
+        /// <summary>Square of the uncertainty of the true value.</summary>
+        public double Truth;
+
+        /// <summary>Square of the error that the clock's error bound allows.</summary>
+        public double Clock;
+
+        /// <summary>Creates the errors of one frame.</summary>
+        public ErrorSums(double displayed, double held, double truth, double clock) =>
+            (Count, Displayed, Held, Truth, Clock) = (1, displayed, held, truth, clock);
 
         public void Add(in ErrorSums sums)
         {

@@ -7,72 +7,46 @@ namespace Nowpose.Session.Hindcast
     {
         const int Seconds = 10;
 
-        readonly Slot[] _slots = new Slot[Seconds];
+        readonly ErrorTotals[] _slots = new ErrorTotals[Seconds];
+        readonly long[] _secondOfSlot = new long[Seconds];
         readonly ErrorSums[] _batches = new ErrorSums[Seconds];
-        readonly ErrorHistogram _displayed = new ErrorHistogram();
-        readonly ErrorHistogram _held = new ErrorHistogram();
+        readonly ErrorTotals _totals = new ErrorTotals();
 
         public ErrorWindow()
         {
-            for (var i = 0; i < Seconds; i++) _slots[i] = new Slot();
+            for (var i = 0; i < Seconds; i++) _slots[i] = new ErrorTotals();
         }
 
-        public void Add(ControlTime at, in ErrorSample sample)
+        public void Add(ControlTime at, in ErrorSums frame)
         {
             var second = SecondOf(at);
-            var slot = _slots[(int)(((second % Seconds) + Seconds) % Seconds)];
-            if (slot.Sums.Count > 0 && slot.Second > second) return;
-            if (slot.Second != second) slot.Begin(second);
-            slot.Add(sample);
+            var index = (int)(((second % Seconds) + Seconds) % Seconds);
+            if (_slots[index].Sums.Count > 0 && _secondOfSlot[index] > second) return;
+            if (_secondOfSlot[index] != second) _slots[index].Clear();
+            _secondOfSlot[index] = second;
+            _slots[index].Add(frame);
         }
 
-        /// <returns>Null without a sample in the ten seconds before <paramref name="now"/>.</returns>
+        /// <returns>Null without a frame in the ten seconds before <paramref name="now"/>.</returns>
         public DisplayedError? Read(ControlTime now)
         {
             var oldest = SecondOf(now) - Seconds + 1;
-            var (sums, batches) = (default(ErrorSums), 0);
-            _displayed.Clear();
-            _held.Clear();
-            foreach (var slot in _slots)
+            var batches = 0;
+            _totals.Clear();
+            for (var i = 0; i < Seconds; i++)
             {
-                if (slot.Second < oldest || slot.Sums.Count == 0) continue;
-                sums.Add(slot.Sums);
-                _batches[batches++] = slot.Sums;
-                _displayed.Add(slot.Displayed);
-                _held.Add(slot.Held);
+                if (_secondOfSlot[i] < oldest || _slots[i].Sums.Count == 0) continue;
+                _totals.Add(_slots[i]);
+                _batches[batches++] = _slots[i].Sums;
             }
-            return sums.Count == 0 ? (DisplayedError?)null : ErrorRun.Of(sums, _displayed, _held, _batches.AsSpan(0, batches));
+            return _totals.Read(_batches.AsSpan(0, batches));
         }
 
         public void Reset()
         {
-            foreach (var slot in _slots) slot.Begin(long.MinValue);
+            foreach (var slot in _slots) slot.Clear();
         }
 
         static long SecondOf(ControlTime at) => (long)Math.Floor(at.SinceEpoch.Ticks / (double)TimeSpan.TicksPerSecond);
-
-        sealed class Slot
-        {
-            public readonly ErrorHistogram Displayed = new ErrorHistogram();
-            public readonly ErrorHistogram Held = new ErrorHistogram();
-            public ErrorSums Sums;
-
-            public long Second { get; private set; }
-
-            public void Begin(long second)
-            {
-                Second = second;
-                Sums = default;
-                Displayed.Clear();
-                Held.Clear();
-            }
-
-            public void Add(in ErrorSample sample)
-            {
-                Sums.Add(sample);
-                Displayed.Add(sample.DisplayedSquared);
-                Held.Add(sample.HeldSquared);
-            }
-        }
     }
 }

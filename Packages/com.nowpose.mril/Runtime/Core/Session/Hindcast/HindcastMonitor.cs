@@ -49,7 +49,7 @@ namespace Nowpose.Session.Hindcast
         }
 
         /// <summary>Raised within <see cref="Add"/> for each scored frame, with its display time, its state, and its tool error in m.</summary>
-        public event Action<ControlTime, PoseState, ErrorSample> ToolJudged;
+        public event Action<ControlTime, PoseState, ErrorSums> ToolJudged;
 
         /// <summary>Number of joints between base and tool that have their own samples.</summary>
         public int JointCount => _joints.Length;
@@ -148,13 +148,13 @@ namespace Nowpose.Session.Hindcast
             for (var i = 0; i < _joints.Length; i++)
             {
                 ref readonly var joint = ref _values[i];
-                _ofJoint[i].Add(frame.At, new ErrorSample(
+                _ofJoint[i].Add(frame.At, new ErrorSums(
                     Square(joint.Displayed - joint.Truth), Square(joint.Held - joint.Truth), Square(joint.Uncertainty),
                     Square(frame.ClockError * _speeds.OfJoint(i, joint.Truth))), isOfRun);
             }
             var truth = _kinematics.ToolOf(_values, false);
             var uncertain = _kinematics.ToolOf(_values, true);
-            var error = new ErrorSample(
+            var error = new ErrorSums(
                 Square(frame.X - truth.X) + Square(frame.Y - truth.Y) + Square(frame.Z - truth.Z),
                 Square(frame.HeldX - truth.X) + Square(frame.HeldY - truth.Y) + Square(frame.HeldZ - truth.Z),
                 Square(uncertain.X - truth.X) + Square(uncertain.Y - truth.Y) + Square(uncertain.Z - truth.Z),
