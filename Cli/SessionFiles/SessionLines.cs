@@ -124,7 +124,7 @@ static class SessionLines
         }
         var message = new JointTrajectoryMessage(ControlTime.FromNanoseconds(line.Whole("stamp_ns")), names, points);
         return new PlanLine(
-            new PlanArrival(message, HeadsetTime.FromNanoseconds(line.Whole("arrival_ns"))), line.TextOrNull("dropped"));
+            new Arrival<JointTrajectoryMessage>(message, HeadsetTime.FromNanoseconds(line.Whole("arrival_ns"))), line.TextOrNull("dropped"));
     }
 
     static PoseLine ReadPose(LineFields line)

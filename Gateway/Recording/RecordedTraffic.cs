@@ -58,7 +58,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
     {
         var arrival = clock.AtReceived(message.ReceivedAt);
         if (file.TryClaim(RecordKind.Sample) is not { } record) return;
-        record.Arrival = new SampleArrival(state, _counter.At(message.ReceivedAt));
+        record.Arrival = new Arrival<JointStateMessage>(state, _counter.At(message.ReceivedAt));
         record.ControlArrival = arrival;
         record.NamePrefix = PrefixOf(message);
         record.Reason = DropReason.None;
@@ -68,7 +68,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
     void AddPlan(RecordedFile file, HubMessage message, JointTrajectoryMessage plan)
     {
         if (file.TryClaim(RecordKind.Plan) is not { } record) return;
-        record.Plan = new PlanArrival(plan, _counter.At(message.ReceivedAt));
+        record.Plan = new Arrival<JointTrajectoryMessage>(plan, _counter.At(message.ReceivedAt));
         record.NamePrefix = PrefixOf(message);
         record.Reason = DropReason.None;
         file.Publish(record);

@@ -27,7 +27,7 @@ sealed class TcpRun
     readonly string[] _names;
     readonly VirtualClock _clock;
     readonly TcpStream _requests, _replies, _samples;
-    readonly Queue<SampleArrival> _underway = new Queue<SampleArrival>();
+    readonly Queue<Arrival<JointStateMessage>> _underway = new Queue<Arrival<JointStateMessage>>();
     readonly ExchangePace _pace;
     readonly ForwardKinematics _kinematics = new ForwardKinematics(Robot);
     readonly RigidTransform[] _poses = new RigidTransform[Robot.Links.Count];
@@ -108,7 +108,7 @@ sealed class TcpRun
             var positions = new double[_names.Length];
             _motion.At((_lastSample - Start).TotalSeconds, positions);
             var message = new JointStateMessage(_clock.At(_lastSample), _names, positions);
-            _underway.Enqueue(new SampleArrival(message, _samples.Send(_lastSample)));
+            _underway.Enqueue(new Arrival<JointStateMessage>(message, _samples.Send(_lastSample)));
         }
         while (_underway.Count > 0 && _underway.Peek().At <= now)
         {

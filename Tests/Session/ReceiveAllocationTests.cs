@@ -65,7 +65,7 @@ public class ReceiveAllocationTests
             new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.FromMilliseconds(40))), robot,
             new StopwatchHeadsetClock());
         var clock = new ManualClock();
-        var kept = new List<SampleArrival>();
+        var kept = new List<Arrival<JointStateMessage>>();
         session.Intake.SampleTaken += (arrival, _) => kept.Add(arrival);
         var texts = Enumerable.Range(0, 100).Select(i => Encoding.UTF8.GetBytes(Text(i, names, false, ""))).ToArray();
         var socket = new MemoryWebSocket(texts, i =>

@@ -43,7 +43,7 @@ namespace Nowpose.Recording
         public string Namespace { get; set; }
 
         /// <summary>The sample; used by sample records. The message is referenced, not copied, because no code modifies it.</summary>
-        public SampleArrival Arrival { get; set; }
+        public Arrival<JointStateMessage> Arrival { get; set; }
 
         /// <summary>Prefix of the joint names, for a robot other than the one in the header; used by sample and plan records.</summary>
         public string NamePrefix { get; set; }
@@ -55,7 +55,7 @@ namespace Nowpose.Recording
         public DiagnosticsMessage Diagnostics { get; set; }
 
         /// <summary>The plan; used by plan records. Referenced, not copied.</summary>
-        public PlanArrival Plan { get; set; }
+        public Arrival<JointTrajectoryMessage> Plan { get; set; }
 
         /// <summary>The pose of a frame of the cell; used by pose records.</summary>
         public FrameTransform Transform { get; set; }

@@ -252,7 +252,7 @@ namespace Nowpose.Recording
                 _recorder._ring.Publish(record);
             }
 
-            void OnSample(SampleArrival arrival, DropReason reason)
+            void OnSample(Arrival<JointStateMessage> arrival, DropReason reason)
             {
                 if (!_recorder.TryClaim(RecordKind.Sample, out var record)) return;
                 record.Arrival = arrival;
@@ -262,7 +262,7 @@ namespace Nowpose.Recording
                 _recorder._ring.Publish(record);
             }
 
-            void OnPlan(PlanArrival arrival, DropReason reason)
+            void OnPlan(Arrival<JointTrajectoryMessage> arrival, DropReason reason)
             {
                 if (!_recorder.TryClaim(RecordKind.Plan, out var record)) return;
                 record.Plan = arrival;

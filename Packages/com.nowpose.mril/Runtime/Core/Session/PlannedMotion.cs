@@ -13,7 +13,7 @@ namespace Nowpose.Session
         readonly int[] _joints;
         readonly JointPath[] _paths;
 
-        PlannedMotion(in PlanArrival arrival, int[] joints, JointPath[] paths)
+        PlannedMotion(in Arrival<JointTrajectoryMessage> arrival, int[] joints, JointPath[] paths)
         {
             Arrival = arrival;
             _joints = joints;
@@ -21,7 +21,7 @@ namespace Nowpose.Session
         }
 
         /// <summary>The message that contains the set-points.</summary>
-        public PlanArrival Arrival { get; }
+        public Arrival<JointTrajectoryMessage> Arrival { get; }
 
         public ControlTime Stamp => Arrival.Message.Stamp;
 
@@ -35,7 +35,7 @@ namespace Nowpose.Session
         public JointPath PathAt(int i) => _paths[i];
 
         /// <param name="jointOf">Returns the index of the moving joint with the given name; negative if the robot has none.</param>
-        public static PlannedMotion Of(in PlanArrival arrival, Func<string, int> jointOf)
+        public static PlannedMotion Of(in Arrival<JointTrajectoryMessage> arrival, Func<string, int> jointOf)
         {
             var message = arrival.Message;
             var joints = new List<int>();

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Concurrent;
+using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
@@ -25,7 +26,7 @@ namespace Nowpose.Session
         const int NewestOfAJoint = 20;
 
         readonly MessageJoints _joints;
-        readonly SampleArrival[] _oldestFirst;
+        readonly Arrival<JointStateMessage>[] _oldestFirst;
         readonly bool[] _isSelected;
         readonly int[] _samplesOfJoint;
 
@@ -33,7 +34,7 @@ namespace Nowpose.Session
         public SampleBacklog(MessageJoints joints, int capacity)
         {
             _joints = joints;
-            _oldestFirst = new SampleArrival[capacity];
+            _oldestFirst = new Arrival<JointStateMessage>[capacity];
             _isSelected = new bool[capacity];
             _samplesOfJoint = new int[joints.RobotJoints];
         }
@@ -41,11 +42,11 @@ namespace Nowpose.Session
         public int Count { get; private set; }
 
         /// <summary>Messages by index, oldest first.</summary>
-        public ref readonly SampleArrival this[int index] => ref _oldestFirst[index];
+        public ref readonly Arrival<JointStateMessage> this[int index] => ref _oldestFirst[index];
 
         public bool IsSelected(int index) => _isSelected[index];
 
-        public void TakeFrom(ConcurrentQueue<SampleArrival> queue)
+        public void TakeFrom(ConcurrentQueue<Arrival<JointStateMessage>> queue)
         {
             Count = 0;
             while (Count < _oldestFirst.Length && queue.TryDequeue(out var arrival)) _oldestFirst[Count++] = arrival;

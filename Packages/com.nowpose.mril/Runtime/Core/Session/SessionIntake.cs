@@ -20,7 +20,7 @@ namespace Nowpose.Session
         /// <summary>Queue capacity in plans. Drops the oldest when full, because newer plans replace older plans.</summary>
         const int PlanQueueLength = 16;
 
-        readonly ConcurrentQueue<SampleArrival> _arrivals = new ConcurrentQueue<SampleArrival>();
+        readonly ConcurrentQueue<Arrival<JointStateMessage>> _arrivals = new ConcurrentQueue<Arrival<JointStateMessage>>();
         readonly ConcurrentQueue<PlannedMotion> _plans = new ConcurrentQueue<PlannedMotion>();
         readonly RobotModel _robot;
         readonly MessageJoints _messageJoints;
@@ -53,14 +53,14 @@ namespace Nowpose.Session
         /// unknown.
         /// </summary>
         /// <remarks>A handler must be fast, must not throw, and must not call the session. It may keep the message.</remarks>
-        public event Action<SampleArrival, TimeSpan?> SampleTaken;
+        public event Action<Arrival<JointStateMessage>, TimeSpan?> SampleTaken;
 
         /// <summary>
         /// Raised for each message, with its drop reason; the reason is <see cref="DropReason.None"/> if the message was used. Raised within
         /// <see cref="CompensationSession.Tick"/>, or on the receiving thread if the queue is full.
         /// </summary>
         /// <remarks>The rules for handlers of <see cref="SampleTaken"/> apply.</remarks>
-        public event Action<SampleArrival, DropReason> SampleJudged;
+        public event Action<Arrival<JointStateMessage>, DropReason> SampleJudged;
 
         /// <summary>
         /// Raised for each message of set-points, with its drop reason. The reason is <see cref="DropReason.None"/> if the message is valid, even if
@@ -68,7 +68,7 @@ namespace Nowpose.Session
         /// the clock is known, or on the receiving thread if the message contains no joint of the robot or the queue is full.
         /// </summary>
         /// <remarks>The rules for handlers of <see cref="SampleTaken"/> apply.</remarks>
-        public event Action<PlanArrival, DropReason> PlanJudged;
+        public event Action<Arrival<JointTrajectoryMessage>, DropReason> PlanJudged;
 
         /// <summary>Number of used messages.</summary>
         public long Samples { get; private set; }
@@ -78,7 +78,7 @@ namespace Nowpose.Session
         /// <param name="arrival">Headset time of its arrival.</param>
         public void Add(JointStateMessage message, HeadsetTime arrival)
         {
-            _arrivals.Enqueue(new SampleArrival(message, arrival));
+            _arrivals.Enqueue(new Arrival<JointStateMessage>(message, arrival));
             if (_arrivals.Count > QueueLength && _arrivals.TryDequeue(out var oldest)) CountDrop(oldest, DropReason.SlowReader);
         }
 
@@ -87,7 +87,7 @@ namespace Nowpose.Session
         /// <param name="arrival">Headset time of its arrival.</param>
         public void Add(JointTrajectoryMessage message, HeadsetTime arrival)
         {
-            var plan = PlannedMotion.Of(new PlanArrival(message, arrival), _robot.IndexOfMovingJoint);
+            var plan = PlannedMotion.Of(new Arrival<JointTrajectoryMessage>(message, arrival), _robot.IndexOfMovingJoint);
             if (plan.Count == 0)
             {
                 CountDrop(plan.Arrival, DropReason.UnknownJoint);
@@ -118,7 +118,7 @@ namespace Nowpose.Session
         // A handler may keep a message, so a message that was passed to one is not reused.
         bool HasSampleHandler => SampleTaken != null || SampleJudged != null;
 
-        void Take(in SampleArrival arrival, in ClockModel clock)
+        void Take(in Arrival<JointStateMessage> arrival, in ClockModel clock)
         {
             var stamp = arrival.Message.Stamp;
             if (clock.IsKnown && StampRule.IsInFuture(stamp, clock.ToControl(arrival.At), clock.ErrorBound))
@@ -143,13 +143,13 @@ namespace Nowpose.Session
             if (!isInFuture && _followsPlans) _tracks.Follow(plan);
         }
 
-        void CountDrop(in SampleArrival arrival, DropReason reason)
+        void CountDrop(in Arrival<JointStateMessage> arrival, DropReason reason)
         {
             _drops.Count(reason);
             SampleJudged?.Invoke(arrival, reason);
         }
 
-        void CountDrop(in PlanArrival arrival, DropReason reason)
+        void CountDrop(in Arrival<JointTrajectoryMessage> arrival, DropReason reason)
         {
             _drops.Count(reason);
             PlanJudged?.Invoke(arrival, reason);

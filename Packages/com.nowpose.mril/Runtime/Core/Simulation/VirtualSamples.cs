@@ -17,7 +17,7 @@ namespace Nowpose.Simulation
         readonly VirtualPath _path;
         readonly Random _random;
         // Sorted by arrival.
-        readonly List<SampleArrival> _underway = new List<SampleArrival>(1000);
+        readonly List<Arrival<JointStateMessage>> _underway = new List<Arrival<JointStateMessage>>(1000);
         HeadsetTime _lastTaken;
         HeadsetTime _inOrder;
 
@@ -53,10 +53,10 @@ namespace Nowpose.Simulation
             if (sent + took > _inOrder) _inOrder = sent + took;
             var positions = new double[_names.Length];
             _motion.At(ClockTicks.Seconds(at - _start), positions);
-            Enqueue(new SampleArrival(new JointStateMessage(_clock.At(at), _names, positions), _inOrder + jitter));
+            Enqueue(new Arrival<JointStateMessage>(new JointStateMessage(_clock.At(at), _names, positions), _inOrder + jitter));
         }
 
-        void Enqueue(in SampleArrival arrival)
+        void Enqueue(in Arrival<JointStateMessage> arrival)
         {
             var place = _underway.Count;
             while (place > 0 && _underway[place - 1].At > arrival.At) place--;

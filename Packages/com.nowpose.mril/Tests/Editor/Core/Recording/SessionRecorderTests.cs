@@ -78,7 +78,7 @@ namespace Nowpose.Tests.Core.Recording
         public void Lines_SimulatedSession_ContainItsEventsInOrder()
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
-            var taken = new List<SampleArrival>();
+            var taken = new List<Arrival<JointStateMessage>>();
             var exchanges = new List<SyncExchange>();
             var frames = new List<(long Start, long? Light, double[] Joints, double[] Held)>();
             simulated.Session.Intake.SampleTaken += (arrival, _) => taken.Add(arrival);

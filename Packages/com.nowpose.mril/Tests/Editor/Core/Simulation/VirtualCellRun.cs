@@ -5,6 +5,7 @@ using Nowpose.Latency;
 using Nowpose.Motion;
 using Nowpose.Network;
 using Nowpose.Prediction;
+using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Simulation;
 using Nowpose.Tests.Core.Kinematics;
@@ -44,7 +45,7 @@ namespace Nowpose.Tests.Core.Simulation
         public VirtualCell Cell { get; }
         public VirtualClock Clock { get; }
         public CompensationSession Session { get; }
-        public List<SampleArrival> Taken { get; } = new List<SampleArrival>();
+        public List<Arrival<JointStateMessage>> Taken { get; } = new List<Arrival<JointStateMessage>>();
 
         /// <summary>Distance of the displayed tool from the true tool in m, for the current frames since the last <see cref="Run"/>.</summary>
         public List<double> Errors { get; } = new List<double>();
