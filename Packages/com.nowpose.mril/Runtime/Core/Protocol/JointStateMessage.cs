@@ -11,7 +11,7 @@ namespace Nowpose.Protocol
     /// </remarks>
     public sealed class JointStateMessage
     {
-        readonly JointStatePool _pool;
+        readonly MessagePool<JointStateMessage> _pool;
         double[] _velocities;
         double[] _accelerations;
 
@@ -39,7 +39,7 @@ namespace Nowpose.Protocol
         }
 
         /// <summary>Constructs an empty message that <see cref="Fill"/> completes.</summary>
-        internal JointStateMessage(int joints, JointStatePool pool)
+        internal JointStateMessage(int joints, MessagePool<JointStateMessage> pool)
         {
             Positions = new double[joints];
             _pool = pool;

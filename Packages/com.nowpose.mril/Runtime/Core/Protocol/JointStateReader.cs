@@ -9,7 +9,7 @@ namespace Nowpose.Protocol
         static readonly JsonNames Fields = new JsonNames("header", "name", "position", "velocity", "acceleration");
 
         readonly JointNamesReader _names = new JointNamesReader();
-        readonly JointStatePool _pool = new JointStatePool();
+        readonly MessagePool<JointStateMessage> _pool = new MessagePool<JointStateMessage>();
         readonly List<double> _positions = new List<double>();
         readonly List<double> _velocities = new List<double>();
         readonly List<double> _accelerations = new List<double>();
@@ -40,7 +40,7 @@ namespace Nowpose.Protocol
             }
 
             if (!json.EndObject(seen, 0b111) || !IsWhole(ref json, names.Length)) return null;
-            var message = _pool.Take(names.Length);
+            var message = TakeMessage(names.Length);
             message.Fill(stamp, names, _positions, _velocities, _accelerations, frame);
             return message;
         }
@@ -51,6 +51,17 @@ namespace Nowpose.Protocol
         /// <summary>Returns whether the numbers of velocities and accelerations are each zero or equal to the number of joints.</summary>
         public static bool HaveLength(int joints, List<double> velocities, List<double> accelerations) =>
             (velocities.Count == 0 || velocities.Count == joints) && (accelerations.Count == 0 || accelerations.Count == joints);
+
+        // With several alternating sources, a message with the right number of joints is near the front.
+        JointStateMessage TakeMessage(int joints)
+        {
+            for (var left = _pool.Count; left > 0 && _pool.TryTake(out var message); left--)
+            {
+                if (message.Positions.Length == joints) return message;
+                message.Release();
+            }
+            return new JointStateMessage(joints, _pool);
+        }
 
         // The field is not part of sensor_msgs, so an invalid value is treated as absent instead of making the message invalid.
         void ReadAccelerations(ref JsonUtf8Reader json)

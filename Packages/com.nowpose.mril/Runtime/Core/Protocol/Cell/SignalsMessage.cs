@@ -9,7 +9,7 @@ namespace Nowpose.Protocol.Cell
     /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused after <see cref="Release"/>.</remarks>
     sealed class SignalsMessage
     {
-        readonly CellMessagePool<SignalsMessage> _pool;
+        readonly MessagePool<SignalsMessage> _pool;
         SignalValue[] _values;
 
         public SignalsMessage(ControlTime stamp, params SignalValue[] values)
@@ -20,7 +20,7 @@ namespace Nowpose.Protocol.Cell
         }
 
         /// <summary>Constructs an empty message that <see cref="Release"/> returns to a pool.</summary>
-        public SignalsMessage(CellMessagePool<SignalsMessage> pool)
+        public SignalsMessage(MessagePool<SignalsMessage> pool)
             : this(default(ControlTime)) => _pool = pool;
 
         /// <summary>Time of the control cycle in which the signals changed or were sampled, on the control clock C1.</summary>

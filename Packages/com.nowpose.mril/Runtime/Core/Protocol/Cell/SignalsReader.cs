@@ -9,7 +9,7 @@ namespace Nowpose.Protocol.Cell
         static readonly JsonNames Fields = new JsonNames("header", "name", "value");
 
         readonly JsonNameCache _cache = new JsonNameCache(2 * ProtocolLimits.Signals);
-        readonly CellMessagePool<SignalsMessage> _pool = new CellMessagePool<SignalsMessage>();
+        readonly MessagePool<SignalsMessage> _pool = new MessagePool<SignalsMessage>();
         readonly HashSet<string> _known = new HashSet<string>(StringComparer.Ordinal);
         readonly List<string> _names = new List<string>();
         readonly List<double> _values = new List<double>();

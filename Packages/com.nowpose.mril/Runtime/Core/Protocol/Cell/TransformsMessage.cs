@@ -6,7 +6,7 @@ namespace Nowpose.Protocol.Cell
     /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused after <see cref="Release"/>.</remarks>
     sealed class TransformsMessage
     {
-        readonly CellMessagePool<TransformsMessage> _pool;
+        readonly MessagePool<TransformsMessage> _pool;
         FrameTransform[] _transforms;
 
         public TransformsMessage(params FrameTransform[] transforms)
@@ -16,7 +16,7 @@ namespace Nowpose.Protocol.Cell
         }
 
         /// <summary>Constructs an empty message that <see cref="Release"/> returns to a pool.</summary>
-        public TransformsMessage(CellMessagePool<TransformsMessage> pool)
+        public TransformsMessage(MessagePool<TransformsMessage> pool)
             : this() => _pool = pool;
 
         /// <summary>Number of transforms.</summary>

@@ -19,7 +19,7 @@ namespace Nowpose.Protocol.Cell
         static readonly JsonNames QuaternionFields = new JsonNames("x", "y", "z", "w");
 
         readonly JsonNameCache _names = new JsonNameCache(Names);
-        readonly CellMessagePool<TransformsMessage> _pool = new CellMessagePool<TransformsMessage>();
+        readonly MessagePool<TransformsMessage> _pool = new MessagePool<TransformsMessage>();
         // Translation and rotation of the transform that is being read.
         readonly double[] _pose = new double[7];
         readonly HashSet<string> _children = new HashSet<string>(StringComparer.Ordinal);

@@ -1,9 +1,9 @@
 using System.Collections.Concurrent;
 
-namespace Nowpose.Protocol.Cell
+namespace Nowpose.Protocol
 {
     /// <summary>Keeps returned messages for reuse, up to a maximum number. Thread-safe.</summary>
-    sealed class CellMessagePool<T>
+    sealed class MessagePool<T>
         where T : class
     {
         /// <summary>
@@ -14,12 +14,15 @@ namespace Nowpose.Protocol.Cell
 
         readonly ConcurrentQueue<T> _free = new ConcurrentQueue<T>();
 
+        /// <summary>Number of kept messages.</summary>
+        public int Count => _free.Count;
+
         /// <summary>Takes a returned message; false if there is none.</summary>
         public bool TryTake(out T message) => _free.TryDequeue(out message);
 
         public void Return(T message)
         {
-            if (_free.Count < Capacity) _free.Enqueue(message);
+            if (Count < Capacity) _free.Enqueue(message);
         }
     }
 }
