@@ -23,9 +23,6 @@ static class HeadMotionFit
     /// <summary>A picture is an outlier if it deviates from the fit by more than this number of standard deviations.</summary>
     const double MaxDeviations = 4;
 
-    /// <summary>Standard deviation of a normal distribution divided by its median absolute deviation.</summary>
-    const double PerMedianDeviation = 1.4826;
-
     /// <summary>Minimum root mean square of the speed, px/s. At lower speeds, 1 px of noise is as large as the effect of the latency.</summary>
     const double MinSpeed = 60;
 
@@ -81,7 +78,7 @@ static class HeadMotionFit
     {
         var fit = Fit(pictures);
         double[] rests = [.. pictures.Select(picture => picture.Offset - TermsOf(picture).Zip(fit).Sum(term => term.First * term.Second))];
-        var limit = MaxDeviations * PerMedianDeviation * Quantile.Of(rests.Select(Math.Abs), 0.5);
+        var limit = MaxDeviations * Quantile.DeviationOf(rests);
         return [.. pictures.Where((_, i) => Math.Abs(rests[i]) <= limit)];
     }
 

@@ -1,3 +1,4 @@
+using MathNet.Numerics.Statistics;
 using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Calibrate.Range;
@@ -48,7 +49,7 @@ static class RangeFit
         if (pairs.Count < MinPairs)
             throw new InputException(RangeMessages.TooFewPairs(pairs.Count, MinPairs));
         var sorted = pairs.OrderBy(pair => pair.RenderMs).ThenBy(pair => pair.VisuMs).ToArray();
-        var plateau = Plateau.Of(sorted.Take(Math.Max(MinPairs / 2, (int)(SeedShare * sorted.Length))));
+        var plateau = PlateauOf(sorted.Take(Math.Max(MinPairs / 2, (int)(SeedShare * sorted.Length))));
         var good = new bool[sorted.Length];
         var isLast = sorted.Select((pair, i) => i == sorted.Length - 1 || sorted[i + 1].RenderMs > pair.RenderMs).ToArray();
         var nearest = double.PositiveInfinity;
@@ -62,7 +63,7 @@ static class RangeFit
             var inside = sorted.Take(split.Count).Where((_, i) => good[i]).ToArray();
             if (inside.Length < MinPairs / 2)
                 throw new InputException(RangeMessages.NoPlateau);
-            plateau = Plateau.Of(inside);
+            plateau = PlateauOf(inside);
             // A tolerance of half the distance between both medians keeps the pairs beyond the limit out of the plateau.
             if (split.IsReached) nearest = Math.Max(MinToleranceMs, Math.Abs(Median(Visu(sorted.Skip(split.Count))) - plateau.Centre) / 2);
             if (split.Count == before && round > 1) break;
@@ -73,8 +74,7 @@ static class RangeFit
     static RangeFitResult Result(LatencyPair[] sorted, bool[] good, RangeSplit split)
     {
         var inside = Visu(sorted.Take(split.Count).Where((_, i) => good[i])).ToArray();
-        var mean = inside.Average();
-        var spread = Math.Sqrt(inside.Sum(visu => (visu - mean) * (visu - mean)) / Math.Max(1, inside.Length - 1));
+        var (mean, spread) = inside.MeanStandardDeviation();
         if (spread > MaxSpreadMs)
             throw new InputException(RangeMessages.Scatters(spread, MaxSpreadMs));
         (double Last, double Next) GapAt(int count)
@@ -84,34 +84,19 @@ static class RangeFit
         }
         var ((last, next), (lastPossible, open)) = (GapAt(split.Count), GapAt(split.MaxCount));
         var limit = Math.Min(last + IntoTheGap * (next - last), (1 + MaxShareAbove) * last);
-        return new RangeFitResult(mean, spread, limit, split.IsReached, sorted.Length, inside.Length, split.Count - inside.Length,
-            open > (1 + Coarse) * lastPossible ? open : (double?)null);
+        return new RangeFitResult(mean, spread, split.IsReached ? limit : null, limit, sorted.Length, inside.Length, split.Count - inside.Length,
+            open > (1 + Coarse) * lastPossible ? open : null);
     }
 
     static IEnumerable<double> Visu(IEnumerable<LatencyPair> pairs) => pairs.Select(pair => pair.VisuMs);
 
     static double Median(IEnumerable<double> values) => Quantile.Of(values, 0.5);
 
-    /// <summary>The constant L_visu within the range: median and robust standard deviation, ms.</summary>
-    readonly struct Plateau
+    // Returns the constant L_visu within the range: median and robust standard deviation, ms.
+    static (double Centre, double Deviation) PlateauOf(IEnumerable<LatencyPair> pairs)
     {
-        /// <summary>Standard deviation of a normal distribution divided by its median absolute deviation.</summary>
-        const double PerMedianDeviation = 1.4826;
-
-        Plateau(double centre, double deviation)
-        {
-            Centre = centre;
-            Deviation = deviation;
-        }
-
-        public double Centre { get; }
-        public double Deviation { get; }
-
-        public static Plateau Of(IEnumerable<LatencyPair> pairs)
-        {
-            var visu = Visu(pairs).ToArray();
-            var centre = Median(visu);
-            return new Plateau(centre, PerMedianDeviation * Median(visu.Select(each => Math.Abs(each - centre))));
-        }
+        var visu = Visu(pairs).ToArray();
+        var centre = Median(visu);
+        return (centre, Quantile.DeviationOf(visu.Select(each => each - centre)));
     }
 }

@@ -7,7 +7,10 @@ namespace Nowpose.Cli.Calibrate.Range;
 /// that is too high is worse than one that is too low. A source that reports the render time of an earlier frame mixes good and bad
 /// pairs of the loads around the limit; the weight moves those loads beyond the limit.
 /// </remarks>
-readonly struct RangeSplit
+/// <param name="Count">Number of pairs below the split, one or more.</param>
+/// <param name="MaxCount">Number of pairs below the split if bad pairs have the same weight as good ones. At least <paramref name="Count"/>.</param>
+/// <param name="IsReached">Whether there are enough pairs beyond the split, and enough of them are bad, to establish a limit.</param>
+readonly record struct RangeSplit(int Count, int MaxCount, bool IsReached)
 {
     const double MinShareBelow = 0.005, MaxShareBelow = 0.2, MinShareBeyond = 0.7, MaxShareBeyond = 0.999;
 
@@ -22,22 +25,6 @@ readonly struct RangeSplit
 
     /// <summary>Minimum log-likelihood ratio between the split and no split.</summary>
     const double MinEvidence = 12;
-
-    RangeSplit(int count, int maxCount, bool isReached)
-    {
-        Count = count;
-        MaxCount = maxCount;
-        IsReached = isReached;
-    }
-
-    /// <summary>Number of pairs below the split, one or more.</summary>
-    public int Count { get; }
-
-    /// <summary>Number of pairs below the split if bad pairs have the same weight as good ones. At least <see cref="Count"/>.</summary>
-    public int MaxCount { get; }
-
-    /// <summary>Whether there are enough pairs beyond the split, and enough of them are bad, to establish a limit.</summary>
-    public bool IsReached { get; }
 
     /// <param name="good">Whether each pair is good, sorted by render time.</param>
     /// <param name="isLast">Whether a pair is the last one with its render time. A source with a coarse resolution repeats values.</param>

@@ -1,3 +1,4 @@
+using MathNet.Numerics.Statistics;
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Latency;
 
@@ -15,7 +16,7 @@ sealed record Plateau(double VisuMs, double SpreadMs, int Count)
     /// <summary>Maximum standard deviation. A larger one means that the pictures were taken at different loads.</summary>
     const double MaxSpreadMs = 10;
 
-    const double MinToleranceMs = 3, Deviations = 3.5, PerMedianDeviation = 1.4826;
+    const double MinToleranceMs = 3, Deviations = 3.5;
 
     /// <summary>Averages pictures at one load, without those far from their median.</summary>
     /// <returns>Null for fewer than two pictures, or if L_visu scatters too much to be constant.</returns>
@@ -27,11 +28,9 @@ sealed record Plateau(double VisuMs, double SpreadMs, int Count)
     public static Plateau NearMedian(IReadOnlyList<double> visuMs)
     {
         var median = Quantile.Of(visuMs, 0.5);
-        var tolerance = Math.Max(MinToleranceMs, Deviations * PerMedianDeviation * Quantile.Of(visuMs.Select(each => Math.Abs(each - median)), 0.5));
+        var tolerance = Math.Max(MinToleranceMs, Deviations * Quantile.DeviationOf(visuMs.Select(each => each - median)));
         double[] near = [.. visuMs.Where(each => Math.Abs(each - median) <= tolerance)];
-        var mean = near.Average();
-        var spread = Math.Sqrt(near.Sum(each => (each - mean) * (each - mean)) / Math.Max(1, near.Length - 1));
-        return new(mean, spread, near.Length);
+        return new(near.Average(), near.Length > 1 ? near.StandardDeviation() : 0, near.Length);
     }
 
     /// <summary>

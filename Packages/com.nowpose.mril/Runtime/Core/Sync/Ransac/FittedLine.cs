@@ -1,5 +1,6 @@
 using System;
 using MathNet.Numerics.LinearRegression;
+using MathNet.Numerics.Statistics;
 
 namespace Nowpose.Sync.Ransac
 {
@@ -14,7 +15,7 @@ namespace Nowpose.Sync.Ransac
             double[] x, double[] y, HeadsetTime reference, ClockOffset referenceOffset, double bound, int exchanges)
         {
             var (intercept, slope) = SimpleRegression.Fit(x, y);
-            var meanX = Mean(x);
+            var meanX = ArrayStatistics.Mean(x);
             double squares = 0, spread = 0;
             for (var i = 0; i < x.Length; i++)
             {
@@ -28,13 +29,6 @@ namespace Nowpose.Sync.Ransac
             return new ClockLine(
                 reference, referenceOffset + ClockTicks.Span(intercept), slope,
                 ClockTicks.Span(offsetError), Math.Sqrt(variance / spread), exchanges);
-        }
-
-        static double Mean(double[] values)
-        {
-            double sum = 0;
-            foreach (var value in values) sum += value;
-            return sum / values.Length;
         }
     }
 }
