@@ -63,13 +63,11 @@ static class HeadVerb
     {
         try
         {
-            return new HeadResult(read);
+            return InputPlace.In(name, () => new HeadResult(read));
         }
-        catch (InputException bad)
+        catch (InputException fault) when (cancel.IsCancellationRequested)
         {
-            var fault = $"{name}: {bad.Message}";
-            if (!cancel.IsCancellationRequested) throw new InputException(fault);
-            Console.Error.WriteLine(ConsoleMessages.Line(fault));
+            Console.Error.WriteLine(ConsoleMessages.Line(fault.Message));
             return null;
         }
     }

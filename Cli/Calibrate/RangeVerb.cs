@@ -40,7 +40,7 @@ static class RangeVerb
     {
         var pictures = PairTable.Read(file);
         RequireRise(pictures, file, source);
-        return (pictures, FitOf(pictures, file));
+        return (pictures, InputPlace.In(file, () => RangeFit.Fit([.. pictures.Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))])));
     }
 
     // Throws if the render time does not increase with the load, because no limit can then be found or monitored. Skipped for fewer than three loads.
@@ -54,17 +54,5 @@ static class RangeVerb
         double low = loads[..third].Average(), high = loads[^third..].Average();
         if (high - low >= MinRise * low) return;
         throw new InputException(RangeMessages.SourceDoesNotRespond(file, source, low, high));
-    }
-
-    static RangeFitResult FitOf(IReadOnlyList<MeasuredPicture> pictures, string file)
-    {
-        try
-        {
-            return RangeFit.Fit([.. pictures.Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))]);
-        }
-        catch (InputException bad)
-        {
-            throw new InputException($"{file}: {bad.Message}");
-        }
     }
 }

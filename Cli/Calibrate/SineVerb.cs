@@ -56,7 +56,7 @@ static class SineVerb
             ? FilmedJog.Track(path, parsed.GetValue(RobotBox), parsed.GetValue(HologramBox), cancel)
             : await Invocation.ReadAsync(() => Table(parsed, path), cancel);
         if (parsed.GetValue(Inverted)) tracks = tracks with { Shown = [.. tracks.Shown.Select(each => -each)] };
-        var lag = EstimateOf(tracks, path);
+        var lag = InputPlace.In(path, () => LagEstimator.Of(tracks));
         // Long tables take seconds.
         cancel.ThrowIfCancellationRequested();
         var result = new SineResult(tracks, lag, way);
@@ -70,16 +70,4 @@ static class SineVerb
     static SineTracks Table(ParseResult parsed, string path) => parsed.GetValue(Control) is string control
         ? SineTracks.Of(path, parsed.GetValue(Columns), control, parsed.GetValue(Joint))
         : SineTracks.Of(path, parsed.GetValue(Columns));
-
-    static LagEstimate EstimateOf(SineTracks tracks, string path)
-    {
-        try
-        {
-            return LagEstimator.Of(tracks);
-        }
-        catch (InputException bad)
-        {
-            throw new InputException($"{path}: {bad.Message}");
-        }
-    }
 }

@@ -15,22 +15,12 @@ static class IntegerTable
 
     /// <summary>Reads the rows and the line of each row.</summary>
     /// <exception cref="InputException">The file cannot be read or has another format.</exception>
-    public static List<(int Line, long[] Values)> ReadWithLines(string path, params string[] header)
-    {
-        using var text = RecordingText.Open(path);
-        using var csv = new CsvRows(text);
-        try
-        {
-            return Rows(csv, path, header);
-        }
-        catch (Exception e) when (e is IOException or InvalidDataException)
-        {
-            throw RecordingText.Unreadable(path, e);
-        }
-    }
+    public static List<(int Line, long[] Values)> ReadWithLines(string path, params string[] header) =>
+        RecordingText.Read(path, text => Rows(text, path, header));
 
-    static List<(int, long[])> Rows(CsvRows csv, string path, string[] header)
+    static List<(int, long[])> Rows(TextReader text, string path, string[] header)
     {
+        using var csv = new CsvRows(text);
         var first = csv.Next() ? csv.Fields() : [];
         if (!first.SequenceEqual(header))
             throw new InputException(ExchangeFileMessages.Header(path, csv.Line, Beginning(string.Join(',', first)), string.Join(',', header)));

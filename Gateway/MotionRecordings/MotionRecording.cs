@@ -44,9 +44,11 @@ public sealed class MotionRecording
     public static MotionRecording Read(string path)
     {
         if (RecordingText.IsSession(path)) throw new InputException(MotionFileMessages.Session(path));
-        using var text = RecordingText.Open(path);
-        using var reader = new MotionRecordingReader(path, text);
-        return reader.Read();
+        return RecordingText.Read(path, text =>
+        {
+            using var reader = new MotionRecordingReader(path, text);
+            return reader.Read();
+        });
     }
 
     /// <summary>Gets the positions of all joints at a given time. Times outside the recording give the first or the last row.</summary>

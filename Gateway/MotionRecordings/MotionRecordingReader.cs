@@ -29,15 +29,8 @@ sealed class MotionRecordingReader : IDisposable
 
     public MotionRecording Read()
     {
-        try
-        {
-            ReadHeader();
-            while (_csv.Next()) ReadRow();
-        }
-        catch (Exception e) when (e is IOException or InvalidDataException)
-        {
-            throw RecordingText.Unreadable(_path, e);
-        }
+        ReadHeader();
+        while (_csv.Next()) ReadRow();
         if (_times.Count < 2) throw new InputException(MotionFileMessages.TooFewRows(_path, _times.Count));
         return new MotionRecording(_header[1..], _start, [.. _times], [.. _positions]) { IsBody = _isBody, Source = _path };
     }

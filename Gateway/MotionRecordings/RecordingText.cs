@@ -35,6 +35,21 @@ public static class RecordingText
         }
     }
 
+    /// <summary>Opens a text file as <see cref="Open"/> does, and reads it with a function.</summary>
+    /// <exception cref="InputException">The file does not exist, or cannot be opened or read.</exception>
+    public static T Read<T>(string path, Func<TextReader, T> read)
+    {
+        using var text = Open(path);
+        try
+        {
+            return read(text);
+        }
+        catch (Exception e) when (e is IOException or InvalidDataException)
+        {
+            throw Unreadable(path, e);
+        }
+    }
+
     /// <summary>Creates the exception for a failure while a file is being read.</summary>
     public static InputException Unreadable(string path, Exception e) => e is InvalidDataException
         ? new InputException(MotionFileMessages.NotGzip(path), e)

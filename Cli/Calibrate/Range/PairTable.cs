@@ -14,22 +14,11 @@ static class PairTable
     const int MaxRows = 10_000_000;
 
     /// <exception cref="InputException">The file cannot be read or has another format. The message names file, line and field.</exception>
-    public static IReadOnlyList<MeasuredPicture> Read(string path)
-    {
-        using var text = RecordingText.Open(path);
-        using var csv = new CsvRows(text);
-        try
-        {
-            return Rows(csv, path);
-        }
-        catch (Exception e) when (e is IOException or InvalidDataException)
-        {
-            throw RecordingText.Unreadable(path, e);
-        }
-    }
+    public static IReadOnlyList<MeasuredPicture> Read(string path) => RecordingText.Read(path, text => Rows(text, path));
 
-    static List<MeasuredPicture> Rows(CsvRows csv, string path)
+    static List<MeasuredPicture> Rows(TextReader text, string path)
     {
+        using var csv = new CsvRows(text);
         var header = csv.Next() ? csv.Fields() : [];
         int render = Column(header, Render, path), visu = Column(header, Visu, path);
         int vertices = Array.IndexOf(header, Vertices), file = Array.IndexOf(header, File);
@@ -53,14 +42,7 @@ static class PairTable
     static MeasuredPicture Picture(CsvRows csv, string path, int render, int visu, int vertices, int file)
     {
         double renderMs = Number(csv, path, render, Render), visuMs = Number(csv, path, visu, Visu);
-        try
-        {
-            _ = new LatencyPair(renderMs, visuMs);
-        }
-        catch (InputException bad)
-        {
-            throw new InputException($"{path}:{csv.Line}: {bad.Message}");
-        }
+        InputPlace.In($"{path}:{csv.Line}", () => new LatencyPair(renderMs, visuMs));
         int? load = vertices < 0 || csv[vertices].Length == 0 ? null : Count(csv, path, vertices);
         return new MeasuredPicture(file < 0 ? null : csv[file], load, renderMs, visuMs);
     }

@@ -63,14 +63,7 @@ static class SweepLogReader
         if (end < 0) return;
         if (!DisplayConditionNames.TryParse(line[SweepLog.ConditionPrefix.Length..end], out var condition)) return;
         var value = line[(end + SweepLog.ConditionSeparator.Length)..].Trim();
-        try
-        {
-            DisplayConditions.Parse(each => each == condition ? value : null);
-        }
-        catch (InputException fault)
-        {
-            throw new InputException($"{place}: {fault.Message}", fault);
-        }
+        InputPlace.In(place, () => DisplayConditions.Parse(each => each == condition ? value : null));
         values[(int)condition] = value;
     }
 
@@ -79,20 +72,14 @@ static class SweepLogReader
     {
         if (fields.Count != Columns) throw new InputException(SweepFileMessages.FieldCount(place, fields.Count, Columns));
         if (fields[4] != device) device = fields[4];
-        try
-        {
-            return new SweepRow(
-                ControlTime.FromNanoseconds(Whole(fields[0], Nanoseconds, "nanoseconds")),
-                (int)Math.Min(Whole(fields[1], Vertices, "vertices"), int.MaxValue),
-                fields[2].Length == 0 ? null : Number(fields[2], RenderMs, "milliseconds"),
-                SourceOf(fields[3]),
-                device,
-                fields[5].Length == 0 ? double.NaN : Number(fields[5], DisplayHz, "hertz"));
-        }
-        catch (InputException fault)
-        {
-            throw new InputException($"{place}: {fault.Message}", fault);
-        }
+        var model = device;
+        return InputPlace.In(place, () => new SweepRow(
+            ControlTime.FromNanoseconds(Whole(fields[0], Nanoseconds, "nanoseconds")),
+            (int)Math.Min(Whole(fields[1], Vertices, "vertices"), int.MaxValue),
+            fields[2].Length == 0 ? null : Number(fields[2], RenderMs, "milliseconds"),
+            SourceOf(fields[3]),
+            model,
+            fields[5].Length == 0 ? double.NaN : Number(fields[5], DisplayHz, "hertz")));
     }
 
     static RenderTimeSourceKind SourceOf(string text)

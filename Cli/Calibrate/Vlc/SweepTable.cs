@@ -12,17 +12,9 @@ static class SweepTable
     /// <exception cref="InputException">The file cannot be read, has another format, or contains several headsets.</exception>
     public static IReadOnlyList<SweepRow> Read(string path, out DisplayConditions conditions)
     {
-        using var text = RecordingText.Open(path);
-        try
-        {
-            var rows = SweepLogReader.Read(text, path, out var others);
-            conditions = new DisplayConditions(Device(rows), DisplayHz(rows)).Or(others);
-            return rows;
-        }
-        catch (Exception e) when (e is IOException or InvalidDataException)
-        {
-            throw RecordingText.Unreadable(path, e);
-        }
+        var (rows, others) = RecordingText.Read(path, text => (SweepLogReader.Read(text, path, out var found), found));
+        conditions = new DisplayConditions(Device(rows), DisplayHz(rows)).Or(others);
+        return rows;
     }
 
     /// <summary>Gets the headset's model; empty if no row contains it.</summary>
