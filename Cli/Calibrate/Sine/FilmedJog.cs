@@ -1,3 +1,4 @@
+using Nowpose.Cli.Calibrate.Head;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Cli.Messages;
 using Nowpose.Vision;
@@ -30,8 +31,8 @@ static class FilmedJog
                 report(places.Count);
             }
         });
-        var (alongX, alongY) = Direction([.. places.Select(each => each[0])]);
-        double[] Along(int patch) => [.. places.Select(each => each[patch].X * alongX + each[patch].Y * alongY)];
+        var axis = MotionAxis.Of([.. places.Select(each => (each[0].X, each[0].Y))]);
+        double[] Along(int patch) => [.. places.Select(each => axis.LengthOf((each[patch].X, each[patch].Y), default))];
         return SineTracks.Of(times[..places.Count], Along(0), Along(1), path);
     }
 
@@ -48,20 +49,5 @@ static class FilmedJog
         for (var i = 0; i < places.Count; i++)
             if (!(places[i].Score >= MinScore))
                 throw new InputException(SineMessages.PatchLost(path, frame, i == 0, places[i].Score, MinScore));
-    }
-
-    /// <summary>Gets the direction of the robot's largest motion, as a unit vector.</summary>
-    static (double X, double Y) Direction(TrackedPlace[] places)
-    {
-        double meanX = places.Average(each => each.X), meanY = places.Average(each => each.Y), xx = 0, xy = 0, yy = 0;
-        foreach (var place in places)
-        {
-            double x = place.X - meanX, y = place.Y - meanY;
-            xx += x * x;
-            xy += x * y;
-            yy += y * y;
-        }
-        var angle = Math.Atan2(2 * xy, xx - yy) / 2;
-        return (Math.Cos(angle), Math.Sin(angle));
     }
 }
