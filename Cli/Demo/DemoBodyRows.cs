@@ -1,4 +1,3 @@
-using System.Globalization;
 using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Demo;
@@ -10,12 +9,9 @@ sealed class DemoBodyRows(DemoResult.BodyErrors bodies)
     [
         (DemoTexts.MovingWorkpieces, Row(bodies.ErrorMm, "0.00", " mm")),
         (DemoTexts.RotatingWorkpieces, Row(bodies.ErrorDeg, "0.00", "°")),
-        (DemoTexts.LargestSlip, Text(bodies.LargestSlipMm, "0.00", " mm")),
+        (DemoTexts.LargestSlip, RunTexts.Number(bodies.LargestSlipMm, "0.00", " mm")),
     ];
 
     static string Row(DemoResult.PoseErrors error, string format, string unit) =>
-        DemoTexts.RmsWithReduction(Text(error.HoldRms, format, unit), Text(error.Rms, format, unit), Text(100 * error.Reduction, "0.0", " %"));
-
-    static string Text(double? value, string format, string unit) =>
-        value is double number ? number.ToString(format, CultureInfo.InvariantCulture) + unit : "–";
+        DemoTexts.RmsWithReduction(RunTexts.Number(error.HoldRms, format, unit), RunTexts.Number(error.Rms, format, unit), RunTexts.Number(100 * error.Reduction, "0.0", " %"));
 }

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Demo;
@@ -14,7 +13,7 @@ sealed class DemoRangeRows(DemoSettings settings, DemoResult result, DemoRange r
             var load = new DemoLoad(settings.Load.Value, settings.Seconds);
             yield return (DemoTexts.RenderLoadRow, DemoTexts.RenderLoad(load.Vertices, load.FromSeconds, load.ToSeconds));
             yield return (DemoTexts.RangeRow, seen.LimitRenderMs == null ? DemoTexts.NoLimit
-                : DemoTexts.Range(Number(seen.LimitRenderMs, "0.0#"), AlarmText(seen)));
+                : DemoTexts.Range(RunTexts.Number(seen.LimitRenderMs, "0.0#"), AlarmText(seen)));
             if (seen.FramesOutside > 0) yield return (DemoTexts.FramesOutside(seen.FramesOutside), OutsideText());
         }
     }
@@ -22,12 +21,11 @@ sealed class DemoRangeRows(DemoSettings settings, DemoResult result, DemoRange r
     static string AlarmText(DemoResult.Ranges seen)
     {
         if (seen.LeftS == null) return DemoTexts.NeverLeft;
-        var found = seen.FoundS == null ? DemoTexts.NotFoundAgain : DemoTexts.FoundAgain(Number(seen.FoundS, "0.0"));
-        return DemoTexts.Alarm(Number(seen.LeftS, "0.0"), found, seen.Alarms);
+        var found = seen.FoundS == null ? DemoTexts.NotFoundAgain : DemoTexts.FoundAgain(RunTexts.Number(seen.FoundS, "0.0"));
+        return DemoTexts.Alarm(RunTexts.Number(seen.LeftS, "0.0"), found, seen.Alarms);
     }
 
-    string OutsideText() =>
-        DemoTexts.Outside(Number(range.VisualisationMs(true), "0.0#"), Number(range.VisualisationMs(false), "0.0#"), Number(range.RmsOutsideMm, "0.00"), Number(range.RmsInTimeMm, "0.00"));
-
-    static string Number(double? value, string format) => value?.ToString(format, CultureInfo.InvariantCulture) ?? "–";
+    string OutsideText() => DemoTexts.Outside(
+        RunTexts.Number(range.VisualisationMs(true), "0.0#"), RunTexts.Number(range.VisualisationMs(false), "0.0#"),
+        RunTexts.Number(range.RmsOutsideMm, "0.00"), RunTexts.Number(range.RmsInTimeMm, "0.00"));
 }

@@ -167,5 +167,5 @@ static class DemoReport
 
     static string Ms(double value) => value.ToString("0.###", CultureInfo.InvariantCulture) + " ms";
 
-    static string Number(double? value) => value?.ToString("0.##", CultureInfo.InvariantCulture) ?? "–";
+    static string Number(double? value) => RunTexts.Number(value, "0.##");
 }

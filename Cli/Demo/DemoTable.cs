@@ -1,4 +1,3 @@
-using System.Globalization;
 using Nowpose.Cli.Messages;
 using Spectre.Console;
 
@@ -45,19 +44,16 @@ static class DemoTable
         var clock = result.Clock;
         Row(DemoTexts.ClockErrorRow, DemoTexts.MedianP95Maximum(Us(clock.OffsetErrorUsP50), Us(clock.OffsetErrorUsP95), Us(clock.OffsetErrorUsMax)));
         Row(DemoTexts.EstimatedClockErrorRow, DemoTexts.EstimatedClockErrorMedian(Us(clock.StatedErrorUsP50), Percent(clock.WithinStatedShare)));
-        Row(DemoTexts.SynchronisedAfterRow, Text(result.Clock.ConvergedS, "0.0", " s"));
-        var allocated = Text(result.Frame.AllocatedBytesPerFrame, "0.##", " B");
+        Row(DemoTexts.SynchronisedAfterRow, RunTexts.Number(result.Clock.ConvergedS, "0.0", " s"));
+        var allocated = RunTexts.Number(result.Frame.AllocatedBytesPerFrame, "0.##", " B");
         Row(DemoTexts.FrameRow, DemoTexts.FrameTimes(Us(result.Frame.CpuUsP50), Us(result.Frame.CpuUsP99), allocated));
         Row(RunTexts.CountsRow, RunTexts.Counts(result.Frames, result.Samples, result.Dropped));
         foreach (var (label, value) in delays.Rows) Row(label, value);
         return grid;
     }
 
-    static string Mm(double? value) => Text(value, "0.00", " mm");
-    static string Ms(double? value) => Text(value, "0.0#", " ms");
-    static string Us(double? value) => Text(value, "0.#", " µs");
-    static string Percent(double? share) => Text(100 * share, "0.0", " %");
-
-    static string Text(double? value, string format, string unit) =>
-        value is double number ? number.ToString(format, CultureInfo.InvariantCulture) + unit : "–";
+    static string Mm(double? value) => RunTexts.Number(value, "0.00", " mm");
+    static string Ms(double? value) => RunTexts.Number(value, "0.0#", " ms");
+    static string Us(double? value) => RunTexts.Number(value, "0.#", " µs");
+    static string Percent(double? share) => RunTexts.Number(100 * share, "0.0", " %");
 }
