@@ -4,5 +4,4 @@ public enum ScriptingImplementation
 {
     Mono2x = 0,
     IL2CPP = 1,
-    WinRTDotNET = 2,
 }
