@@ -63,14 +63,6 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
         return new Quaternion(v.x, v.y, v.z, MathF.Cos(half));
     }
 
-    public readonly void ToAngleAxis(out float angle, out Vector3 axis)
-    {
-        var q = Normalize(this);
-        var sine = MathF.Sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
-        angle = 2 * MathF.Atan2(sine, q.w) * Mathf.Rad2Deg;
-        axis = sine < kEpsilon ? Vector3.right : new Vector3(q.x, q.y, q.z) / sine;
-    }
-
     public static Quaternion Euler(float x, float y, float z) =>
         AngleAxis(y, Vector3.up) * AngleAxis(x, Vector3.right) * AngleAxis(z, Vector3.forward);
 

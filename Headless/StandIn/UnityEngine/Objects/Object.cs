@@ -64,12 +64,6 @@ public partial class Object
     public override int GetHashCode() => _instanceId;
     public override string ToString() => Destroyed ? "null" : $"{name} ({GetType().FullName})";
 
-    public static void DontDestroyOnLoad(Object target)
-    {
-        var gameObject = target is Component c ? c.gameObject : target as GameObject;
-        if (gameObject) World.Current.Scenes.Keep(gameObject);
-    }
-
     public static void Destroy(Object obj) => Destroy(obj, 0);
 
     public static void Destroy(Object obj, float t)

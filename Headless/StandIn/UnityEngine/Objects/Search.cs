@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 
 namespace UnityEngine;
@@ -6,31 +5,31 @@ namespace UnityEngine;
 /// <summary>Finds objects in the loaded scenes, in the order of the hierarchy.</summary>
 static class Search
 {
-    internal static Object First(Type type, bool includeInactive)
+    internal static T First<T>(bool includeInactive) where T : Object
     {
-        var found = All<Object>(type, includeInactive);
+        var found = All<T>(includeInactive);
         return found.Count > 0 ? found[0] : null;
     }
 
-    internal static List<T> All<T>(Type type, bool includeInactive) where T : Object
+    internal static List<T> All<T>(bool includeInactive) where T : Object
     {
         var found = new List<T>();
         foreach (var gameObject in World.Current.Scenes.GameObjects())
         {
             if (!includeInactive && !gameObject.activeInHierarchy) continue;
 
-            if (type == typeof(GameObject)) found.Add((T)(Object)gameObject);
-            else AddComponents(gameObject, type, found);
+            if (gameObject is T wanted) found.Add(wanted);
+            AddComponents(gameObject, found);
         }
 
         return found;
     }
 
-    static void AddComponents<T>(GameObject gameObject, Type type, List<T> found) where T : Object
+    static void AddComponents<T>(GameObject gameObject, List<T> found) where T : Object
     {
         foreach (var component in gameObject.Components)
         {
-            if (type.IsInstanceOfType(component)) found.Add((T)(Object)component);
+            if (component is T wanted) found.Add(wanted);
         }
     }
 }

@@ -18,8 +18,6 @@ sealed class Clock
     /// <summary>Scaled time. Each frame advances it by the real delta time, limited to the maximum delta time.</summary>
     internal double Scaled { get; private set; }
 
-    internal double ScaledDelta { get; private set; }
-
     /// <summary>Starts a frame at the given time, s.</summary>
     internal void Advance(double seconds)
     {
@@ -31,8 +29,7 @@ sealed class Clock
 
         var first = Frame == 0;
         RealDelta = first ? FirstDelta : seconds - Real;
-        ScaledDelta = Math.Min(RealDelta, MaximumDelta);
-        Scaled = first ? seconds : Scaled + ScaledDelta;
+        Scaled = first ? seconds : Scaled + Math.Min(RealDelta, MaximumDelta);
         Real = seconds;
         Frame++;
     }

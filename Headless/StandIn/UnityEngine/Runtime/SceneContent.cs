@@ -38,14 +38,6 @@ sealed class SceneContent
 
     internal int IndexOf(GameObject root) => _roots.IndexOf(root);
 
-    /// <summary>Moves a root object from another scene to this one.</summary>
-    internal void Take(GameObject root)
-    {
-        root.Content?.Remove(root);
-        _roots.Add(root);
-        root.MoveTo(this);
-    }
-
     internal void Collect(List<GameObject> into)
     {
         foreach (var root in _roots) Hierarchy.Collect(root, into);

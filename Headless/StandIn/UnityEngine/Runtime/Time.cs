@@ -2,9 +2,7 @@ namespace UnityEngine;
 
 public class Time
 {
-    public static float time => (float)timeAsDouble;
-    public static double timeAsDouble => Clock.Scaled;
-    public static float deltaTime => (float)Clock.ScaledDelta;
+    public static float time => (float)Clock.Scaled;
     public static float unscaledTime => (float)unscaledTimeAsDouble;
     public static double unscaledTimeAsDouble => Clock.Real;
     public static float unscaledDeltaTime => (float)Clock.RealDelta;

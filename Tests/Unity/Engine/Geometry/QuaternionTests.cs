@@ -83,15 +83,6 @@ public sealed class QuaternionTests
     public void AngleAxis_ZeroAxis_IsTheIdentity() => Assert.That(Quaternion.AngleAxis(70, Vector3.zero), Is.EqualTo(Quaternion.identity));
 
     [Test]
-    public void ToAngleAxis_AngleAxis_RoundTrips()
-    {
-        Quaternion.AngleAxis(70, new Vector3(1, 2, 3)).ToAngleAxis(out var angle, out var axis);
-
-        Assert.That(angle, Is.EqualTo(70).Within(1e-4));
-        Assert.That(Vector3.Distance(axis, new Vector3(1, 2, 3).normalized), Is.LessThan(Tolerance));
-    }
-
-    [Test]
     public void LookRotation_ForwardAndUp_AlignsForwardExactlyAndUpApproximately()
     {
         var q = Quaternion.LookRotation(new Vector3(1, 2, -2), new Vector3(0.3f, 1, 0.2f));

@@ -1,7 +1,6 @@
 using Nowpose.Unity.Tests.Engine.Scripts;
 using NUnit.Framework;
 using UnityEngine;
-using UnityEngine.SceneManagement;
 using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Tests.Engine.Objects;
@@ -81,7 +80,7 @@ public sealed class InstantiateTests : PlayerFixture
         Assert.That(Journal.Take(), Is.EqualTo("a(Clone).Awake a(Clone).OnEnable"));
         Assert.That(copy.transform.position, Is.EqualTo(new Vector3(1, 2, 3)));
         Assert.That(copy.transform.localPosition, Is.EqualTo(new Vector3(0, 2, 3)));
-        Assert.That((copy.transform.parent, copy.layer, copy.scene), Is.EqualTo((parent, 3, SceneManager.GetActiveScene())));
+        Assert.That((copy.transform.parent, copy.layer, copy.scene), Is.EqualTo((parent, 3, source.gameObject.scene)));
     }
 
     [Test]
