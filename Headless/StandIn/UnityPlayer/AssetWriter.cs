@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
 using Nowpose.UnityPlayer.Assets;
-using Nowpose.UnityPlayer.Assets.Loading;
 using Nowpose.UnityPlayer.Assets.Objects;
 using Nowpose.UnityPlayer.Assets.Saving;
 using Nowpose.UnityPlayer.Assets.Values;

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Nowpose.UnityPlayer.Assets.Objects;
 using Nowpose.UnityPlayer.Assets.Prefabs;
+using Nowpose.UnityPlayer.Assets.Values;
 using Nowpose.UnityPlayer.Assets.Yaml;
 using UnityEngine;
 using YamlDotNet.RepresentationModel;

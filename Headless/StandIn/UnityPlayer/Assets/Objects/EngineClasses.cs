@@ -73,7 +73,7 @@ static class EngineClasses
     static IEnumerable<Slot> GameObjectSlots()
     {
         yield return Slot.Constant("serializedVersion", Nodes.Number(6));
-        yield return Slot.Checked("m_Component", (GameObject g, IReferences references, Place place) => new YamlSequenceNode(
+        yield return Slot.Checked("m_Component", (GameObject g, FileReferences references, Place place) => new YamlSequenceNode(
             g.GetComponents<Component>().Select(c => Nodes.Lines(("component", references.ReferenceTo(c, place).Write())))));
         yield return Slot.Property("m_Layer", (GameObject g) => g.layer, (g, v) => g.layer = v);
         yield return Slot.Property("m_Name", (GameObject g) => g.name, (g, v) => g.name = v);
@@ -89,11 +89,11 @@ static class EngineClasses
         // Uses the fields, because values must be written as they were read, but the properties normalise rotations.
         foreach (var name in new[] { "m_LocalRotation", "m_LocalPosition", "m_LocalScale" }) yield return Slot.Field(typeof(Transform), name);
         yield return Slot.Constant("m_ConstrainProportionsScale", Nodes.Number(0));
-        yield return Slot.Checked("m_Children", (Transform t, IReferences references, Place place) => new YamlSequenceNode(
+        yield return Slot.Checked("m_Children", (Transform t, FileReferences references, Place place) => new YamlSequenceNode(
             t.Cast<Transform>().Select(c => references.ReferenceTo(c, place).Write())));
         yield return Slot.Checked("m_Father", (Transform t) => t.parent);
-        yield return Slot.Checked("m_RootOrder", (Transform t, IReferences references, Place place) => Nodes.Number(references.SiblingIndex(t)));
-        yield return Slot.Hint("m_LocalEulerAnglesHint", (Transform t, IReferences references, Place place) =>
+        yield return Slot.Checked("m_RootOrder", (Transform t, FileReferences references, Place place) => Nodes.Number(references.SiblingIndex(t)));
+        yield return Slot.Hint("m_LocalEulerAnglesHint", (Transform t, FileReferences references, Place place) =>
             ValueFormats.For(typeof(Vector3)).Write(EulerHint(t), references, place));
     }
 

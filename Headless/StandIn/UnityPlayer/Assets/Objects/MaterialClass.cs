@@ -57,7 +57,7 @@ static class MaterialClass
         static readonly IValueFormat Float = ValueFormats.For(typeof(float));
         static readonly IValueFormat Colour = ValueFormats.For(typeof(Color));
 
-        public object Read(YamlNode node, object current, IReferences references, Place place)
+        public object Read(YamlNode node, object current, FileReferences references, Place place)
         {
             var material = (Material)current;
             var declared = DeclarationOf(material, place);
@@ -84,7 +84,7 @@ static class MaterialClass
             return material;
         }
 
-        public YamlNode Write(object value, IReferences references, Place place)
+        public YamlNode Write(object value, FileReferences references, Place place)
         {
             var material = (Material)value;
             var declared = DeclarationOf(material, place);

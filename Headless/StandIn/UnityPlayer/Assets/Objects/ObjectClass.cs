@@ -30,7 +30,7 @@ class ObjectClass
 
     /// <summary>Sets those fields of an object that the file contains. The other fields keep their default values.</summary>
     /// <exception cref="AssetException">The file contains a field that the class does not have, or an invalid value.</exception>
-    public void Read(YamlMappingNode fields, Object target, IReferences references, Place place)
+    public void Read(YamlMappingNode fields, Object target, FileReferences references, Place place)
     {
         var unread = fields.Children.ToDictionary(f => place.Scalar(f.Key), f => f.Value);
         foreach (var slot in _slots)
@@ -41,7 +41,7 @@ class ObjectClass
         (target as ISerializationCallbackReceiver)?.OnAfterDeserialize();
     }
 
-    public YamlMappingNode Write(Object source, IReferences references, Place place)
+    public YamlMappingNode Write(Object source, FileReferences references, Place place)
     {
         (source as ISerializationCallbackReceiver)?.OnBeforeSerialize();
         var fields = new YamlMappingNode { Style = MappingStyle.Block };
@@ -50,7 +50,7 @@ class ObjectClass
         return fields;
     }
 
-    protected virtual void ReadOther(string name, YamlNode node, Object target, IReferences references, Place place)
+    protected virtual void ReadOther(string name, YamlNode node, Object target, FileReferences references, Place place)
     {
         throw place.Error(AssetFault.UnknownField, Type.Name + " has no serialised field " + name);
     }

@@ -14,7 +14,7 @@ sealed class OpaqueClass : ObjectClass
     {
     }
 
-    protected override void ReadOther(string name, YamlNode node, Object target, IReferences references, Place place)
+    protected override void ReadOther(string name, YamlNode node, Object target, FileReferences references, Place place)
     {
         ((OpaqueComponent)target).Fields.Add(name, node);
     }

@@ -32,7 +32,7 @@ sealed class ScriptClass : ObjectClass
     /// <exception cref="AssetException">The type has a field whose type is not supported.</exception>
     public static ScriptClass Of(Type type) => Known.GetOrAdd(type, t => new ScriptClass(t));
 
-    protected override void ReadOther(string name, YamlNode node, Object target, IReferences references, Place place)
+    protected override void ReadOther(string name, YamlNode node, Object target, FileReferences references, Place place)
     {
         var field = SerializedFields.Find(Type, name);
         if (field == null) base.ReadOther(name, node, target, references, place);
@@ -50,7 +50,7 @@ sealed class ScriptClass : ObjectClass
             : Slot.Property("m_Name", (Object o) => o.name, (o, v) => o.name = v);
         return head
             .Append(Slot.Constant("m_EditorHideFlags", Nodes.Number(0)))
-            .Append(Slot.Checked(ScriptField, (Object o, IReferences references, Place place) => references.ScriptOf(o.GetType(), place).Write()))
+            .Append(Slot.Checked(ScriptField, (Object o, FileReferences references, Place place) => references.ScriptOf(o.GetType(), place).Write()))
             .Append(name)
             .Append(Slot.Constant("m_EditorClassIdentifier", Nodes.Text("")))
             .Concat(OwnFields(type));

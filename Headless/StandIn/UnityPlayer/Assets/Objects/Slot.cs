@@ -9,10 +9,10 @@ namespace Nowpose.UnityPlayer.Assets.Objects;
 /// <summary>One field of a class in files, with the functions that read and write it.</summary>
 sealed class Slot
 {
-    readonly Action<Object, YamlNode, IReferences, Place> _read;
-    readonly Func<Object, IReferences, Place, YamlNode> _write;
+    readonly Action<Object, YamlNode, FileReferences, Place> _read;
+    readonly Func<Object, FileReferences, Place, YamlNode> _write;
 
-    Slot(string name, Action<Object, YamlNode, IReferences, Place> read, Func<Object, IReferences, Place, YamlNode> write)
+    Slot(string name, Action<Object, YamlNode, FileReferences, Place> read, Func<Object, FileReferences, Place, YamlNode> write)
     {
         Name = name;
         _read = read;
@@ -53,7 +53,7 @@ sealed class Slot
     }
 
     /// <inheritdoc cref="Checked{TObject,TValue}"/>
-    public static Slot Checked<TObject>(string name, Func<TObject, IReferences, Place, YamlNode> write)
+    public static Slot Checked<TObject>(string name, Func<TObject, FileReferences, Place, YamlNode> write)
         where TObject : Object
     {
         return new Slot(
@@ -67,7 +67,7 @@ sealed class Slot
     }
 
     /// <summary>Creates a field that only Unity's editor uses. It is written but not read.</summary>
-    public static Slot Hint<TObject>(string name, Func<TObject, IReferences, Place, YamlNode> write)
+    public static Slot Hint<TObject>(string name, Func<TObject, FileReferences, Place, YamlNode> write)
         where TObject : Object
     {
         return new Slot(name, (_, _, _, _) => { }, (target, references, place) => write((TObject)target, references, place));
@@ -84,7 +84,7 @@ sealed class Slot
             (target, references, place) => format.Write(field.GetValue(target), references, place));
     }
 
-    public void Read(Object target, YamlNode node, IReferences references, Place place) => _read(target, node, references, place.In(Name));
+    public void Read(Object target, YamlNode node, FileReferences references, Place place) => _read(target, node, references, place.In(Name));
 
-    public YamlNode Write(Object source, IReferences references, Place place) => _write(source, references, place.In(Name));
+    public YamlNode Write(Object source, FileReferences references, Place place) => _write(source, references, place.In(Name));
 }

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Nowpose.UnityPlayer.Assets.Loading;
 using Nowpose.UnityPlayer.Assets.Prefabs;
+using Nowpose.UnityPlayer.Assets.Values;
 using Nowpose.UnityPlayer.Assets.Yaml;
 using UnityEngine;
 

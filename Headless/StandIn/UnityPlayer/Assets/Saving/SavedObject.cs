@@ -1,4 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Loading;
 using Nowpose.UnityPlayer.Assets.Objects;
 using Nowpose.UnityPlayer.Assets.Prefabs;
 using Nowpose.UnityPlayer.Assets.Values;

@@ -14,14 +14,14 @@ sealed class ClassFormat : IValueFormat
 
     public ClassFormat(Type type) => _type = type;
 
-    public object Read(YamlNode node, object current, IReferences references, Place place)
+    public object Read(YamlNode node, object current, FileReferences references, Place place)
     {
         var value = current ?? New();
         FieldValues.Read(place.Mapping(node), value, references, place);
         return value;
     }
 
-    public YamlNode Write(object value, IReferences references, Place place) => FieldValues.Write(value ?? New(), references, place);
+    public YamlNode Write(object value, FileReferences references, Place place) => FieldValues.Write(value ?? New(), references, place);
 
     object New() => Activator.CreateInstance(_type, nonPublic: true);
 }

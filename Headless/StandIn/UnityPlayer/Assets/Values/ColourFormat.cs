@@ -10,7 +10,7 @@ sealed class ColourFormat : IValueFormat
     const string Version = "serializedVersion";
     const string Number = "rgba";
 
-    public object Read(YamlNode node, object current, IReferences references, Place place)
+    public object Read(YamlNode node, object current, FileReferences references, Place place)
     {
         var mapping = place.Mapping(node);
         if (mapping.Children.Count != 2 || Nodes.Find(mapping, Version) == null || Nodes.Find(mapping, Number) == null)
@@ -21,7 +21,7 @@ sealed class ColourFormat : IValueFormat
         return new Color32((byte)bits, (byte)(bits >> 8), (byte)(bits >> 16), (byte)(bits >> 24));
     }
 
-    public YamlNode Write(object value, IReferences references, Place place)
+    public YamlNode Write(object value, FileReferences references, Place place)
     {
         var colour = (Color32)value;
         var bits = colour.r | ((long)colour.g << 8) | ((long)colour.b << 16) | ((long)colour.a << 24);

@@ -18,7 +18,7 @@ sealed class ComponentsFormat : IValueFormat
         _components = components.Select(c => type.GetField(c)).ToArray();
     }
 
-    public object Read(YamlNode node, object current, IReferences references, Place place)
+    public object Read(YamlNode node, object current, FileReferences references, Place place)
     {
         var mapping = place.Mapping(node);
         var value = current ?? Activator.CreateInstance(_type);
@@ -32,7 +32,7 @@ sealed class ComponentsFormat : IValueFormat
         return value;
     }
 
-    public YamlNode Write(object value, IReferences references, Place place)
+    public YamlNode Write(object value, FileReferences references, Place place)
     {
         return Nodes.Braces(_components
             .Select(c => (c.Name, ValueFormats.For(c.FieldType).Write(c.GetValue(value), references, place.In(c.Name)))).ToArray());

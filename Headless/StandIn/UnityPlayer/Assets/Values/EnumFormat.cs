@@ -12,7 +12,7 @@ sealed class EnumFormat : IValueFormat
 
     public EnumFormat(Type type) => _type = type;
 
-    public object Read(YamlNode node, object current, IReferences references, Place place)
+    public object Read(YamlNode node, object current, FileReferences references, Place place)
     {
         var text = place.Scalar(node);
         if (!Numbers.TryRead(text, out long number)) throw place.Error(AssetFault.Value, "\"" + text + "\" is not a number of a " + _type.Name);
@@ -22,7 +22,7 @@ sealed class EnumFormat : IValueFormat
         return value;
     }
 
-    public YamlNode Write(object value, IReferences references, Place place)
+    public YamlNode Write(object value, FileReferences references, Place place)
     {
         return Nodes.Number(Convert.ToInt64(value, CultureInfo.InvariantCulture));
     }

@@ -10,7 +10,7 @@ interface IValueFormat
     /// <param name="current">Current value of the field; may be null. The result keeps those parts of it that the file does not contain.</param>
     /// <param name="references">References of the file.</param>
     /// <param name="place">Location of the node, for error messages.</param>
-    object Read(YamlNode node, object current, IReferences references, Place place);
+    object Read(YamlNode node, object current, FileReferences references, Place place);
 
-    YamlNode Write(object value, IReferences references, Place place);
+    YamlNode Write(object value, FileReferences references, Place place);
 }

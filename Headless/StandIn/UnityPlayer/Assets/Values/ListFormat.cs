@@ -18,7 +18,7 @@ sealed class ListFormat : IValueFormat
         _item = item;
     }
 
-    public object Read(YamlNode node, object current, IReferences references, Place place)
+    public object Read(YamlNode node, object current, FileReferences references, Place place)
     {
         var sequence = place.Sequence(node);
         var format = ValueFormats.For(_item);
@@ -31,7 +31,7 @@ sealed class ListFormat : IValueFormat
         return array;
     }
 
-    public YamlNode Write(object value, IReferences references, Place place)
+    public YamlNode Write(object value, FileReferences references, Place place)
     {
         var list = Nodes.List();
         var format = ValueFormats.For(_item);

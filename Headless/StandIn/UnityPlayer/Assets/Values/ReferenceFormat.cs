@@ -12,14 +12,14 @@ sealed class ReferenceFormat : IValueFormat
 
     public ReferenceFormat(Type type) => _type = type;
 
-    public object Read(YamlNode node, object current, IReferences references, Place place)
+    public object Read(YamlNode node, object current, FileReferences references, Place place)
     {
         if (!AssetReference.TryRead(node, out var reference))
             throw place.Error(AssetFault.Kind, "has to be a reference: {fileID: …} or {fileID: …, guid: …, type: …}");
         return reference.IsNone ? null : references.ObjectAt(reference, _type, place);
     }
 
-    public YamlNode Write(object value, IReferences references, Place place)
+    public YamlNode Write(object value, FileReferences references, Place place)
     {
         var target = (Object)value;
         return (target == null ? AssetReference.None : references.ReferenceTo(target, place)).Write();

@@ -18,11 +18,11 @@ sealed class ScalarFormat<T> : IValueFormat
 
     public delegate bool Parser(string text, out T value);
 
-    public object Read(YamlNode node, object current, IReferences references, Place place)
+    public object Read(YamlNode node, object current, FileReferences references, Place place)
     {
         var text = place.Scalar(node);
         return _parse(text, out var value) ? value : throw place.Error(AssetFault.Value, "\"" + text + "\" is not a valid " + typeof(T).Name);
     }
 
-    public YamlNode Write(object value, IReferences references, Place place) => Nodes.Text(_format((T)value));
+    public YamlNode Write(object value, FileReferences references, Place place) => Nodes.Text(_format((T)value));
 }
