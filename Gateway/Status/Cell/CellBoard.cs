@@ -44,7 +44,7 @@ sealed class CellBoard(
         lock (_gate)
             for (var i = 0; i < message.Count; i++)
             {
-                if (!TryGet(_frames, message[i].Child, ProtocolLimits.Frames, frame => frame.IsEnded, out var frame)) continue;
+                if (!TryGet(_frames, message[i].Child, ProtocolLimits.Frames, out var frame)) continue;
                 frame.ArrivedAt = time.GetTimestamp();
                 if (!frame.HasAny || isStationary || message[i].Stamp != frame.Stamp || frame.Source != source) (frame.Stamp, frame.SeenAt) = (message[i].Stamp, frame.ArrivedAt);
                 (frame.Source, frame.IsStationary, frame.Parent) = (source, isStationary, message[i].Parent);
@@ -59,7 +59,7 @@ sealed class CellBoard(
         lock (_gate)
             for (var i = 0; i < message.Count; i++)
             {
-                if (!TryGet(_signals, message[i].Name, ProtocolLimits.Signals, signal => signal.IsEnded, out var signal)) continue;
+                if (!TryGet(_signals, message[i].Name, ProtocolLimits.Signals, out var signal)) continue;
                 if (signal.IsEnded || !LateValues.IsOvertaken(message.Stamp, signal.Newest)) Update(signal, message[i].Value, message.Stamp);
                 (signal.Source, signal.IsEnded, signal.HasLeft, signal.HasAny) = (source, false, false, true);
                 signal.Refusal = null;
@@ -245,13 +245,13 @@ sealed class CellBoard(
     static double Seconds(TimeSpan age) => Math.Round(age.TotalSeconds, 3);
 
     // Finds or adds the entry of a published frame or signal. At the maximum number of published ones, a new entry replaces one without a source.
-    static bool TryGet<T>(SortedDictionary<string, T> all, string name, int limit, Predicate<T> isEnded, out T found)
+    static bool TryGet<T>(SortedDictionary<string, T> all, string name, int limit, out T found)
         where T : CellEntry, new()
     {
         if (all.TryGetValue(name, out found) && found.HasAny) return true;
         if (all.Values.Count(one => one.HasAny) >= limit)
         {
-            if (all.FirstOrDefault(one => one.Value.HasAny && isEnded(one.Value)).Key is not { } ended) return false;
+            if (all.FirstOrDefault(one => one.Value is { HasAny: true, IsEnded: true }).Key is not { } ended) return false;
             all.Remove(ended);
         }
 

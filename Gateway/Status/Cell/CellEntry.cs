@@ -20,6 +20,9 @@ abstract class CellEntry
     /// <summary>Whether the source of the newest valid message has ended normally.</summary>
     public bool HasLeft { get; set; }
 
+    /// <summary>Whether the source has ended, so that another frame or signal may replace this one.</summary>
+    public bool IsEnded { get; set; }
+
     /// <summary>Null if the newest message was valid.</summary>
     public DroppedMessage Refusal { get; set; }
 }
@@ -31,9 +34,6 @@ sealed class FrameEntry : CellEntry
     DateTimeOffset _since;
 
     public bool IsStationary { get; set; }
-
-    /// <summary>Whether the source of the tracked frame has ended, so that the gateway no longer has the frame.</summary>
-    public bool IsEnded { get; set; }
 
     public string Parent { get; set; }
     public ControlTime Stamp { get; set; }
@@ -56,7 +56,6 @@ sealed class FrameEntry : CellEntry
 /// <summary>A signal with its newest value.</summary>
 sealed class SignalEntry : CellEntry
 {
-    public bool IsEnded { get; set; }
     public long EndedAt { get; set; }
     public DateTimeOffset EndedUtc { get; set; }
 
