@@ -58,7 +58,7 @@ sealed class FrameLoop
 
     internal void Quit()
     {
-        Send((script, _) => script.Script.Call(Message.OnApplicationQuit, script), true);
+        Send(script => script.Script.Call(Message.OnApplicationQuit, script));
         foreach (var root in _world.Scenes.Roots()) _world.Destruction.End(root);
     }
 
@@ -78,12 +78,12 @@ sealed class FrameLoop
         SendFocus();
     }
 
-    void SendPause() => Send((script, value) => script.Script.Pause(script, value), _paused);
+    void SendPause() => Send(script => RareMessages.Call(script, "OnApplicationPause", _paused));
 
-    void SendFocus() => Send((script, value) => script.Script.Focus(script, value), _world.Host.Focused);
+    void SendFocus() => Send(script => RareMessages.Call(script, "OnApplicationFocus", _world.Host.Focused));
 
     // Disabled scripts on active objects also receive these messages.
-    void Send(Action<MonoBehaviour, bool> call, bool value)
+    void Send(Action<MonoBehaviour> call)
     {
         foreach (var gameObject in _world.Scenes.GameObjects())
         {
@@ -91,7 +91,7 @@ sealed class FrameLoop
 
             foreach (var component in new List<Component>(gameObject.Components))
             {
-                if (component is MonoBehaviour { Awoken: true } script && script) call(script, value);
+                if (component is MonoBehaviour { Awoken: true } script && script) call(script);
             }
         }
     }

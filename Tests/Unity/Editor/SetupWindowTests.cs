@@ -225,5 +225,5 @@ public sealed class SetupWindowTests : EditorFixture
         return GuiRecorder.Texts.ToList();
     }
 
-    void Send(string message) => ScriptableMessages.Call(_window, message);
+    void Send(string message) => RareMessages.Call(_window, message);
 }

@@ -18,13 +18,13 @@ public class ScriptableObject : Object
 
     internal void Wake()
     {
-        ScriptableMessages.Call(this, "Awake");
-        ScriptableMessages.Call(this, "OnEnable");
+        RareMessages.Call(this, "Awake");
+        RareMessages.Call(this, "OnEnable");
     }
 
     internal void Sleep()
     {
-        ScriptableMessages.Call(this, "OnDisable");
-        ScriptableMessages.Call(this, "OnDestroy");
+        RareMessages.Call(this, "OnDisable");
+        RareMessages.Call(this, "OnDestroy");
     }
 }

@@ -23,8 +23,6 @@ sealed class ScriptType
     readonly MessageCall[] _messages = new MessageCall[(int)Message.Count];
     readonly Func<MonoBehaviour, IEnumerator> _startRoutine;
     readonly MessageCall _start;
-    readonly MessageCall<bool> _pause;
-    readonly MessageCall<bool> _focus;
 
     ScriptType(Type type)
     {
@@ -40,9 +38,6 @@ sealed class ScriptType
         var start = Method(type, "Start");
         if (start?.ReturnType == typeof(IEnumerator)) _startRoutine = script => (IEnumerator)start.Invoke(script, null);
         else _start = MessageCall.To(type, start);
-
-        _pause = MessageCall<bool>.To(type, Method(type, "OnApplicationPause", typeof(bool)));
-        _focus = MessageCall<bool>.To(type, Method(type, "OnApplicationFocus", typeof(bool)));
     }
 
     /// <summary>Execution order. Scripts with lower numbers run earlier.</summary>
@@ -56,10 +51,6 @@ sealed class ScriptType
 
     /// <summary>Calls a message. As in Unity, an exception is logged with the script as context. Returns false in this case.</summary>
     internal bool Call(Message message, MonoBehaviour script) => Guard(_messages[(int)message], script);
-
-    internal void Pause(MonoBehaviour script, bool paused) => Guard(_pause, script, paused);
-
-    internal void Focus(MonoBehaviour script, bool focused) => Guard(_focus, script, focused);
 
     internal void Start(MonoBehaviour script)
     {
@@ -81,21 +72,10 @@ sealed class ScriptType
         }
     }
 
-    static void Guard(MessageCall<bool> call, MonoBehaviour script, bool argument)
+    /// <summary>Finds a message in a class of scripts or ScriptableObjects or its base classes; null if there is none.</summary>
+    internal static MethodInfo Method(Type type, string name, params Type[] parameters)
     {
-        try
-        {
-            call?.Invoke(script, argument);
-        }
-        catch (Exception e)
-        {
-            Debug.LogException(e, script);
-        }
-    }
-
-    static MethodInfo Method(Type type, string name, params Type[] parameters)
-    {
-        for (var t = type; t != null && t != typeof(MonoBehaviour); t = t.BaseType)
+        for (var t = type; t != null && t != typeof(MonoBehaviour) && t != typeof(ScriptableObject); t = t.BaseType)
         {
             var method = t.GetMethod(name, Declared, null, parameters, null);
             if (method != null) return method;
