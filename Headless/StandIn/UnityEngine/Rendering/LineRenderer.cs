@@ -4,10 +4,9 @@ namespace UnityEngine;
 
 public sealed class LineRenderer : Renderer
 {
-    [SerializeField, SerializedName("m_UseWorldSpace")] bool _useWorldSpace = true;
-    Vector3[] _positions = new Vector3[2];
+    [field: SerializeField, SerializedName("m_UseWorldSpace")] public bool useWorldSpace { get; set; } = true;
 
-    public bool useWorldSpace { get => _useWorldSpace; set => _useWorldSpace = value; }
+    Vector3[] _positions = new Vector3[2];
 
     public float widthMultiplier { get; set; } = 1;
 

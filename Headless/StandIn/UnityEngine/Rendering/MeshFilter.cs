@@ -4,11 +4,5 @@ namespace UnityEngine;
 
 public sealed class MeshFilter : Component
 {
-    [SerializeField, SerializedName("m_Mesh")] Mesh _mesh;
-
-    public Mesh sharedMesh
-    {
-        get => _mesh;
-        set => _mesh = value;
-    }
+    [field: SerializeField, SerializedName("m_Mesh")] public Mesh sharedMesh { get; set; }
 }

@@ -6,13 +6,13 @@ public sealed class TextMesh : Component
 {
     [SerializeField, SerializedName("m_Text")] string _text = "";
     [SerializeField, SerializedName("m_OffsetZ")] float _offsetZ;
-    [SerializeField, SerializedName("m_CharacterSize")] float _characterSize = 1;
+    [field: SerializeField, SerializedName("m_CharacterSize")] public float characterSize { get; set; } = 1;
     [SerializeField, SerializedName("m_LineSpacing")] float _lineSpacing = 1;
-    [SerializeField, SerializedName("m_Anchor")] TextAnchor _anchor;
-    [SerializeField, SerializedName("m_Alignment")] TextAlignment _alignment;
+    [field: SerializeField, SerializedName("m_Anchor")] public TextAnchor anchor { get; set; }
+    [field: SerializeField, SerializedName("m_Alignment")] public TextAlignment alignment { get; set; }
     [SerializeField, SerializedName("m_TabSize")] float _tabSize = 4;
-    [SerializeField, SerializedName("m_FontSize")] int _fontSize;
-    [SerializeField, SerializedName("m_RichText")] bool _richText = true;
+    [field: SerializeField, SerializedName("m_FontSize")] public int fontSize { get; set; }
+    [field: SerializeField, SerializedName("m_RichText")] public bool richText { get; set; } = true;
     [SerializeField, SerializedName("m_Color")] Color32 _color = new(255, 255, 255, 255);
 
     /// <summary>Number of changes of the text. In Unity, each change builds a new mesh.</summary>
@@ -31,35 +31,5 @@ public sealed class TextMesh : Component
             if (_text != value) TextChanges++;
             _text = value ?? "";
         }
-    }
-
-    public float characterSize
-    {
-        get => _characterSize;
-        set => _characterSize = value;
-    }
-
-    public TextAnchor anchor
-    {
-        get => _anchor;
-        set => _anchor = value;
-    }
-
-    public TextAlignment alignment
-    {
-        get => _alignment;
-        set => _alignment = value;
-    }
-
-    public int fontSize
-    {
-        get => _fontSize;
-        set => _fontSize = value;
-    }
-
-    public bool richText
-    {
-        get => _richText;
-        set => _richText = value;
     }
 }
