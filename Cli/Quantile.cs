@@ -24,6 +24,8 @@ static class Quantile
         return list.Count == 0 ? null : Of(list, fraction);
     }
 
-    /// <summary>Returns the standard deviation of normally distributed residuals from their median absolute value, which few outliers do not change.</summary>
+    /// <summary>
+    /// Returns the standard deviation of normally distributed residuals, from their median absolute value. A few outliers hardly change it.
+    /// </summary>
     public static double DeviationOf(IEnumerable<double> residuals) => PerMedianDeviation * Of(residuals.Select(Math.Abs), 0.5);
 }

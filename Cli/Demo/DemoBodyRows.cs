@@ -12,6 +12,6 @@ sealed class DemoBodyRows(DemoResult.BodyErrors bodies)
         (DemoTexts.LargestSlip, RunTexts.Number(bodies.LargestSlipMm, "0.00", " mm")),
     ];
 
-    static string Row(DemoResult.PoseErrors error, string format, string unit) =>
-        DemoTexts.RmsWithReduction(RunTexts.Number(error.HoldRms, format, unit), RunTexts.Number(error.Rms, format, unit), RunTexts.Number(100 * error.Reduction, "0.0", " %"));
+    static string Row(DemoResult.PoseErrors error, string format, string unit) => DemoTexts.RmsWithReduction(
+        RunTexts.Number(error.HoldRms, format, unit), RunTexts.Number(error.Rms, format, unit), RunTexts.Number(100 * error.Reduction, "0.0", " %"));
 }
