@@ -1,6 +1,7 @@
 using System.Globalization;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
+using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Range;
 
@@ -9,6 +10,9 @@ static class PairTable
 {
     const string Render = "render_ms", Visu = "visu_ms", Vertices = "vertices", File = "file";
     const int MaxVertices = 1_000_000_000;
+
+    /// <summary>Maximum absolute L_visu, ms. Codes repeat after this time, so a misread picture can be wrong by the same amount.</summary>
+    const double MaxVisuMs = TimestampCode.PeriodMs;
 
     /// <summary>Maximum number of rows. A one-day recording at 60 Hz has five million.</summary>
     const int MaxRows = 10_000_000;
@@ -42,9 +46,9 @@ static class PairTable
     static MeasuredPicture Picture(CsvRows csv, string path, int render, int visu, int vertices, int file)
     {
         double renderMs = Number(csv, path, render, Render), visuMs = Number(csv, path, visu, Visu);
-        InputPlace.In($"{path}:{csv.Line}", () => new LatencyPair(renderMs, visuMs));
         int? load = vertices < 0 || csv[vertices].Length == 0 ? null : Count(csv, path, vertices);
-        return new MeasuredPicture(file < 0 ? null : csv[file], load, renderMs, visuMs);
+        return InputPlace.In($"{path}:{csv.Line}", () => new MeasuredPicture(
+            file < 0 ? null : csv[file], load, MeasuredRenderTime.RequireMs(renderMs), SettingRange.Require(visuMs, -MaxVisuMs, MaxVisuMs, Visu, "ms")));
     }
 
     static double Number(CsvRows csv, string path, int column, string name) =>

@@ -2,7 +2,6 @@ using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Calibrate.Simulate;
 using Nowpose.Cli.Messages;
 using Nowpose.Latency;
-using Nowpose.Messages;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
@@ -251,15 +250,4 @@ public class RangeFitTests
         }
         Assert.That(refused, Is.InRange(1, 400));
     }
-
-    [TestCase(0, 40, "render_ms", 0, 0.001, 1000)]
-    [TestCase(-1, 40, "render_ms", -1, 0.001, 1000)]
-    [TestCase(double.NaN, 40, "render_ms", double.NaN, 0.001, 1000)]
-    [TestCase(double.PositiveInfinity, 40, "render_ms", double.PositiveInfinity, 0.001, 1000)]
-    [TestCase(5, double.NaN, "visu_ms", double.NaN, -65536, 65536)]
-    [TestCase(5, 65_537, "visu_ms", 65_537, -65536, 65536)]
-    public void Pair_InvalidMeasurement_NamesFieldAndRange(double renderMs, double visuMs, string field, double value, double min, double max) =>
-        Assert.That(
-            () => new LatencyPair(renderMs, visuMs),
-            Throws.TypeOf<InputException>().With.Message.EqualTo(SettingMessages.OutOfRange(field, value, " ms", min, max)));
 }

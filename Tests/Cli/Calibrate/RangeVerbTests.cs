@@ -104,6 +104,8 @@ public class RangeVerbTests : CalibrationFolder
     [
         ["render_ms,visu_ms\n5,40\n0,40", ":3: " + InvalidRenderTime(0)],
         ["render_ms,visu_ms\nNaN,40", ":2: " + InvalidRenderTime(double.NaN)],
+        ["render_ms,visu_ms\n5,NaN", ":2: " + InvalidVisu(double.NaN)],
+        ["render_ms,visu_ms\n5,65537", ":2: " + InvalidVisu(65_537)],
         ["render_ms,visu_ms\n5,4o", PairFileMessages.NotMilliseconds("", 2, "visu_ms", "4o")],
         ["render_ms,visu_ms\n5", PairFileMessages.FieldCount("", 2, 1, 2)],
         ["render_ms,visu_ms\n5,40\n\n\"6,40\n7,40\n8,40", PairFileMessages.FieldCount("", 4, 1, 2)],
@@ -116,6 +118,8 @@ public class RangeVerbTests : CalibrationFolder
     ];
 
     static string InvalidRenderTime(double ms) => SettingMessages.OutOfRange("render_ms", ms, " ms", 0.001, 1000);
+
+    static string InvalidVisu(double ms) => SettingMessages.OutOfRange("visu_ms", ms, " ms", -65_536, 65_536);
 
     [TestCaseSource(nameof(InvalidTables))]
     public async Task Range_InvalidTable_NamesFileLineAndField(string text, string message)
