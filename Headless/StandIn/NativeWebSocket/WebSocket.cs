@@ -15,19 +15,26 @@ namespace NativeWebSocket
     /// and never fails. Text and binary messages are not distinguished, arrive as a whole and have no size limit. A message that is sent while the
     /// socket is not open is lost without an error.
     /// </summary>
-    public class WebSocket
+    public class WebSocket : IWebSocket
     {
         readonly Uri _uri;
+        readonly List<string> _subprotocols;
         readonly Dictionary<string, string> _headers;
         readonly EventPump _events = new EventPump();
         readonly SemaphoreSlim _sending = new SemaphoreSlim(1);
         ClientWebSocket _client;
         CancellationTokenSource _cancel;
 
-        public WebSocket(string url, Dictionary<string, string> headers = null)
+        public WebSocket(string url, Dictionary<string, string> headers = null) : this(url, new List<string>(), headers) { }
+
+        public WebSocket(string url, string subprotocol, Dictionary<string, string> headers = null)
+            : this(url, new List<string> { subprotocol }, headers) { }
+
+        public WebSocket(string url, List<string> subprotocols, Dictionary<string, string> headers = null)
         {
             _uri = new Uri(url);
             if (_uri.Scheme != "ws" && _uri.Scheme != "wss") throw new ArgumentException("unsupported scheme " + _uri.Scheme, nameof(url));
+            _subprotocols = subprotocols ?? new List<string>();
             _headers = headers ?? new Dictionary<string, string>();
         }
 
@@ -58,6 +65,7 @@ namespace NativeWebSocket
             try
             {
                 foreach (var header in _headers) _client.Options.SetRequestHeader(header.Key, header.Value);
+                foreach (var subprotocol in _subprotocols) _client.Options.AddSubProtocol(subprotocol);
                 await _client.ConnectAsync(_uri, _cancel.Token).ConfigureAwait(false);
                 _events.Raise(() => OnOpen?.Invoke());
                 await Receive().ConfigureAwait(false);
