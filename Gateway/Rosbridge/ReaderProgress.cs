@@ -7,9 +7,6 @@ sealed class ReaderProgress : IDisposable
 {
     const int PayloadBytes = sizeof(long);
 
-    /// <summary>Minimum read rate. The connection of a slower client may be closed while a long message is being sent.</summary>
-    const double MinBytesPerSecond = 3000;
-
     /// <summary>Delay of a ping after the message that makes it due.</summary>
     /// <remarks>
     /// A sample is sent to all clients at the same time. Immediate pings and their pongs would delay the sample for the last clients.
@@ -35,7 +32,7 @@ sealed class ReaderProgress : IDisposable
     readonly long _start;
     readonly ITimer _delayedPing;
     readonly Action _unanswered;
-    // At most one ping is outstanding at a time.
+    // Payload of the newest ping. At most one is outstanding at a time; it is repeated at the ping interval.
     readonly byte[] _payload = new byte[PayloadBytes];
     bool _isPingPlanned;
     bool _isUnansweredReported;
@@ -61,8 +58,8 @@ sealed class ReaderProgress : IDisposable
 
     TimeSpan Now => _time.GetElapsedTime(_start);
 
-    /// <summary>Gets the timeout within which a client must read a number of bytes and respond.</summary>
-    public TimeSpan TimeoutFor(long bytes) => _pongTimeout + TimeSpan.FromSeconds(bytes / MinBytesPerSecond);
+    /// <summary>Timeout within which the client must answer a ping, and within which a part of a message must be sent.</summary>
+    public TimeSpan PongTimeout => _pongTimeout;
 
     /// <summary>Time at which the last wait of a message for the client ended, a timestamp of the time provider.</summary>
     public long WaitedUntil { get; private set; } = long.MinValue;
@@ -90,12 +87,15 @@ sealed class ReaderProgress : IDisposable
         return PingAsync();
     }
 
-    /// <summary>Counts a message that was sent. Call this method after each message.</summary>
-    public void OnSent(int bytes, bool isReply = false)
+    /// <summary>Counts a message, or a part of one, that was sent. Call this method after each of them.</summary>
+    /// <param name="bytes">Length of the message or part.</param>
+    /// <param name="isReply"><inheritdoc cref="SendWindow.IsOpen" path="/param[@name='isReply']"/></param>
+    /// <param name="isEnd"><inheritdoc cref="SendWindow.OnSent" path="/param[@name='isEnd']"/></param>
+    public void OnSent(int bytes, bool isReply = false, bool isEnd = true)
     {
         lock (_lock)
         {
-            _window.OnSent(bytes, Now, isReply);
+            _window.OnSent(bytes, Now, isReply, isEnd);
             PlanPing();
         }
     }
@@ -127,10 +127,10 @@ sealed class ReaderProgress : IDisposable
             lock (_lock)
             {
                 if (_window.IsTooSlow) return Closure.SlowReader;
-                isPingDue = _window.PingAt == null && Now - _lastPing >= _pingInterval;
+                isPingDue = Now - _lastPing >= _pingInterval;
             }
 
-            if (isPingDue) _ = PingAsync();
+            if (isPingDue) _ = PingAsync(isRepeated: true);
         }
     }
 
@@ -139,9 +139,7 @@ sealed class ReaderProgress : IDisposable
     {
         lock (_lock)
         {
-            if (_window.PingAt is not { } pingAt) return false;
-            // Considers only bytes sent before the ping, because later bytes do not delay its pong.
-            return Now - pingAt >= TimeoutFor(_window.BytesBeforePing);
+            return _window.PingAt is { } pingAt && Now - pingAt >= _pongTimeout;
         }
     }
 
@@ -155,14 +153,15 @@ sealed class ReaderProgress : IDisposable
         _delayedPing.Change(_window.IsNear ? NearPingDelay : PingDelay, Timeout.InfiniteTimeSpan);
     }
 
-    async Task PingAsync()
+    // A repeated ping has the payload of the outstanding one, so that the pong of either confirms the same bytes.
+    async Task PingAsync(bool isRepeated = false)
     {
         lock (_lock)
         {
-            _isPingPlanned = false;
-            if (_window.PingAt != null) return;
+            if (!isRepeated) _isPingPlanned = false;
+            if (_window.PingAt != null && !isRepeated) return;
             _lastPing = Now;
-            BinaryPrimitives.WriteInt64BigEndian(_payload, _window.OnPing(_lastPing));
+            if (_window.PingAt == null) BinaryPrimitives.WriteInt64BigEndian(_payload, _window.OnPing(_lastPing));
         }
 
         try

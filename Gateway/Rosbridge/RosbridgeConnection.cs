@@ -10,6 +10,16 @@ namespace Nowpose.Gateway.Rosbridge;
 sealed class RosbridgeConnection : IDisposable
 {
     internal const int WaitingReplies = 64;
+
+    /// <summary>Minimum length of a fragment, in bytes. A client that reads 3 kB/s answers the ping after it within 6 s.</summary>
+    internal const int MinFragmentBytes = 16 * 1024;
+
+    /// <summary>
+    /// Maximum number of fragments of a message. Half of the protocol's limit, because a client that cannot see the ends of fragments may count two
+    /// pieces of each.
+    /// </summary>
+    internal const int MaxFragments = ProtocolLimits.FragmentsPerMessage / 2;
+
     const int NotEnded = -1;
     static readonly TimeSpan CloseTimeout = ProtocolLimits.CloseTimeout;
 
@@ -133,16 +143,30 @@ sealed class RosbridgeConnection : IDisposable
             var message = next(_reader.WaitedUntil);
             if (message.IsEmpty) return;
             await _reader.SendsAsync(message.Length);
-            var sending = _socket.SendAsync(message, WebSocketMessageType.Text, true, CancellationToken.None);
-            if (sending.IsCompleted)
-                await sending;
-            else
-                await BecomesSentAsync(sending.AsTask(), message.Length);
-            _reader.OnSent(message.Length, isReply);
+            await SendPartsAsync(message, isReply);
         }
         finally
         {
             _sending.Release();
+        }
+    }
+
+    // Sends a long message in fragments, between which the client answers pings. Its pongs show that it still reads.
+    async Task SendPartsAsync(ReadOnlyMemory<byte> rest, bool isReply)
+    {
+        var partBytes = Math.Max(MinFragmentBytes, rest.Length / MaxFragments + 1);
+        while (true)
+        {
+            var part = rest[..Math.Min(rest.Length, partBytes)];
+            rest = rest[part.Length..];
+            var sending = _socket.SendAsync(part, WebSocketMessageType.Text, rest.IsEmpty, CancellationToken.None);
+            if (sending.IsCompleted)
+                await sending;
+            else
+                await BecomesSentAsync(sending.AsTask());
+            _reader.OnSent(part.Length, isReply, rest.IsEmpty);
+            if (rest.IsEmpty) return;
+            await _reader.OpensAsync(isReply, _stop.Token);
         }
     }
 
@@ -159,12 +183,12 @@ sealed class RosbridgeConnection : IDisposable
         _socket.Abort();
     }
 
-    // Waits until a message is sent. Received data do not extend this timeout, so that a client that sends but never reads is disconnected.
-    async Task BecomesSentAsync(Task sending, int length)
+    // Waits until a part of a message is sent. Received data do not extend this timeout, so that a client that sends but never reads is disconnected.
+    async Task BecomesSentAsync(Task sending)
     {
         try
         {
-            await sending.WaitAsync(_reader.TimeoutFor(length));
+            await sending.WaitAsync(_reader.PongTimeout);
             _reader.OnWaited();
         }
         catch (TimeoutException)

@@ -109,6 +109,9 @@ sealed class SendWindow
     bool _hasAnswered;
     bool _hasPublished;
     int _latePongs;
+    // Whether the last part of a message was sent after the newest ping, and before it since the ping before.
+    bool _hasEndAfterPing;
+    bool _hasEndBeforePing;
     TimeSpan? _assumedUntil;
 
     /// <summary>Window size in bytes.</summary>
@@ -116,9 +119,6 @@ sealed class SendWindow
 
     /// <summary>Number of bytes sent to the client that no pong has confirmed as read.</summary>
     public long Unread => _sent - _read;
-
-    /// <summary>Number of unread bytes that precede the newest ping.</summary>
-    public long BytesBeforePing => Math.Max(0, _pingPosition - _read);
 
     /// <summary>
     /// Whether the client answered the newest ping within <see cref="Near"/> and has a window of at least <see cref="QuickBytes"/>.
@@ -146,8 +146,10 @@ sealed class SendWindow
         return isOpen;
     }
 
-    public void OnSent(int bytes, TimeSpan now, bool isReply = false)
+    /// <param name="isEnd">False for a part of a message that is followed by another part.</param>
+    public void OnSent(int bytes, TimeSpan now, bool isReply = false, bool isEnd = true)
     {
+        _hasEndAfterPing |= isEnd;
         if (Unread == 0) _unreadSince = now;
         _sent += bytes;
         _hasPublished |= !isReply;
@@ -165,6 +167,7 @@ sealed class SendWindow
     {
         _pingAt = now;
         _pingPosition = _sent;
+        (_hasEndBeforePing, _hasEndAfterPing) = (_hasEndAfterPing, false);
         return ++_pingId;
     }
 
@@ -205,7 +208,8 @@ sealed class SendWindow
 
     void Resize(TimeSpan took, long read, double readRate, long unread)
     {
-        _latePongs = took > MaxReadTime ? _latePongs + 1 : 0;
+        // Does not judge the time for a part of a long message, which is longer than a sample.
+        if (_hasEndBeforePing) _latePongs = took > MaxReadTime ? _latePongs + 1 : 0;
         var isLate = took > Target;
         _pongsSinceRecovery = !isLate && readRate > RecoveryRatio * _lateRate ? 0 : _pongsSinceRecovery + 1;
         _lateRate = isLate ? readRate : null;

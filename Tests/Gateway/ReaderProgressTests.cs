@@ -7,7 +7,6 @@ namespace Nowpose.Headless.Tests.Gateway;
 [Parallelizable(ParallelScope.All)]
 public class ReaderProgressTests
 {
-    const int LongMessage = 30_000;
     static readonly TimeSpan PongTimeout = TimeSpan.FromSeconds(6);
 
     [Test]
@@ -28,23 +27,69 @@ public class ReaderProgressTests
         Assert.That(pings, Has.Count.EqualTo(1), "the ping is sent after the first message that makes it due");
     }
 
-    [Test]
-    public async Task IsSilent_LongMessageInTransit_IsFalseForTheTimeThatASlowReaderNeeds()
+    [TestCase(450)]
+    [TestCase(RosbridgeConnection.MinFragmentBytes)]
+    [TestCase(100_000)]
+    public void IsSilent_ClientStopsAnsweringPings_IsTrueAfterTheTimeoutForAnyNumberOfUnreadBytes(int unreadBytes)
     {
         var time = new SteppedTimers();
         var pings = new List<byte[]>();
         using var progress = Progress(time, pings);
-        await progress.SendsAsync(LongMessage);
-        progress.OnSent(LongMessage);
-        progress.OnPong(pings[0]);
+        progress.OnSent(SendWindow.FirstBytes);
         time.Advance(ReaderProgress.PingDelay);
+        progress.OnPong(pings[0]);
+        progress.OnSent(unreadBytes);
+        time.Advance(ReaderProgress.PingDelay);
+        Assert.That(pings, Has.Count.EqualTo(2));
 
-        time.Advance(TimeSpan.FromSeconds(LongMessage / 4000.0));
-
-        Assert.That(pings, Has.Count.EqualTo(2), "one ping before the message and one after it");
+        time.Advance(PongTimeout - TimeSpan.FromMilliseconds(1));
         Assert.That(progress.IsSilent(), Is.False);
-        time.Advance(TimeSpan.FromSeconds(9));
-        Assert.That(progress.IsSilent(), Is.True, "the time for the message and for the pong is over");
+        time.Advance(TimeSpan.FromMilliseconds(1));
+        Assert.That(progress.IsSilent(), Is.True);
+    }
+
+    [TestCase(3000)]
+    [TestCase(15_000)]
+    public async Task WatchAsync_ClientReadsALongMessageSlowly_Continues(double bytesPerSecond)
+    {
+        var time = new SteppedTimers();
+        var pings = new List<byte[]>();
+        using var progress = Progress(time, pings);
+        using var stop = new CancellationTokenSource();
+        var watching = progress.WatchAsync(stop.Token);
+
+        for (var sent = 0; sent < 300_000; sent += RosbridgeConnection.MinFragmentBytes)
+        {
+            progress.OnSent(RosbridgeConnection.MinFragmentBytes, isEnd: false);
+            time.Advance(ReaderProgress.PingDelay);
+            time.Advance(TimeSpan.FromSeconds(RosbridgeConnection.MinFragmentBytes / bytesPerSecond));
+            Assert.That(watching.IsCompleted, Is.False, $"after {sent} bytes");
+            progress.OnPong(pings[^1]);
+        }
+
+        await stop.CancelAsync();
+    }
+
+    [Test]
+    public async Task WatchAsync_ClientStopsAnsweringPings_RepeatsThePingUntilTheTimeout()
+    {
+        var time = new SteppedTimers();
+        var pings = new List<(TimeSpan At, long Payload)>();
+        using var progress = new ReaderProgress(
+            payload =>
+            {
+                pings.Add((time.GetElapsedTime(0), BitConverter.ToInt64(payload.Span)));
+                return Task.CompletedTask;
+            },
+            TimeSpan.FromSeconds(2), PongTimeout, time);
+        var watching = progress.WatchAsync(default);
+
+        while (!watching.IsCompleted && time.GetElapsedTime(0) < 5 * PongTimeout) time.Advance(TimeSpan.FromMilliseconds(100));
+
+        Assert.That(await watching.Bounded(), Is.EqualTo(Closure.Silence));
+        Assert.That(time.GetElapsedTime(0), Is.EqualTo(pings[0].At + PongTimeout));
+        Assert.That(pings.Select(ping => ping.At.TotalSeconds), Is.EqualTo(new[] { 2, 4, 6 }), "seconds");
+        Assert.That(pings.Select(ping => ping.Payload).Distinct().Count(), Is.EqualTo(1), "the pong of each of them confirms the same bytes");
     }
 
     [Test]

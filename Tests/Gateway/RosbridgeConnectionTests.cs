@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Diagnostics;
 using System.Net.WebSockets;
 using System.Text;
@@ -89,6 +90,56 @@ public class RosbridgeConnectionTests
         await Soon.BecomesAsync(() => socket.Sends == 10, "all are sent");
         var sent = socket.Sent.Select(text => RosbridgeReader.TryRead(text, out var message, out _) ? message.JointState.Positions[0] : -1);
         Assert.That(sent, Is.EqualTo(Enumerable.Range(0, 10)));
+    }
+
+    [TestCase(RosbridgeConnection.MinFragmentBytes)]
+    [TestCase(100_000)]
+    [TestCase(ProtocolLimits.DescriptionBytes - 100)]
+    public async Task Start_LongMessage_IsSentInFragmentsThatEachNeedAPong(int bytes)
+    {
+        using var socket = new StuckWebSocket();
+        socket.GoOn();
+        using var connection = Over(socket);
+        using var source = _hub.OpenSource();
+        source.Describe(new string(' ', bytes), "");
+
+        using var subscription = Subscribe(RosTopics.RobotDescription);
+        connection.Start(subscription);
+
+        await Soon.BecomesAsync(() => socket.Messages == 1, "the message is sent");
+        var text = string.Concat(socket.Sent);
+        Assert.That(RosbridgeReader.TryRead(text, out var message, out var reason), Is.True, reason.ToString());
+        Assert.That(message.Data, Has.Length.EqualTo(bytes));
+        var longest = Math.Max(RosbridgeConnection.MinFragmentBytes, text.Length / RosbridgeConnection.MaxFragments + 1);
+        Assert.That(socket.Sent.Select(part => part.Length), Is.All.InRange(1, longest));
+        Assert.That(socket.Sends, Is.EqualTo((text.Length + longest - 1) / longest).And.AtMost(RosbridgeConnection.MaxFragments));
+    }
+
+    [Test]
+    public async Task Start_LongMessageWithoutPongs_SendsOneFragment()
+    {
+        using var socket = new StuckWebSocket();
+        socket.GoOn();
+        var pings = new BlockingCollection<byte[]>();
+        using var reader = new ReaderProgress(
+            payload =>
+            {
+                pings.Add(payload.ToArray());
+                return Task.CompletedTask;
+            },
+            TimeSpan.FromMinutes(1), TimeSpan.FromMinutes(1), TimeProvider.System);
+        using var connection = new RosbridgeConnection(socket, null, reader, new DropCounters(), CancellationToken.None);
+        using var source = _hub.OpenSource();
+        source.Describe(new string(' ', 100_000), "");
+        using var subscription = Subscribe(RosTopics.RobotDescription);
+
+        connection.Start(subscription);
+        reader.OnPong(await Task.Run(pings.Take).Bounded());
+        var second = await Task.Run(pings.Take).Bounded();
+
+        Assert.That(socket.Sends, Is.EqualTo(1), "fragments before the pong of the ping after the first one");
+        reader.OnPong(second);
+        await Soon.BecomesAsync(() => socket.Sends > 1, "the pong lets the next fragments pass");
     }
 
     [Test]

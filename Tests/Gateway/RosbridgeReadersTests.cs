@@ -78,6 +78,21 @@ public class RosbridgeReadersTests
     }
 
     [Test]
+    public async Task Reader_StopsDuringALongMessage_IsClosedAfterThePongTimeout()
+    {
+        var options = Gateways.Options() with { PingInterval = TimeSpan.FromMilliseconds(100), PongTimeout = TimeSpan.FromMilliseconds(500) };
+        await using var gateway = await Gateways.StartAsync(options);
+        using var source = gateway.Hub.OpenSource();
+        source.Describe(new string(' ', ProtocolLimits.DescriptionBytes / 2), "");
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway); // this client answers pings only while it receives
+        await client.RoundTripAsync();
+
+        await client.SendAsync(RosbridgeWriter.Subscribe(RosTopics.RobotDescription));
+
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.Silence] == 1, "closed for silence");
+    }
+
+    [Test]
     public async Task Source_SendsButDoesNotAnswerPings_IsClosed()
     {
         var options = Gateways.Options() with { PingInterval = TimeSpan.FromMilliseconds(100), PongTimeout = TimeSpan.FromMilliseconds(200) };

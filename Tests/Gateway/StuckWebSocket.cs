@@ -10,7 +10,15 @@ sealed class StuckWebSocket : WebSocket
     readonly TaskCompletionSource _goOn = new(TaskCreationOptions.RunContinuationsAsynchronously);
     readonly ConcurrentQueue<string> _sent = [];
 
+    int _messages;
+
+    /// <summary>Number of fragments to send.</summary>
     public int Sends => _sent.Count;
+
+    /// <summary>Number of messages whose last fragment is among them.</summary>
+    public int Messages => Volatile.Read(ref _messages);
+
+    /// <summary>The fragments to send. Most messages have one.</summary>
     public IEnumerable<string> Sent => _sent;
 
     public override WebSocketCloseStatus? CloseStatus => null;
@@ -24,6 +32,7 @@ sealed class StuckWebSocket : WebSocket
         ArraySegment<byte> buffer, WebSocketMessageType messageType, bool endOfMessage, CancellationToken cancellationToken)
     {
         _sent.Enqueue(Encoding.UTF8.GetString(buffer));
+        if (endOfMessage) Interlocked.Increment(ref _messages);
         return _goOn.Task;
     }
 
