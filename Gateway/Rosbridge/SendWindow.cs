@@ -14,23 +14,19 @@ sealed class SendWindow
     const int OneMessage = 1;
 
     /// <summary>
-    /// Minimum window size for a client that reads at least <see cref="MinBytesPerSecond"/>, in bytes. It allows two messages of an arm, which
-    /// such a client reads within 0.8 s.
+    /// Minimum window size for a client that reads it and the longest message within <see cref="MaxReadTime"/>, in bytes. It allows two messages of an
+    /// arm for a client that reads 1.2 kB/s.
     /// </summary>
     internal const int MinBytes = 512;
-
-    const double MinBytesPerSecond = 1200;
 
     /// <summary>Window size before the first pong, in bytes. A client reads it within a third of a second at 4 kB/s.</summary>
     internal const int FirstBytes = 1280;
 
     /// <summary>
-    /// Minimum window size for a client that answers pings within <see cref="Quick"/> and reads at least <see cref="QuickBytesPerSecond"/>, in bytes.
-    /// A client reads it within two thirds of a second at 4 kB/s.
+    /// Minimum window size for a client that answers pings within <see cref="Quick"/> and reads it and the longest message within
+    /// <see cref="MaxReadTime"/>, in bytes. A client reads it within two thirds of a second at 4 kB/s.
     /// </summary>
     internal const int QuickBytes = 2560;
-
-    const double QuickBytesPerSecond = 3500;
 
     /// <summary>
     /// Maximum number of bytes after which a ping is due, except to a near client. With more frequent pings, TCP detects more lost packets early.
@@ -66,10 +62,19 @@ sealed class SendWindow
     internal static readonly TimeSpan MaxReadTime = TimeSpan.FromMilliseconds(850);
 
     /// <summary>
-    /// Number of consecutive pongs later than <see cref="MaxReadTime"/> after which the client counts as too slow. More than one is required,
-    /// because a lossy network delays individual pongs.
+    /// Number of pongs later than <see cref="MaxReadTime"/> after which the client counts as too slow, if no other pong arrives between them. More than
+    /// one is required, because a lossy network delays individual pongs.
     /// </summary>
     internal const int MaxLatePongs = 5;
+
+    /// <summary>
+    /// Number of pongs in time that cancel one late pong. A slow client reads the short messages between long ones in time, whereas a client behind a
+    /// lossy network answers most pings in time.
+    /// </summary>
+    const int PongsPerLatePong = 3;
+
+    /// <summary>Fraction by which the length of the longest message decreases with each pong.</summary>
+    const int LongestDecay = 16;
 
     /// <summary>Minimum size to which a window that was not full shrinks, as a multiple of the unread bytes.</summary>
     const double Reserve = 1.25;
@@ -108,7 +113,9 @@ sealed class SendWindow
     bool _mayGrow = true;
     bool _hasAnswered;
     bool _hasPublished;
-    int _latePongs;
+    int _longest;
+    // Increases by PongsPerLatePong with a late pong, and decreases by 1 with a pong in time.
+    int _lateness;
     // Whether the last part of a message was sent after the newest ping, and before it since the ping before.
     bool _hasEndAfterPing;
     bool _hasEndBeforePing;
@@ -128,8 +135,8 @@ sealed class SendWindow
     /// <summary>Whether the client's read rate is assumed, because the client has not answered a ping in time.</summary>
     public bool IsAssumed => !_hasAnswered && _assumedUntil != null;
 
-    /// <summary>Whether the client reads so slowly that all its samples are old, even if one message is sent at a time.</summary>
-    public bool IsTooSlow => _latePongs >= MaxLatePongs;
+    /// <summary>Whether the client reads so slowly that many of its samples are old, even if one message is sent at a time.</summary>
+    public bool IsTooSlow => _lateness >= MaxLatePongs * PongsPerLatePong;
 
     /// <summary>Time at which the outstanding ping was sent; null if there is none.</summary>
     public TimeSpan? PingAt => _pingAt;
@@ -150,6 +157,7 @@ sealed class SendWindow
     public void OnSent(int bytes, TimeSpan now, bool isReply = false, bool isEnd = true)
     {
         _hasEndAfterPing |= isEnd;
+        _longest = Math.Max(_longest, bytes);
         if (Unread == 0) _unreadSince = now;
         _sent += bytes;
         _hasPublished |= !isReply;
@@ -209,16 +217,20 @@ sealed class SendWindow
     void Resize(TimeSpan took, long read, double readRate, long unread)
     {
         // Does not judge the time for a part of a long message, which is longer than a sample.
-        if (_hasEndBeforePing) _latePongs = took > MaxReadTime ? _latePongs + 1 : 0;
+        if (_hasEndBeforePing) _lateness = took > MaxReadTime ? _lateness + PongsPerLatePong : Math.Max(0, _lateness - 1);
         var isLate = took > Target;
         _pongsSinceRecovery = !isLate && readRate > RecoveryRatio * _lateRate ? 0 : _pongsSinceRecovery + 1;
         _lateRate = isLate ? readRate : null;
         var size = SizeFor(took, read, unread);
         if (_pongsSinceRecovery < LossyPongs) size = Math.Max(isLate ? 0 : size, MeanRate * LossyTarget.TotalSeconds);
         // Requires a read rate for a minimum size, because a quick pong for a few bytes does not show that the client can read more.
-        var min = took < Quick && readRate >= QuickBytesPerSecond ? QuickBytes : readRate >= MinBytesPerSecond ? MinBytes : OneMessage;
+        var min = took < Quick && CanRead(QuickBytes, readRate) ? QuickBytes : CanRead(MinBytes, readRate) ? MinBytes : OneMessage;
         Size = (int)Math.Clamp(size, min, MaxBytes);
+        _longest -= _longest / LongestDecay;
     }
+
+    // Whether a client reads a window of this size and one more message, which may exceed the window, in time.
+    bool CanRead(int bytes, double readRate) => bytes + _longest <= readRate * MaxReadTime.TotalSeconds;
 
     // A window that was full grows one pong later, because a client that has just become slow still answers the first ping quickly.
     // A window that was not full shrinks to the size in use, so that it is not too large for a client that becomes slow after a burst.

@@ -27,7 +27,7 @@ public class ReaderProgressTests
         Assert.That(pings, Has.Count.EqualTo(1), "the ping is sent after the first message that makes it due");
     }
 
-    [TestCase(450)]
+    [TestCase(SendWindow.NearPingBytes)]
     [TestCase(RosbridgeConnection.MinFragmentBytes)]
     [TestCase(100_000)]
     public void IsSilent_ClientStopsAnsweringPings_IsTrueAfterTheTimeoutForAnyNumberOfUnreadBytes(int unreadBytes)
@@ -39,7 +39,7 @@ public class ReaderProgressTests
         time.Advance(ReaderProgress.PingDelay);
         progress.OnPong(pings[0]);
         progress.OnSent(unreadBytes);
-        time.Advance(ReaderProgress.PingDelay);
+        time.Advance(ReaderProgress.NearPingDelay);
         Assert.That(pings, Has.Count.EqualTo(2));
 
         time.Advance(PongTimeout - TimeSpan.FromMilliseconds(1));

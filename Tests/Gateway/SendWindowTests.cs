@@ -36,6 +36,20 @@ public class SendWindowTests
         Assert.That(run.ReadMessages * messageBytes, Is.GreaterThan(0.75 * 60 * bytesPerSecond), "used");
     }
 
+    // A simulated cell sends joint positions and poses with these lengths alternately.
+    [Test]
+    public void Reader_OfShortAndLongMessages_ReceivesOnlyRecentMessagesOrIsTooSlow(
+        [Values(600, 800, 1000, 1200, 1300, 1500, 1800, 2200, 3000, 4000)] double bytesPerSecond, [Values(1, 40)] int roundTripMs)
+    {
+        var run = new Run(bytesPerSecond, messageBytes: 385, intervalMs: 10, roundTripMs) { SecondBytes = 1041 };
+
+        run.Continue(TimeSpan.FromSeconds(25));
+
+        var isReadInTime = 1041 / bytesPerSecond < SendWindow.MaxReadTime.TotalSeconds;
+        Assert.That(run.Window.IsTooSlow, Is.EqualTo(!isReadInTime), $"maximum age {run.MaxAge.TotalSeconds:0.00} s, window {run.Window.Size} bytes");
+        if (isReadInTime) Assert.That(run.MaxAge, Is.LessThanOrEqualTo(SendWindow.MaxReadTime + TimeSpan.FromMilliseconds(roundTripMs)));
+    }
+
     [Test]
     public void IsTooSlow_ReadingAMessageTakesASecond_IsTrueAfterAFewMessages()
     {
@@ -75,7 +89,7 @@ public class SendWindowTests
         {
             window.OnSent(450, now);
             var ping = window.OnPing(now);
-            now += i % SendWindow.MaxLatePongs == 0 ? Step : SendWindow.MaxReadTime + Step;
+            now += i % SendWindow.MaxLatePongs != 0 ? Step : SendWindow.MaxReadTime + Step;
             window.OnPong(ping, now);
 
             Assert.That(window.IsTooSlow, Is.False);
@@ -183,10 +197,15 @@ public class SendWindowTests
         TimeSpan _now;
         TimeSpan? _nextPing;
         int _burst;
+        bool _isSecond;
         double _credit;
 
         public double BytesPerSecond { get; set; } = bytesPerSecond;
         public bool AnswersPings { get; set; } = true;
+
+        /// <summary>Length of every second message, in bytes; 0 if all messages have the same length.</summary>
+        public int SecondBytes { get; init; }
+
         public SendWindow Window { get; } = new();
         public TimeSpan MaxAge { get; private set; }
         public int ReadMessages { get; private set; }
@@ -239,8 +258,10 @@ public class SendWindowTests
 
         void Send()
         {
-            Window.OnSent(messageBytes, _now);
-            _way.Enqueue((Arrival, messageBytes, _now, 0));
+            var bytes = _isSecond && SecondBytes > 0 ? SecondBytes : messageBytes;
+            _isSecond = !_isSecond;
+            Window.OnSent(bytes, _now);
+            _way.Enqueue((Arrival, bytes, _now, 0));
             PlanPing();
         }
 
@@ -258,7 +279,7 @@ public class SendWindowTests
         void Read()
         {
             if ((long)_now.TotalMilliseconds % ReadPauseMs != 0) return;
-            _credit = Math.Min(_credit + (BytesPerSecond * Step.TotalSeconds), BytesPerSecond * Step.TotalSeconds + messageBytes);
+            _credit = Math.Min(_credit + (BytesPerSecond * Step.TotalSeconds), BytesPerSecond * Step.TotalSeconds + Math.Max(messageBytes, SecondBytes));
             while (_way.TryPeek(out var next) && next.Arrives <= _now && next.Bytes <= _credit)
             {
                 _way.Dequeue();
