@@ -21,6 +21,7 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
     {
         stamp = Publications.StampOf(message) ?? default;
         if (message.Transforms != null) return JudgeTransforms(message, out stamp);
+        if (message.Diagnostics is { } diagnostics) return OfFuture(diagnostics.Stamp);
         return stamp == default ? DropReason.None : Judge(ref stamp);
     }
 
@@ -76,8 +77,11 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
     {
         if (!clock.TryMap(offers.StampClock, stamp, out stamp))
             return DropReason.Unsynchronised;
-        return StampRule.IsInFuture(stamp, clock.Now, clock.ErrorBound) ? DropReason.StampInFuture : DropReason.None;
+        return OfFuture(stamp);
     }
+
+    DropReason OfFuture(ControlTime stamp) =>
+        StampRule.IsInFuture(stamp, clock.Now, clock.ErrorBound) ? DropReason.StampInFuture : DropReason.None;
 
     // Does not convert a zero stamp, which only a stationary frame may have.
     DropReason JudgeTransforms(RosbridgeMessage message, out ControlTime newest)

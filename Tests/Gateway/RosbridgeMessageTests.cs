@@ -9,6 +9,7 @@ namespace Nowpose.Headless.Tests.Gateway;
 
 public class RosbridgeMessageTests
 {
+    const string DiagnosticsAt = """{"op":"publish","topic":"/nowpose/diagnostics","msg":{"header":{"stamp":""";
     const string StampedAt = """{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":""";
 
     [Test]
@@ -57,6 +58,7 @@ public class RosbridgeMessageTests
     [TestCase(StampedAt + """{"sec":5000,"nanosec":0}},"name":["a","b"],"position":[1]}}""", DropReason.LengthMismatch, "length")]
     [TestCase(StampedAt + """{"sec":0,"nanosec":0}},"name":["a"],"position":[1]}}""", DropReason.StampZero, "zero")]
     [TestCase(StampedAt + """{"sec":5100,"nanosec":0}},"name":["a"],"position":[1]}}""", DropReason.StampInFuture, "(StampInFuture)")]
+    [TestCase(DiagnosticsAt + """{"sec":5100,"nanosec":0}},"status":[{"hardware_id":"h1","values":[]}]}}""", DropReason.StampInFuture, "(StampInFuture)")]
     [TestCase("""{"op":"publish","topic":"/cmd_vel","msg":{}}""", DropReason.UnknownTopic, "/cmd_vel")]
     [TestCase("""{"op":"advertise","topic":"/joint_states","type":"std_msgs/String"}""", DropReason.WrongType, "type")]
     public async Task Message_Invalid_IsDroppedAndCountedAndTheConnectionStaysOpen(string text, object reason, string part)

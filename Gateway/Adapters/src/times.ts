@@ -31,8 +31,5 @@ export const ofMilliseconds = (ms: number): Nanoseconds => BigInt(Math.round(ms 
 
 export const toMilliseconds = (ns: Nanoseconds): number => Number(ns) / 1e6;
 
-/** Gets the time of this machine's system clock. Used for the stamps of diagnostics, not for t_k. */
-export const machineTime = (): Nanoseconds => BigInt(Date.now()) * NS_PER_MS;
-
 /** Gets a monotonic time in ns with an arbitrary epoch. */
 export const monotonicTime = (): Nanoseconds => process.hrtime.bigint();

@@ -1,5 +1,5 @@
 import { SIGNALS, TF, TF_STATIC } from '../cell/messages';
-import { machineTime, type Nanoseconds, toRosTime } from '../times';
+import { type Nanoseconds, toRosTime } from '../times';
 
 export const JOINT_STATES = '/joint_states';
 export const JOINT_TRAJECTORY = '/joint_trajectory';
@@ -51,11 +51,11 @@ export const jointState = (stamp: Nanoseconds, names: string[], positions: numbe
 export const description = (urdf: string): object => ({ data: urdf });
 
 /**
- * Creates a diagnostics message.
+ * Creates a diagnostics message. Its stamp is zero, because an adapter does not know the control time.
  * @param level Level of the DiagnosticStatus: 0 ok, 1 warning, 2 error.
  */
 export const diagnostics = (name: string, level: 0 | 1 | 2, message: string, values: Record<string, string>): object => ({
-  header: { stamp: toRosTime(machineTime()), frame_id: '' },
+  header: { stamp: toRosTime(0n), frame_id: '' },
   status: [{ level, name, message, hardware_id: name, values: Object.entries(values).map(([key, value]) => ({ key, value })) }],
 });
 
