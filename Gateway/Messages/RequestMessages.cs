@@ -42,4 +42,12 @@ static class RequestMessages
         $"compression {compression} is not supported; use none. Messages are sent as JSON text";
 
     public static string FragmentSize(string size) => $"fragment_size {size} is not supported; remove it. Messages are not fragmented";
+
+    public static string QueueLength(int given, int max) =>
+        $"queue_length {given} is more than the maximum of {max}; the queue holds {max} messages. Use {max} or less";
+
+    public static string Latch(string topic) =>
+        $"latch is not supported on {topic}; remove it. A new subscriber receives only messages that are published later";
+
+    public static string Level(string level, string allowed) => $"level {level} is not supported and has no effect; use one of: {allowed}";
 }

@@ -37,6 +37,10 @@ static class Publications
     public static bool HasType(RobotTopic topic, string type) =>
         string.IsNullOrEmpty(type) || type.Replace("/msg/", "/", StringComparison.Ordinal) == TypeOf(topic);
 
+    /// <summary>Whether a subscriber to a known topic receives messages that were published before.</summary>
+    public static bool IsKept(RobotTopic topic) =>
+        topic.Kind is not (RosTopics.JointStates or RosTopics.Tf or RosTopics.Diagnostics or RosTopics.Displayed);
+
     /// <summary>Gets the sender's name in a message; null for messages without a sender's name.</summary>
     public static string NameIn(RosbridgeMessage message) => message.Diagnostics?.HardwareId ?? message.Displayed?.FrameId;
 

@@ -115,9 +115,15 @@ sealed class RosbridgeSession : IDisposable
             case RosbridgeOp.UnadvertiseService: _offers.Withdraw(message.Service); break;
             case RosbridgeOp.ServiceResponse: _offers.Answer(message, count); break;
             case RosbridgeOp.Status: break;
-            case RosbridgeOp.SetLevel: _replies.Level = message.Level; break;
+            case RosbridgeOp.SetLevel: SetLevel(message); break;
             default: _replies.Drop(message, DropReason.UnknownOp); break;
         }
+    }
+
+    void SetLevel(RosbridgeMessage message)
+    {
+        if (message.Level is "info" or "warning" or "error" or "none") _replies.Level = message.Level;
+        else _replies.Warn(message, RequestMessages.Level(Short(message.Level), Levels));
     }
 
     void Subscribe(RosbridgeMessage message)
@@ -154,6 +160,7 @@ sealed class RosbridgeSession : IDisposable
             _replies.Drop(message, reason, rule: reason == DropReason.WrongType ? TypeRule(message) : null);
         else if (HasRoomFor(message))
             Reserve(message);
+        if (reason == DropReason.None) Warn(message);
         Remember(message.Type);
     }
 
@@ -208,6 +215,7 @@ sealed class RosbridgeSession : IDisposable
             _replies.Drop(message, refusal.Value);
         else
             _publisher.AddStamp(message, stamp, false);
+        if (Unsupported.MayBeIn(_text.Span, message)) Warn(message);
         _replies.DropParts(message, _publisher.LeftOut);
     }
 
@@ -278,7 +286,7 @@ sealed class RosbridgeSession : IDisposable
     // Warns of each unsupported option. The request is served without these options.
     void Warn(RosbridgeMessage message)
     {
-        foreach (var unsupported in Unsupported.In(_text)) _replies.Warn(message, unsupported);
+        foreach (var unsupported in Unsupported.In(_text.Span, message)) _replies.Warn(message, unsupported);
     }
 
     void Reply(string text) => _reply(Encoding.UTF8.GetBytes(text));

@@ -10,7 +10,7 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <summary>A client's subscription to one topic: a queue that drops its oldest message when full, and the loop that sends from the queue.</summary>
 sealed class Subscription : IDisposable
 {
-    const int MaxQueueLength = 1024;
+    internal const int MaxQueueLength = 1024;
 
     readonly MessageHub _hub;
     readonly Channel<HubMessage> _queue;

@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Rosbridge;
 using NUnit.Framework;
 using Nowpose.Protocol;
 
@@ -32,11 +33,28 @@ public class RosapiTests
         Assert.That((await client.ReceiveAsync()).Result, Is.True);
     }
 
-    static readonly string[][] Unsupported =
+    const string Described = """{"op":"publish","topic":"/robot_description","msg":{"data":"robot"}""";
+
+    static readonly string[][] UnsupportedRequests =
     [
         ["""{"op":"subscribe","topic":"/joint_states","compression":"png"}""", "warning", RequestMessages.Compression("png")],
         ["""{"op":"subscribe","topic":"/joint_states","compression":"cbor-raw"}""", "warning", RequestMessages.Compression("cbor-raw")],
         ["""{"op":"subscribe","topic":"/joint_states","fragment_size":1000}""", "warning", RequestMessages.FragmentSize("1000")],
+        ["""{"op":"subscribe","topic":"/joint_states","compression":"png","unread":NaN}""", "warning", RequestMessages.Compression("png")],
+        ["""{"op":"subscribe","topic":"/joint_states","compression":["png"]}""", "warning", RequestMessages.Compression("[\"png\"]")],
+        [
+            """{"op":"subscribe","topic":"/joint_states","queue_length":5000}""", "warning",
+            RequestMessages.QueueLength(5000, Subscription.MaxQueueLength),
+        ],
+        ["""{"op":"advertise","topic":"/joint_states","latch":true}""", "warning", RequestMessages.Latch("/joint_states")],
+        ["""{"op":"advertise","topic":"/joint_states","compression":"png"}""", "warning", RequestMessages.Compression("png")],
+        ["""{"op":"set_level","level":"loud"}""", "warning", RequestMessages.Level("loud", RequestText.Levels)],
+        [Described + ""","compression":"png"}""", "warning", RequestMessages.Compression("png")],
+        [Described + ""","fragment_size":1000}""", "warning", RequestMessages.FragmentSize("1000")],
+        [
+            Described + ""","type":"std_msgs/Bool"}""", "warning",
+            RequestMessages.OtherType("/robot_description", "std_msgs/String", "std_msgs/Bool"),
+        ],
         [
             """{"op":"subscribe","topic":"/joint_states","type":"std_msgs/String"}""", "error",
             RequestMessages.OtherType("/joint_states", "sensor_msgs/JointState", "std_msgs/String"),
@@ -61,7 +79,7 @@ public class RosapiTests
         ["""{"op":"unadvertise","topic":"/joint_states"}""", "warning", RequestMessages.NotAdvertised],
     ];
 
-    [TestCaseSource(nameof(Unsupported))]
+    [TestCaseSource(nameof(UnsupportedRequests))]
     public async Task Request_Unsupported_ReceivesAStatusWithItsId(string request, string level, string part)
     {
         await using var gateway = await Gateways.StartAsync();
@@ -107,6 +125,10 @@ public class RosapiTests
     [TestCase("""{"op":"subscribe","topic":"/joint_states","id":"1"}\n{"op":"unsubscribe","topic":"/joint_states"}""")]
     [TestCase("""{"op":"advertise","topic":"/joint_states","type":"sensor_msgs/JointState"}\n{"op":"unadvertise","topic":"/joint_states"}""")]
     [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"","fragment_size":null}""")]
+    [TestCase("""{"op":"subscribe","topic":"/joint_states","queue_length":1024}""")]
+    [TestCase("""{"op":"advertise","topic":"/robot_description","latch":true}""")]
+    [TestCase("""{"op":"advertise","topic":"/joint_states","latch":false}""")]
+    [TestCase("""{"op":"publish","topic":"/robot_description","msg":{"data":"compression"},"type":"std_msgs/msg/String","latch":true}""")]
     [TestCase("""{"op":"set_level","level":"error"}\n{"op":"subscribe","topic":"/joint_states","compression":"png"}""")]
     public async Task Request_Supported_ReceivesNoStatus(string requests)
     {
