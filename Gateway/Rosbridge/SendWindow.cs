@@ -229,8 +229,8 @@ sealed class SendWindow
         _longest -= _longest / LongestDecay;
     }
 
-    // Whether a client reads a window of this size and one more message, which may exceed the window, in time.
-    bool CanRead(int bytes, double readRate) => bytes + _longest <= readRate * MaxReadTime.TotalSeconds;
+    // Whether a client reads a window of this size and one more message, which may exceed the window, in time. A longer message may still come.
+    bool CanRead(int bytes, double readRate) => bytes + Math.Max(_longest, MinBytes) <= readRate * MaxReadTime.TotalSeconds;
 
     // A window that was full grows one pong later, because a client that has just become slow still answers the first ping quickly.
     // A window that was not full shrinks to the size in use, so that it is not too large for a client that becomes slow after a burst.
