@@ -48,7 +48,8 @@ static class DropMessages
         DropReason.LengthMismatch => "the arrays of the message differ in length; each must have one value for each name",
         DropReason.TooManyJoints => $"the message has more than the maximum of {ProtocolLimits.Joints} joints",
         DropReason.NameTooLong =>
-            $"a name is longer than the maximum of {ProtocolLimits.NameLength} characters ({ProtocolLimits.KeyLength} for a key of the diagnostics)",
+            $"a name is longer than the maximum of {ProtocolLimits.NameLength} characters ({ProtocolLimits.KeyLength} for a key of the diagnostics); "
+                + "an emoji counts as two characters",
         DropReason.DuplicateName => "a name occurs twice; remove one",
         DropReason.StampZero => "the stamp is zero; set it to the control time of the sample",
         DropReason.StampOutOfRange => "a time is out of range; allowed: seconds that fit in 32 bits, and 0 to 999999999 ns",
