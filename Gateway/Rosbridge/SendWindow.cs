@@ -73,8 +73,8 @@ sealed class SendWindow
     /// </summary>
     const int PongsPerLatePong = 3;
 
-    /// <summary>Fraction by which the length of the longest message decreases with each pong.</summary>
-    const int LongestDecay = 16;
+    /// <summary>Number of pongs over which the length of the longest message decreases if only shorter messages follow.</summary>
+    const int DecayPongs = 16;
 
     /// <summary>Minimum size to which a window that was not full shrinks, as a multiple of the unread bytes.</summary>
     const double Reserve = 1.25;
@@ -226,7 +226,7 @@ sealed class SendWindow
         // Requires a read rate for a minimum size, because a quick pong for a few bytes does not show that the client can read more.
         var min = took < Quick && CanRead(QuickBytes, readRate) ? QuickBytes : CanRead(MinBytes, readRate) ? MinBytes : OneMessage;
         Size = (int)Math.Clamp(size, min, MaxBytes);
-        _longest -= _longest / LongestDecay;
+        _longest -= _longest / DecayPongs;
     }
 
     // Whether a client reads a window of this size and one more message, which may exceed the window, in time. A longer message may still come.
