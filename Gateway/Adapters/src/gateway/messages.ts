@@ -51,7 +51,7 @@ export const jointState = (stamp: Nanoseconds, names: string[], positions: numbe
 export const description = (urdf: string): object => ({ data: urdf });
 
 /**
- * Creates a diagnostics message. Its stamp is zero, because an adapter does not know the control time.
+ * Creates a diagnostics message. Its stamp is zero, because an adapter has no clock that shows the control time.
  * @param level Level of the DiagnosticStatus: 0 ok, 1 warning, 2 error.
  */
 export const diagnostics = (name: string, level: 0 | 1 | 2, message: string, values: Record<string, string>): object => ({
