@@ -49,5 +49,5 @@ static class RequestMessages
     public static string Latch(string topic) =>
         $"latch is not supported on {topic}; remove it. A new subscriber receives only messages that are published later";
 
-    public static string Level(string level, string allowed) => $"level {level} is not supported and has no effect; use one of: {allowed}";
+    public static string Level(string level) => $"level {level} is not supported and has no effect; use info, warning, error or none";
 }

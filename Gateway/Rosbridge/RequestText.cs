@@ -9,8 +9,6 @@ static class RequestText
     public const string KnownOperations = "subscribe, unsubscribe, advertise, unadvertise, publish, call_service, advertise_service, unadvertise_service, "
         + "service_response, status, set_level";
 
-    public const string Levels = "info, warning, error, none";
-
     public static readonly string Topics =
         string.Join(", ", Publications.All.Select(topic => topic.Key).Concat(RobotTopic.OfRobots.Select(kind => RobotTopic.NameOf("ROBOT", kind))));
 

@@ -123,7 +123,7 @@ sealed class RosbridgeSession : IDisposable
     void SetLevel(RosbridgeMessage message)
     {
         if (message.Level is "info" or "warning" or "error" or "none") _replies.Level = message.Level;
-        else _replies.Warn(message, RequestMessages.Level(Short(message.Level), Levels));
+        else _replies.Warn(message, RequestMessages.Level(Short(message.Level)));
     }
 
     void Subscribe(RosbridgeMessage message)

@@ -48,7 +48,7 @@ public class RosapiTests
         ],
         ["""{"op":"advertise","topic":"/joint_states","latch":true}""", "warning", RequestMessages.Latch("/joint_states")],
         ["""{"op":"advertise","topic":"/joint_states","compression":"png"}""", "warning", RequestMessages.Compression("png")],
-        ["""{"op":"set_level","level":"loud"}""", "warning", RequestMessages.Level("loud", RequestText.Levels)],
+        ["""{"op":"set_level","level":"loud"}""", "warning", RequestMessages.Level("loud")],
         [Described + ""","compression":"png"}""", "warning", RequestMessages.Compression("png")],
         [Described + ""","fragment_size":1000}""", "warning", RequestMessages.FragmentSize("1000")],
         [
