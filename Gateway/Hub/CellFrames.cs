@@ -26,6 +26,9 @@ sealed class CellFrames(RobotLinks links)
 
     public LatchedMessages Stationary { get; } = new(Only);
 
+    /// <summary>The newest poses of stationary frames that were refused because the frame belongs to another source.</summary>
+    public RefusedValues<TransformsMessage> Refused { get; } = new();
+
     /// <summary>
     /// Adds or updates the frames of a message. Leaves out frames of other sources, and transforms that would break a limit of the cell.
     /// </summary>
@@ -38,6 +41,8 @@ sealed class CellFrames(RobotLinks links)
         {
             var child = message[index].Child;
             var owner = Owners.OtherThan(source, child);
+            Refused.Remove(source, child);
+            if (owner != null && isStationary) Refused.Keep(source, child, new TransformsMessage(message[index]));
             var reason = owner == null ? Accept(source, message[index], isStationary) : DropReason.FrameTaken;
             if (reason == DropReason.None) return true;
             leftOut.Add(owner == null ? LimitBroken(reason, child, message[index].Parent)
@@ -48,10 +53,14 @@ sealed class CellFrames(RobotLinks links)
 
     /// <summary>Releases the frames of a source that ends.</summary>
     /// <param name="topic">The topic on which the source ends; null for all topics.</param>
-    public void Release(HubSource source, string topic)
+    /// <returns>The released frames.</returns>
+    public IReadOnlyCollection<string> Release(HubSource source, string topic)
     {
-        foreach (var child in Owners.Release(source, child => topic == null || topic == (IsStationary(child) ? RosTopics.TfStatic : RosTopics.Tf)))
+        if (topic is null or RosTopics.TfStatic) Refused.Remove(source);
+        var released = Owners.Release(source, child => topic == null || topic == (IsStationary(child) ? RosTopics.TfStatic : RosTopics.Tf));
+        foreach (var child in released)
             if (!IsStationary(child)) Remove(child, Ended);
+        return released;
     }
 
     /// <summary>Removes the frames that form a cycle through a robot, because the robot was described after them.</summary>

@@ -13,6 +13,9 @@ sealed class CellSignals
 
     public LatchedMessages Newest { get; } = new(Only);
 
+    /// <summary>The newest values that were refused because the signal belongs to another source.</summary>
+    public RefusedValues<SignalsMessage> Refused { get; } = new();
+
     /// <summary>Adds the signals of a message up to the maximum number of signals. Leaves out the others, and signals of other sources.</summary>
     /// <returns>The message itself if all its signals were accepted; otherwise a message with the accepted ones, which may be empty.</returns>
     /// <param name="began">Called with the signals that had no source before, unless there are none.</param>
@@ -27,6 +30,7 @@ sealed class CellSignals
         {
             var name = message[index].Name;
             var owner = Owners[name];
+            Refused.Remove(source, name);
             if (owner == source) return true;
             if (owner == null && Owners.Count < ProtocolLimits.Signals)
             {
@@ -36,6 +40,7 @@ sealed class CellSignals
             }
 
             var reason = owner == null ? DropReason.TooManySignals : DropReason.SignalTaken;
+            if (owner != null) Refused.Keep(source, name, new SignalsMessage(message.Stamp, message[index]));
             leftOut.Add(new LeftOut(reason, name, CellMessageFaults.Of(CellMessageFaults.Named(CellKinds.Signal, name), reason), owner));
             return false;
         }
@@ -51,12 +56,15 @@ sealed class CellSignals
     }
 
     /// <summary>Removes the signals of a source that ends.</summary>
+    /// <param name="ended">Called with the removed signals, unless there are none.</param>
     /// <returns>The removed signals.</returns>
-    public IReadOnlyCollection<string> Release(HubSource source)
+    public IReadOnlyCollection<string> Release(HubSource source, Action<HubSource, IReadOnlyCollection<string>> ended)
     {
-        var ended = Owners.Release(source, _ => true);
-        foreach (var name in ended) Newest.Remove(name);
-        return ended;
+        Refused.Remove(source);
+        var removed = Owners.Release(source, _ => true);
+        foreach (var name in removed) Newest.Remove(name);
+        if (removed.Count > 0) ended?.Invoke(source, removed);
+        return removed;
     }
 
     static HubMessage Only(HubMessage message, Predicate<string> isCurrent)

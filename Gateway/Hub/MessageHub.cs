@@ -275,8 +275,9 @@ public sealed class MessageHub
             if (topic != null) TopicReleased?.Invoke(source, topic);
             foreach (var kept in _newest.Keys.Where(kept => kept.Source == source && (topic == null || kept.Topic == topic)).ToList())
                 _newest.Remove(kept);
-            if (topic is null or RosTopics.Tf or RosTopics.TfStatic) Frames.Release(source, topic);
-            if (topic is null or RosTopics.Signals && _signals.Release(source) is { Count: > 0 } ended) SignalsEnded?.Invoke(source, ended);
+            if (topic is null or RosTopics.Tf or RosTopics.TfStatic)
+                Frames.Refused.Publish(Frames.Release(source, topic), (other, pose) => other.Publish(pose, isStationary: true, []));
+            if (topic is null or RosTopics.Signals) _signals.Refused.Publish(_signals.Release(source, SignalsEnded), (other, value) => other.Publish(value, []));
             _robots.Release(source, topic);
         }
     }

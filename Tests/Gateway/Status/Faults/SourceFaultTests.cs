@@ -157,9 +157,9 @@ public class SourceFaultTests
         using var second = Source("copy");
         second.ReportDropped(RosTopics.Signals, leftOut.Single());
         await _gateway.BeginsAsync("source", "copy of signal grip");
+        using var third = Source("new plc");
 
         first.Dispose();
-        using var third = Source("new plc");
         _gateway.Time.Advance(TimeSpan.FromMinutes(1));
 
         Assert.That(

@@ -1,0 +1,40 @@
+namespace Nowpose.Gateway.Hub;
+
+/// <summary>
+/// The newest values of frames or signals that were refused because another source owns them. Such a value is sent only once, so it is published
+/// when the other source ends. Not thread-safe.
+/// </summary>
+/// <typeparam name="TMessage">A message with one stationary frame or one signal.</typeparam>
+sealed class RefusedValues<TMessage>
+{
+    // In the order of the refusals.
+    readonly OrderedDictionary<(string Name, HubSource Source), TMessage> _newest = [];
+
+    /// <summary>Keeps a value instead of an earlier one of the same source.</summary>
+    public void Keep(HubSource source, string name, TMessage value)
+    {
+        Remove(source, name);
+        _newest.Add((name, source), value);
+    }
+
+    /// <summary>Removes a value, because the source has sent another one.</summary>
+    public void Remove(HubSource source, string name) => _newest.Remove((name, source));
+
+    /// <summary>Removes all values of a source that ends.</summary>
+    public void Remove(HubSource source) => Remove(_newest.Keys.Where(one => one.Source == source));
+
+    /// <summary>Removes the newest value of each name and publishes it.</summary>
+    /// <param name="released">The names that no longer have a source.</param>
+    /// <param name="publish">Publishes a value of a source.</param>
+    public void Publish(IReadOnlyCollection<string> released, Action<HubSource, TMessage> publish)
+    {
+        var values = _newest.Where(one => released.Contains(one.Key.Name)).Reverse().DistinctBy(one => one.Key.Name).Reverse().ToArray();
+        Remove(values.Select(one => one.Key));
+        foreach (var ((_, source), value) in values) publish(source, value);
+    }
+
+    void Remove(IEnumerable<(string Name, HubSource Source)> keys)
+    {
+        foreach (var key in keys.ToArray()) _newest.Remove(key);
+    }
+}

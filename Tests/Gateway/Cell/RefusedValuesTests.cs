@@ -1,0 +1,81 @@
+using Nowpose.Gateway.Hub;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
+
+namespace Nowpose.Headless.Tests.Gateway.Cell;
+
+/// <summary>Tests that a value which a source sends only once is published as soon as the former source of the frame or signal has ended.</summary>
+[FixtureLifeCycle(LifeCycle.InstancePerTestCase)]
+public class RefusedValuesTests
+{
+    readonly MessageHub _hub = new();
+
+    static bool Send(HubSource source, string name, double value, bool isSignal) => isSignal
+        ? source.Publish(new SignalsMessage(Gateways.Start, new SignalValue("other", 0), new SignalValue(name, value)), [])
+        : source.Publish(new TransformsMessage(Frame("other"), Frame(name, x: value)), isStationary: true, []);
+
+    // The values that a new subscriber receives.
+    string[] Kept(bool isSignal)
+    {
+        var kept = new List<string>();
+        _hub.Subscribe(isSignal ? RosTopics.Signals : RosTopics.TfStatic, message => kept.Add(TextOf(message))).Dispose();
+        return [.. kept];
+    }
+
+    static string TextOf(HubMessage message) => message.Content is SignalsMessage signals ? signals.Text() : ((TransformsMessage)message.Content).Text();
+
+    [Test]
+    public void Dispose_FormerSourceOfARestartedOne_PublishesTheRefusedValues([Values] bool isSignal)
+    {
+        var former = _hub.OpenSource();
+        using var restarted = _hub.OpenSource();
+        Send(former, "a", 1, isSignal);
+        Assert.That(Send(restarted, "a", 2, isSignal), Is.False);
+        Send(restarted, "a", 3, isSignal);
+        var received = new List<string>();
+        using var subscription = _hub.SubscribeToNew(isSignal ? RosTopics.Signals : RosTopics.TfStatic, message => received.Add(TextOf(message)));
+
+        former.Dispose();
+
+        Assert.That(received, Is.EqualTo(new[] { "other=0", "a=3" }));
+        Assert.That(Kept(isSignal), Is.EqualTo(received));
+        using var third = _hub.OpenSource();
+        Assert.That(Send(third, "a", 4, isSignal), Is.False, "the frame or signal belongs to the restarted source");
+    }
+
+    [Test]
+    public void Dispose_RefusedSourceHasEndedToo_PublishesNoRefusedValue([Values] bool isSignal, [Values] bool isUnadvertised)
+    {
+        var former = _hub.OpenSource();
+        var refused = _hub.OpenSource();
+        Send(former, "a", 1, isSignal);
+        Send(refused, "a", 2, isSignal);
+
+        if (isUnadvertised) refused.Release(isSignal ? RosTopics.Signals : RosTopics.TfStatic);
+        else refused.Dispose();
+        former.Dispose();
+
+        string[] expected = isSignal ? [] : ["other=0 a=1"];
+        Assert.That(Kept(isSignal), Is.EqualTo(expected));
+    }
+
+    [Test]
+    public void Dispose_TwoRefusedSources_PublishesTheValueOfTheLaterOne([Values] bool isSignal)
+    {
+        var former = _hub.OpenSource();
+        using var second = _hub.OpenSource();
+        var third = _hub.OpenSource();
+        Send(former, "a", 1, isSignal);
+        Send(third, "a", 2, isSignal);
+        Send(second, "a", 3, isSignal);
+        Send(third, "a", 4, isSignal);
+
+        former.Dispose();
+        Assert.That(Kept(isSignal), Has.Member("a=4"));
+        third.Dispose();
+
+        Assert.That(Kept(isSignal), Has.Member("a=3"));
+    }
+}
