@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -7,18 +8,24 @@ namespace Nowpose.Gateway.Hub;
 /// <summary>The frames of the cell: their sources, the tree over all sources, and the newest poses of stationary frames. Not thread-safe.</summary>
 /// <remarks>
 /// A tracked frame is removed when its source ends. A stationary frame stays, because it does not move. Without a source, it may be taken
-/// over by another source, and it is removed when the cell is full and a new frame appears.
+/// over by another source. In a full cell, a new frame replaces a tracked frame that is silent, because a source may give each workpiece a new name, and
+/// otherwise a stationary frame without a source.
 /// </remarks>
 sealed class CellFrames(RobotLinks links)
 {
-    // With the source of the newest pose, which may have ended.
-    readonly Dictionary<string, (HubSource Source, bool IsStationary)> _frames = [];
+    /// <summary>Time without poses after which a new frame may replace a tracked frame.</summary>
+    static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(10);
+
+    // With the source of the newest pose, which may have ended, and the time of its arrival.
+    readonly Dictionary<string, (HubSource Source, bool IsStationary, long ReceivedAt)> _frames = [];
     readonly FrameParents _parents = new(links.RootOf);
 
     /// <summary>Raised with a frame that is removed because its source has ended, or because it is in a cycle. Called under the hub's lock.</summary>
     public event Action<string> Ended;
 
-    /// <summary>Raised with a stationary frame without a source that is removed to make room for a new frame. Called under the hub's lock.</summary>
+    /// <summary>
+    /// Raised with a silent frame or a stationary frame without a source that is removed to make room for a new frame. Called under the hub's lock.
+    /// </summary>
     public event Action<string> Replaced;
 
     /// <summary>The sources that publish the frames. A stationary frame whose source has ended has none.</summary>
@@ -32,8 +39,9 @@ sealed class CellFrames(RobotLinks links)
     /// <summary>
     /// Adds or updates the frames of a message. Leaves out frames of other sources, and transforms that would break a limit of the cell.
     /// </summary>
+    /// <param name="receivedAt">Arrival of the message, a count of <see cref="Stopwatch"/>.</param>
     /// <returns>The message itself if all its transforms were accepted; otherwise a message with the accepted ones, which may be empty.</returns>
-    public TransformsMessage Accept(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut)
+    public TransformsMessage Accept(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
     {
         return MessageParts.Accepted(message, message.Count, IsAccepted, MessageParts.Part);
 
@@ -43,7 +51,7 @@ sealed class CellFrames(RobotLinks links)
             var owner = Owners.OtherThan(source, child);
             Refused.Remove(source, child);
             if (owner != null && isStationary) Refused.Keep(source, child, new TransformsMessage(message[index]));
-            var reason = owner == null ? Accept(source, message[index], isStationary) : DropReason.FrameTaken;
+            var reason = owner == null ? Accept(source, message[index], isStationary, receivedAt) : DropReason.FrameTaken;
             if (reason == DropReason.None) return true;
             leftOut.Add(owner == null ? LimitBroken(reason, child, message[index].Parent)
                 : new LeftOut(reason, child, CellMessageFaults.Of(CellMessageFaults.Named(CellKinds.Frame, child), reason), owner));
@@ -96,21 +104,29 @@ sealed class CellFrames(RobotLinks links)
     static LeftOut LimitBroken(DropReason reason, string child, string parent) =>
         new(reason, child, CellMessageFaults.Of(CellMessageFaults.Frame(child, parent), reason));
 
-    DropReason Accept(HubSource source, in FrameTransform transform, bool isStationary)
+    DropReason Accept(HubSource source, in FrameTransform transform, bool isStationary, long receivedAt)
     {
         var reason = _parents.TrySet(transform.Child, transform.Parent);
-        if (reason == DropReason.TooManyFrames && _frames.Keys.FirstOrDefault(child => Owners[child] == null) is { } abandoned)
+        if (reason == DropReason.TooManyFrames && (SilentAt(receivedAt, transform.Parent) ?? _frames.Keys.FirstOrDefault(child => Owners[child] == null)) is { } unused)
         {
-            Remove(abandoned, Replaced);
+            Remove(unused, Replaced);
             reason = _parents.TrySet(transform.Child, transform.Parent);
         }
 
         if (reason != DropReason.None) return reason;
         if (!isStationary && IsStationary(transform.Child)) Stationary.Remove(transform.Child);
         Owners.Take(source, transform.Child);
-        _frames[transform.Child] = (source, isStationary);
+        _frames[transform.Child] = (source, isStationary, receivedAt);
         return DropReason.None;
     }
+
+    // Returns the tracked frame without children that has been silent for the longest time; null if none has been silent for long.
+    string SilentAt(long now, string parent) => _frames
+        .Where(one => !one.Value.IsStationary && Stopwatch.GetElapsedTime(one.Value.ReceivedAt, now) > MaxSilence && IsLeaf(one.Key, parent))
+        .OrderBy(one => one.Value.ReceivedAt).FirstOrDefault().Key;
+
+    // Whether a frame has no children, with a new frame included.
+    bool IsLeaf(string frame, string parentOfNew) => frame != parentOfNew && !_parents.HasChildren(frame);
 
     bool IsStationary(string child) => _frames.GetValueOrDefault(child).IsStationary;
 

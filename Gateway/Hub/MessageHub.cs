@@ -142,7 +142,7 @@ public sealed class MessageHub
         // Under the lock for the same reason as PublishDescription, and so that no pose of a frame is published after its release.
         lock (_lock)
         {
-            var accepted = Frames.Accept(source, message, isStationary, leftOut);
+            var accepted = Frames.Accept(source, message, isStationary, leftOut, receivedAt);
             foreach (var part in MessageParts.Of(accepted))
             {
                 var published = HubMessage.Of(topic, part, receivedAt, source).With(++_sequence);
