@@ -107,7 +107,7 @@ sealed class CellFrames(RobotLinks links)
     DropReason Accept(HubSource source, in FrameTransform transform, bool isStationary, long receivedAt)
     {
         var reason = _parents.TrySet(transform.Child, transform.Parent);
-        if (reason == DropReason.TooManyFrames && (SilentAt(receivedAt, transform.Parent) ?? _frames.Keys.FirstOrDefault(child => Owners[child] == null)) is { } unused)
+        if (reason == DropReason.TooManyFrames && (SilentAt(receivedAt, transform.Parent) ?? WithoutSource(transform.Parent)) is { } unused)
         {
             Remove(unused, Replaced);
             reason = _parents.TrySet(transform.Child, transform.Parent);
@@ -124,6 +124,9 @@ sealed class CellFrames(RobotLinks links)
     string SilentAt(long now, string parent) => _frames
         .Where(one => !one.Value.IsStationary && Stopwatch.GetElapsedTime(one.Value.ReceivedAt, now) > MaxSilence && IsLeaf(one.Key, parent))
         .OrderBy(one => one.Value.ReceivedAt).FirstOrDefault().Key;
+
+    // Returns a frame without a source and without children; null if there is none.
+    string WithoutSource(string parent) => _frames.Keys.FirstOrDefault(frame => Owners[frame] == null && IsLeaf(frame, parent));
 
     // Whether a frame has no children, with a new frame included.
     bool IsLeaf(string frame, string parentOfNew) => frame != parentOfNew && !_parents.HasChildren(frame);

@@ -54,6 +54,21 @@ public class FullCellTests
     }
 
     [Test]
+    public void Publish_StationaryFrameWithoutSourceHasChildren_ReplacesAnotherOne()
+    {
+        var ended = _hub.OpenSource();
+        ended.Publish(new TransformsMessage(Frame("conveyor"), Frame("table")), isStationary: true, _leftOut);
+        for (var i = 3; i < ProtocolLimits.Frames; i++) ended.Publish(new TransformsMessage(Frame("old" + i)), isStationary: true, _leftOut);
+        ended.Dispose();
+        using var source = _hub.OpenSource();
+        Send(source, 1, Frame("workpiece", "conveyor"));
+
+        Send(source, 1, Frame("next", "table"));
+
+        Assert.That(_replaced, Is.EqualTo(new[] { "old3" }));
+    }
+
+    [Test]
     public void Publish_ReplacedFrameIsPublishedAgain_IsAccepted()
     {
         using var source = Fill();
