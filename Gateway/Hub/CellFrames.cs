@@ -40,22 +40,55 @@ sealed class CellFrames(RobotLinks links)
     /// Adds or updates the frames of a message. Leaves out frames of other sources, and transforms that would break a limit of the cell.
     /// </summary>
     /// <param name="receivedAt">Arrival of the message, a count of <see cref="Stopwatch"/>.</param>
-    /// <returns>The message itself if all its transforms were accepted; otherwise a message with the accepted ones, which may be empty.</returns>
+    /// <returns>
+    /// The message itself if all its transforms were accepted in their order; otherwise a message with the accepted ones in the order in which they
+    /// were accepted, which may be empty.
+    /// </returns>
     public TransformsMessage Accept(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
     {
-        return MessageParts.Accepted(message, message.Count, IsAccepted, MessageParts.Part);
+        Dictionary<int, DropReason> refused = null;
+        var accepted = MessageParts.Accepted(message, message.Count, IsAccepted, MessageParts.Part);
+        return refused == null ? accepted : Retried();
 
         bool IsAccepted(int index)
         {
             var child = message[index].Child;
             var owner = Owners.OtherThan(source, child);
             Refused.Remove(source, child);
-            if (owner != null && isStationary) Refused.Keep(source, child, new TransformsMessage(message[index]));
-            var reason = owner == null ? Accept(source, message[index], isStationary, receivedAt) : DropReason.FrameTaken;
-            if (reason == DropReason.None) return true;
-            leftOut.Add(owner == null ? LimitBroken(reason, child, message[index].Parent)
-                : new LeftOut(reason, child, CellMessageFaults.Of(CellMessageFaults.Named(CellKinds.Frame, child), reason), owner));
+            if (owner == null)
+            {
+                var reason = Accept(source, message[index], isStationary, receivedAt);
+                if (reason is DropReason.FrameCycle or DropReason.FrameTooDeep) (refused ??= []).Add(index, reason);
+                else if (reason != DropReason.None) leftOut.Add(LimitBroken(reason, child, message[index].Parent));
+                return reason == DropReason.None;
+            }
+
+            if (isStationary) Refused.Keep(source, child, new TransformsMessage(message[index]));
+            leftOut.Add(new LeftOut(
+                DropReason.FrameTaken, child, CellMessageFaults.Of(CellMessageFaults.Named(CellKinds.Frame, child), DropReason.FrameTaken), owner));
             return false;
+        }
+
+        // A message may exchange the places of frames in the tree. A transform is then possible only after another one of the same message. The number
+        // of passes is limited, because each one takes time under the hub's lock.
+        TransformsMessage Retried()
+        {
+            List<FrameTransform> all = [.. Enumerable.Range(0, accepted.Count).Select(index => accepted[index])];
+            var before = 0;
+            for (var passes = 0; passes < ProtocolLimits.FrameDepth && refused.Count != before; passes++)
+            {
+                before = refused.Count;
+                foreach (var index in refused.Keys.Order().ToArray())
+                {
+                    refused[index] = Accept(source, message[index], isStationary, receivedAt);
+                    if (refused[index] != DropReason.None) continue;
+                    refused.Remove(index);
+                    all.Add(message[index]);
+                }
+            }
+
+            foreach (var (index, reason) in refused) leftOut.Add(LimitBroken(reason, message[index].Child, message[index].Parent));
+            return new TransformsMessage([.. all]);
         }
     }
 
