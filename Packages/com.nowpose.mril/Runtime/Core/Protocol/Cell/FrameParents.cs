@@ -14,6 +14,8 @@ namespace Nowpose.Protocol.Cell
         const int MaxSteps = 2 * ProtocolLimits.Frames + 1;
 
         readonly Dictionary<string, string> _parents = new Dictionary<string, string>(StringComparer.Ordinal);
+        // Number of frames that have this parent.
+        readonly Dictionary<string, int> _children = new Dictionary<string, int>(StringComparer.Ordinal);
         readonly Func<string, string> _rootOfLink;
 
         /// <param name="rootOfLink">
@@ -31,7 +33,10 @@ namespace Nowpose.Protocol.Cell
             var isKnown = _parents.TryGetValue(child, out var present);
             if (isKnown && present == parent) return DropReason.None;
             var reason = Check(child, parent, isKnown);
-            if (reason == DropReason.None) _parents[child] = parent;
+            if (reason != DropReason.None) return reason;
+            Remove(child);
+            _parents.Add(child, parent);
+            _children[parent] = _children.TryGetValue(parent, out var count) ? count + 1 : 1;
             return reason;
         }
 
@@ -50,9 +55,14 @@ namespace Nowpose.Protocol.Cell
             return false;
         }
 
-        public bool Remove(string child) => _parents.Remove(child);
+        public bool Remove(string child)
+        {
+            if (!_parents.TryGetValue(child, out var parent)) return false;
+            if (--_children[parent] == 0) _children.Remove(parent);
+            return _parents.Remove(child);
+        }
 
-        public bool HasChildren(string parent) => _parents.ContainsValue(parent);
+        public bool HasChildren(string parent) => _children.ContainsKey(parent);
 
         DropReason Check(string child, string parent, bool isKnown)
         {
@@ -92,10 +102,12 @@ namespace Nowpose.Protocol.Cell
             return depth;
         }
 
-        // Returns the maximum number of transforms from a descendant of a frame up to the frame.
+        // Returns the maximum number of transforms from a descendant of a frame up to the frame. Most frames have no descendants: neither children, nor
+        // links as the root of a robot.
         int HeightBelow(string frame)
         {
             var height = 0;
+            if (!HasChildren(frame) && _rootOfLink(frame) != frame) return height;
             foreach (var descendant in _parents.Keys)
             {
                 var distance = DistanceToRoot(descendant, frame, out var isBelow);

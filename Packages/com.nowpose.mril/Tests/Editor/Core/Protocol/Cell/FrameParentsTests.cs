@@ -101,6 +101,39 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         }
 
         [Test]
+        public void HasChildren_ParentsChange_CountsThePresentChildren()
+        {
+            Set("a", "belt");
+            Set("b", "belt");
+            Set("a", "world");
+            Assert.That(_frames.HasChildren("belt"), Is.True);
+
+            Assert.That(_frames.Remove("b"), Is.True);
+
+            Assert.That((_frames.HasChildren("belt"), _frames.HasChildren("world"), _frames.Remove("b")), Is.EqualTo((false, true, false)));
+        }
+
+        // A pallet with many parts is put on another conveyor. Each part must be compared with the frames above it, but not with all other parts.
+        [Test]
+        public void TrySet_ManyFramesChangeTheirParent_LooksOnlyAtTheFramesAbove()
+        {
+            const int Parts = 250;
+            var steps = 0;
+            _frames = new FrameParents(_ =>
+            {
+                steps++;
+                return null;
+            });
+            for (var i = 1; i <= 5; i++) Set("belt" + i, i == 1 ? "world" : "belt" + (i - 1));
+            for (var i = 0; i < Parts; i++) Set("part" + i, "world");
+            steps = 0;
+
+            for (var i = 0; i < Parts; i++) Set("part" + i, "belt5");
+
+            Assert.That(steps, Is.LessThanOrEqualTo(Parts * ProtocolLimits.FrameDepth));
+        }
+
+        [Test]
         public void TrySet_CycleThroughARobot_IsRefused()
         {
             var frames = new FrameParents(link => link.StartsWith("arm/", StringComparison.Ordinal) ? "arm/base" : null);
