@@ -6,6 +6,9 @@ static class CellReasons
     public const string PosesStopped = "its poses stopped arriving";
     public const string StampsStopped = "its poses arrive with an unchanged time stamp; set each stamp to the control time of its pose";
 
+    public const string StampsOld =
+        "its poses arrive with time stamps that are more than 10 s old; compare the clock of its source with the control clock";
+
     public const string AdapterSilent = "its adapter has stopped reporting";
 
     public static string ParentMissing(string parent) =>

@@ -162,7 +162,8 @@ sealed class GatewayStatus : IDisposable
             _sources.Add(message.Joints, message.ReceivedAt, age);
             _joints.Add(message.Source, message.Joints, state.Stamp, age);
         }
-        else if (message.Content is TransformsMessage frames) _cell.Add(message.Source, frames, message.Topic == RosTopics.TfStatic);
+        else if (message.Content is TransformsMessage frames)
+            _cell.Add(message.Source, frames, message.Topic == RosTopics.TfStatic, _clock.AtReceived(message.ReceivedAt));
         else if (message.Content is SignalsMessage signals) _cell.Add(message.Source, signals);
         else if (message.Content is DiagnosticsMessage diagnostics)
         {

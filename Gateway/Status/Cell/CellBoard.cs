@@ -39,7 +39,8 @@ sealed class CellBoard(
     readonly SortedDictionary<string, SignalEntry> _signals = new(StringComparer.Ordinal);
 
     /// <summary>Records a publication on /tf or /tf_static.</summary>
-    public void Add(HubSource source, TransformsMessage message, bool isStationary)
+    /// <param name="arrival">Control time of the arrival; null if unknown.</param>
+    public void Add(HubSource source, TransformsMessage message, bool isStationary, ControlTime? arrival = null)
     {
         lock (_gate)
             for (var i = 0; i < message.Count; i++)
@@ -47,6 +48,7 @@ sealed class CellBoard(
                 if (!TryGet(_frames, message[i].Child, ProtocolLimits.Frames, out var frame)) continue;
                 frame.ArrivedAt = time.GetTimestamp();
                 if (!frame.HasAny || isStationary || message[i].Stamp != frame.Stamp || frame.Source != source) (frame.Stamp, frame.SeenAt) = (message[i].Stamp, frame.ArrivedAt);
+                frame.IsOld = !isStationary && arrival - message[i].Stamp > JointSamples.MaxAge;
                 (frame.Source, frame.IsStationary, frame.Parent) = (source, isStationary, message[i].Parent);
                 (frame.HasLeft, frame.IsEnded, frame.HasAny) = (false, false, true);
                 frame.Refusal = null;
@@ -187,6 +189,7 @@ sealed class CellBoard(
             (state, reason) = (CellStates.Stale, time.GetElapsedTime(frame.ArrivedAt) > MaxSilence ? CellReasons.PosesStopped : CellReasons.StampsStopped);
             since = utcNow - time.GetElapsedTime(frame.SeenAt);
         }
+        else if (frame.IsOld) (state, reason) = (CellStates.Stale, CellReasons.StampsOld);
         else if (ancestors.FaultOf(name, frame) is { } fault) (state, reason, cause) = fault;
         since = frame.Enter(state, since);
         return new FrameView(
@@ -205,7 +208,7 @@ sealed class CellBoard(
         return new SignalView(name, signal.Value, signal.Source.Title, state, signal.HasAny ? Seconds(now - signal.Since) : null, reason) { Since = since };
     }
 
-    bool IsCurrent(FrameEntry frame) => !frame.IsEnded && !IsRefused(frame) && !IsSilent(frame);
+    bool IsCurrent(FrameEntry frame) => !frame.IsEnded && !IsRefused(frame) && !IsSilent(frame) && !frame.IsOld;
 
     // Adds the adapter's reason to a stale frame. If poses still arrive, they come from another source or are newer than the report.
     FrameView Explained(FrameView frame, CellReport report)

@@ -38,6 +38,9 @@ sealed class FrameEntry : CellEntry
     public string Parent { get; set; }
     public ControlTime Stamp { get; set; }
 
+    /// <summary>Whether the newest pose was too old when it arrived.</summary>
+    public bool IsOld { get; set; }
+
     /// <summary>Arrival of the newest pose.</summary>
     public long ArrivedAt { get; set; }
 

@@ -100,6 +100,34 @@ public class CellBoardTests : CellBoardFixture
         Assert.That(_board.Frames(At(7)).Single().State, Is.EqualTo("live"), "also if the clock of the source went back");
     }
 
+    [TestCase(9.9, "live")]
+    [TestCase(10.1, "stale")]
+    [TestCase(600, "stale")]
+    public void Frames_StampsAreOld_AreStaleFromTenSeconds(double age, string state)
+    {
+        for (var t = 1000.0; t < 1002; t += 0.1)
+        {
+            _board.Add(_source, Pose("box", t - age), isStationary: false, At(t));
+            _board.Add(_source, Pose("table", t - age), isStationary: true, At(t));
+            _board.Add(_source, Pose("lid", t, "box"), isStationary: false, At(t));
+            _time.Advance(TimeSpan.FromSeconds(0.1));
+        }
+
+        var frames = _board.Frames(At(1002));
+
+        var isLive = state == "live";
+        Assert.That(frames.Select(frame => (frame.Name, frame.State, frame.Reason)), Is.EqualTo(new[]
+        {
+            ("box", state, isLive ? null : CellReasons.StampsOld), ("lid", isLive ? "live" : "parent-stale", isLive ? null : CellReasons.ParentNotCurrent("box")),
+            ("table", "stationary", (string)null),
+        }));
+        Assert.That(frames[0].Since, Is.EqualTo(isLive ? null : _time.GetUtcNow()));
+
+        _board.Add(_source, Pose("box", 1002), isStationary: false, At(1002));
+
+        Assert.That(_board.Frames(At(1002))[0].State, Is.EqualTo("live"), "the clock of the source is correct again");
+    }
+
     [Test]
     public void Frames_ParentsOfEndedFramesFormACycle_AreOrphans()
     {
