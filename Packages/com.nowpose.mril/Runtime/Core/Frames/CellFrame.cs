@@ -9,6 +9,9 @@ namespace Nowpose.Frames
     /// <summary>A stationary frame of the cell, or a tracked frame with its predictor.</summary>
     sealed class CellFrame
     {
+        /// <summary>Time without new poses after which they have stopped, s.</summary>
+        const double MaxSilence = 1;
+
         readonly Func<BodyPredictor> _newPredictor;
         readonly HandOver _handOver = new HandOver();
         readonly ObjectGrips _grips = new ObjectGrips();
@@ -18,6 +21,8 @@ namespace Nowpose.Frames
         ControlTime? _newest;
         string _parent;
         double _displayed = double.NaN;
+        // Display time before the newest pose that arrived while the frame was held; NaN if there is none.
+        double _addedWhileHeld = double.NaN;
         bool _isStationary;
 
         /// <param name="newPredictor">Creates the predictor for the first pose of a tracked frame. Stationary frames need no predictor.</param>
@@ -85,6 +90,9 @@ namespace Nowpose.Frames
         public RigidTransform Held => _grips.Shown?.Pose ?? _given;
 
         public FrameState State { get; private set; }
+
+        /// <summary>Whether new poses of a held frame arrive, but all are too old to be predicted up to the display time.</summary>
+        public bool ReceivesOldPoses => State == FrameState.Held && _displayed - _addedWhileHeld <= MaxSilence;
 
         /// <summary>Stamp of the newest pose; null before the first pose, and for a stationary frame.</summary>
         public ControlTime? Newest => _isStationary ? null : _newest;
@@ -238,7 +246,11 @@ namespace Nowpose.Frames
             var reason = _predictor.Add(new PoseSample(
                 ClockTicks.Seconds(pose.Stamp - epoch), new Vector3D(pose.X, pose.Y, pose.Z), rotation), _displayed);
             var hasRestarted = _predictor.Restarts != restarts;
-            if (!(pose.Stamp <= _newest) || hasRestarted) (_newest, _given) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z));
+            if (!(pose.Stamp <= _newest) || hasRestarted)
+            {
+                (_newest, _given) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z));
+                _addedWhileHeld = State == FrameState.Held ? _displayed : double.NaN;
+            }
             // The time stamp of the release belongs to the earlier run of the source.
             if (hasRestarted && (Reach?.IsReleased == true || UnknownMover != null)) Put(null);
             return reason;

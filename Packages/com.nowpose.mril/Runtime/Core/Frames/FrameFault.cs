@@ -16,7 +16,9 @@ namespace Nowpose.Frames
             {
                 case FrameState.Current: return null;
                 case FrameState.Missing: return FrameMessages.NoPose;
-                case FrameState.Held: return frame.IsStationary ? FrameMessages.OlderThanConnection : FrameMessages.PosesStopped;
+                case FrameState.Held:
+                    return frame.IsStationary ? FrameMessages.OlderThanConnection
+                        : frame.ReceivesOldPoses ? FrameMessages.PosesTooOld : FrameMessages.PosesStopped;
                 case FrameState.GripUnknown: return Kept(frame.State, frame.GripFault);
                 default: return Kept(frame.State, tree.ReasonAbove(frame, out _, out _));
             }

@@ -65,7 +65,12 @@ namespace Nowpose.Tests.Core.Session.Cell
 
         /// <param name="pose">Pose of the child in its parent.</param>
         public void Send(string parent, string child, double stamp, in RigidTransform pose, bool isStationary = false) =>
-            Session.Listener.FramesReceived(new TransformsMessage(pose.ToTransform(ControlTime.FromSeconds(stamp), parent, child)), isStationary, At(stamp + Latency));
+            SendLate(parent, child, stamp, stamp, pose, isStationary);
+
+        /// <param name="sent">Time at which the pose is sent, s.</param>
+        public void SendLate(string parent, string child, double stamp, double sent, in RigidTransform pose, bool isStationary = false) =>
+            Session.Listener.FramesReceived(
+                new TransformsMessage(pose.ToTransform(ControlTime.FromSeconds(stamp), parent, child)), isStationary, At(sent + Latency));
 
         public void Send(string signal, double stamp, double value) => Session.Listener.SignalsReceived(
             new SignalsMessage(ControlTime.FromSeconds(stamp), new SignalValue(signal, value)), At(stamp + Latency));

@@ -1,6 +1,8 @@
+using System.Linq;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using NUnit.Framework;
@@ -59,6 +61,38 @@ namespace Nowpose.Tests.Core.Session.Cell
             isRobotSent = false;
             cell.Run(1);
             Assert.That((StateOf(cell, "box"), StateOf(cell, "in_hand")), Is.EqualTo((PoseState.OutsideRange, PoseState.Held)));
+        }
+
+        // The clock of the source is behind, or a recording is played with its former stamps.
+        [TestCase(3)]
+        [TestCase(15)]
+        public void Faults_PosesArriveWithOldStamps_HaveTheReasonUntilThePosesStop(double age)
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("box");
+            cell.Sampling = t => cell.SendLate("world", "box", t - age, t, Along(t));
+            string Reason() => cell.Session.Frames.Faults(null).Single().Reason;
+
+            cell.Run(2, _ => Assert.That(StateOf(cell, "box"), Is.Not.EqualTo(PoseState.Current)));
+            Assert.That(Reason(), Is.EqualTo(FrameMessages.PosesTooOld));
+
+            cell.Sampling = null;
+            cell.Run(1.5);
+            Assert.That(Reason(), Is.EqualTo(FrameMessages.PosesStopped));
+        }
+
+        [Test]
+        public void Faults_CurrentPosesStop_NeverNameOldStamps()
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("box");
+            cell.Sampling = t => cell.Send("world", "box", t, Along(t));
+            cell.Run(1);
+            cell.Sampling = null;
+
+            cell.Run(3, _ => Assert.That(cell.Session.Frames.Faults(null).Select(fault => fault.Reason), Is.All.EqualTo(FrameMessages.PosesStopped)));
+
+            Assert.That(StateOf(cell, "box"), Is.EqualTo(PoseState.Held));
         }
 
         [Test]
