@@ -51,8 +51,11 @@ sealed class CellSignals
     {
         var signals = (SignalsMessage)message.Content;
         for (var i = 0; i < signals.Count; i++)
-            if (Newest.Of(signals[i].Name)?.Content is not SignalsMessage newest || !LateValues.IsOvertaken(signals.Stamp, newest.Stamp))
-                Newest.Set(signals[i].Name, message);
+        {
+            var (name, value) = (signals[i].Name, signals[i].Value);
+            if (Newest.Of(name)?.Content is not SignalsMessage newest) Newest.Set(name, message);
+            else if (!LateValues.IsOvertaken(signals.Stamp, newest.Stamp)) Newest.Set(name, message, ValueIn(newest, name, i) != value);
+        }
     }
 
     /// <summary>Removes the signals of a source that ends.</summary>
@@ -65,6 +68,14 @@ sealed class CellSignals
         foreach (var name in removed) Newest.Remove(name);
         if (removed.Count > 0) ended?.Invoke(source, removed);
         return removed;
+    }
+
+    // Starts at an index, because a source usually sends its signals in the same order.
+    static double ValueIn(SignalsMessage message, string name, int start)
+    {
+        var index = start % message.Count;
+        while (message[index].Name != name) index = (index + 1) % message.Count;
+        return message[index].Value;
     }
 
     static HubMessage Only(HubMessage message, Predicate<string> isCurrent)

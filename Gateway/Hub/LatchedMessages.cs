@@ -5,16 +5,34 @@ namespace Nowpose.Gateway.Hub;
 sealed class LatchedMessages(Func<HubMessage, Predicate<string>, HubMessage> only)
 {
     readonly Dictionary<string, HubMessage> _newest = [];
+    // The newest message with another value than the newest one.
+    readonly Dictionary<string, HubMessage> _former = [];
 
-    public void Set(string name, HubMessage message) => _newest[name] = message;
+    /// <param name="isChange">Whether the value differs from the newest one, which is then also kept for readers that have missed it.</param>
+    public void Set(string name, HubMessage message, bool isChange = false)
+    {
+        if (isChange && Of(name) is { } former) _former[name] = former;
+        _newest[name] = message;
+    }
 
     /// <summary>Gets the message for a name; null if there is none.</summary>
     public HubMessage Of(string name) => _newest.GetValueOrDefault(name);
 
-    public void Remove(string name) => _newest.Remove(name);
+    public void Remove(string name)
+    {
+        _newest.Remove(name);
+        _former.Remove(name);
+    }
 
-    /// <summary>Gets the current values that were published since a sequence number, in the order of publication.</summary>
-    /// <param name="sequence">Minimum <see cref="HubMessage.Sequence"/>.</param>
-    public IEnumerable<HubMessage> Since(long sequence) => _newest.Values.Where(message => message.Sequence >= sequence).Distinct()
-        .OrderBy(message => message.Sequence).Select(message => only(message, name => _newest.GetValueOrDefault(name) == message)).ToArray();
+    /// <summary>
+    /// Gets the current values that were published since a sequence number, in the order of publication. Each one follows the newest different value since
+    /// this number, so that a reader receives a change also if the value has changed back.
+    /// </summary>
+    /// <param name="sequence">Minimum <see cref="HubMessage.Sequence"/>; 0 for the current values only, for a reader that has received none.</param>
+    public IEnumerable<HubMessage> Since(long sequence)
+    {
+        bool IsIncluded(HubMessage message, string name) => Of(name) == message || (sequence > 0 && _former.GetValueOrDefault(name) == message);
+        return _newest.Values.Concat(sequence > 0 ? _former.Values : []).Where(message => message.Sequence >= sequence).Distinct()
+            .OrderBy(message => message.Sequence).Select(message => only(message, name => IsIncluded(message, name))).ToArray();
+    }
 }

@@ -7,7 +7,8 @@ namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>
 /// The queue of a subscription to a topic that is latched per name. If the queue drops messages, it later sends the newest value of each
-/// name in them, because a signal may not change again for hours and its newest value must arrive.
+/// name in them, because a signal may not change again for hours and its newest value must arrive. It sends the newest different value before, if it was
+/// dropped too, because a signal that changes and changes back may release a gripped object.
 /// </summary>
 /// <remarks>
 /// The hub publishes and reads latched values under its lock, so that no value is missed and no older value follows a newer one.
@@ -59,7 +60,7 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
         }
     }
 
-    // Replaces each waiting message with the newest value of its name.
+    // Replaces each waiting message with the newest value of its name and the different value before it.
     void ReadAgain(long from)
     {
         var waiting = new List<long>();

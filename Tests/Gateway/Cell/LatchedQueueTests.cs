@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Text;
+using System.Threading.Channels;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Rosbridge;
 using Nowpose.Protocol;
@@ -63,6 +64,35 @@ public class LatchedQueueTests
 
         Assert.That(sent, Is.EqualTo(new[] { "grip=1", "s=9" }));
         Assert.That(_drops[DropReason.SlowReader], Is.EqualTo(8));
+    }
+
+    [TestCase("1 0 1", "0 1")]
+    [TestCase("0 1 0 1 1", "0 1")]
+    [TestCase("1 1", "1")]
+    [TestCase("0", "0")]
+    public void Next_ValuesWaitedForASlowClient_ReturnsTheNewestAndTheDifferentValueBefore(string waiting, string expected)
+    {
+        using var source = _hub.OpenSource();
+        var queued = Channel.CreateUnbounded<HubMessage>();
+        var queue = new LatchedQueue(_hub, RosTopics.Signals, queued, () => { });
+        using var subscription = _hub.SubscribeToNew(RosTopics.Signals, message => queued.Writer.TryWrite(message));
+        queue.Start();
+        Publish(source, "lamp", 1);
+        Publish(source, "grip", 0);
+        Publish(source, "grip", 1);
+        Assert.That(Received(long.MinValue), Is.EqualTo(new[] { "lamp=1", "grip=1" }), "a new client receives only current values");
+        var old = Stopwatch.GetTimestamp() - Stopwatch.Frequency;
+
+        foreach (var value in waiting.Split(' ')) Publish(source, "grip", int.Parse(value), old);
+
+        Assert.That(Received(old), Is.EqualTo(expected.Split(' ').Select(value => "grip=" + value)));
+
+        string[] Received(long maxOld)
+        {
+            var received = new List<string>();
+            while (queue.Next(receivedAt => receivedAt <= maxOld) is { } message) received.Add(((SignalsMessage)message.Content).Text());
+            return [.. received];
+        }
     }
 
     [Test]
