@@ -9,6 +9,7 @@ namespace Nowpose.Messages
         public const string OtherSourceLimit = "limit is for another source";
         public const string BeyondMeasured = "beyond measured range";
         public const string FramesMissRefreshes = "frames miss refreshes";
+        public const string MovingBase = "moving base";
         public const string RenderTimeNotMeasured = "render time not measured";
         public const string ValuesUnusable = "no usable values";
 

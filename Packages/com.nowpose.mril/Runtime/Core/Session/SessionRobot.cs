@@ -93,7 +93,7 @@ namespace Nowpose.Session
         public void Show(in DisplayMoment moment)
         {
             _computer.Compute(moment, Joints.IsAnyReportedMissing(moment.Start));
-            Hindcast.Shown(Frame, moment.Clock.ErrorBound);
+            Hindcast.Shown(Frame, moment.Clock.ErrorBound, HasRootFrame && !HasFixedRootFrame);
         }
 
         /// <summary>Places the root link in the cell. Call it after <see cref="Show"/>.</summary>

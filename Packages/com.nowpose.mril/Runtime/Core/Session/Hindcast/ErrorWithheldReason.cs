@@ -4,8 +4,8 @@ using Nowpose.Messages;
 namespace Nowpose.Session.Hindcast
 {
     /// <summary>
-    /// Reason why a session withholds the errors that it measures. For each reason, frames may appear at times other than their computed
-    /// display times.
+    /// Reason why a session withholds the errors that it measures. For each reason except <see cref="MovingBase"/>, frames may appear at times other than
+    /// their computed display times.
     /// </summary>
     enum ErrorWithheldReason
     {
@@ -26,6 +26,11 @@ namespace Nowpose.Session.Hindcast
 
         /// <summary>No range is known, and the display's GPU time is above its refresh interval. Runtimes predict the display time of frames in time.</summary>
         LongerThanRefresh,
+
+        /// <summary>
+        /// The base of the robot moves, and the errors of its pose are not measured. Withholds only the errors of the tool, not those of the joints.
+        /// </summary>
+        MovingBase,
     }
 
     /// <summary>Determines why errors are withheld, and describes the reason.</summary>
@@ -55,6 +60,7 @@ namespace Nowpose.Session.Hindcast
                 case ErrorWithheldReason.OtherSource: return StateNames.OtherSourceLimit;
                 case ErrorWithheldReason.NoRenderTime: return StateNames.RenderTimeNotMeasured;
                 case ErrorWithheldReason.LongerThanRefresh: return StateNames.FramesMissRefreshes;
+                case ErrorWithheldReason.MovingBase: return StateNames.MovingBase;
                 default: return null;
             }
         }

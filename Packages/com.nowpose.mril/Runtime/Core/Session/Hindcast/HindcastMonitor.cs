@@ -55,7 +55,7 @@ namespace Nowpose.Session.Hindcast
         public int JointCount => _joints.Length;
 
         /// <summary>Errors of the tool over the last ten seconds, m; null while unknown, and while <see cref="Withheld"/> has a reason.</summary>
-        public DisplayedError? Tool => IsKnown ? _tool.Now(_now.Value) : null;
+        public DisplayedError? Tool => IsKnown && IsToolKnown ? _tool.Now(_now.Value) : null;
 
         /// <summary>
         /// Errors of the tool since <see cref="RestartRun"/>, m; null while unknown, and if <see cref="WithheldOfRun"/> has a reason.
@@ -68,7 +68,9 @@ namespace Nowpose.Session.Hindcast
         /// <summary>Reason why the errors of the run are withheld, which is the reason for the first frame that cannot be scored.</summary>
         public ErrorWithheldReason WithheldOfRun => _hasRunBegun ? _withheldOfRun : Withheld;
 
-        bool IsKnown => _now.HasValue && Withheld == ErrorWithheldReason.None;
+        bool IsKnown => _now.HasValue && (IsToolKnown || Withheld == ErrorWithheldReason.MovingBase);
+
+        bool IsToolKnown => Withheld == ErrorWithheldReason.None;
 
         /// <summary>Returns the errors of one joint over the last ten seconds, rad or m; joints are in the order from the base.</summary>
         public JointError JointAt(int index) => new JointError(
@@ -76,15 +78,16 @@ namespace Nowpose.Session.Hindcast
 
         /// <summary>Adds a displayed frame. A frame without a trusted display time cannot be scored and makes the current errors unknown.</summary>
         /// <param name="clockError">Error bound of the clock.</param>
-        public void Shown(DisplayFrame frame, TimeSpan clockError)
+        /// <param name="isBaseMoving">Whether the robot's base can move, so that the error of the tool in the base does not include that of the base.</param>
+        public void Shown(DisplayFrame frame, TimeSpan clockError, bool isBaseMoving)
         {
             _now = frame.IsTimeTrusted ? frame.DisplayTime : null;
-            Withheld = frame.ErrorWithheld;
+            Withheld = isBaseMoving && frame.ErrorWithheld == ErrorWithheldReason.None ? ErrorWithheldReason.MovingBase : frame.ErrorWithheld;
             if (_now == null || frame.State == PoseState.Incomplete) return;
             // The first frames of a session have no render time, because its source has not been found yet.
             _hasRunBegun |= Withheld != ErrorWithheldReason.OtherSource && Withheld != ErrorWithheldReason.NoRenderTime;
             if (_hasRunBegun && _withheldOfRun == ErrorWithheldReason.None) _withheldOfRun = Withheld;
-            if (Withheld != ErrorWithheldReason.None) return;
+            if (!IsKnown) return;
             foreach (ref readonly var track in _tracks.AsSpan())
                 if (!(track.CompleteUntil < _now.Value)) return;
             var values = _frames.Add(_now.Value, frame.State, frame.ToolPose, _kinematics.ToolOf(frame.HeldJoints), ClockTicks.Seconds(clockError));
@@ -152,6 +155,7 @@ namespace Nowpose.Session.Hindcast
                     Square(joint.Displayed - joint.Truth), Square(joint.Held - joint.Truth), Square(joint.Uncertainty),
                     Square(frame.ClockError * _speeds.OfJoint(i, joint.Truth))), isOfRun);
             }
+            if (!IsToolKnown) return;
             var truth = _kinematics.ToolOf(_values, false);
             var uncertain = _kinematics.ToolOf(_values, true);
             var error = new ErrorSums(

@@ -28,6 +28,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(ErrorWithheldReason.OtherSource, "–|" + StateNames.OtherSourceLimit)]
         [TestCase(ErrorWithheldReason.NoRenderTime, "–|" + StateNames.RenderTimeNotMeasured)]
         [TestCase(ErrorWithheldReason.LongerThanRefresh, "–|" + StateNames.FramesMissRefreshes)]
+        [TestCase(ErrorWithheldReason.MovingBase, "–|" + StateNames.MovingBase)]
         public void Update_ErrorIsWithheld_ShowsTheReasonBesideTheMissingError(object reason, string expected)
         {
             var statistics = new SessionStatistics { ErrorWithheld = (ErrorWithheldReason)reason };

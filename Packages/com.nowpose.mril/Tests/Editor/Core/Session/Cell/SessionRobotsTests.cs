@@ -5,6 +5,7 @@ using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Session.Cell;
+using Nowpose.Session.Hindcast;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session.Cell
@@ -27,6 +28,27 @@ namespace Nowpose.Tests.Core.Session.Cell
 
                 Assert.That(statistics.OtherRobots.Select(robot => robot.Namespace), Is.EqualTo(new[] { name }));
             }
+        }
+
+        // The tool error is measured in the robot's base. On a moving base, the displayed tool also has the error of the base.
+        [TestCase(true)]
+        [TestCase(false)]
+        public void Statistics_RobotOnAFrame_HaveAToolErrorOnlyIfTheFrameIsStationary(bool isStationary)
+        {
+            var cell = new CellSession();
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, 0.3 * Math.Sin(2 * t), 0);
+                var root = RigidTransform.FromXyzRpy(isStationary ? 1 : 0.15 * Math.Sin(5 * t), 0, 0, 0, 0, 0);
+                cell.Send("world", cell.Session.Robots[0].Root, t, root, isStationary);
+            };
+
+            cell.Run(4);
+
+            var statistics = cell.Session.Statistics(HeadsetTime.FromSeconds(cell.Now));
+            Assert.That(statistics.ErrorMm.HasValue, Is.EqualTo(isStationary));
+            Assert.That(statistics.ErrorWithheld, Is.EqualTo(isStationary ? ErrorWithheldReason.None : ErrorWithheldReason.MovingBase));
+            Assert.That(statistics.JointErrors[0].Error.HasValue, Is.True, "the errors of the joints do not depend on the base");
         }
 
         [Test]
