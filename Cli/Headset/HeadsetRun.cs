@@ -52,7 +52,8 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         var result = Result(session, robot, _clock.Now - start);
         var statistics = session.Statistics(_clock.Now);
         if (statistics.Samples > 0) Notes = [.. HeadsetVerdict.NotesOf(statistics).Select(note => RobotMessages.OfRobot(robot.Name, note))];
-        WhyFailed = HeadsetVerdict.FailureOf(result.Pose, statistics, _wasTimeTrusted, result.Outages);
+        WhyFailed = HeadsetVerdict.FailureOf(
+            result.Pose, statistics, _wasTimeTrusted, result.Outages, HeadsetVerdict.BaseFaultOf(session, _clock.Now));
         return result;
     }
 
@@ -103,7 +104,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         var missing = statistics.JointStatuses.Where(joint => joint.IsMissing).ToList();
         return (
             PoseStateName.Of(statistics), [.. missing.Select(joint => joint.Joint)],
-            HeadsetVerdict.ReasonOf(statistics, missing));
+            HeadsetVerdict.ReasonOf(statistics, missing, HeadsetVerdict.BaseFaultOf(session, _clock.Now)));
     }
 
     // Gets the robot from the gateway. If the gateway does not describe it in time, returns null, and the result of the connections alone.

@@ -20,10 +20,13 @@ static class HeadsetVerdict
     /// <param name="statistics">Statistics at the end of the run.</param>
     /// <param name="wasTimeTrusted">Whether, at any time in the run, the clock was accurate enough for a current pose.</param>
     /// <param name="outages">
-    /// Periods without a current pose. If no joint is missing and no connection has failed at the end, the longest finished outage gives the reason.
+    /// Periods without a current pose. If no joint is missing, no connection has failed and the base is current at the end, the longest finished outage
+    /// gives the reason.
     /// </param>
+    /// <param name="baseFault">See <see cref="BaseFaultOf"/>.</param>
     public static string FailureOf(
-        HeadsetResult.PoseResult pose, SessionStatistics statistics, bool wasTimeTrusted, IReadOnlyList<HeadsetResult.OutageResult> outages)
+        HeadsetResult.PoseResult pose, SessionStatistics statistics, bool wasTimeTrusted, IReadOnlyList<HeadsetResult.OutageResult> outages,
+        string baseFault = null)
     {
         var share = pose.CurrentShareOfRun ?? 0;
         if (pose.CurrentAfterS != null && share >= MinCurrentShare) return null;
@@ -34,7 +37,7 @@ static class HeadsetVerdict
                 ? HeadsetMessages.NoJointsOfRobot(RobotMessages.DescriptionDiffers)
                 : HeadsetMessages.NoJoints(statistics.SampleLink.State == LinkState.Connected ? null : statistics.SampleLink.Detail);
         var joints = JointStatusText.Of(statistics.JointStatuses.Where(joint => joint.IsMissing));
-        var why = joints.Length > 0 ? joints : LinkFaultOf(statistics) ?? LongestOf(outages) ?? HeadsetMessages.AtEnd(pose.State);
+        var why = joints.Length > 0 ? joints : LinkFaultOf(statistics) ?? baseFault ?? LongestOf(outages) ?? HeadsetMessages.AtEnd(pose.State);
         return pose.CurrentAfterS == null
             ? HeadsetMessages.NeverCurrent(why)
             : HeadsetMessages.RarelyCurrent(100 * share, 100 * MinCurrentShare, why);
@@ -49,9 +52,24 @@ static class HeadsetVerdict
 
     static bool IsOtherRobot(SessionStatistics statistics) => statistics.RobotDescriptionMatch == RobotDescriptionMatch.Different;
 
-    /// <summary>Gets the known reason why a pose is not current: a failed connection, or joints without data. The text contains no times.</summary>
-    public static string ReasonOf(SessionStatistics statistics, IEnumerable<JointStatus> missing) =>
-        LinkFaultOf(statistics) ?? JointStatusText.Of(missing, joint => joint.DescriptionSince(null));
+    /// <summary>
+    /// Gets the known reason why a pose is not current: a failed connection, joints without data, or the moving base. The text contains no times.
+    /// </summary>
+    /// <param name="baseFault">See <see cref="BaseFaultOf"/>.</param>
+    public static string ReasonOf(SessionStatistics statistics, IEnumerable<JointStatus> missing, string baseFault)
+    {
+        var joints = JointStatusText.Of(missing, joint => joint.DescriptionSince(null));
+        return LinkFaultOf(statistics) ?? (joints.Length > 0 ? joints : baseFault ?? "");
+    }
+
+    /// <summary>Gets the reason why the moving base of the robot is not current; null if the base is not the reason for the state of the pose.</summary>
+    public static string BaseFaultOf(CompensationSession session, HeadsetTime now)
+    {
+        var robot = session.Robots[0];
+        if (!robot.Frame.IsLimitedByBase) return null;
+        var fault = session.Cell.Faults(now).Objects.Where(part => part.Name == robot.Root).Select(part => part.Reason).FirstOrDefault();
+        return fault == null ? null : HeadsetMessages.BaseNotCurrent(robot.Root, fault);
+    }
 
     static string LongestOf(IReadOnlyList<HeadsetResult.OutageResult> outages) =>
         outages.Where(outage => outage is { ToS: not null, Reason.Length: > 0 }).MaxBy(outage => outage.ToS - outage.FromS) is { } longest

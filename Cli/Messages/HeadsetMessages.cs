@@ -34,6 +34,9 @@ static class HeadsetMessages
     /// <param name="reason">Reason why the positions that arrived are not of this robot, with the remedy.</param>
     public static string NoJointsOfRobot(string reason) => $"no joint positions of this robot arrived: {reason}";
 
+    /// <param name="frame">Frame of the robot's base.</param>
+    public static string BaseNotCurrent(string frame, string reason) => $"frame {frame}, the base of the robot, is not current: {reason}";
+
     public static string AtEnd(string state) => $"at the end, the pose is {state}";
     public static string NeverCurrent(string reason) => $"the pose was never current; {reason}";
 

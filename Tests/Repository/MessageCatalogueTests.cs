@@ -79,7 +79,7 @@ public sealed partial class MessageCatalogueTests
             "FileLine", "FiniteNumber", "FrameNotCurrent", "FrameUnknown", "List", "MayBeGripped", "NoPose", "NotCurrent", "Object", "OfFrame",
             "OfTransform", "PosesStopped", "Text",
         ],
-        ["HeadsetMessages"] = ["AtEnd", "CurrentAgain", "NeverCurrent", "NoJointsOfRobot", "OtherNamespaces", "Pose"],
+        ["HeadsetMessages"] = ["AtEnd", "BaseNotCurrent", "CurrentAgain", "NeverCurrent", "NoJointsOfRobot", "OtherNamespaces", "Pose"],
         ["KeyFileMessages"] = ["Renewed"],
         ["KinematicsMessages"] = ["BeyondLimits", "FixedJoint", "Title", "UnknownJoint"],
         ["LimitMessages"] = ["MoreLines"],

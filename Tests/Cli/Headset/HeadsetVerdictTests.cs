@@ -4,9 +4,12 @@ using Nowpose.Cli.Headset;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
+using Nowpose.Latency;
 using Nowpose.Messages;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using Nowpose.Session;
+using Nowpose.Sync;
 
 namespace Nowpose.Headless.Tests.Cli.Headset;
 
@@ -123,4 +126,47 @@ public class HeadsetVerdictTests
     [TestCaseSource(nameof(WithoutData))]
     public void FailureOf_NoClockOrNoSamples_StatesTheReason(bool wasTimeTrusted, long samples, string expected) => Assert.That(
         HeadsetVerdict.FailureOf(Pose((10, PoseState.Incomplete)), Statistics(samples), wasTimeTrusted, []), Is.EqualTo(expected));
+
+    [Test]
+    public void FailureOf_MovingBaseHasStopped_NamesItsFrameWithTheReason()
+    {
+        const double start = 100, stop = 102;
+        using var session = new CompensationSession(
+            new SessionSettings(new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40)), RobotFiles.Load("youbot"), new SetClock());
+        var root = session.Robots[0].Root;
+        var names = session.Robot.MovingJoints.Select(joint => joint.Name).ToArray();
+        string FaultAfter(double seconds)
+        {
+            for (var frame = 0; frame < seconds * FramesPerSecond; frame++)
+            {
+                var t = start + frame / FramesPerSecond;
+                session.Clock.Add(new SyncExchange(HeadsetTime.FromSeconds(t - 0.001), At(t), At(t), HeadsetTime.FromSeconds(t + 0.001)), out _);
+                if (frame % 3 == 0)
+                {
+                    session.Listener.Received(new JointStateMessage(At(t), names, new double[names.Length]), HeadsetTime.FromSeconds(t), "");
+                    if (t < stop) session.Frames.Add(Base(t), false, HeadsetTime.FromSeconds(t));
+                }
+
+                session.Tick(HeadsetTime.FromSeconds(t));
+            }
+
+            return HeadsetVerdict.BaseFaultOf(session, HeadsetTime.FromSeconds(start + seconds));
+        }
+
+        Assert.That(FaultAfter(2), Is.Null, "the base is current");
+        var fault = FaultAfter(6);
+
+        Assert.That(fault, Is.EqualTo(HeadsetMessages.BaseNotCurrent(root, FrameMessages.PosesStopped)));
+        Assert.That(HeadsetVerdict.ReasonOf(Statistics(), [], fault), Is.EqualTo(fault));
+        var pose = Pose((2, PoseState.Current), (8, PoseState.Held));
+        Assert.That(HeadsetVerdict.FailureOf(pose, Statistics(), true, [], fault), Does.EndWith(fault));
+
+        static ControlTime At(double seconds) => ControlTime.FromSeconds(seconds);
+        TransformsMessage Base(double t) => new(new FrameTransform(At(t), FrameParents.World, root, 0.1 * t, 0, 0, 0, 0, 0, 1));
+    }
+
+    sealed class SetClock : IHeadsetClock
+    {
+        public HeadsetTime Now => default;
+    }
 }
