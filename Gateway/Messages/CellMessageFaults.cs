@@ -22,6 +22,9 @@ static class CellMessageFaults
 
     public static string Has(string field, string value) => $"has the {field} {value}";
 
+    /// <param name="value">Value of a signal.</param>
+    public static string NotANumber(string value) => $"has the value {value}; it must be a number, and 0 or 1 for a Boolean";
+
     public static string TooFar(string field, string value, double limit) =>
         FormattableString.Invariant($"has the {field} {value} m; allowed: {-limit:0} to {limit:0} m");
 

@@ -40,9 +40,12 @@ static class InvalidCellMessage
     static string OfSignal(string body, DropReason reason) => reason switch
     {
         DropReason.DuplicateName => CellMessageFaults.Twice,
-        DropReason.NotFinite => CellMessageFaults.Has("value", Parse(body)?.SelectToken("value[0]") is { } value ? Text(value) : ""),
+        DropReason.NotFinite => CellMessageFaults.Has("value", Value(body) is { } value ? Text(value) : ""),
+        DropReason.WrongType when Value(body) is { Type: not (JTokenType.Integer or JTokenType.Float) } value => CellMessageFaults.NotANumber(Text(value)),
         _ => null,
     };
+
+    static JToken Value(string body) => Parse(body)?.SelectToken("value[0]");
 
     // Returns the first number with a fault.
     static (string Field, string Value)? Number(JObject transform, Predicate<JToken> isWrong)
