@@ -49,5 +49,6 @@ static class SessionFileMessages
     public static string Name(string value, int longest) => $"is '{InputException.OneLine(value, 32)}'; allowed: 1 to {longest} characters";
 
     public const string OwnParent = "is the frame itself; a frame must have another parent";
+    public const string WorldAsFrame = "is world, the root of all frames, which has no pose; rename the frame";
     public const string NotARotation = "is not a rotation; it must be a unit quaternion x, y, z, w";
 }

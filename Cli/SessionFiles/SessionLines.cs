@@ -135,6 +135,7 @@ static class SessionLines
         if (position.FirstOrDefault(value => Math.Abs(value) > TransformsReader.MaxCoordinate) is not 0 and var far)
             throw line.Wrong("position", SessionFileMessages.TooFar(far, TransformsReader.MaxCoordinate));
         var (frame, parent) = (Name(line, "frame"), Name(line, "parent"));
+        if (frame == FrameParents.World) throw line.Wrong("frame", SessionFileMessages.WorldAsFrame);
         if (frame == parent) throw line.Wrong("parent", SessionFileMessages.OwnParent);
         return new PoseLine(
             ControlTime.FromNanoseconds(line.Whole("stamp_ns")), frame, parent,

@@ -124,6 +124,7 @@ public class ReplayedCellTests : SessionReplayFixture
         ["[0,2e6,0]", "[0,0,0,1]", "world", "position", SessionFileMessages.TooFar(2e6, 1e6)],
         ["[0,0,0]", "[0,0,0,1]", "part", "parent", SessionFileMessages.OwnParent],
         ["[0,0,0]", "[0,0,0,1]", "", "parent", SessionFileMessages.Name("", 128)],
+        ["[0,0,0]", "[0,0,0,1]", "map", "frame", SessionFileMessages.WorldAsFrame],
     ];
 
     [TestCaseSource(nameof(DamagedPoses))]
@@ -131,7 +132,8 @@ public class ReplayedCellTests : SessionReplayFixture
     {
         VirtualRecording.To(_path, seconds: 6);
         var lines = File.ReadAllLines(_path).ToList();
-        lines.Insert(5, $"{{\"kind\":\"pose\",\"arrival_ns\":1,\"stamp_ns\":1,\"frame\":\"part\",\"parent\":\"{parent}\",\"position\":{position},\"rotation\":{rotation}}}");
+        var frame = field == "frame" ? "world" : "part";
+        lines.Insert(5, $"{{\"kind\":\"pose\",\"arrival_ns\":1,\"stamp_ns\":1,\"frame\":\"{frame}\",\"parent\":\"{parent}\",\"position\":{position},\"rotation\":{rotation}}}");
         File.WriteAllLines(_path, lines);
 
         var run = await Run("replay", _path);
