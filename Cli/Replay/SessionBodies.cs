@@ -1,14 +1,15 @@
 using Nowpose.Anchoring;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
+using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Cli.Replay;
 
 /// <summary>Replays the tracked frames of a recorded session in virtual time, with one predictor per frame.</summary>
 /// <remarks>
 /// Events are processed in the order of the file, as for joints. The truth is interpolated between the last sample before the display time and the
-/// first sample after it. It is unknown across a change of the parent and across gaps. Displayed frames in which an object does not move are not
-/// scored.
+/// first sample after it. It is unknown across a change of the parent, a restart of the source, and gaps. Displayed frames in which an object does not
+/// move, or whose newest sample is too old to be shown as current, are not scored.
 /// </remarks>
 sealed class SessionBodies
 {
@@ -51,16 +52,26 @@ sealed class SessionBodies
         return [.. _bodies.Where(body => body.Value.Frames > 0).Select(body => body.Value.Result(body.Key, _settings.Predictor))];
     }
 
-    /// <summary>Consecutive poses of a tracked frame with the same parent, without a clock step between them.</summary>
+    /// <summary>Consecutive poses of a tracked frame with the same parent, without a step of the clock or a restart of the source between them.</summary>
     sealed class Stretch(int timeLine, string parent, ControlTime epoch)
     {
         BodyTruth _truth;
+        ControlTime? _newest;
 
         public int TimeLine => timeLine;
-        public string Parent => parent;
         public List<PoseSample> Samples { get; } = [];
 
         public double Seconds(ControlTime t) => ClockTicks.Seconds(t - epoch);
+
+        /// <summary>Whether the next pose belongs to this stretch. If its time stamp is far behind, the clock of the source went back.</summary>
+        public bool Includes(int ofTimeLine, string ofParent, ControlTime at) =>
+            ofTimeLine == timeLine && ofParent == parent && !(_newest is { } newest && ArrivalOrder.IsFarBehind(at, newest));
+
+        public void Add(ControlTime at, in Vector3D position, in UnitQuaternion rotation)
+        {
+            if (!(at <= _newest)) _newest = at;
+            Samples.Add(new PoseSample(Seconds(at), position, rotation));
+        }
 
         // Sorted by time stamp, because samples can arrive in another order.
         public BodyTruth Truth => _truth ??= Samples.Count < 2 ? null : new BodyTruth([.. Samples.DistinctBy(sample => sample.Time).OrderBy(sample => sample.Time)]);
@@ -75,14 +86,14 @@ sealed class SessionBodies
         readonly BodyError _rotation = new();
         BodyPredictor _predictor;
         int _stretch = -1, _taken;
-        double _displayed = double.NaN;
+        double _displayed = double.NaN, _newest;
 
         public int Frames { get; private set; }
 
         public void AddTruth(int timeLine, string parent, ControlTime at, in Vector3D position, in UnitQuaternion rotation)
         {
-            if (_stretches.Count == 0 || _stretches[^1].TimeLine != timeLine || _stretches[^1].Parent != parent) _stretches.Add(new Stretch(timeLine, parent, at));
-            _stretches[^1].Samples.Add(new PoseSample(_stretches[^1].Seconds(at), position, rotation));
+            if (_stretches.Count == 0 || !_stretches[^1].Includes(timeLine, parent, at)) _stretches.Add(new Stretch(timeLine, parent, at));
+            _stretches[^1].Add(at, position, rotation);
         }
 
         /// <summary>Passes the next sample, in the order of the file, to the predictor.</summary>
@@ -93,9 +104,11 @@ sealed class SessionBodies
                 _stretch++;
                 _taken = 0;
                 _displayed = double.NaN;
+                _newest = double.NegativeInfinity;
                 _predictor = newPredictor();
             }
             var sample = _stretches[_stretch].Samples[_taken++];
+            _newest = Math.Max(_newest, sample.Time);
             _predictor.Add(new PoseSample(sample.Time + stampError, sample.Position, sample.Rotation, sample.Time), _displayed);
         }
 
@@ -106,7 +119,8 @@ sealed class SessionBodies
             var time = stretch.Seconds(light);
             _displayed = time + latencyError;
             var predicted = _predictor.At(_displayed);
-            if (_taken < SamplesBeforeScoring || stretch.Truth is not { } truth || truth.GapAt(time) > ClockTicks.Seconds(maximumGap)) return;
+            var gap = ClockTicks.Seconds(maximumGap);
+            if (_taken < SamplesBeforeScoring || time - _newest > gap || stretch.Truth is not { } truth || truth.GapAt(time) > gap) return;
             if (!BodyError.IsMoving(PoseAt, time)) return;
             var pose = PoseAt(time);
             _position.Add(_predictor.Hold.DistanceTo(pose), predicted.DistanceTo(pose));
