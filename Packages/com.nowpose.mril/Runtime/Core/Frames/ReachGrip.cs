@@ -32,9 +32,9 @@ namespace Nowpose.Frames
         readonly PosesAtChange _poses;
         bool? _isClosed;
         bool _isFinal = true;
-        // The object that the gripper gripped when it closed, its place before the grip, and its pose in the hand.
+        // The object that the gripper gripped when it closed, its place at the closing, its place if the grip is withdrawn, and its pose in the hand.
         int _held = -1;
-        ReachPlace _before;
+        ReachPlace _before, _withdrawn;
         KnownPose _inHand;
         // Reason why any object may be in the gripper: a change that was missed or cannot be evaluated.
         string _missed;
@@ -155,17 +155,24 @@ namespace Nowpose.Frames
 
         void Take(in NearestObject nearest)
         {
-            if (IsMine) _tree.Put(_held, _before);
+            if (IsMine) Withdraw();
             _held = nearest.Index;
             if (_held < 0) return;
-            _before = _tree[_held].Reach;
+            _before = _withdrawn = _tree[_held].Reach;
             PutInHand(nearest.InHand);
+        }
+
+        // The gripper from which the object was taken may no longer hold it: its component was removed, or it opened at an unknown place.
+        void Withdraw()
+        {
+            if (_withdrawn?.IsReleased == false && _withdrawn.Gripper._held != _held) _tree.Lose(_held, _withdrawn.Gripper, since: null);
+            else _tree.Put(_held, _withdrawn);
         }
 
         void PutInHand(in KnownPose inHand)
         {
             _inHand = inHand;
-            Put(_linkName, inHand.Pose, isReleased: false);
+            Put(new ReachPlace(this, _linkName, inHand.Pose, _poses.At, isReleased: false));
         }
 
         // Marks the objects that may have been in the gripper unnoticed. Their own sources may still report the places from before the grip.
@@ -184,11 +191,19 @@ namespace Nowpose.Frames
         void Release(bool isLast)
         {
             var hand = _poses.Hand;
-            _isFinal = isLast || !IsMine || hand.IsMeasured;
-            if (IsMine && hand.IsKnown) Put(FrameParents.World, hand.Pose * _inHand.Pose, isReleased: true);
+            var taker = Taker;
+            _isFinal = isLast || hand.IsMeasured || (!IsMine && taker == null);
+            if (IsMine && hand.IsKnown) Put(ReleasedAt(hand));
+            else if (taker != null && hand.IsKnown) taker._withdrawn = ReleasedAt(hand);
             else if (_isFinal) Lose(_poses.At);
             if (_isFinal) _held = -1;
         }
+
+        // The gripper that has taken the object from this one while it was closed; null if there is none.
+        ReachGrip Taker => _held >= 0 && _tree[_held].Reach is { IsReleased: false } place && place.Gripper != this
+            && place.Gripper._withdrawn?.Gripper == this ? place.Gripper : null;
+
+        ReachPlace ReleasedAt(in KnownPose hand) => new ReachPlace(this, FrameParents.World, hand.Pose * _inHand.Pose, _poses.At, isReleased: true);
 
         // The held object was released at an unknown place.
         void Lose(ControlTime? since)
@@ -197,8 +212,7 @@ namespace Nowpose.Frames
             _held = -1;
         }
 
-        void Put(string parent, in RigidTransform pose, bool isReleased) =>
-            _tree.Put(_held, new ReachPlace(this, parent, pose, _poses.At, isReleased));
+        void Put(ReachPlace place) => _tree.Put(_held, place);
 
         /// <summary>
         /// Marks the objects that the gripper may hold, or may have released at an unknown place. Call it after each

@@ -51,8 +51,11 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         /// <summary>Sends a value of the gripper's signal that arrives now.</summary>
-        public static void SendGripNow(CellSession cell, double stamp, double value) => cell.Session.Listener.SignalsReceived(
-            new SignalsMessage(ControlTime.FromSeconds(stamp), new SignalValue("grip", value)), HeadsetTime.FromSeconds(cell.Now));
+        public static void SendGripNow(CellSession cell, double stamp, double value) => SendNow(cell, "grip", stamp, value);
+
+        /// <summary>Sends a value of a signal that arrives now.</summary>
+        public static void SendNow(CellSession cell, string signal, double stamp, double value) => cell.Session.Listener.SignalsReceived(
+            new SignalsMessage(ControlTime.FromSeconds(stamp), new SignalValue(signal, value)), HeadsetTime.FromSeconds(cell.Now));
 
         public static CellFrame Find(CellSession cell, string name) => cell.Session.Frames.Find(name);
 

@@ -1,5 +1,7 @@
+using System;
 using System.Linq;
 using Nowpose.Frames;
+using Nowpose.Session;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Session.Cell.GripScene;
 
@@ -55,6 +57,73 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Close + 2);
 
             Assert.That((first.Held, second.Held), Is.EqualTo(((string)null, "box")));
+        }
+
+        // The second arm stops short of the box. Until its samples show this, the prediction has it at the box.
+        [TestCase(0.02)]
+        [TestCase(0.08)]
+        public void Close_SecondGripperMissesAndTheFirstOpens_ObjectIsWhereTheFirstReleasedIt(double openAfter)
+        {
+            var (cell, first, second) = CloseBeside();
+
+            Until(cell, HandOver + openAfter + 0.02);
+            Assert.That(second.Held, Is.EqualTo("box"));
+            SendNow(cell, "grip", HandOver + openAfter, 0);
+            Until(cell, HandOver + 1.5);
+
+            Assert.That((first.Held, second.Held, StateOf(cell)), Is.EqualTo(((string)null, (string)null, PoseState.Current)));
+            Assert.That(Distance(Find(cell, "box").World, Tool(Carried)), Is.LessThan(1e-6));
+        }
+
+        [Test]
+        public void Close_SecondGripperMissesAndTheFirstIsRemoved_ObjectIsNotCurrentAndFollowsItsSource()
+        {
+            var (cell, first, second) = CloseBeside();
+
+            Until(cell, HandOver + 0.08);
+            Assert.That(second.Held, Is.EqualTo("box"));
+            cell.Session.Grips.Remove(first);
+            Until(cell, HandOver + 1.5);
+
+            Assert.That((second.Held, StateOf(cell)), Is.EqualTo(((string)null, PoseState.Held)));
+            Assert.That(Distance(Find(cell, "box").World, At(1, 0)), Is.LessThan(1e-6));
+        }
+
+        /// <summary>Stamp of the closing of the second arm's gripper, s.</summary>
+        const double HandOver = 24.01;
+
+        /// <summary>Shoulder angle to which the first arm carries the box, rad.</summary>
+        const double Carried = 0.3;
+
+        // Closes the gripper of a second arm 0.14 m beside the box that the first arm holds. The first arm moves on 0.3 s later. The samples of the joints
+        // arrive 150 ms late.
+        static (CellSession Cell, ReachGrip First, ReachGrip Second) CloseBeside()
+        {
+            var (cell, first, second) = NewArms();
+            cell.Sampling = t =>
+            {
+                var stamp = t - 0.09;
+                cell.SendJoints(stamp, Math.Max(0, Math.Min(Carried, Carried * (stamp - Close - 0.5)) - Math.Max(0, stamp - HandOver - 0.3)), 0);
+                cell.SendJoints(stamp, Carried - 0.14 - Math.Max(0, HandOver - 0.1 - stamp), 0, "arm2");
+                cell.Send("world", "box", t, At(1, 0));
+            };
+            Until(cell, Close);
+            SendNow(cell, "grip", Close, 1);
+            Until(cell, HandOver + 0.02);
+            Assert.That(first.Held, Is.EqualTo("box"));
+            SendNow(cell, "second", HandOver, 1);
+            return (cell, first, second);
+        }
+
+        static (CellSession Cell, ReachGrip First, ReachGrip Second) NewArms()
+        {
+            var (cell, first) = NewCell("box");
+            var arm = cell.Session.Robots.Add("arm2", TestRobot.Model);
+            var second = new ReachGrip(cell.Session.Frames.Tree, arm, arm.Robot.IndexOfLink("tool_centre_point"), Reach, new[] { "box" });
+            cell.Session.Grips.Add(second, "second");
+            cell.Send("grip", 19, 0);
+            cell.Send("second", 19, 0);
+            return (cell, first, second);
         }
     }
 }
