@@ -87,8 +87,9 @@ namespace Nowpose.Frames
         public RigidTransform PoseAt(double time, out PoseOrigin origin)
         {
             var pose = At(time, out var kind);
-            var isKnown = kind != PredictionKind.None && (kind != PredictionKind.Held || time > NewestTime);
-            origin = !isKnown ? PoseOrigin.None : time > NewestTime ? PoseOrigin.Forecast : PoseOrigin.Measured;
+            var (isAhead, isHeld) = (time > NewestTime, kind == PredictionKind.Held);
+            var isKnown = kind != PredictionKind.None && (!isHeld || isAhead);
+            origin = !isKnown ? PoseOrigin.None : !isAhead ? PoseOrigin.Measured : isHeld ? PoseOrigin.Held : PoseOrigin.Forecast;
             if (isKnown || !_past.TryGet(time, out var past)) return pose;
             origin = PoseOrigin.Measured;
             return PoseOf(past.Rotation, past.Position);

@@ -120,9 +120,13 @@ namespace Nowpose.Frames
             var above = PoseOrigin.None;
             if (place.Robot >= 0) pose = LinkAt(place.Robot, place.Parent, at, out above, steps + 1) * pose;
             else if (place.Parent >= 0) pose = PoseAt(place.Parent, _frames[place.Parent].Reach, at, out above, steps + 1) * pose;
-            if (above < origin) origin = above;
+            origin = OriginOn(above, origin);
             return pose;
         }
+
+        // A frame whose source has stopped may have moved on with all that is on it.
+        static PoseOrigin OriginOn(PoseOrigin parent, PoseOrigin origin) =>
+            parent == PoseOrigin.Held ? PoseOrigin.None : parent < origin ? parent : origin;
 
         /// <summary>Returns the pose of a robot's link in the world at a time other than the displayed one.</summary>
         public RigidTransform LinkAt(int robot, int link, (ControlTime Time, double Seconds) at, out PoseOrigin origin) =>
@@ -134,7 +138,7 @@ namespace Nowpose.Frames
             var root = RootIndexOf(robot);
             if (root < 0) return pose;
             pose = PoseAt(root, _frames[root].Reach, at, out var below, steps) * pose;
-            if (below < origin) origin = below;
+            origin = OriginOn(below, origin);
             return pose;
         }
 

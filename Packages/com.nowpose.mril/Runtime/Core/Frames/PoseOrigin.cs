@@ -6,7 +6,10 @@ namespace Nowpose.Frames
         /// <summary>No data exists for that time.</summary>
         None,
 
-        /// <summary>The pose is predicted, or is the newest pose of an object whose source has stopped.</summary>
+        /// <summary>The pose is the newest one of a frame whose source has stopped. The poses of frames on it are then <see cref="None"/>.</summary>
+        Held,
+
+        /// <summary>The pose is predicted.</summary>
         Forecast,
 
         /// <summary>The pose lies between samples, or is constant.</summary>

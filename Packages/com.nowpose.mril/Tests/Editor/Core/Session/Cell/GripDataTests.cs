@@ -206,6 +206,45 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That((grip.Held, grip.Fault, StateOf(cell, "next")), Is.EqualTo(("box", (string)null, PoseState.Current)));
         }
 
+        // The base of a mobile robot may have moved on since its newest pose.
+        [Test]
+        public void Open_PosesOfTheBaseHaveStopped_ObjectIsNotCurrent()
+        {
+            var (cell, grip) = NewCell("box");
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                if (t < Open - 1) cell.Send("world", "base", t, At(0.2 * (t - Close), 0));
+                cell.Send("world", "box", t, At(1, 0.02));
+            };
+            CloseAndOpen(cell);
+            Until(cell, Open + 0.1);
+
+            Until(cell, Open + 3, t => Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held), $"{t} s"));
+
+            Assert.That(grip.Held, Is.Null);
+        }
+
+        [TestCase("base", FrameMessages.ArmWithoutData)]
+        [TestCase("tray", FrameMessages.ObjectWithoutPose)]
+        public void Close_PosesOfTheBaseOrParentHaveStopped_HeldObjectIsUnknown(string stopped, string fault)
+        {
+            var (cell, grip) = NewCell("box");
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, 0, 0);
+                foreach (var frame in new[] { "base", "tray" })
+                    if (frame != stopped || Math.Abs(t - Close) > 1) cell.Send("world", frame, t, At(t < Close ? 0 : 0.5, 0));
+                cell.Send("tray", "box", t, At(1, 0.02));
+            };
+            cell.Send("grip", 19, 0);
+            Until(cell, Close);
+            cell.Send("grip", Close, 1);
+            Until(cell, Close + 3);
+
+            Assert.That((grip.Held, grip.Fault, StateOf(cell)), Is.EqualTo(((string)null, fault, PoseState.Held)));
+        }
+
         static void CloseAndOpen(CellSession cell)
         {
             cell.Send("grip", 19, 0);
