@@ -165,11 +165,24 @@ namespace Nowpose.Frames
         public bool IsLink(string name) => _links.TryGetValue(name, out var link) && (IndexOf(name) < 0 || name != _rootNames[link.Robot]);
 
         /// <summary>Returns whether a frame is a link that a joint of its robot can move relative to the robot's root link.</summary>
-        public bool IsMovedByJoints(string name)
+        bool IsMovedByJoints(string name)
         {
             if (name == FrameParents.World || !IsLink(name)) return false;
             var (robot, link) = _links[name];
             return IsMovedByJoints(robot, link);
+        }
+
+        /// <summary>Returns whether the joints of a robot move a frame, or a frame above it, according to the sources of these frames.</summary>
+        public bool IsCarried(int frame)
+        {
+            // The steps are limited, because a robot whose description arrives after the frames can close a cycle.
+            for (var steps = 0; frame >= 0 && steps <= _frames.Count; steps++)
+            {
+                var parent = _frames[frame].SourceParent;
+                if (IsMovedByJoints(parent)) return true;
+                frame = IndexOf(RootOfLink(parent) ?? parent);
+            }
+            return false;
         }
 
         bool IsMovedByJoints(int robot, int index)

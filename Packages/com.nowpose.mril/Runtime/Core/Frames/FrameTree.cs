@@ -166,10 +166,10 @@ namespace Nowpose.Frames
         public bool IsLink(string name) => _order.IsLink(name);
 
         /// <summary>
-        /// Returns whether a robot carries a frame, according to the frame's own source. An object on a link that does not move, such as a table in the
-        /// robot's description, is not carried.
+        /// Returns whether a robot carries a frame, also on other frames, according to the sources of the frames. An object on a link that does not move,
+        /// such as a table in the robot's description, is not carried.
         /// </summary>
-        public bool IsCarried(int index) => _order.IsMovedByJoints(_frames[index].SourceParent);
+        public bool IsCarried(int index) => _order.IsCarried(index);
 
         /// <summary>Returns the pose of a robot's link in the world at a time other than the displayed one.</summary>
         public RigidTransform LinkAt(int robot, int link, ControlTime at, out PoseOrigin origin)

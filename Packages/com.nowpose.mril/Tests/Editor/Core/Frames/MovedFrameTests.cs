@@ -48,24 +48,43 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That((FrameOf(tree, "table").IsFixed, FrameOf(tree, "plate").IsFixed), Is.EqualTo((false, false)));
         }
 
-        [TestCase("world", false)]
-        [TestCase("table", false)]
-        [TestCase("arm", true)]
-        [TestCase("tool", true)]
-        [TestCase("elsewhere", false)]
-        public void IsCarried_RobotWhoseRootLinkIsTheWorld_IsTrueOnlyOnLinksThatMove(string parent, bool isCarried)
-        {
-            var tree = NewTree();
-            tree.Add(new MovingLinks("", UrdfReader.Read(@"<robot name='r'>
+        static readonly RobotModel Robot = UrdfReader.Read(@"<robot name='r'>
                 <link name='world'/><link name='table'/><link name='arm'/><link name='tool'/>
                 <joint name='stand' type='fixed'><parent link='world'/><child link='table'/></joint>
                 <joint name='turn' type='continuous'><parent link='table'/><child link='arm'/><axis xyz='0 0 1'/></joint>
                 <joint name='flange' type='fixed'><parent link='arm'/><child link='tool'/></joint>
-            </robot>", "test")));
-            tree.Add(Pose(0, parent, "box"), isStationary: false);
+            </robot>", "test");
+
+        [TestCase("world", 0, false)]
+        [TestCase("table", 0, false)]
+        [TestCase("table", 1, false)]
+        [TestCase("arm", 0, true)]
+        [TestCase("tool", 0, true)]
+        [TestCase("tool", 1, true)]
+        [TestCase("tool", 2, true)]
+        [TestCase("elsewhere", 0, false)]
+        public void IsCarried_RobotWhoseRootLinkIsTheWorld_IsTrueOnlyOnLinksThatMove(string parent, int trays, bool isCarried)
+        {
+            var tree = NewTree();
+            tree.Add(new MovingLinks("", Robot));
+            var below = new[] { "box", "tray", "pallet" };
+            for (var i = trays; i >= 0; i--) tree.Add(Pose(0, i < trays ? below[i + 1] : parent, below[i]), isStationary: i > 1);
             tree.Evaluate(At(0));
 
             Assert.That(tree.IsCarried(tree.IndexOf("box")), Is.EqualTo(isCarried));
+        }
+
+        [Test]
+        public void IsCarried_RobotStandsOnTheToolOfAnother_IsTrueOnItsTable()
+        {
+            var tree = NewTree();
+            tree.Add(new MovingLinks("", Robot));
+            tree.Add(new MovingLinks("small", Robot));
+            tree.Add(Pose(0, "tool", "small/world"), isStationary: true);
+            tree.Add(Pose(0, "small/table", "box"), isStationary: false);
+            tree.Evaluate(At(0));
+
+            Assert.That(tree.IsCarried(tree.IndexOf("box")));
         }
     }
 }
