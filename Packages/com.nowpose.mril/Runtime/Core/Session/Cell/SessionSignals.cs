@@ -190,7 +190,7 @@ namespace Nowpose.Session.Cell
             || (signal.Received is HeadsetTime arrival && !_connection.Includes(arrival));
 
         // Over a new connection, the gateway first sends the value that it regards as the newest.
-        bool IsOfNewSource(SignalTrack signal, HeadsetTime arrival) => signal.Received is HeadsetTime former
+        bool IsAfterInterruption(SignalTrack signal, HeadsetTime arrival) => signal.Received is HeadsetTime former
             && (!_connection.Includes(former) || _ends.IsBetween(former, arrival, signal.Name));
 
         void Take(in ArrivedSignal arrived, in ClockModel clock)
@@ -198,7 +198,7 @@ namespace Nowpose.Session.Cell
             var arrival = clock.ToControl(arrived.Arrival);
             var isInFuture = StampRule.IsInFuture(arrived.Stamp, arrival, clock.ErrorBound);
             var signal = Table.FindOrAdd(arrived.Value.Name);
-            if (signal != null && IsOfNewSource(signal, arrived.Arrival)) signal.Interrupt();
+            if (signal != null && IsAfterInterruption(signal, arrived.Arrival)) signal.Interrupt();
             var reason = isInFuture ? DropReason.StampInFuture
                 : signal == null ? DropReason.TooManySignals
                 : signal.Add(arrived.Stamp, arrived.Value.Value, arrival);

@@ -157,12 +157,32 @@ namespace Nowpose.Tests.Core.Session.Cell
             cell.Send("world", "other", stamp, At(-1, 0));
         }
 
+        // For example, an adapter has lost its PLC or broker. It sends the value again with the time of its change.
+        [TestCase(JointDataState.Stale)]
+        [TestCase(JointDataState.Fault)]
+        [TestCase(JointDataState.Refused)]
+        [TestCase(JointDataState.Missing)]
+        public void Interruption_SourceCannotReadTheSignal_HeldObjectIsUnknown(JointDataState state)
+        {
+            var (cell, grip) = NewGripper();
+            Until(cell, Close);
+            cell.Send("grip", Close, 1);
+            Until(cell, End);
+            Assert.That(grip.Held, Is.EqualTo("box"));
+
+            Interrupt(cell, isOfConnection: false, Start - 1, 1, state: state);
+
+            Until(cell, Start + 1, t =>
+                Assert.That((grip.Fault, StateOf(cell)), Is.EqualTo((FrameMessages.SignalInterrupted, PoseState.Held)), $"{t} s"));
+        }
+
         // Nothing arrives while the connection is interrupted.
-        static void Interrupt(CellSession cell, bool isOfConnection, double stamp, double value, double signalDelay = 0)
+        static void Interrupt(
+            CellSession cell, bool isOfConnection, double stamp, double value, double signalDelay = 0, JointDataState state = JointDataState.Stale)
         {
             var sampling = cell.Sampling;
             if (isOfConnection) cell.Sampling = null;
-            else Report(cell, new JointReport("grip", JointDataState.Stale, ControlTime.FromSeconds(End), "its source has ended"));
+            else Report(cell, new JointReport("grip", state, ControlTime.FromSeconds(End), "its source has ended"));
             Until(cell, Start);
             if (isOfConnection) cell.Reconnect();
             else Report(cell);
