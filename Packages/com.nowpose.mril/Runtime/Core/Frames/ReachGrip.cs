@@ -135,18 +135,22 @@ namespace Nowpose.Frames
             if (!_poses.Hand.IsKnown) return;
             var nearest = new NearestObject(_poses.Hand, _reach);
             var areAllMeasured = _poses.Hand.IsMeasured;
+            // The component of the held object may be disabled meanwhile.
+            if (IsMine) areAllMeasured &= IsCompared(_held, ref nearest);
             for (var i = 0; i < _objects.Count; i++)
-            {
-                var index = _tree.IndexOf(_objects[i]);
-                if (index < 0) continue;
-                var pose = _poses.Of(index, index == _held ? _before : _tree[index].Reach);
-                if (!CanGrip(index) || IsTakenLater(_tree[index].Reach)) continue;
-                areAllMeasured &= pose.IsMeasured;
-                nearest.Add(index, _objects[i], pose);
-            }
+                if (_tree.IndexOf(_objects[i]) is var index && index >= 0) areAllMeasured &= IsCompared(index, ref nearest);
             _isFinal |= areAllMeasured;
             if (nearest.Index != _held) Take(nearest);
             else if (IsMine && !_inHand.IsMeasured && (_isFinal || isHandCorrected || nearest.InHand.IsMeasured)) PutInHand(nearest.InHand);
+        }
+
+        // Compares an object with the nearest one so far. Returns false if its pose may still change.
+        bool IsCompared(int index, ref NearestObject nearest)
+        {
+            var pose = _poses.Of(index, index == _held ? _before : _tree[index].Reach);
+            if (!CanGrip(index) || IsTakenLater(_tree[index].Reach)) return true;
+            nearest.Add(index, _tree[index].Name, pose);
+            return pose.IsMeasured;
         }
 
         // The gripper that closed or opened last determines the place, in whichever order the messages arrive. At equal times, the name decides.

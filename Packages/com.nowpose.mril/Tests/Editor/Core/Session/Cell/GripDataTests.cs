@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Nowpose.Kinematics;
 using Nowpose.Messages;
 using Nowpose.Session;
@@ -243,6 +244,33 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Close + 3);
 
             Assert.That((grip.Held, grip.Fault, StateOf(cell)), Is.EqualTo(((string)null, fault, PoseState.Held)));
+        }
+
+        // The decision remains open for the object whose poses have stopped.
+        [Test]
+        public void Close_ComponentOfTheObjectIsDisabledForASecond_HoldsTheObject()
+        {
+            var cell = new CellSession();
+            var objects = new List<string> { "box", "far" };
+            var grip = NewGrip(cell, objects);
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "box", t, At(1, 0.02));
+                if (t < Close - 0.3) cell.Send("world", "far", t, At(5, 0));
+            };
+            cell.Send("grip", 19, 0);
+            Until(cell, Close);
+            cell.Send("grip", Close, 1);
+            Until(cell, Close + 0.1);
+            Assert.That(grip.Held, Is.EqualTo("box"));
+
+            objects.Remove("box");
+            Until(cell, Close + 1.3);
+            objects.Add("box");
+            Until(cell, Close + 2);
+
+            Assert.That((grip.Held, StateOf(cell)), Is.EqualTo(("box", PoseState.Current)));
         }
 
         static void CloseAndOpen(CellSession cell)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Protocol.Cell;
@@ -31,7 +32,10 @@ namespace Nowpose.Tests.Core.Session.Cell
             return (cell, NewGrip(cell, objects));
         }
 
-        public static ReachGrip NewGrip(CellSession cell, params string[] objects)
+        public static ReachGrip NewGrip(CellSession cell, params string[] objects) => NewGrip(cell, (IReadOnlyList<string>)objects);
+
+        /// <param name="objects">Names of the objects. The list may change.</param>
+        public static ReachGrip NewGrip(CellSession cell, IReadOnlyList<string> objects)
         {
             foreach (var name in objects) cell.Session.Frames.Need(name);
             var robot = cell.Session.Robots[0];
