@@ -13,7 +13,7 @@ namespace Nowpose.Frames
         readonly FrameTree _tree;
         readonly IRobotLinks _robot;
         readonly int _link;
-        readonly Dictionary<CellFrame, KnownPose> _objects = new Dictionary<CellFrame, KnownPose>();
+        readonly Dictionary<CellFrame, (KnownPose Pose, ReachPlace Place)> _objects = new Dictionary<CellFrame, (KnownPose, ReachPlace)>();
 
         /// <param name="link">Index of the link in the robot; its origin is the gripping point.</param>
         public PosesAtChange(FrameTree tree, IRobotLinks robot, int link)
@@ -53,11 +53,15 @@ namespace Nowpose.Frames
         public KnownPose Of(int index, ReachPlace reach)
         {
             var frame = _tree[index];
-            if (_objects.TryGetValue(frame, out var known) && known.IsMeasured) return known;
+            if (_objects.TryGetValue(frame, out var known) && known.Pose.IsMeasured && known.Place == reach) return known.Pose;
             var pose = _tree.PoseAt(index, reach, At, out var origin);
-            if (origin != PoseOrigin.None) _objects[frame] = known = new KnownPose(pose, origin);
-            return known;
+            if (origin != PoseOrigin.None) _objects[frame] = known = (new KnownPose(pose, origin), reach);
+            return known.Pose;
         }
+
+        /// <summary>Returns whether the pose of an object is known, and was computed with the given place.</summary>
+        /// <inheritdoc cref="Of"/>
+        public bool IsOf(int index, ReachPlace reach) => _objects.TryGetValue(_tree[index], out var known) && known.Place == reach;
 
         /// <summary>Returns whether the pose of an object is known.</summary>
         public bool Includes(CellFrame frame) => _objects.ContainsKey(frame);

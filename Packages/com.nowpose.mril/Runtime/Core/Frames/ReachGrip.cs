@@ -122,6 +122,7 @@ namespace Nowpose.Frames
 
         void Decide(bool isLast)
         {
+            if (_isClosed == true && _missed == null && HasNewEarlierRelease()) _isFinal = false;
             if (_isFinal) return;
             var isHandCorrected = _poses.UpdateHand();
             if (_isClosed == true) Grip(isLast, isHandCorrected);
@@ -133,6 +134,7 @@ namespace Nowpose.Frames
             _missed = _poses.Hand.IsKnown ? null : FrameMessages.ArmWithoutData;
             _isFinal = isLast;
             if (!_poses.Hand.IsKnown) return;
+            var hasMoved = _held >= 0 && !_poses.IsOf(_held, _before);
             var nearest = new NearestObject(_poses.Hand, _reach);
             var areAllMeasured = _poses.Hand.IsMeasured;
             // The component of the held object may be disabled meanwhile.
@@ -141,13 +143,27 @@ namespace Nowpose.Frames
                 if (_tree.IndexOf(_objects[i]) is var index && index >= 0) areAllMeasured &= IsCompared(index, ref nearest);
             _isFinal |= areAllMeasured;
             if (nearest.Index != _held) Take(nearest);
-            else if (IsMine && !_inHand.IsMeasured && (_isFinal || isHandCorrected || nearest.InHand.IsMeasured)) PutInHand(nearest.InHand);
+            else if (IsMine && (!_inHand.IsMeasured || hasMoved) && (_isFinal || isHandCorrected || nearest.InHand.IsMeasured)) PutInHand(nearest.InHand);
         }
+
+        ReachPlace PlaceBefore(int index) => index == _held ? _before : _tree[index].Reach;
+
+        // The signal of another gripper, which released an object before this one closed, may arrive after the decision.
+        bool HasNewEarlierRelease()
+        {
+            if (IsMine && IsNewEarlierRelease(_held)) return true;
+            for (var i = 0; i < _objects.Count; i++)
+                if (_tree.IndexOf(_objects[i]) is var index && index >= 0 && IsNewEarlierRelease(index)) return true;
+            return false;
+        }
+
+        bool IsNewEarlierRelease(int index) => PlaceBefore(index) is { IsReleased: true } place && place.Gripper != this
+            && place.Since <= _poses.At && !_poses.IsOf(index, place);
 
         // Compares an object with the nearest one so far. Returns false if its pose may still change.
         bool IsCompared(int index, ref NearestObject nearest)
         {
-            var pose = _poses.Of(index, index == _held ? _before : _tree[index].Reach);
+            var pose = _poses.Of(index, PlaceBefore(index));
             if (!CanGrip(index) || IsTakenLater(_tree[index].Reach)) return true;
             nearest.Add(index, _tree[index].Name, pose);
             return pose.IsMeasured;
@@ -198,9 +214,16 @@ namespace Nowpose.Frames
             var taker = Taker;
             _isFinal = isLast || hand.IsMeasured || (!IsMine && taker == null);
             if (IsMine && hand.IsKnown) Put(ReleasedAt(hand));
-            else if (taker != null && hand.IsKnown) taker._withdrawn = ReleasedAt(hand);
+            else if (taker != null && hand.IsKnown) taker.SetFormer(ReleasedAt(hand));
             else if (_isFinal) Lose(_poses.At);
             if (_isFinal) _held = -1;
+        }
+
+        // Sets the place at which the gripper that held the object before has released it.
+        void SetFormer(ReachPlace released)
+        {
+            _withdrawn = released;
+            if (released.Since <= _poses.At) _before = released;
         }
 
         // The gripper that has taken the object from this one while it was closed; null if there is none.

@@ -89,6 +89,32 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(Distance(Find(cell, "box").World, At(1, 0)), Is.LessThan(1e-6));
         }
 
+        // The signals of the grippers come from two sources. The first arm opens and moves away, then the second one closes at the same place.
+        [Test]
+        public void Close_ReleaseByTheFirstGripperArrivesLater_ObjectIsHeldAtThePlaceOfTheRelease(
+            [Values(0, 0.3, 0.6)] double delay, [Values(0.4, 1.5)] double speed)
+        {
+            const double open = HandOver - 0.2;
+            var (cell, first, second) = NewArms();
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Math.Max(0, Math.Min(0.6, speed * (t - open - 0.05))), 0);
+                cell.SendJoints(t, -0.02 - Math.Max(0, Math.Min(0.6, t - HandOver - 0.05)), 0, "arm2");
+                cell.Send("world", "box", t, At(1, 0));
+            };
+            Until(cell, Close);
+            SendNow(cell, "grip", Close, 1);
+            Until(cell, HandOver + 0.06);
+            if (delay == 0) SendNow(cell, "grip", open, 0);
+            SendNow(cell, "second", HandOver, 1);
+            Until(cell, HandOver + 0.06 + delay);
+            if (delay > 0) SendNow(cell, "grip", open, 0);
+            Until(cell, HandOver + 2);
+
+            Assert.That((first.Held, second.Held, StateOf(cell)), Is.EqualTo(((string)null, "box", PoseState.Current)));
+            Assert.That(Distance(Find(cell, "box").Held, Tool(-0.02).Inverse * At(1, 0)), Is.LessThan(1e-3));
+        }
+
         /// <summary>Stamp of the closing of the second arm's gripper, s.</summary>
         const double HandOver = 24.01;
 
