@@ -42,7 +42,11 @@ public class PlayedGripTests : PlayedParts
         grip.gameObject.SetActive(false);
         Run(1, Send);
         Assert.That(Vector3.Distance(box.transform.position, UnityPoses.ToWorld(pose).position), Is.LessThan(1e-4), "a hidden gripper returns the object to its source");
+        Assert.That(box.State, Is.EqualTo(PoseState.Held), "the source repeats the place from before the grip");
         Assert.That(_session.Parts.Count, Is.EqualTo(1));
+        grip.gameObject.SetActive(true);
+        Run(1, Send);
+        Assert.That((grip.Held, grip.Fault, box.State), Is.EqualTo(((string)null, FrameMessages.ArmWithoutData, PoseState.Held)));
     }
 
     [Test]

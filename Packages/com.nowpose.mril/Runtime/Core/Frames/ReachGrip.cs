@@ -103,14 +103,17 @@ namespace Nowpose.Frames
             if (_isClosed == true) _missed = FrameMessages.SignalRestarted;
         }
 
-        /// <summary>Lets a held object's own source determine its place again.</summary>
+        /// <summary>
+        /// Lets a held object's own source determine its place again. The place is unknown until the source reports another pose, because the gripper still
+        /// holds the object.
+        /// </summary>
         public void Leave()
         {
-            if (IsMine) _tree.Put(_held, null);
-            _held = -1;
+            Settle();
+            for (var i = 0; i < _tree.Count; i++) _tree[i].Forget(this);
+            Lose(since: null);
             _isFinal = true;
             Fault = _missed = null;
-            for (var i = 0; i < _tree.Count; i++) _tree[i].Forget(this);
         }
 
         /// <summary>Determines the effect of a change from the data that have arrived. Call it before the tree is evaluated.</summary>

@@ -36,7 +36,7 @@ namespace Nowpose.Session.Cell
             }
         }
 
-        /// <summary>Removes a gripper. An object that it holds follows its own source again.</summary>
+        /// <summary>Removes a gripper. An object that it holds follows its own source again, and is not current until the source moves it.</summary>
         public void Remove(ReachGrip grip)
         {
             lock (_gate)

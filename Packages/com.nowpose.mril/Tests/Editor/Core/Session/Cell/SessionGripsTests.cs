@@ -229,7 +229,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Remove_HeldObject_ReturnsToItsSource()
+        public void Remove_HeldObject_FollowsItsSourceAndIsNotCurrentUntilAnotherPose()
         {
             var (cell, grip) = NewCell("box");
             cell.Send("world", "box", 20, At(1, 0), isStationary: true);
@@ -244,6 +244,10 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Close + 2);
 
             Assert.That(Distance(Find(cell, "box").World, At(1, 0)), Is.LessThan(1e-9));
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held), "the box moves with the real gripper");
+            cell.Send("world", "box", 0, At(2, 0), isStationary: true);
+            Until(cell, Close + 3);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
         }
 
         [Test]
