@@ -43,6 +43,9 @@ namespace Nowpose.Frames
         /// <summary>Name of the parent in the poses that are received.</summary>
         public string SourceParent => _parent;
 
+        /// <summary>Whether the poses that are received come from /tf_static.</summary>
+        public bool HasStationarySource => _isStationary;
+
         /// <summary>Whether the displayed pose comes from /tf_static.</summary>
         public bool IsStationary => _isStationary && _grips.Shown == null;
 
@@ -97,9 +100,11 @@ namespace Nowpose.Frames
         /// <summary>Stamp of the newest pose; null before the first pose, and for a stationary frame.</summary>
         public ControlTime? Newest => _isStationary ? null : _newest;
 
-        /// <summary>Returns whether the poses have stopped, and no gripper holds the object or may have moved it.</summary>
-        public bool IsAbandonedAt(ControlTime time, TimeSpan maxAge) =>
-            !_isStationary && !(time - _newest <= maxAge) && Reach?.IsReleased != false && UnknownMover == null && UnknownGrip == null;
+        /// <summary>Whether no gripper holds the object or may have moved it to an unknown place.</summary>
+        public bool IsFree => Reach?.IsReleased != false && UnknownMover == null;
+
+        /// <summary>Returns whether the poses of a tracked frame have stopped.</summary>
+        public bool IsSilentAt(ControlTime time, TimeSpan maxAge) => !_isStationary && !(time - _newest <= maxAge);
 
         /// <inheritdoc cref="HandOver.IsOvertaken"/>
         public bool IsOvertaken(in FrameTransform pose) => _handOver.IsOvertaken(pose, _parent, Newest);

@@ -18,7 +18,7 @@ namespace Nowpose.Session.Cell
     {
         /// <summary>
         /// A new frame replaces a tracked frame that is not shown and has been silent for longer than this: one in the tree always, a kept one when there
-        /// are too many frames.
+        /// are too many frames. If the tree is full, a new frame also replaces a stationary frame that is not shown.
         /// </summary>
         static readonly TimeSpan MaxSilence = TimeSpan.FromTicks(10 * TimeSpan.TicksPerSecond);
 
@@ -34,6 +34,9 @@ namespace Nowpose.Session.Cell
         ControlTime? _now;
 
         public NeededFrames(FrameTree tree) => _tree = tree;
+
+        /// <summary>Raised with the name of a frame that another frame has replaced in the tree.</summary>
+        public event Action<string> Replaced;
 
         /// <summary>Names of the frames that components show.</summary>
         public IReadOnlyCollection<string> Shown => _shown.All;
@@ -77,7 +80,11 @@ namespace Nowpose.Session.Cell
             var replaced = _tree.IndexOf(pose.Child) < 0 ? FindUnused(pose.Parent) : -1;
             var former = replaced < 0 ? null : _tree[replaced].Name;
             var reason = _tree.Add(pose, isStationary, replaced);
-            if (former != null && _tree.IndexOf(former) < 0) _needed.Remove(former);
+            if (former != null && _tree.IndexOf(former) < 0)
+            {
+                _needed.Remove(former);
+                Replaced?.Invoke(former);
+            }
             if (reason == DropReason.None && !_tree.IsLink(pose.Parent)) Need(pose.Parent);
             return reason;
         }
@@ -108,17 +115,22 @@ namespace Nowpose.Session.Cell
         static bool IsOvertaken(ControlTime stamp, ControlTime newest) =>
             stamp <= newest && !ArrivalOrder.IsFarBehind(stamp, newest);
 
-        // Returns a frame of the tree that neither is shown nor has children, and whose source has probably ended; −1 if there is none, or while the
-        // places of all frames are needed for a change of parent.
+        // Returns a frame of the tree that neither is shown nor has children, and whose source has probably ended, or in a full tree a stationary one;
+        // −1 if there is none, or while the places of all frames are needed for a change of parent.
         int FindUnused(string except)
         {
-            for (var i = 0; _now.HasValue && !_tree.IsHandingOver && i < _tree.Count; i++)
-            {
-                var name = _tree[i].Name;
-                if (_tree[i].IsAbandonedAt(_now.Value, MaxSilence) && name != except && !_shown.Contains(name) && !_roots.Contains(name)
-                    && !_tree.HasChildren(name)) return i;
-            }
+            if (_tree.IsHandingOver) return -1;
+            for (var i = 0; _now.HasValue && i < _tree.Count; i++)
+                if (_tree[i].IsSilentAt(_now.Value, MaxSilence) && IsReplaceable(i, except)) return i;
+            for (var i = 0; _tree.Count >= ProtocolLimits.Frames && i < _tree.Count; i++)
+                if (_tree[i].HasStationarySource && IsReplaceable(i, except)) return i;
             return -1;
+        }
+
+        bool IsReplaceable(int index, string except)
+        {
+            var name = _tree[index].Name;
+            return _tree[index].IsFree && name != except && !_shown.Contains(name) && !_roots.Contains(name) && !_tree.HasChildren(name);
         }
 
         // Removes the kept tracked frame with the oldest pose if its source has probably ended, because each new source may use new names.

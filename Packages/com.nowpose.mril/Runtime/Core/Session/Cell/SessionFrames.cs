@@ -38,6 +38,7 @@ namespace Nowpose.Session.Cell
             _stationaryArrivals = new StationaryArrivals(connection);
             Tree = new FrameTree(prediction.BodiesOfACell());
             _needed = new NeededFrames(Tree);
+            _needed.Replaced += _stationaryArrivals.Remove;
             subscriptions.Add(RosTopics.Tf, RosTopics.TransformsType);
             subscriptions.Add(RosTopics.TfStatic, RosTopics.TransformsType);
         }

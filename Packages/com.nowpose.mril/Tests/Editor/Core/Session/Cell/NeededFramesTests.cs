@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Frames;
 using Nowpose.Protocol;
@@ -61,6 +62,49 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(cell.Session.Drops[DropReason.TooManyFrames], Is.Zero);
             Assert.That(cell.Session.Frames.Tree.Count, Is.LessThan(16));
             Assert.That(cell.Session.Frames.Find("conveyor"), Is.Not.Null, "the parent of objects is kept");
+        }
+
+        // The signal of the gripper is not published, so it may hold any of the objects.
+        [Test]
+        public void Leave_FormerObjectsOfAGripperWithoutASignal_AreReplacedByNewOnes()
+        {
+            var cell = new CellSession();
+            var objects = new List<string>();
+            NewGrip(cell, objects);
+            for (var i = 0; i < 300; i++)
+            {
+                var box = "box" + i;
+                objects.Add(box);
+                cell.Session.Frames.Need(box);
+                cell.Send("world", box, cell.Now, At(1, 0));
+                cell.Run(1);
+                Assert.That(Find(cell, box), Is.Not.Null, box);
+                objects.Remove(box);
+                cell.Session.Frames.Leave(box);
+            }
+
+            Assert.That(cell.Session.Frames.Tree.Count, Is.LessThan(16));
+        }
+
+        // For example, a vision system publishes each part once, under a name of its own.
+        [Test]
+        public void Leave_StationaryFramesOfFormerObjects_AreReplacedWhenTheTreeIsFull()
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("shown");
+            Receive(cell, 0, true, "shown", "carrier");
+            for (var i = 0; i < 300; i++)
+            {
+                var part = "part" + i;
+                cell.Session.Frames.Need(part);
+                cell.Send("carrier", part, 0, At(1, 0), isStationary: true);
+                cell.Run(0.05);
+                Assert.That(Find(cell, part)?.World.X, Is.EqualTo(2), part);
+                cell.Session.Frames.Leave(part);
+            }
+
+            Assert.That(cell.Session.Drops[DropReason.TooManyFrames], Is.Zero);
+            Assert.That((Find(cell, "shown")?.World.X, Find(cell, "carrier")?.World.X), Is.EqualTo(((double?)1.0, (double?)1.0)));
         }
 
         [TestCase(1, 1)]
