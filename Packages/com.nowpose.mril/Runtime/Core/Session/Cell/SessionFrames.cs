@@ -25,6 +25,8 @@ namespace Nowpose.Session.Cell
         readonly StationaryArrivals _stationaryArrivals;
         readonly StateTimes _states = new StateTimes();
         readonly NeededFrames _needed;
+        // Stationary poses of the message that is processed.
+        readonly Queue<(int Index, DropReason Reason)> _refused = new Queue<(int, DropReason)>();
         readonly List<SessionRobot> _robots = new List<SessionRobot>();
         readonly DropCounters _drops;
         readonly object _gate;
@@ -199,14 +201,31 @@ namespace Nowpose.Session.Cell
 
         void Take(TransformsMessage message, HeadsetTime arrival)
         {
-            var now = _moment.Clock.IsKnown ? _moment.Clock.ToControl(arrival) : (ControlTime?)null;
-            for (var i = 0; i < message.Count; i++)
+            for (var i = 0; i < message.Count; i++) TryAdd(message, i, arrival);
+            // A frame may have been refused because of the former parent of a frame after it.
+            for (var before = int.MaxValue; _refused.Count < before;)
             {
-                var reason = _needed.Add(message[i], isStationary: true, now);
-                if (reason == DropReason.None) _stationaryArrivals.Add(message[i], arrival);
-                Judge(message[i], true, arrival, reason);
+                before = _refused.Count;
+                for (var i = 0; i < before; i++) TryAdd(message, _refused.Dequeue().Index, arrival);
+            }
+            while (_refused.Count > 0)
+            {
+                var (index, reason) = _refused.Dequeue();
+                Judge(message[index], true, arrival, reason);
             }
             message.Release();
+        }
+
+        void TryAdd(TransformsMessage message, int index, HeadsetTime arrival)
+        {
+            var now = _moment.Clock.IsKnown ? _moment.Clock.ToControl(arrival) : (ControlTime?)null;
+            var reason = _needed.Add(message[index], isStationary: true, now);
+            if (reason == DropReason.None)
+            {
+                _stationaryArrivals.Add(message[index], arrival);
+                Judge(message[index], true, arrival, reason);
+            }
+            else _refused.Enqueue((index, reason));
         }
 
         void Take(TransformsMessage message, HeadsetTime arrival, in ClockModel clock)

@@ -1,0 +1,49 @@
+using System.Linq;
+using Nowpose.Frames;
+using Nowpose.Protocol.Cell;
+using NUnit.Framework;
+using static Nowpose.Tests.Core.Session.Cell.GripScene;
+
+namespace Nowpose.Tests.Core.Session.Cell
+{
+    /// <summary>Tests stationary frames whose parents change within one message.</summary>
+    public class StationaryOrderTests
+    {
+        static readonly string[] Chain = { "world", "a", "b", "c" };
+
+        // Each order of the message must have the same result, although it gives some frames a parent that is still below them.
+        [Test]
+        public void Add_ChainIsReversedInOneMessage_AllFramesAreUsed([Values("abc", "acb", "bac", "bca", "cab", "cba")] string order)
+        {
+            var cell = new CellSession();
+            foreach (var name in Chain.Skip(1)) cell.Session.Frames.Need(name);
+            Receive(cell, Pose("world", "a", 1), Pose("a", "b", 1), Pose("b", "c", 1));
+            Assert.That(Find(cell, "c").World.X, Is.EqualTo(3));
+
+            Receive(cell, order.Select(frame => frame == 'c' ? Pose("world", "c", 5) : frame == 'b' ? Pose("c", "b", 1) : Pose("b", "a", 1)).ToArray());
+
+            Assert.That((Find(cell, "c").World.X, Find(cell, "b").World.X, Find(cell, "a").World.X), Is.EqualTo((5.0, 6.0, 7.0)));
+            Assert.That(cell.Session.Drops.Total, Is.Zero);
+        }
+
+        [Test]
+        public void Add_CycleInOneMessage_CountsTheRefusedFrameOnce()
+        {
+            var cell = new CellSession();
+            foreach (var name in Chain.Skip(1)) cell.Session.Frames.Need(name);
+
+            Receive(cell, Pose("b", "a", 1), Pose("a", "b", 1), Pose("world", "c", 1));
+
+            Assert.That((cell.Session.Drops[DropReason.FrameCycle], cell.Session.Drops.Total), Is.EqualTo((1L, 1L)));
+            Assert.That(Find(cell, "c"), Is.Not.Null);
+        }
+
+        static FrameTransform Pose(string parent, string child, double x) => At(x, 0).ToTransform(default, parent, child);
+
+        static void Receive(CellSession cell, params FrameTransform[] poses)
+        {
+            cell.Session.Listener.FramesReceived(new TransformsMessage(poses), true, HeadsetTime.FromSeconds(cell.Now));
+            cell.Run(0.5);
+        }
+    }
+}
