@@ -31,6 +31,9 @@ namespace Nowpose.Signals
         /// <inheritdoc cref="SignalTrack.Resumed"/>
         public event Action<SignalTrack> Resumed;
 
+        /// <inheritdoc cref="SignalTrack.Overflowed"/>
+        public event Action<SignalTrack> Overflowed;
+
         public int Count => _signals.Count;
 
         public SignalTrack this[int index] => _signals[index];
@@ -48,6 +51,7 @@ namespace Nowpose.Signals
             var signal = _signals[index] = new SignalTrack(name);
             signal.Restarted += restarted => Restarted?.Invoke(restarted);
             signal.Resumed += resumed => Resumed?.Invoke(resumed);
+            signal.Overflowed += overflowed => Overflowed?.Invoke(overflowed);
             return signal;
         }
 

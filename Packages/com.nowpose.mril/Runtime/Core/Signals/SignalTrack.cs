@@ -8,7 +8,9 @@ namespace Nowpose.Signals
     /// <summary>Keeps the changes of one signal in control time; the newest change at or before the display time is visible.</summary>
     sealed class SignalTrack
     {
-        /// <summary>Maximum number of changes kept: more than a second of a signal that changes 60 times per second.</summary>
+        /// <summary>
+        /// Maximum number of changes kept, including the visible one: more than a second of a signal that changes 60 times per second.
+        /// </summary>
         const int Capacity = 64;
 
         /// <summary>Stamp that replaces an invalid stamp. It is earlier than all received stamps, which are positive.</summary>
@@ -39,6 +41,9 @@ namespace Nowpose.Signals
         /// changed.
         /// </summary>
         public event Action<SignalTrack> Resumed;
+
+        /// <summary>Raised when a change is dropped before it was visible, because too many newer changes wait.</summary>
+        public event Action<SignalTrack> Overflowed;
 
         /// <summary>Whether a value is visible.</summary>
         public bool IsKnown => _isVisible;
@@ -222,6 +227,7 @@ namespace Nowpose.Signals
                 var oldest = _isVisible ? 1 : 0;
                 if (_changes[oldest].IsResumed) _changes[oldest + 1].Resume();
                 Remove(oldest);
+                Overflowed?.Invoke(this);
                 if (place > oldest) place--;
             }
             for (var i = _count++; i > place; i--) _changes[i] = _changes[i - 1];

@@ -41,6 +41,7 @@ namespace Nowpose.Session.Cell
             _subscriptions = subscriptions;
             _drops = drops;
             Table = new SignalTable(IsEnded);
+            Table.Overflowed += _ => drops.Count(DropReason.SlowReader);
         }
 
         public SignalTable Table { get; }

@@ -45,6 +45,24 @@ namespace Nowpose.Tests.Core.Session.Cell
             }
         }
 
+        // For example, a counter at 1 kHz after a gap of the network.
+        [Test]
+        public void Show_MoreChangesAtOnceThanASignalKeeps_CountsTheDroppedOnes()
+        {
+            var cell = new CellSession();
+            var seen = new List<double>();
+            cell.Session.Signals.Table.Changed += signal => seen.Add(signal.Value);
+            cell.Send("counter", 20, 0);
+            cell.Run(1);
+
+            for (var i = 1; i <= 100; i++) cell.Send("counter", 20.5 + 0.001 * i, i);
+            cell.Run(1);
+
+            Assert.That((seen.Count, cell.Session.Drops[DropReason.SlowReader]), Is.EqualTo((1 + 63, 37L)));
+            Assert.That(seen, Is.Ordered);
+            Assert.That(seen[seen.Count - 1], Is.EqualTo(100));
+        }
+
         [Test]
         public void Signal_BeforeTheClockIsKnown_WaitsForTheClock()
         {
