@@ -63,6 +63,23 @@ namespace Nowpose.Frames
         /// <inheritdoc cref="Of"/>
         public bool IsOf(int index, ReachPlace reach) => _objects.TryGetValue(_tree[index], out var known) && known.Place == reach;
 
+        /// <summary>
+        /// Adds the poses of all other frames of the tree that are out of reach. They are not in the gripper, also if they can be gripped later.
+        /// </summary>
+        /// <param name="reach">Maximum distance of an object's origin from the gripping point, m.</param>
+        public void AddOutOfReach(double reach)
+        {
+            for (var i = 0; i < _tree.Count; i++)
+            {
+                var (frame, place) = (_tree[i], _tree[i].Reach);
+                if (_objects.ContainsKey(frame)) continue;
+                var pose = new KnownPose(_tree.PoseAt(i, place, At, out var origin), origin);
+                var nearest = new NearestObject(Hand, reach);
+                nearest.Add(i, frame.Name, pose);
+                if (pose.IsKnown && nearest.Index < 0) _objects.Add(frame, (pose, place));
+            }
+        }
+
         /// <summary>Returns whether the pose of an object is known.</summary>
         public bool Includes(CellFrame frame) => _objects.ContainsKey(frame);
     }

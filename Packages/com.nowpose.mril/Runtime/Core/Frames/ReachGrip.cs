@@ -147,6 +147,7 @@ namespace Nowpose.Frames
             _isFinal |= areAllMeasured;
             if (nearest.Index != _held) Take(nearest);
             else if (IsMine && (!_inHand.IsMeasured || hasMoved) && (_isFinal || isHandCorrected || nearest.InHand.IsMeasured)) PutInHand(nearest.InHand);
+            if (_isFinal && _held < 0) _poses.AddOutOfReach(_reach);
         }
 
         ReachPlace PlaceBefore(int index) => index == _held ? _before : _tree[index].Reach;

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Nowpose.Frames;
 using Nowpose.Protocol;
 using Nowpose.Session;
@@ -130,6 +131,31 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That((StateOf(cell), StateOf(cell, "table")), Is.EqualTo((PoseState.Held, PoseState.Held)));
             Assert.That(StateOf(cell, "part"), Is.EqualTo(PoseState.Current), "its source reports that the robot carries it");
             Assert.That(StateOf(cell, "cart"), Is.EqualTo(PoseState.Current), "the robot stands on it");
+        }
+
+        // Its component is enabled later. The poses from the time of the closing are known, because another component shows the object.
+        [TestCase(5, PoseState.Current)]
+        [TestCase(1.05, PoseState.Held)]
+        public void StateOf_ObjectCanBeGrippedAfterTheClosing_IsHeldOnlyIfItWasWithinReach(double x, PoseState expected)
+        {
+            var cell = new CellSession();
+            var objects = new List<string>();
+            GripScene.NewGrip(cell, objects);
+            cell.Session.Frames.Need("box");
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "box", t, At(x, 0));
+            };
+            cell.Send("grip", 19, 0);
+            Until(cell, Close);
+            cell.Send("grip", Close, 1);
+            Until(cell, Close + 3);
+
+            objects.Add("box");
+            Until(cell, Close + 4);
+
+            Assert.That(StateOf(cell), Is.EqualTo(expected));
         }
 
         [Test]
