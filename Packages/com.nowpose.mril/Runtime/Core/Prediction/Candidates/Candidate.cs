@@ -39,14 +39,8 @@ namespace Nowpose.Prediction.Candidates
             ErrorRatio = _hasForecast ? _gate.ErrorRatio(motion.StillSamples > 0) : double.PositiveInfinity;
         }
 
-        /// <summary>Computes the forecast position.</summary>
-        /// <param name="time">Time after the newest sample.</param>
-        /// <returns>False without a forecast.</returns>
-        public bool TryForecast(in TableTime time, MotionState motion, double[] position)
-        {
-            for (var c = 0; c < _components && _hasForecast; c++) position[c] = motion.Newest[c] + time.Read(Table, 0, c, _components);
-            return _hasForecast;
-        }
+        /// <summary>Returns a component of the forecast, relative to the newest sample; NaN without a forecast.</summary>
+        public double At(in TableTime time, int component) => _hasForecast ? time.Read(Table, 0, component, _components) : double.NaN;
 
         /// <inheritdoc cref="CandidateGate.Score"/>
         public void Score(double error, double mixture, double displacement, bool wasStill, double time) =>

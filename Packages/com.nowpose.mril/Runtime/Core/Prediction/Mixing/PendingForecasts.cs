@@ -23,9 +23,10 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Maximum number of pending forecasts: half a second of samples at 180 Hz.</summary>
         const int Capacity = 96;
 
-        const int Line = ForecasterSet.Line;
+        const int Hold = ForecasterSet.Hold, Line = ForecasterSet.Line;
 
-        readonly int _components;
+        // _mixture: start of the mixture's position in the positions for one time.
+        readonly int _components, _mixture;
         readonly ForecasterSet _forecasters;
         readonly Candidate[] _candidates;
         readonly MixtureWeights _weights;
@@ -39,7 +40,8 @@ namespace Nowpose.Prediction.Mixing
         public PendingForecasts(int components, ForecasterSet forecasters, Candidate[] candidates, MixtureWeights weights)
         {
             (_components, _forecasters, _candidates, _weights) = (components, forecasters, candidates, weights);
-            for (var i = 0; i < Capacity; i++) _pending[i] = new Expectation(components, forecasters.Count, candidates.Length);
+            _mixture = forecasters.Count * components;
+            for (var i = 0; i < Capacity; i++) _pending[i] = new Expectation(CandidateRow(candidates.Length));
             (_errors, _truth) = (new double[forecasters.Count], new double[components]);
         }
 
@@ -47,24 +49,23 @@ namespace Nowpose.Prediction.Mixing
         /// <returns>Distance of the mixture from the line at that time, m or rad.</returns>
         public double Add(MotionState motion)
         {
-            var (expected, horizon, squares) = (Append(), motion.Timing.Horizon, 0.0);
-            var time = new TableTime(horizon);
+            var (expected, horizon) = (Append(), motion.Timing.Horizon);
+            var (time, table) = (new TableTime(horizon), expected.Positions);
             expected.Due = motion.NewestTime + horizon;
             expected.WasStill = motion.StillSamples > 0;
             for (var c = 0; c < _components; c++)
             {
-                var (sum, line) = (0.0, _forecasters.At(Line, time, c));
-                for (var i = 0; i < _errors.Length; i++)
+                var (newest, sum) = (motion.Newest[c], 0.0);
+                for (var i = 0; i < _forecasters.Count; i++)
                 {
                     var forecast = _forecasters.At(i, time, c);
-                    expected.Forecasts[i * _components + c] = motion.Newest[c] + forecast;
+                    table[i * _components + c] = newest + forecast;
                     sum += _weights.Values[i] * forecast;
                 }
-                expected.Mixture[c] = motion.Newest[c] + sum;
-                squares += (sum - line) * (sum - line);
+                table[_mixture + c] = newest + sum;
+                for (var i = 0; i < _candidates.Length; i++) table[CandidateRow(i) + c] = newest + _candidates[i].At(time, c);
             }
-            for (var i = 0; i < _candidates.Length; i++) expected.HasCandidate[i] = _candidates[i].TryForecast(time, motion, expected.Candidates[i]);
-            return Math.Sqrt(squares);
+            return Vectors.Distance(table, _mixture, table, Line * _components, _components);
         }
 
         /// <summary>
@@ -81,7 +82,7 @@ namespace Nowpose.Prediction.Mixing
                 if (!(interval < MaxInterval) || expected.Due < motion.PreviousTime) continue;
                 var fraction = (expected.Due - motion.PreviousTime) / interval;
                 for (var c = 0; c < _components; c++) _truth[c] = motion.Previous[c] + (motion.Newest[c] - motion.Previous[c]) * fraction;
-                hasLearned |= ScoreForecasts(expected, forgettingFactor);
+                hasLearned |= ScoreForecasts(expected.Positions, forgettingFactor);
                 ScoreCandidates(expected, motion.NewestTime);
             }
             return hasLearned;
@@ -102,19 +103,19 @@ namespace Nowpose.Prediction.Mixing
             _pending[_count] = dropped;
         }
 
-        bool ScoreForecasts(Expectation expected, double forgettingFactor)
+        bool ScoreForecasts(double[] table, double forgettingFactor)
         {
-            var (forecasts, differ) = (expected.Forecasts, false);
-            for (var i = 0; i < forecasts.Length; i += _components)
+            var differ = false;
+            for (var row = 0; row < _mixture; row += _components)
             {
-                if (!(Vectors.Distance(forecasts, i, _truth, 0, _components) < MaxError)) return false;
-                differ |= Vectors.Distance(forecasts, i, forecasts, Line * _components, _components) > Rounding;
+                if (!(ErrorOf(table, row) < MaxError)) return false;
+                differ |= Vectors.Distance(table, row, table, Line * _components, _components) > Rounding;
             }
             // From a rest without noise, all forecasts are equal. Their error at a start would hide the differences between the forecasters for seconds.
             if (!differ) return false;
             for (var c = 0; c < _components; c++)
             {
-                for (var i = 0; i < _errors.Length; i++) _errors[i] = forecasts[i * _components + c] - _truth[c];
+                for (var i = 0; i < _errors.Length; i++) _errors[i] = table[i * _components + c] - _truth[c];
                 _weights.Learn(_errors, forgettingFactor);
             }
             return true;
@@ -122,40 +123,33 @@ namespace Nowpose.Prediction.Mixing
 
         void ScoreCandidates(Expectation expected, double time)
         {
-            var error = Vectors.Distance(expected.Mixture, _truth);
+            var table = expected.Positions;
+            double mixture = ErrorOf(table, _mixture), moved = ErrorOf(table, Hold * _components);
             for (var i = 0; i < _candidates.Length; i++)
             {
-                if (!expected.HasCandidate[i]) continue;
-                var forecast = expected.Candidates[i];
-                var displacement = Math.Max(DistanceFromHold(expected, _truth), DistanceFromHold(expected, forecast));
-                _candidates[i].Score(Vectors.Distance(forecast, _truth), error, displacement, expected.WasStill, time);
+                var row = CandidateRow(i);
+                var displacement = Math.Max(moved, Vectors.Distance(table, Hold * _components, table, row, _components));
+                _candidates[i].Score(ErrorOf(table, row), mixture, displacement, expected.WasStill, time);
             }
         }
 
-        double DistanceFromHold(Expectation expected, double[] position) =>
-            Vectors.Distance(expected.Forecasts, ForecasterSet.Hold * _components, position, 0, _components);
+        int CandidateRow(int candidate) => _mixture + (1 + candidate) * _components;
 
-        /// <summary>Forecasts for one time. The components of each position are adjacent.</summary>
+        double ErrorOf(double[] table, int row) => Vectors.Distance(table, row, _truth, 0, _components);
+
+        /// <summary>Forecasts for one time.</summary>
         sealed class Expectation
         {
-            public Expectation(int components, int forecasts, int candidates)
-            {
-                (Forecasts, Mixture) = (new double[forecasts * components], new double[components]);
-                (Candidates, HasCandidate) = (new double[candidates][], new bool[candidates]);
-                for (var i = 0; i < candidates; i++) Candidates[i] = new double[components];
-            }
+            public Expectation(int size) => Positions = new double[size];
 
             /// <summary>Time of the forecasts, in s.</summary>
             public double Due { get; set; }
 
-            public double[] Forecasts { get; }
-
-            /// <summary>Weighted sum of the forecasts, without the limits of the displayed table, which candidates do not have either.</summary>
-            public double[] Mixture { get; }
-
-            public double[][] Candidates { get; }
-
-            public bool[] HasCandidate { get; }
+            /// <summary>
+            /// Positions by all forecasters, by the mixture without the limits of the displayed table, which candidates do not have either, and by the
+            /// candidates; NaN for a candidate without a forecast. The components of each position are adjacent.
+            /// </summary>
+            public double[] Positions { get; }
 
             /// <summary>Whether the positions stood still when the forecasts were made.</summary>
             public bool WasStill { get; set; }
