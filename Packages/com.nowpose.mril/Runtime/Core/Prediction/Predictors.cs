@@ -30,6 +30,12 @@ namespace Nowpose.Prediction
         const double TemplateGate = 0.3, ProfileGate = 0.8;
 
         /// <summary>
+        /// The same for the mean of samples that only scatter, which also applies before it has been tested: with noise, the mixture cannot be better than
+        /// the mean, unless a slow motion is hidden in the noise.
+        /// </summary>
+        const double MeanGate = 1;
+
+        /// <summary>
         /// The same for repetitions at a standstill: the start of one of several moves may be correct by chance. With 0.3, the error of a
         /// robot with four moves in random order is 6 % larger.
         /// </summary>
@@ -139,13 +145,17 @@ namespace Nowpose.Prediction
         static Mixture MixtureOf(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters,
             double matchInterval, JumpDetector jumps)
         {
-            var candidates = new List<Candidate>();
+            var scatter = new ScatterDetector(components);
+            var candidates = new List<Candidate>
+            {
+                new Candidate(components, new MeanForecaster(scatter), new CandidateGate(MeanGate, MeanGate, untested: MeanGate))
+            };
             if (Has(parts, PredictionParts.Repetition))
                 candidates.Add(new Candidate(components, new TemplateForecaster(components, limits.MaximumGap, matchInterval),
                     new CandidateGate(TemplateGate, StartGate)));
             if (Has(parts, PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
                 candidates.Add(new Candidate(components, new ProfileForecaster(limits), new CandidateGate(ProfileGate, ProfileGate)));
-            return new Mixture(components, limits, parts, forecasters, candidates.ToArray(), jumps);
+            return new Mixture(components, limits, parts, forecasters, candidates.ToArray(), jumps, scatter);
         }
 
         // The fits with a history longer than their degree reduce noise. Of the others, the cubic does not stop at a reversal: with such a stop, the

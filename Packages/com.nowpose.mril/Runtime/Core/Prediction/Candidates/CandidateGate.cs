@@ -33,7 +33,7 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         const double TimeConstant = 0.3;
 
-        readonly double _maxErrorRatio, _maxStillErrorRatio;
+        readonly double _maxErrorRatio, _maxStillErrorRatio, _untested;
         Record _moving;
         Record _still;
 
@@ -41,8 +41,9 @@ namespace Nowpose.Prediction.Candidates
         /// Maximum ratio, 0 to 1, of the candidate's mean square error to the mixture's mean square error at which the candidate is used in motion.
         /// </param>
         /// <param name="maxStillErrorRatio">The same for forecasts from a standstill.</param>
-        public CandidateGate(double maxErrorRatio, double maxStillErrorRatio) =>
-            (_maxErrorRatio, _maxStillErrorRatio) = (maxErrorRatio, maxStillErrorRatio);
+        /// <param name="untested">Ratio that applies until enough forecasts are scored; infinite if the candidate must not be used before.</param>
+        public CandidateGate(double maxErrorRatio, double maxStillErrorRatio, double untested = double.PositiveInfinity) =>
+            (_maxErrorRatio, _maxStillErrorRatio, _untested) = (maxErrorRatio, maxStillErrorRatio, untested);
 
         /// <summary>
         /// Returns the candidate's sum of squared errors relative to that of the mixture; infinite while the candidate must not replace the
@@ -53,7 +54,8 @@ namespace Nowpose.Prediction.Candidates
         {
             ref var record = ref isStill ? ref _still : ref _moving;
             var maxRatio = isStill ? _maxStillErrorRatio : _maxErrorRatio;
-            var isImprovable = record.Scores >= MinScores && record.Mixture > MinMixtureRatio * record.Displacement;
+            if (record.Scores < MinScores) return _untested;
+            var isImprovable = record.Mixture > MinMixtureRatio * record.Displacement;
             return isImprovable && record.Candidate < maxRatio * record.Mixture
                 ? record.Candidate / record.Mixture : double.PositiveInfinity;
         }

@@ -64,13 +64,14 @@ namespace Nowpose.Prediction.Mixing
         /// <param name="limits">Horizon cap, and for a joint the limits of its drive.</param>
         /// <param name="forecasters">Forecasters of the mixture, which other motions may use in turn.</param>
         /// <param name="candidates">Forecasters that may replace the mixture.</param>
-        /// <param name="jumps">Detector of jumps.</param>
-        public Mixture(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters, Candidate[] candidates, JumpDetector jumps)
+        /// <param name="scatter">Detector of samples that only scatter, which a candidate may use.</param>
+        public Mixture(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters, Candidate[] candidates,
+            JumpDetector jumps, ScatterDetector scatter)
         {
-            (_components, _limits, _parts, _forecasters, _candidates, _jumps) = (components, limits, parts, forecasters, candidates, jumps);
+            (_components, _limits, _parts, _forecasters, _candidates) = (components, limits, parts, forecasters, candidates);
+            (_jumps, _scatter) = (jumps, scatter);
             _points = ForecastTable.PointsUpTo(limits.HorizonCap);
             _changePoints = new ChangePointDetector(components);
-            _scatter = new ScatterDetector(components);
             _weights = new MixtureWeights(forecasters.Prior(isReported: false));
             _pending = new PendingForecasts(components, forecasters, candidates, _weights);
             _table = new double[ForecastTable.Points * components];
@@ -132,7 +133,7 @@ namespace Nowpose.Prediction.Mixing
             }
             Score(motion);
             if (Uses(PredictionParts.Scatter)) _scatter.Add(motion.Displacements, Connected(motion));
-            if (_scatter.HasLeft && IsFirstMove(motion)) _lineUntil = motion.NewestTime + motion.Timing.Horizon + motion.Timing.Interval;
+            if (_scatter.HasStarted && IsFirstMove(motion)) _lineUntil = motion.NewestTime + motion.Timing.Horizon + motion.Timing.Interval;
             foreach (var candidate in _candidates) candidate.Add(motion, _points);
         }
 
@@ -195,7 +196,6 @@ namespace Nowpose.Prediction.Mixing
         {
             // The weights of the last seconds would displace a constant velocity if they include hold.
             if (motion.NewestTime < _lineUntil || (Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady)) _forecasters.AddTo(_table, Line, 1, _points);
-            else if (_scatter.Scatters) FillMean();
             else AddForecasts();
             if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Timing.Interval, _limits);
             foreach (var position in _table)
@@ -204,12 +204,6 @@ namespace Nowpose.Prediction.Mixing
                 Array.Clear(_table, 0, _table.Length);
                 return;
             }
-        }
-
-        // A motion within the noise cannot be distinguished from it, and the forecasters would amplify the noise.
-        void FillMean()
-        {
-            for (int point = 1, start = _components; point < _points; point++, start += _components) _scatter.Mean.CopyTo(_table.AsSpan(start));
         }
 
         void AddForecasts()

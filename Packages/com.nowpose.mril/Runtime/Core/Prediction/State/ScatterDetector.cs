@@ -13,7 +13,7 @@ namespace Nowpose.Prediction.State
         public const int Window = 12;
 
         /// <summary>Minimum number of samples for a decision.</summary>
-        const int MinSamples = 4;
+        public const int MinSamples = 4;
 
         /// <summary>
         /// Limits for samples that scatter: maximum ratio of progress to path length, and minimum ratio of second to first differences. With 0.5 and 1.15,
@@ -36,6 +36,7 @@ namespace Nowpose.Prediction.State
 
         readonly int _components;
         readonly double[] _mean;
+        bool _hasLeft;
 
         /// <param name="components">Number of components of a position.</param>
         public ScatterDetector(int components) => (_components, _mean) = (components, new double[components]);
@@ -43,8 +44,11 @@ namespace Nowpose.Prediction.State
         /// <summary>Whether the newest samples only scatter; false for samples that do not differ.</summary>
         public bool Scatters { get; private set; }
 
-        /// <summary>Whether a motion starts: the newest sample has left the position about which the previous samples scattered.</summary>
-        public bool HasLeft { get; private set; }
+        /// <summary>
+        /// Whether a motion has started: the previous sample has left the position about which the samples scattered, and the newest one continues in
+        /// this direction. A single step can be the rounding of a tracker.
+        /// </summary>
+        public bool HasStarted { get; private set; }
 
         /// <summary>Mean distance between consecutive samples that only scattered; 0 before them, and after a gap or a jump.</summary>
         public double Noise { get; private set; }
@@ -59,15 +63,25 @@ namespace Nowpose.Prediction.State
         {
             count = Math.Min(count, Window);
             if (count == 1) Noise = 0;
-            HasLeft = Scatters && count > 1 && DistanceFromScatter(samples, count) > MinStartRatio * Noise;
-            Scatters = count >= MinSamples && !HasLeft && IsScatter(samples, count);
+            HasStarted = _hasLeft && count > 2 && Continues(samples);
+            _hasLeft = Scatters && count > 1 && DistanceFromScatter(samples, count) > MinStartRatio * Noise;
+            Scatters = count >= MinSamples && !_hasLeft && IsScatter(samples, count);
             if (Scatters) ComputeMean(samples, 0, count);
         }
 
         public void Reset()
         {
-            Scatters = HasLeft = false;
+            Scatters = HasStarted = _hasLeft = false;
             Noise = 0;
+        }
+
+        // Whether the newest two displacements have the same direction.
+        bool Continues(double[] samples)
+        {
+            var product = 0.0;
+            for (int c = 0, previous = _components, before = 2 * _components; c < _components; c++, previous++, before++)
+                product += (samples[c] - samples[previous]) * (samples[previous] - samples[before]);
+            return product > 0;
         }
 
         // Distance of the newest sample from the mean of the others, or from the last of them if that is smaller.

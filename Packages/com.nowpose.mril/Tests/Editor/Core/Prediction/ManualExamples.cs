@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Prediction
         {
             var (usual, tried) = (Coasting(), Coasting(new CoastingForecaster()));
 
-            Assert.That(tried, Is.LessThan(0.75 * usual));
+            Assert.That(tried, Is.LessThan(0.8 * usual));
         }
 
         // Returns the sum of the squared errors 0.2 s ahead for an axis that is pushed every second and then coasts. Forecasts made shortly

@@ -100,6 +100,17 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             Assert.That(_gate.ErrorRatio(isStill: true), Is.EqualTo(double.PositiveInfinity), "forecasts made at a standstill are recorded separately");
         }
 
+        [Test]
+        public void ErrorRatio_GateWithARatioForUntestedCandidates_IsOpenUntilTheScoresAreWorse()
+        {
+            var gate = new CandidateGate(1, 1, untested: 1);
+            Assert.That(gate.ErrorRatio(isStill: false), Is.EqualTo(1));
+
+            for (var i = 0; i < 3; i++) gate.Score(0.2, 0.1, 1, wasStill: false, time: 0);
+
+            Assert.That(gate.ErrorRatio(isStill: false), Is.EqualTo(double.PositiveInfinity));
+        }
+
         // In the first cycle of a motion, no forecast of a start can be correct. Each later cycle has only two scores of a start.
         [Test]
         public void Score_FalseStartsInTheFirstCycle_HaveNoEffectAfterTwoCycles()
@@ -142,7 +153,8 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
         // Returns a mixture of hold and a straight line.
         static Mixture Mixture(params Candidate[] candidates) => new Mixture(
-            1, PredictionLimits.Unlimited, PredictionParts.Joint, new ForecasterSet(1), candidates, new OutlierReturnDetector());
+            1, PredictionLimits.Unlimited, PredictionParts.Joint, new ForecasterSet(1), candidates, new OutlierReturnDetector(),
+            new ScatterDetector(1));
 
         void Feed(int from, int to)
         {
