@@ -54,7 +54,7 @@ namespace Nowpose.Prediction
         /// <summary>Ignores samples before a change point.</summary>
         ChangePoints = 8192,
 
-        /// <summary>Predicts the mean of samples that only scatter, and starts the first move after that as a line.</summary>
+        /// <summary>Predicts the mean of samples that only scatter, and continues the first move after that as a line.</summary>
         Scatter = 16384,
 
         /// <summary>Detects positions that jump.</summary>
@@ -64,10 +64,11 @@ namespace Nowpose.Prediction
         DistanceLimit = 65536,
 
         /// <summary>The parts for joints and objects.</summary>
-        Common = Preparation | Quadratic | Cubic | QuadraticOfFive | CubicOfSix | QuadraticOfTen | Process | Repetition | ChangePoints | Scatter | Jumps,
+        Common = Preparation | Quadratic | Cubic | QuadraticOfFive | CubicOfSix | QuadraticOfTen | Process | Repetition | ChangePoints | Scatter | Jumps
+            | DistanceLimit,
 
         /// <summary>All parts for a joint.</summary>
-        Joint = Common | Reported | Profiles | DistanceLimit,
+        Joint = Common | Reported | Profiles,
 
         /// <summary>All parts for an object, whose tracker may be noisy.</summary>
         Object = Common | LineOfTen

@@ -2,12 +2,11 @@ using System;
 
 namespace Nowpose.Prediction.Mixing
 {
-    /// <summary>Limits the distance of a joint's forecasts from the line through the two newest samples.</summary>
+    /// <summary>Limits the distance of the mixture's forecasts from the line through the two newest samples.</summary>
     /// <remarks>
     /// When a motion ends abruptly, polynomials through samples from before and after this moment overshoot by a multiple of their earlier errors. The
     /// line has the shortest window, so a forecast that is much further from the line than all earlier forecasts is moved towards it. The maximum
-    /// also includes the distances of forecasts that were limited, so forecasts of a new kind of motion are limited for only a few samples. Objects are
-    /// not limited: their first turns would have up to 16 % larger errors.
+    /// also includes the distances of forecasts that were limited, so forecasts of a new kind of motion are limited for only a few samples.
     /// </remarks>
     sealed class DistanceLimit
     {
