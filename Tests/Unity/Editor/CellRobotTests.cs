@@ -10,7 +10,6 @@ namespace Nowpose.Unity.Tests.Editor;
 public sealed class CellRobotTests : EditorFixture
 {
     const string Imported = "Packages/com.nowpose.mril/Runtime/Robots/ur5.urdf";
-    const string OtherImported = "Packages/com.nowpose.mril/Runtime/Robots/youbot.urdf";
     const string Described = "Packages/com.nowpose.mril/Runtime/Robots/UR5.asset";
 
     [Test]
@@ -77,58 +76,6 @@ public sealed class CellRobotTests : EditorFixture
     }
 
     [Test]
-    public void Session_ObjectsAddedBelowALink_MoveToTheRigWithTheirPoses()
-    {
-        var session = Cell(PackageAsset.RobotCell, Imported);
-        var rig = Rigs(session)[0];
-        var (tool, holder) = (Below(LinkOf(rig), "Tool"), Below(LinkOf(rig), "Holder"));
-        tool.AddComponent<MeshFilter>();
-        var part = Below(holder.transform, "Door").AddComponent<ActuatedPart>();
-        tool.transform.position = new Vector3(1, 2, 3);
-
-        Click(session);
-
-        Assert.That(new[] { tool.transform.parent, holder.transform.parent, part.transform.parent }, Is.EqualTo(new[] {
-            rig.transform, rig.transform, holder.transform }));
-        Assert.That(Vector3.Distance(tool.transform.position, new Vector3(1, 2, 3)), Is.LessThan(1e-5));
-        Assert.That(() => rig.Bind(session.RobotAsset.Read()), Throws.Nothing);
-    }
-
-    // Links that are not in a prefab instance are plain objects, like those that the user adds.
-    [Test]
-    public void Session_ObjectsBelowABuiltLink_MoveToTheRigIfTheyHaveAComponentOfThePackage()
-    {
-        var session = Cell(PackageAsset.RobotCell, Described);
-        Click(session);
-        var rig = Rigs(session)[0];
-        var signal = Below(LinkOf(rig), "Lamp").AddComponent<CellSignal>();
-        var plain = Below(LinkOf(rig), "Tool").AddComponent<MeshFilter>();
-
-        session.With("_robot", Load(OtherImported));
-        Click(session);
-
-        Assert.That((signal.transform.parent, plain == null), Is.EqualTo((rig.transform, true)));
-        Assert.That(() => rig.Bind(session.RobotAsset.Read()), Throws.Nothing);
-    }
-
-    [Test]
-    public void Session_ObjectsBelowALinkOfAnImportedRobot_MoveToTheRigWhenItIsReplaced()
-    {
-        var session = Cell(PackageAsset.RobotCellAny, Imported);
-        Click(session);
-        var rig = Rigs(session)[0];
-        var gripper = rig.GetComponentInChildren<VirtualGripper>(true);
-        gripper.transform.SetParent(LinkOf(rig));
-        var tool = Below(LinkOf(rig), "Tool").AddComponent<MeshFilter>();
-
-        session.With("_robot", Load(OtherImported));
-        Click(session);
-
-        Assert.That((gripper.transform.parent, tool.transform.parent), Is.EqualTo((rig.transform, rig.transform)));
-        Assert.That(() => rig.Bind(session.RobotAsset.Read()), Throws.Nothing);
-    }
-
-    [Test]
     public void Session_DescriptionWithoutPrefab_IsBuiltFromItsShapes()
     {
         var session = Cell(PackageAsset.RobotCell, Described);
@@ -149,22 +96,9 @@ public sealed class CellRobotTests : EditorFixture
     MrilSession Cell(PackageAsset prefab, string robot)
     {
         var session = Keep(CellMenu.Place(prefab, new MenuCommand(null))).GetComponent<MrilSession>();
-        if (robot != null) session.With("_robot", Load(robot));
+        if (robot != null) session.With("_robot", AssetDatabase.LoadAllAssetsAtPath(robot).OfType<RobotDescriptionAsset>().Single());
         Undo.Clear();
         return session;
-    }
-
-    static RobotDescriptionAsset Load(string robot) => AssetDatabase.LoadAllAssetsAtPath(robot).OfType<RobotDescriptionAsset>().Single();
-
-    // Returns the innermost object with the meshes of a link, the end of the arm.
-    static Transform LinkOf(RobotRig rig) => rig.GetComponentsInChildren<MeshFilter>(true)
-        .Where(each => each.GetComponentInParent<VirtualGripper>(true) == null).Last().transform.parent;
-
-    static GameObject Below(Transform parent, string name)
-    {
-        var made = new GameObject(name);
-        made.transform.SetParent(parent, false);
-        return made;
     }
 
     void Click(MrilSession session)

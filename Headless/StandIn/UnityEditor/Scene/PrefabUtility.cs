@@ -32,21 +32,6 @@ public sealed class PrefabUtility
         return outermost;
     }
 
-    /// <summary>Returns whether an object was added to a prefab instance. Objects are compared by their names.</summary>
-    public static bool IsAddedGameObjectOverride(GameObject gameObject)
-    {
-        var source = gameObject.transform.parent == null ? null : SourceOf(gameObject.transform.parent);
-        return source != null && source.Find(gameObject.name) == null;
-    }
-
-    // Returns the object of the prefab from which an object was instantiated; null if there is none.
-    static Transform SourceOf(Transform at)
-    {
-        if (Sources.TryGetValue(at.gameObject, out var source)) return ((GameObject)source).transform;
-        var parent = at.parent == null ? null : SourceOf(at.parent);
-        return parent == null ? null : parent.Find(at.name);
-    }
-
     public static void UnpackPrefabInstance(GameObject instanceRoot, PrefabUnpackMode unpackMode, InteractionMode action)
     {
         if (GetOutermostPrefabInstanceRoot(instanceRoot) != instanceRoot)

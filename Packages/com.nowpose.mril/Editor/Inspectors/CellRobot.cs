@@ -1,14 +1,10 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
-using Nowpose.Editor.Messages;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
 using Nowpose.Unity.Robot;
-using Nowpose.Unity.Session;
 using UnityEditor;
 using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
@@ -45,52 +41,33 @@ namespace Nowpose.Editor.Inspectors
         static GameObject PrefabOf(RobotDescriptionAsset description) =>
             AssetDatabase.LoadMainAssetAtPath(AssetDatabase.GetAssetPath(description)) as GameObject;
 
-        // Everything that is drawn below the rig, except tools, other rigs and objects of the user.
+        // Everything that is drawn below the rig, except tools and other rigs.
         static IEnumerable<GameObject> OtherLinks(RobotRig rig)
         {
             for (var i = 0; i < rig.transform.childCount; i++)
             {
                 var child = rig.transform.GetChild(i);
-                if (!HasComponentOfPackage(child) && RigHierarchy.DrawnAt(child) != null) yield return child.gameObject;
+                if (RigHierarchy.DrawnAt(child) != null) yield return child.gameObject;
             }
         }
 
-        // The user's objects stay below the rig, where a gripper follows the flange of the new robot.
+        // The grippers stay below the rig, where they follow the flange of the new robot.
         static void Remove(GameObject links, RobotRig rig, string step)
         {
-            var kept = AddedBelow(links.transform).ToArray();
             Unpack(links);
-            // A part of another prefab instance is moved with the whole instance.
-            foreach (var each in kept.Select(each => RootOf(each) is GameObject root && root != null ? root : each).Distinct())
-            {
-                Undo.SetTransformParent(each.transform, rig.transform, step);
-                if (!each.TryGetComponent<VirtualGripper>(out _)) ConsoleLog.Warn(each, InspectorTexts.MovedToRig(each.name, rig.name));
-            }
+            foreach (var gripper in links.GetComponentsInChildren<VirtualGripper>(true).Where(IsMovable))
+                Undo.SetTransformParent(gripper.transform, rig.transform, step);
             Undo.DestroyObjectImmediate(links);
         }
 
-        // The topmost objects that the user has added below links. A robot consists of objects without components of the package. In an instance of
-        // a prefab, Unity distinguishes added objects of any kind.
-        static IEnumerable<GameObject> AddedBelow(Transform links)
-        {
-            for (var i = 0; i < links.childCount; i++)
-            {
-                var child = links.GetChild(i);
-                if (HasComponentOfPackage(child) || PrefabUtility.IsAddedGameObjectOverride(child.gameObject)) yield return child.gameObject;
-                else
-                    foreach (var each in AddedBelow(child)) yield return each;
-            }
-        }
-
-        static bool HasComponentOfPackage(Transform at) => at.GetComponents<MonoBehaviour>().Any(
-            each => each != null && !(each is PoseAppearance) && each.GetType().Namespace?.StartsWith("Nowpose.", StringComparison.Ordinal) == true);
-
-        // A part of a prefab instance cannot be removed or moved in all supported versions of Unity.
+        // A part of a prefab instance cannot be removed in all supported versions of Unity.
         static void Unpack(GameObject part)
         {
-            for (var root = RootOf(part); root != null; root = RootOf(part))
+            for (var root = RootOf(part); root != null && root != part; root = RootOf(part))
                 PrefabUtility.UnpackPrefabInstance(root, PrefabUnpackMode.OutermostRoot, InteractionMode.UserAction);
         }
+
+        static bool IsMovable(Component part) => RootOf(part.gameObject) == null || RootOf(part.gameObject) == part.gameObject;
 
         static GameObject RootOf(GameObject part) => PrefabUtility.GetOutermostPrefabInstanceRoot(part);
 

@@ -90,11 +90,7 @@ namespace Nowpose.Editor.Messages
         /// <param name="rigs">Names of the rigs that do not have the links of the robot.</param>
         public static string NoLinks(string rigs, string robot) =>
             $"The links of '{robot}' are not below: {rigs}. The button adds them. It also removes the links of another robot, and unpacks the "
-            + "instance of the cell's prefab if it contains them. It moves the objects that you have added below these links to the rig. It cannot "
-            + "distinguish added objects without a component of Nowpose below links that are not in a prefab instance, and removes them.";
-
-        public static string MovedToRig(string part, string rig) =>
-            $"'{part}' was moved from a link to the rig '{rig}', because its link was removed; put it below a link of the new robot if it should move";
+            + "instance of the cell's prefab if it contains them.";
         public const string Capacity = "capacity must be 2 or more";
         public const string Seconds = "seconds must be more than 0";
         public const string Predicted = "predicted by the runtime";
