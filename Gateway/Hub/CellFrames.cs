@@ -161,8 +161,8 @@ sealed class CellFrames(RobotLinks links)
     // Returns a frame without a source and without children; null if there is none.
     string WithoutSource(string parent) => _frames.Keys.FirstOrDefault(frame => Owners[frame] == null && IsLeaf(frame, parent));
 
-    // Whether a frame has no children, with a new frame included.
-    bool IsLeaf(string frame, string parentOfNew) => frame != parentOfNew && !_parents.HasChildren(frame);
+    // Whether a frame has no children, with a new frame included. The links of a robot depend on its base.
+    bool IsLeaf(string frame, string parentOfNew) => frame != parentOfNew && !_parents.HasChildren(frame) && links.RootOf(frame) != frame;
 
     bool IsStationary(string child) => _frames.GetValueOrDefault(child).IsStationary;
 

@@ -69,6 +69,22 @@ public class FullCellTests
     }
 
     [Test]
+    public async Task Publish_StationaryFrameWithoutSourceIsTheBaseOfARobot_ReplacesAnotherOne()
+    {
+        using var robot = _hub.OpenSource();
+        robot.Describe("<robot name='r'><link name='base'/></robot>", "arm1");
+        await _hub.Links.Read;
+        var ended = _hub.OpenSource();
+        ended.Publish(new TransformsMessage(Frame("arm1/base")), isStationary: true, _leftOut);
+        for (var i = 1; i < ProtocolLimits.Frames; i++) ended.Publish(new TransformsMessage(Frame("old" + i)), isStationary: true, _leftOut);
+        ended.Dispose();
+
+        Send(robot, 1, Frame("next"));
+
+        Assert.That(_replaced, Is.EqualTo(new[] { "old1" }));
+    }
+
+    [Test]
     public void Publish_ReplacedFrameIsPublishedAgain_IsAccepted()
     {
         using var source = Fill();
