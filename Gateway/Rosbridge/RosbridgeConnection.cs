@@ -15,10 +15,10 @@ sealed class RosbridgeConnection : IDisposable
     internal const int MinFragmentBytes = 16 * 1024;
 
     /// <summary>
-    /// Maximum number of fragments of a message. Half of the protocol's limit, because a client that cannot see the ends of fragments may count two
-    /// pieces of each.
+    /// Maximum number of fragments of a message. The gateway waits for a pong after each, and the whole message must be complete within 5 s also with a
+    /// round-trip time of half a second.
     /// </summary>
-    internal const int MaxFragments = ProtocolLimits.FragmentsPerMessage / 2;
+    internal const int MaxFragments = 8;
 
     const int NotEnded = -1;
     static readonly TimeSpan CloseTimeout = ProtocolLimits.CloseTimeout;
