@@ -52,6 +52,10 @@ public sealed class NudgeActionsTests
         _actions.ApplyMarks();
         Assert.That((_nudge.Problem, PanelNow()), Is.EqualTo((NudgeMessages.NoMark(isForward: true), "! " + _nudge.Problem)));
 
+        _actions.ChangeShiftMm(0);
+        Assert.That(PanelNow(), Is.EqualTo(NudgeReports.Progress(2, NudgeAxis.X, 0, 0)), "the next mark");
+
+        _actions.ApplyMarks();
         _actions.ClearMarks();
         Assert.That((_nudge.Problem, PanelNow()), Is.EqualTo(((string)null, NudgeReports.Progress(2, NudgeAxis.X, 0, 0))));
 

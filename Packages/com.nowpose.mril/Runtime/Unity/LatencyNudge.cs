@@ -54,6 +54,7 @@ namespace Nowpose.Unity
             set
             {
                 _offsetMm = float.IsNaN(value) ? 0 : Mathf.Clamp(value, -MaxOffsetMm, MaxOffsetMm);
+                Problem = null;
                 Shift();
                 UpdateProgress();
             }
