@@ -128,6 +128,23 @@ public class FollowedPartTests : PlayedParts
     }
 
     [Test]
+    public void Follow_SignalWithAnAppearanceElsewhere_ShowsWhetherTheSignalIsCurrent()
+    {
+        var signal = Loose<CellSignal>("lamp");
+        var appearance = signal.gameObject.AddComponent<PoseAppearance>();
+        var part = PlayedAppearance.Part("look", signal.transform);
+
+        signal.Follow(_session);
+        appearance.Refresh();
+        Run(2);
+        Assert.That((part.isVisible, Hatched.IsHatched(part)), Is.EqualTo((true, true)), "no value has arrived");
+
+        SendSignal("lamp", _cell.Now - 1, 1);
+        Run(0.5);
+        Assert.That((part.isVisible, Hatched.IsHatched(part)), Is.EqualTo((true, false)));
+    }
+
+    [Test]
     public void Follow_AppearanceOfASignalElsewhere_ShowsWhetherTheSignalIsCurrent()
     {
         var appearance = Loose<PoseAppearance>("light");

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Editor.Messages;
 using Nowpose.Unity;
+using Nowpose.Unity.Session;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
@@ -17,7 +18,10 @@ namespace Nowpose.Editor.Inspectors
                 _ => PackageAsset.DefaultSettings.Load<SessionSettingsAsset>()),
             SessionRule<RobotRig>(ShortcomingTexts.RigSession), SessionRule<RenderTimeSource>(ShortcomingTexts.ReportSession),
             SessionRule<LatencyProfileLoader>(ShortcomingTexts.CalibratedSession), SessionRule<LatencyNudge>(ShortcomingTexts.CalibratedSession),
-            SessionRule<CellPairing>(ShortcomingTexts.PairedSession), SessionRule<PoseAppearance>(ShortcomingTexts.ShownSession),
+            SessionRule<CellPairing>(ShortcomingTexts.PairedSession), new ReferenceRule(
+                typeof(PoseAppearance), "_session", typeof(MrilSession), ShortcomingTexts.ShownSession, SceneSearch.Only<MrilSession>,
+                appearance => appearance.SessionOfParts(null, appearance.GetComponentInParent<RobotRig>()) == null),
+            
             SessionRule<StatusPanel>(ShortcomingTexts.StatusSession), SessionRule<TrackedObject>(ShortcomingTexts.ObjectSession),
             SessionRule<StationaryObject>(ShortcomingTexts.ObjectSession), SessionRule<CellSignal>(ShortcomingTexts.SignalSession),
             SessionRule<ActuatedPart>(ShortcomingTexts.SignalSession), SessionRule<SessionRecording>(ShortcomingTexts.RecordedSession),

@@ -54,6 +54,8 @@ namespace Nowpose.Unity
         /// </summary>
         public string Fault => _follower != null ? _follower.Fault : GetComponent<ICellObject>() is object ? ObjectMessages.OtherMover : StatusMessages.NoSession;
 
+        MrilSession ISignalComponent.AssignedSession => _session;
+
         string ISignalComponent.FaultLabel =>
             _follower != null && _follower.CurrentFault == null ? ObjectMessages.OutsideStroke : ObjectMessages.SignalNotCurrent;
 
@@ -70,6 +72,7 @@ namespace Nowpose.Unity
             _session = session;
             _signal = signal;
             if (isFollowing) OnEnable();
+            if (TryGetComponent<PoseAppearance>(out var appearance)) appearance.FindSession();
         }
 
         void OnEnable()

@@ -84,6 +84,8 @@ namespace Nowpose.Unity
 
         string ISignalComponent.FaultLabel => ObjectMessages.SignalNotCurrent;
 
+        MrilSession ISignalComponent.AssignedSession => _session;
+
         /// <summary>Raised with each new value.</summary>
         public event Action<double> Changed;
 
@@ -100,6 +102,7 @@ namespace Nowpose.Unity
             _session = session;
             _signal = signal;
             if (isFollowing) OnEnable();
+            if (TryGetComponent<PoseAppearance>(out var appearance)) appearance.FindSession();
         }
 
         void OnEnable()

@@ -1,5 +1,6 @@
 using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
+using Nowpose.Unity.Rendering;
 using UnityEngine;
 
 namespace Nowpose.Unity.Session
@@ -14,13 +15,14 @@ namespace Nowpose.Unity.Session
             assigned != null ? assigned : component.GetComponentInParent<MrilSession>();
 
         /// <summary>
-        /// Returns the assigned session, or else the session that is assigned to the object of the cell or to the rig, because it also applies to their
+        /// Returns the assigned session, or else the session that is assigned to the object of the cell, the signal or the rig, because it also applies to their
         /// parts, or else the session on the component's object or a parent; null if there is none.
         /// </summary>
         /// <param name="rig">The rig of the parts; null if they have none.</param>
         public static MrilSession SessionOfParts(this Component component, MrilSession assigned, RobotRig rig)
         {
             if (assigned == null && component.TryGetComponent<ICellObject>(out var shown)) assigned = shown.AssignedSession;
+            if (assigned == null && component.TryGetComponent<ISignalComponent>(out var driven)) assigned = driven.AssignedSession;
             if (assigned == null && rig != null) assigned = rig.AssignedSession;
             return component.SessionOr(assigned);
         }
