@@ -12,6 +12,7 @@ namespace Nowpose.Frames
         CarrierRest _carrierRest;
         ReachPlace _waiting;
         ReachGrip _unknownGrip;
+        ReachPlace _recordedRelease;
         ControlTime? _movedAt;
 
         /// <summary>Place in the displayed frame; null if the object's own source determines the place.</summary>
@@ -53,8 +54,10 @@ namespace Nowpose.Frames
         {
             if (Place == null && place != null) Watch();
             if (place?.IsReleased != true) UnknownMover = null;
-            if (place?.IsReleased == true && Place?.IsReleased != true && !(place.Since < Place?.Since))
+            // A withdrawn grip returns the object to a release that has been recorded, unless the message about that release came later.
+            if (place?.IsReleased == true && Place?.IsReleased != true && place != _recordedRelease)
             {
+                _recordedRelease = place;
                 _sourceRest.Release(given);
                 _carrierRest?.Release();
             }

@@ -162,7 +162,7 @@ namespace Nowpose.Frames
         }
 
         bool IsNewEarlierRelease(int index) => PlaceBefore(index) is { IsReleased: true } place && place.Gripper != this
-            && place.Since <= _poses.At && !_poses.IsOf(index, place);
+            && place.Since > default(ControlTime) && place.Since <= _poses.At && !_poses.IsOf(index, place);
 
         // Compares an object with the nearest one so far. Returns false if its pose may still change.
         bool IsCompared(int index, ref NearestObject nearest)
