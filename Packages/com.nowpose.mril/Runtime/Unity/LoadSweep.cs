@@ -117,7 +117,7 @@ namespace Nowpose.Unity
             Verdict = null;
             Problem = null;
             _source = this.SessionOr(_session);
-            _generator = _load != null ? _load : GetComponentInChildren<LoadGenerator>();
+            _generator = _load != null ? _load : GetComponentInChildren<LoadGenerator>(true);
             _measures = _renderTime != null ? _renderTime : _source != null ? _source.GetComponentInChildren<RenderTimeSource>() : null;
             if (_source == null) Fail(ComponentMessages.NoSession);
             else if (_generator == null) Fail(ComponentMessages.NoLoadGenerator);

@@ -65,7 +65,11 @@ namespace Nowpose.Session
         public void NamespacesReceived(IReadOnlyList<string> names)
         {
             foreach (var robot in _session.Robots)
-                robot.OtherNamespaces = names.Count == 0 || names.Contains(robot.Namespace) ? null : RobotMessages.OtherNamespaces(robot.Namespace, names);
+            {
+                // A gateway that describes the robot serves it, even if no positions have arrived yet.
+                var isServed = names.Count == 0 || names.Contains(robot.Namespace) || robot.Description.Match != RobotDescriptionMatch.Unknown;
+                robot.OtherNamespaces = isServed ? null : RobotMessages.OtherNamespaces(robot.Namespace, names);
+            }
         }
 
         public void Dropped(DropReason reason) => _session.Drops.Count(reason);
