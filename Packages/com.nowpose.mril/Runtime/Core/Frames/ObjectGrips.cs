@@ -57,10 +57,10 @@ namespace Nowpose.Frames
             // A withdrawn grip returns the object to a release that has been recorded, unless the message about that release came later.
             if (place?.IsReleased == true && Place?.IsReleased != true && place != _recordedRelease)
             {
-                _recordedRelease = place;
                 _sourceRest.Release(given);
                 _carrierRest?.Release();
             }
+            if (place?.IsReleased == true) _recordedRelease = place;
             (_waiting, IsWaiting) = (place, true);
         }
 
