@@ -138,6 +138,30 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held));
         }
 
+        // The message about the release of another gripper arrives after this gripper has taken the object.
+        [Test]
+        public void Put_GripIsWithdrawnToALaterKnownRelease_FollowsTheSourceOnceItMoves()
+        {
+            var (cell, grip) = NewCell("box");
+            var start = cell.Now;
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "box", t, At(t < start + 4 ? 1 : 2, 0));
+            };
+            Until(cell, start + 2);
+            var (tree, box) = (cell.Session.Frames.Tree, cell.Session.Frames.Tree.IndexOf("box"));
+
+            tree.Put(box, new ReachPlace(grip, "tool_centre_point", At(0, 0), ControlTime.FromSeconds(start + 1.9), isReleased: false));
+            tree.Put(box, new ReachPlace(grip, "world", At(1.5, 0), ControlTime.FromSeconds(start + 1.8), isReleased: true));
+            Until(cell, start + 3.5);
+            Assert.That(Distance(tree[box].World, At(1.5, 0)), Is.LessThan(1e-6));
+
+            Until(cell, start + 6);
+
+            Assert.That(Distance(tree[box].World, At(2, 0)), Is.LessThan(1e-6));
+        }
+
         [Test]
         public void StateOf_GripAndReleaseInOneFrameAndTheCarrierMoves_IsHeld()
         {
