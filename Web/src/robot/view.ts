@@ -145,6 +145,8 @@ export class RobotView {
     this.renderer!.setPixelRatio(Math.min(2, devicePixelRatio));
     this.renderer!.setSize(width, HEIGHT);
     this.orbit!.setAspect(width / HEIGHT);
+    // A canvas is empty after a change of its size.
+    this.ask();
   }
 }
 

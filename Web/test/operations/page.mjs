@@ -75,8 +75,13 @@ export const showsToolError = (page, min = 0, max = Infinity) => {
 export const bodiesDrawn = async page => {
   await page.locator('.stage').scrollIntoViewIfNeeded();
   return page.evaluate(() => new Promise(done => {
-    // Tables that are filled later move the view out of the window, where it is not drawn.
-    const keepsInView = setInterval(() => document.querySelector('.stage').scrollIntoView({ block: 'nearest' }), 100);
+    // Tables that are filled later move the view out of the window, where it is not drawn. A change of its size requests a picture, because nothing
+    // else does while no data change.
+    const stage = document.querySelector('.stage');
+    const keepsInView = setInterval(() => {
+      stage.scrollIntoView({ block: 'nearest' });
+      stage.style.paddingRight = stage.style.paddingRight ? '' : '1px';
+    }, 100);
     const gl = WebGL2RenderingContext.prototype, { clear, drawElements, drawArrays } = gl;
     let count = null;
     const counted = draw => function (...all) { if (count !== null) count++; return draw.apply(this, all); };

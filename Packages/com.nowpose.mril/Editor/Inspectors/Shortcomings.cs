@@ -21,7 +21,6 @@ namespace Nowpose.Editor.Inspectors
             SessionRule<CellPairing>(ShortcomingTexts.PairedSession), new ReferenceRule(
                 typeof(PoseAppearance), "_session", typeof(MrilSession), ShortcomingTexts.ShownSession, SceneSearch.Only<MrilSession>,
                 appearance => appearance.SessionOfParts(null, appearance.GetComponentInParent<RobotRig>()) == null),
-            
             SessionRule<StatusPanel>(ShortcomingTexts.StatusSession), SessionRule<TrackedObject>(ShortcomingTexts.ObjectSession),
             SessionRule<StationaryObject>(ShortcomingTexts.ObjectSession), SessionRule<CellSignal>(ShortcomingTexts.SignalSession),
             SessionRule<ActuatedPart>(ShortcomingTexts.SignalSession), SessionRule<SessionRecording>(ShortcomingTexts.RecordedSession),
