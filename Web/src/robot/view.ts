@@ -57,8 +57,9 @@ export class RobotView {
     this.scene.add(new AmbientLight(0xffffff, 1.6), sun);
     new ResizeObserver(() => this.fit()).observe(stage);
     // Pauses while the view is not visible, because rendering without a graphics card is slow.
-    new IntersectionObserver(([entry]) => {
-      this.isSeen = entry.isIntersecting;
+    new IntersectionObserver(entries => {
+      // Several changes can be reported together; the last one applies.
+      this.isSeen = entries[entries.length - 1].isIntersecting;
       this.ask();
     }).observe(stage);
     onColoursChanged(() => this.recolour());
