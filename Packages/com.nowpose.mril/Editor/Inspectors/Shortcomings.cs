@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Editor.Messages;
@@ -18,9 +19,9 @@ namespace Nowpose.Editor.Inspectors
                 _ => PackageAsset.DefaultSettings.Load<SessionSettingsAsset>()),
             SessionRule<RobotRig>(ShortcomingTexts.RigSession), SessionRule<RenderTimeSource>(ShortcomingTexts.ReportSession),
             SessionRule<LatencyProfileLoader>(ShortcomingTexts.CalibratedSession), SessionRule<LatencyNudge>(ShortcomingTexts.CalibratedSession),
-            SessionRule<CellPairing>(ShortcomingTexts.PairedSession), new ReferenceRule(
-                typeof(PoseAppearance), "_session", typeof(MrilSession), ShortcomingTexts.ShownSession, SceneSearch.Only<MrilSession>,
-                appearance => appearance.SessionOfParts(null, appearance.GetComponentInParent<RobotRig>()) == null),
+            SessionRule<CellPairing>(ShortcomingTexts.PairedSession),
+            SessionRule<PoseAppearance>(
+                ShortcomingTexts.ShownSession, each => each.SessionOfParts(null, each.GetComponentInParent<RobotRig>()) == null),
             SessionRule<StatusPanel>(ShortcomingTexts.StatusSession), SessionRule<TrackedObject>(ShortcomingTexts.ObjectSession),
             SessionRule<StationaryObject>(ShortcomingTexts.ObjectSession), SessionRule<CellSignal>(ShortcomingTexts.SignalSession),
             SessionRule<ActuatedPart>(ShortcomingTexts.SignalSession), SessionRule<SessionRecording>(ShortcomingTexts.RecordedSession),
@@ -41,8 +42,13 @@ namespace Nowpose.Editor.Inspectors
                 typeof(LoadSweep), "_load", null, ShortcomingTexts.Load, SceneSearch.Only<LoadGenerator>,
                 sweep => sweep.GetComponentInChildren<LoadGenerator>(true) == null),
             new AppearanceRule(),
-            new SameRobotRule(),
-            new SameFrameRule(),
+            // A rig without a namespace shows the session's own robot.
+            new UniqueRule<RobotRig>(
+                (rig, other) => IsDisplayed(rig) && IsDisplayed(other) && rig.RobotNamespace == other.RobotNamespace,
+                (_, other) => ShortcomingTexts.SameRobot(other.name)),
+            // Objects with the same frame replace each other's saved place.
+            new UniqueRule<StationaryObject>(
+                (shown, other) => shown.Frame == other.Frame, (shown, other) => ShortcomingTexts.SameFrame(other.name, shown.Frame)),
         };
 
         /// <summary>Returns the problems of components. A problem of several components is returned only once.</summary>
@@ -63,8 +69,10 @@ namespace Nowpose.Editor.Inspectors
             return found;
         }
 
-        static ReferenceRule SessionRule<T>(string message) where T : Component =>
-            new ReferenceRule(typeof(T), "_session", typeof(MrilSession), message, SceneSearch.Only<MrilSession>);
+        static ReferenceRule SessionRule<T>(string message, Func<Component, bool> applies = null) where T : Component =>
+            new ReferenceRule(typeof(T), "_session", typeof(MrilSession), message, SceneSearch.Only<MrilSession>, applies);
+
+        static bool IsDisplayed(RobotRig rig) => rig.Shows == RigPose.Displayed && rig.enabled && rig.gameObject.activeInHierarchy;
 
         static ReferenceRule RigRule<T>() where T : Component =>
             new ReferenceRule(typeof(T), "_rig", typeof(RobotRig), ShortcomingTexts.Rig, SceneSearch.OnlyDisplayedRig);
