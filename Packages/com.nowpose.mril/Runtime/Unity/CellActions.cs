@@ -220,9 +220,13 @@ namespace Nowpose.Unity
             get
             {
                 var found = Session is MrilSession session ? session.GetComponentInChildren<LatencyNudge>(true) : null;
-                if (found == null) ConsoleLog.Warn(this, ComponentMessages.NoCalibration(name));
-                else found.enabled = true;
-                return found != null ? found : null;
+                if (found != null)
+                {
+                    found.enabled = true;
+                    return found;
+                }
+                ConsoleLog.Warn(this, ComponentMessages.NoCalibration(name));
+                return null;
             }
         }
 
