@@ -18,7 +18,7 @@ namespace Nowpose.Unity
     /// </remarks>
     [AddComponentMenu("Nowpose/Actuated Part")]
     [DisallowMultipleComponent]
-    public sealed class ActuatedPart : MonoBehaviour, ISignalComponent
+    public sealed class ActuatedPart : MonoBehaviour, ISignalComponent, IFollowsSession
     {
         [SerializeField, Tooltip("The session that receives the signal. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
@@ -54,7 +54,7 @@ namespace Nowpose.Unity
         /// </summary>
         public string Fault => _follower != null ? _follower.Fault : GetComponent<ICellObject>() is object ? ObjectMessages.OtherMover : StatusMessages.NoSession;
 
-        MrilSession ISignalComponent.AssignedSession => _session;
+        MrilSession IFollowsSession.AssignedSession => _session;
 
         string ISignalComponent.FaultLabel =>
             _follower != null && _follower.CurrentFault == null ? ObjectMessages.OutsideStroke : ObjectMessages.SignalNotCurrent;

@@ -21,7 +21,7 @@ namespace Nowpose.Unity
     /// below this object; use the last two events for objects elsewhere.
     /// </remarks>
     [AddComponentMenu("Nowpose/Signal")]
-    public sealed class CellSignal : MonoBehaviour, ISignalComponent
+    public sealed class CellSignal : MonoBehaviour, ISignalComponent, IFollowsSession
     {
         [SerializeField, Tooltip("The session that receives the signal. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
@@ -84,7 +84,7 @@ namespace Nowpose.Unity
 
         string ISignalComponent.FaultLabel => ObjectMessages.SignalNotCurrent;
 
-        MrilSession ISignalComponent.AssignedSession => _session;
+        MrilSession IFollowsSession.AssignedSession => _session;
 
         /// <summary>Raised with each new value.</summary>
         public event Action<double> Changed;

@@ -22,7 +22,7 @@ namespace Nowpose.Unity
     [AddComponentMenu("Nowpose/Stationary Object")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(PoseAppearance))]
-    public sealed class StationaryObject : MonoBehaviour, ICellObject
+    public sealed class StationaryObject : MonoBehaviour, ICellObject, IFollowsSession
     {
         const string DefaultFile = "stationary-objects.json";
 
@@ -56,7 +56,7 @@ namespace Nowpose.Unity
         /// <summary>Reason why the object's pose is not current, in one line; null if it is current.</summary>
         public string Fault => _followed == null ? StatusMessages.NoSession : _followed.Fault;
 
-        MrilSession ICellObject.AssignedSession => _session;
+        MrilSession IFollowsSession.AssignedSession => _session;
 
         bool ICellObject.IsUnplaced => _followed != null && !_followed.IsKnown;
 

@@ -15,7 +15,7 @@ namespace Nowpose.Unity
     [AddComponentMenu("Nowpose/Tracked Object")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(PoseAppearance))]
-    public sealed class TrackedObject : MonoBehaviour, ICellObject
+    public sealed class TrackedObject : MonoBehaviour, ICellObject, IFollowsSession
     {
         [SerializeField, Tooltip("The session that receives the object. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
@@ -51,7 +51,7 @@ namespace Nowpose.Unity
         /// </summary>
         public float? GapMetres => _followed?.GapMetres;
 
-        MrilSession ICellObject.AssignedSession => _session;
+        MrilSession IFollowsSession.AssignedSession => _session;
 
         bool ICellObject.IsUnplaced => false;
 

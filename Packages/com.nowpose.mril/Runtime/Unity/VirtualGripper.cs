@@ -54,8 +54,6 @@ namespace Nowpose.Unity
 
         string ISignalComponent.FaultLabel => ObjectMessages.FingerNotMoved;
 
-        MrilSession ISignalComponent.AssignedSession => null;
-
         /// <summary>Starts to follow a rig instead of the previous rig. The component itself calls this method when it is enabled.</summary>
         public void Mount(RobotRig rig)
         {

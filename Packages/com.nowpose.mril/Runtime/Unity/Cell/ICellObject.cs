@@ -5,9 +5,6 @@ namespace Nowpose.Unity.Cell
     /// <summary>A component that shows an object at a frame of the cell. The appearance of the object shows the state of the frame.</summary>
     interface ICellObject
     {
-        /// <summary>The session that is assigned in the Inspector or by a script; null to use the session on the object or a parent.</summary>
-        MrilSession AssignedSession { get; }
-
         /// <summary>State of the object's pose. If the object is not shown where it is at the display time, the state gives the reason.</summary>
         PoseState State { get; }
 

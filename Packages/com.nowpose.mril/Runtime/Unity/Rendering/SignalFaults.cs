@@ -14,9 +14,6 @@ namespace Nowpose.Unity.Rendering
 
         /// <summary>Label of the parts while there is a fault, in a few words.</summary>
         string FaultLabel { get; }
-
-        /// <summary>Session that is assigned in the Inspector or by a script; null to use that of the rig, or the session on the object or a parent.</summary>
-        MrilSession AssignedSession { get; }
     }
 
     /// <summary>The components with a signal or joints that affect the renderers of a pose, with the faults that were last drawn.</summary>

@@ -1,10 +1,15 @@
-using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
-using Nowpose.Unity.Rendering;
 using UnityEngine;
 
 namespace Nowpose.Unity.Session
 {
+    /// <summary>A component with parts that a session moves or switches.</summary>
+    interface IFollowsSession
+    {
+        /// <summary>The session that is assigned in the Inspector or by a script; null to use the session on the object or a parent.</summary>
+        MrilSession AssignedSession { get; }
+    }
+
     static class SessionSearch
     {
         // The clock has no state, so all callers can share one instance.
@@ -21,8 +26,7 @@ namespace Nowpose.Unity.Session
         /// <param name="rig">The rig of the parts; null if they have none.</param>
         public static MrilSession SessionOfParts(this Component component, MrilSession assigned, RobotRig rig)
         {
-            if (assigned == null && component.TryGetComponent<ICellObject>(out var shown)) assigned = shown.AssignedSession;
-            if (assigned == null && component.TryGetComponent<ISignalComponent>(out var driven)) assigned = driven.AssignedSession;
+            if (assigned == null && component.TryGetComponent<IFollowsSession>(out var part)) assigned = part.AssignedSession;
             if (assigned == null && rig != null) assigned = rig.AssignedSession;
             return component.SessionOr(assigned);
         }
