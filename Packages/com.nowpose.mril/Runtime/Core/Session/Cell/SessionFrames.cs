@@ -201,12 +201,13 @@ namespace Nowpose.Session.Cell
 
         void Take(TransformsMessage message, HeadsetTime arrival)
         {
-            for (var i = 0; i < message.Count; i++) TryAdd(message, i, arrival);
+            var now = _moment.Clock.IsKnown ? _moment.Clock.ToControl(arrival) : (ControlTime?)null;
+            for (var i = 0; i < message.Count; i++) TryAdd(message, i, arrival, now);
             // A frame may have been refused because of the former parent of a frame after it.
             for (var before = int.MaxValue; _refused.Count < before;)
             {
                 before = _refused.Count;
-                for (var i = 0; i < before; i++) TryAdd(message, _refused.Dequeue().Index, arrival);
+                for (var i = 0; i < before; i++) TryAdd(message, _refused.Dequeue().Index, arrival, now);
             }
             while (_refused.Count > 0)
             {
@@ -216,9 +217,8 @@ namespace Nowpose.Session.Cell
             message.Release();
         }
 
-        void TryAdd(TransformsMessage message, int index, HeadsetTime arrival)
+        void TryAdd(TransformsMessage message, int index, HeadsetTime arrival, ControlTime? now)
         {
-            var now = _moment.Clock.IsKnown ? _moment.Clock.ToControl(arrival) : (ControlTime?)null;
             var reason = _needed.Add(message[index], isStationary: true, now);
             if (reason == DropReason.None)
             {
