@@ -277,9 +277,11 @@ describe('silence', () => {
   });
 
   it('Diagnostics_ManyJoints_JointsInFaultComeFirst', () => {
-    const { status, value } = plant([{ joint: 'a' }, { joint: 'b' }, { joint: 'c' }]);
-    value(0, 1);
+    const { status, value, time } = plant([{ joint: 'a' }, { joint: 'b' }, { joint: 'c' }]);
+    time.ms = 10;
     value(2, 1);
+    time.ms = 20;
+    value(0, 1);
 
     const keys = Object.keys(status.values()).filter(key => key.startsWith('joint/'));
 

@@ -28,16 +28,20 @@ export class AdapterStatus {
   readonly frames: Conditions;
   readonly signals: Conditions;
 
-  /** @param changed Called after each change of the state of the plant, a joint, a frame or a signal. */
+  /**
+   * @param changed Called after each change of the state of the plant, a joint, a frame or a signal.
+   * @param now Unix time in milliseconds.
+   */
   constructor(
     kind: string,
     readonly log: Log,
     readonly changed: () => void = () => {},
+    now: () => number = Date.now,
   ) {
     this.#details.kind = kind;
-    this.joints = new Conditions('joint', log, changed);
-    this.frames = new Conditions('frame', log, changed);
-    this.signals = new Conditions('signal', log, changed);
+    this.joints = new Conditions('joint', log, changed, now);
+    this.frames = new Conditions('frame', log, changed, now);
+    this.signals = new Conditions('signal', log, changed, now);
   }
 
   get state(): PlantState {
