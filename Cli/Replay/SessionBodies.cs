@@ -65,7 +65,7 @@ sealed class SessionBodies
 
         /// <summary>Whether the next pose belongs to this stretch. If its time stamp is far behind, the clock of the source went back.</summary>
         public bool Includes(int ofTimeLine, string ofParent, ControlTime at) =>
-            ofTimeLine == timeLine && ofParent == parent && !(_newest is { } newest && ArrivalOrder.IsFarBehind(at, newest));
+            ofTimeLine == timeLine && ofParent == parent && !(_newest is { } newest && ArrivalLimits.IsFarBehind(at, newest));
 
         public void Add(ControlTime at, in Vector3D position, in UnitQuaternion rotation)
         {

@@ -124,7 +124,7 @@ namespace Nowpose.Frames
         }
 
         DropReason Order(in PoseSample sample) =>
-            _pipeline.Order(new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order));
+            _pipeline.Sort(new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order));
 
         // Adds the samples of the clock that went back again, because their angles are relative to the earlier history.
         void Restart(double displayed)
@@ -150,7 +150,7 @@ namespace Nowpose.Frames
 
         void Use(in BodySample sample, double displayed)
         {
-            if (!_pipeline.Prepare(sample)) return;
+            if (!_pipeline.Admit(sample)) return;
             if (_pipeline.IsEmpty)
                 foreach (var blend in _blends) blend.Reset();
             var (isBlended, before) = (_blends[Position].IsNeeded(displayed) && !_pipeline.IsEmpty, NewestTime);
@@ -162,7 +162,7 @@ namespace Nowpose.Frames
             for (var part = 0; part < Parts; part++)
             {
                 for (var c = 0; c < Components; c++) section[c] = _pipeline.At(place, part, c);
-                _blends[part].Replace(displayed, before);
+                _blends[part].StoreReplaced(displayed, before);
                 _blends[part].Start(displayed, shown.Slice(part * Components, Components), section, _pipeline.MotionOf(part));
             }
         }

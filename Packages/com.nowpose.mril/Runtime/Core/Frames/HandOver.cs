@@ -11,7 +11,7 @@ namespace Nowpose.Frames
 
         /// <summary>
         /// Number of consecutive poses in another parent, each newer than the previous one, that proves that the clock of the source went back if the last
-        /// of them is late by more than <see cref="ArrivalOrder.MaxDelay"/>.
+        /// of them is late by more than <see cref="ArrivalLimits.MaxDelay"/>.
         /// </summary>
         const int MinFarBehind = 2;
 
@@ -37,7 +37,7 @@ namespace Nowpose.Frames
         {
             if (Count > 0 && !IsStationary) (parent, newest) = (_waiting[0].Parent, _waiting[Count - 1].Stamp);
             if (pose.Parent == parent || !(pose.Stamp <= newest)) return false;
-            return RefusedCount(pose.Stamp) < MinFarBehind || !ArrivalOrder.IsFarBehind(pose.Stamp, newest.Value);
+            return RefusedCount(pose.Stamp) < MinFarBehind || !ArrivalLimits.IsFarBehind(pose.Stamp, newest.Value);
         }
 
         /// <summary>Records a received pose that is not used because it is overtaken.</summary>

@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Kinematics;
+using Nowpose.Prediction.Samples;
 using Nowpose.Prediction.State;
 
 namespace Nowpose.Frames

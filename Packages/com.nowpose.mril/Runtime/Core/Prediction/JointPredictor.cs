@@ -22,7 +22,7 @@ namespace Nowpose.Prediction
         readonly PlanFollower _plan = new PlanFollower();
 
         // Position of the newest sample, and the whole turns that unwrapping added to it, in rad. The sections have unwrapped positions.
-        double _newest, _shift;
+        double _newest, _turns;
 
         internal JointPredictor(PredictionPipeline<JointSample> pipeline, PredictionLimits limits, double blend) =>
             (_pipeline, _limits, _blend) = (pipeline, limits, new SectionBlend(components: 1, blend));
@@ -51,13 +51,14 @@ namespace Nowpose.Prediction
         /// section. NaN if nothing is displayed.
         /// </param>
         /// <returns>
-        /// <see cref="DropReason.DuplicateSample"/>, <see cref="DropReason.LateSample"/>, or <see cref="DropReason.None"/> for any other sample.
+        /// <see cref="DropReason.DuplicateSample"/>, <see cref="DropReason.LateSample"/>, or <see cref="DropReason.None"/> for any other sample, also for one that
+        /// thinning leaves out.
         /// A late sample, or a sample with an earlier time and another position, is used later if the next samples show that the clock went back.
         /// </returns>
         public DropReason Add(in JointSample sample, double displayed = double.NaN)
         {
             var restarts = Restarts;
-            var reason = _pipeline.Order(sample);
+            var reason = _pipeline.Sort(sample);
             if (Restarts != restarts) Clear();
             foreach (ref readonly var ready in _pipeline.Ready) Use(ready, displayed);
             return reason;
@@ -73,7 +74,7 @@ namespace Nowpose.Prediction
         public JointPrediction At(double time)
         {
             var prediction = UnwrappedAt(time);
-            return prediction.Kind == PredictionKind.None ? prediction : new JointPrediction(prediction.Position - _shift, prediction.Kind);
+            return prediction.Kind == PredictionKind.None ? prediction : new JointPrediction(prediction.Position - _turns, prediction.Kind);
         }
 
         /// <summary>Returns the standard deviation of a prediction, in the samples' unit.</summary>
@@ -103,7 +104,7 @@ namespace Nowpose.Prediction
         {
             position = 0;
             if (_pipeline.IsEmpty || !_plan.IsFollowedAt(time, NewestTime)) return false;
-            position = _limits.Clamp(_plan.At(time)) - _shift;
+            position = _limits.Clamp(_plan.At(time)) - _turns;
             return double.IsFinite(position);
         }
 
@@ -116,7 +117,7 @@ namespace Nowpose.Prediction
 
         void Clear()
         {
-            _newest = _shift = 0;
+            _newest = _turns = 0;
             _plan.Reset();
             _blend.Reset();
         }
@@ -124,18 +125,18 @@ namespace Nowpose.Prediction
         void Use(in JointSample sample, double displayed)
         {
             var isNewest = _pipeline.HasNewestOrder(sample);
-            if (!_pipeline.Prepare(sample)) return;
+            if (!_pipeline.Admit(sample)) return;
             var (shown, before) = (ShownAt(displayed), NewestTime);
             // Assumes the shorter way round between two samples more than half a turn apart.
-            var turns = _limits.IsEndless && !_pipeline.IsEmpty ? WholeTurns(_newest + _shift - sample.Position) : 0;
+            var turns = _limits.IsEndless && !_pipeline.IsEmpty ? WholeTurns(_newest + _turns - sample.Position) : 0;
             var hasChanged = _pipeline.Add(turns == 0 ? sample : Unwrapped(sample, turns), displayed);
             if (isNewest)
             {
-                (_newest, _shift) = (sample.Position, turns);
+                (_newest, _turns) = (sample.Position, turns);
                 // A plan has the time of the control system, so the samples that follow it need no correction or thinning.
                 _plan.Add(sample.Time, sample.Position + turns);
             }
-            if (hasChanged) _blend.Replace(displayed, before);
+            if (hasChanged) _blend.StoreReplaced(displayed, before);
             if (hasChanged || _plan.HasPlan) StartBlend(displayed, shown);
         }
 
@@ -148,7 +149,7 @@ namespace Nowpose.Prediction
             var reached = start + _plan.Delay;
             var here = _plan.IsFollowedAt(reached, NewestTime) ? _plan.At(reached) : SectionAt(reached).Position;
             // A plan contains a continuous joint's angle within one turn; the samples are unwrapped.
-            var turns = _limits.IsEndless ? WholeTurns(Hold + _shift - path.FirstPosition) : 0;
+            var turns = _limits.IsEndless ? WholeTurns(Hold + _turns - path.FirstPosition) : 0;
             var from = path.First <= 0 ? path.FirstPosition : here - _plan.Offset - turns;
             _plan.Replace(path, start, from, turns, double.IsNaN(displayed) ? double.NegativeInfinity : displayed, NewestTime);
         }

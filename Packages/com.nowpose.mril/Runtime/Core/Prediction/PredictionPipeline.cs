@@ -66,11 +66,11 @@ namespace Nowpose.Prediction
         public bool HasNewestOrder(in TSample sample) => _buffer.HasNewestOrder(sample);
 
         /// <summary>Puts a received sample into order. It may be ready now or later. If the clock went back, all earlier samples are discarded.</summary>
-        public DropReason Order(in TSample sample)
+        public DropReason Sort(in TSample sample)
         {
             var restarts = Restarts;
             // The oldest sample is not in the processor's cache, and only late samples are compared with it.
-            var reason = _arrivals.Add(sample, _buffer.HasNewestOrder(sample) ? double.NegativeInfinity : _buffer.History.Oldest);
+            var reason = _arrivals.Add(sample, _buffer.HasNewestOrder(sample) ? double.NegativeInfinity : _buffer.History.OldestOrder);
             if (Restarts != restarts) Restart();
             return reason;
         }
@@ -80,7 +80,7 @@ namespace Nowpose.Prediction
         /// samples are discarded.
         /// </summary>
         /// <returns>Whether the sample can be added.</returns>
-        public bool Prepare(in TSample sample)
+        public bool Admit(in TSample sample)
         {
             var isNear = true;
             for (var c = 0; c < sample.Components; c++) isNear &= Math.Abs(sample[c] - Newest[c]) < JointSample.MaxMagnitude;
@@ -88,7 +88,7 @@ namespace Nowpose.Prediction
             return isNear || IsEmpty;
         }
 
-        /// <summary>Adds a sample for which <see cref="Prepare"/> returned true.</summary>
+        /// <summary>Adds a sample for which <see cref="Admit"/> returned true.</summary>
         /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
         /// <returns>Whether the section has changed.</returns>
         public bool Add(in TSample sample, double displayed)
@@ -114,7 +114,6 @@ namespace Nowpose.Prediction
             var (ahead, connected) = (time - NewestTime, Timing.ConnectedSamples);
             if (_interpolates && ahead <= 0 && connected > 1)
             {
-                if (ahead > _motions[0].Times[1]) return new SectionPlace(PredictionKind.Interpolated, ahead, isOnCurve: true);
                 var first = _buffer.History[connected - 1].Time - NewestTime;
                 return ahead < first ? new SectionPlace(PredictionKind.Held, first, isOnCurve: true)
                     : new SectionPlace(PredictionKind.Interpolated, ahead, isOnCurve: true);

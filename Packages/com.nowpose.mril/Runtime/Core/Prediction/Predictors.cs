@@ -133,9 +133,14 @@ namespace Nowpose.Prediction
         static PredictionPipeline<TSample> Pipeline<TSample>(string name, PredictionLimits limits, PredictionParts parts, int motions, Func<int, Mixture> mixtureOf)
             where TSample : struct, ISample<TSample>
         {
-            var (forecasters, kept) = (new Forecaster[motions], Kept);
-            for (var i = 0; i < motions; i++)
-                forecasters[i] = name == Default ? mixtureOf(i) : Named(name, default(TSample).Components / motions, out kept, out parts);
+            var (forecasters, components) = (new Forecaster[motions], default(TSample).Components / motions);
+            if (name == Default)
+            {
+                for (var i = 0; i < motions; i++) forecasters[i] = mixtureOf(i);
+                return new PredictionPipeline<TSample>(forecasters, Kept, parts, limits);
+            }
+            var kept = Kept;
+            for (var i = 0; i < motions; i++) forecasters[i] = Named(name, components, out kept, out parts);
             return new PredictionPipeline<TSample>(forecasters, kept, parts, limits);
         }
 
@@ -148,7 +153,7 @@ namespace Nowpose.Prediction
             var scatter = new ScatterDetector(components);
             var candidates = new List<Candidate>
             {
-                new Candidate(components, new MeanForecaster(scatter), new CandidateGate(MeanGate, MeanGate, untested: MeanGate))
+                new Candidate(components, new MeanForecaster(scatter), new CandidateGate(MeanGate, MeanGate, untestedRatio: MeanGate))
             };
             if (Has(parts, PredictionParts.Repetition))
                 candidates.Add(new Candidate(components, new TemplateForecaster(components, limits.MaximumGap, matchInterval),
@@ -165,8 +170,9 @@ namespace Nowpose.Prediction
             var forecasters = new List<(Forecaster, double, double)>();
             Add(PredictionParts.Process, new GaussianProcess(stopsAtReversal: true), ProcessPrior, 1 - ReportedPrior);
             var quadratic = new PolynomialForecaster(2, 2, stopsAtReversal: true);
-            var parabola = Has(parts, PredictionParts.Reported) ? new ReportedForecaster(quadratic) : (Forecaster)quadratic;
-            Add(PredictionParts.Quadratic, parabola, QuadraticPrior, ReportedPrior);
+            // Reported velocities replace this quadratic, so that they are switched off with it.
+            var withReported = Has(parts, PredictionParts.Reported) ? new ReportedForecaster(quadratic) : (Forecaster)quadratic;
+            Add(PredictionParts.Quadratic, withReported, QuadraticPrior, ReportedPrior);
             Add(PredictionParts.Cubic, new PolynomialForecaster(3, 3));
             Add(PredictionParts.QuadraticOfFive, new PolynomialForecaster(2, 4));
             Add(PredictionParts.CubicOfSix, new PolynomialForecaster(3, 5));
@@ -181,7 +187,8 @@ namespace Nowpose.Prediction
             }
         }
 
-        // Creates the forecaster of a predictor other than the default one.
+        // Creates the forecaster of a predictor other than the default one. Hold is a polynomial of degree 0, which has no solution: the newest position
+        // remains.
         static Forecaster Named(string name, int components, out int kept, out PredictionParts parts)
         {
             (kept, parts) = (Kept, PredictionParts.Preparation);

@@ -52,7 +52,7 @@ namespace Nowpose.Prediction
         /// <summary>Stores which section a sample replaces.</summary>
         /// <param name="displayed">See <see cref="IsNeeded"/>.</param>
         /// <param name="newest">Time of the previous newest sample, in s.</param>
-        public void Replace(double displayed, double newest)
+        public void StoreReplaced(double displayed, double newest)
         {
             // If several samples arrive between two frames, the displayed section is the section before the first of them.
             if (displayed != _lastDisplayed) (_lastDisplayed, _displayedSection) = (displayed, newest);

@@ -10,10 +10,10 @@ namespace Nowpose.Signals
     sealed class LateValues
     {
         /// <summary>Number of consecutive late values that proves that the clock went back; the same number as for samples.</summary>
-        const int Capacity = ArrivalOrder.MaxLate;
+        const int Capacity = ArrivalLimits.ProvingLate;
 
         /// <summary>
-        /// Number of consecutive late values that is sufficient if the last of them is late by more than <see cref="ArrivalOrder.MaxDelay"/>.
+        /// Number of consecutive late values that is sufficient if the last of them is late by more than <see cref="ArrivalLimits.MaxDelay"/>.
         /// </summary>
         const int MinFarBehind = 3;
 
@@ -48,13 +48,13 @@ namespace Nowpose.Signals
                 return false;
             }
             _oldestFirst[_count++] = (stamp, value);
-            return _count == Capacity || (_count >= MinFarBehind && ArrivalOrder.IsFarBehind(stamp, newest.Value));
+            return _count == Capacity || (_count >= MinFarBehind && ArrivalLimits.IsFarBehind(stamp, newest.Value));
         }
 
         /// <summary>Returns the newest late value, if it is too late to have been overtaken on the network; otherwise null.</summary>
         /// <inheritdoc cref="Add" path="/param[@name='newest']"/>
         public double? NewestFarBehind(ControlTime? newest) =>
-            _count > 0 && newest is ControlTime time && ArrivalOrder.IsFarBehind(_oldestFirst[_count - 1].Stamp, time) ? _oldestFirst[_count - 1].Value : (double?)null;
+            _count > 0 && newest is ControlTime time && ArrivalLimits.IsFarBehind(_oldestFirst[_count - 1].Stamp, time) ? _oldestFirst[_count - 1].Value : (double?)null;
 
         public void Clear() => _count = 0;
     }

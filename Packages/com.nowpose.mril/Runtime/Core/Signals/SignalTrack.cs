@@ -95,7 +95,7 @@ namespace Nowpose.Signals
             if (stamp > arrival)
             {
                 // The ordinary values that follow may be late by a normal delay. If they are older, the clock of the source went back.
-                if (!(arrival.Value - ClockTicks.Span(ArrivalOrder.MaxDelay) <= _newestSample)) _newestSample = arrival.Value - ClockTicks.Span(ArrivalOrder.MaxDelay);
+                if (!(arrival.Value - ClockTicks.Span(ArrivalLimits.MaxDelay) <= _newestSample)) _newestSample = arrival.Value - ClockTicks.Span(ArrivalLimits.MaxDelay);
                 return Place(stamp, value);
             }
             if (_late.Add(stamp, value, _newestSample))

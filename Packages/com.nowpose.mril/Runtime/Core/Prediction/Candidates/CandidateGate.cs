@@ -26,14 +26,16 @@ namespace Nowpose.Prediction.Candidates
 
         /// <summary>
         /// Time constant of the forgetting factor, in s: a few samples, so that the gate closes soon after a repetition ends. With 0.5 s, the displayed tool of
-        /// the virtual cell left a gripped workpiece by up to 2.3 mm; with 0.2 s, false repetitions double the rotation errors of vehicles. In motion, a pause
-        /// without scores counts as at most one time constant, so that the errors of the last motion are not forgotten before the next. Otherwise,
-        /// conveyors that are switched at random times have up to 1.2 times the error of a line. At a standstill, few forecasts of starts are scored, so a
-        /// false start would otherwise prevent the use of a candidate for many cycles.
+        /// the virtual cell left a gripped workpiece by up to 2.3 mm; with 0.2 s, false repetitions double the rotation errors of vehicles.
         /// </summary>
+        /// <remarks>
+        /// In motion, a pause without scores counts as at most one time constant, so that the errors of the last motion are not forgotten before the next:
+        /// if they were, conveyors that are switched at random times would have up to 1.2 times the error of a line. A pause at a standstill counts in full,
+        /// because few forecasts of starts are scored: a false start would otherwise prevent the use of a candidate for many cycles.
+        /// </remarks>
         const double TimeConstant = 0.3;
 
-        readonly double _maxErrorRatio, _maxStillErrorRatio, _untested;
+        readonly double _maxErrorRatio, _maxStillErrorRatio, _untestedRatio;
         Record _moving;
         Record _still;
 
@@ -41,9 +43,9 @@ namespace Nowpose.Prediction.Candidates
         /// Maximum ratio, 0 to 1, of the candidate's mean square error to the mixture's mean square error at which the candidate is used in motion.
         /// </param>
         /// <param name="maxStillErrorRatio">The same for forecasts from a standstill.</param>
-        /// <param name="untested">Ratio that applies until enough forecasts are scored; infinite if the candidate must not be used before.</param>
-        public CandidateGate(double maxErrorRatio, double maxStillErrorRatio, double untested = double.PositiveInfinity) =>
-            (_maxErrorRatio, _maxStillErrorRatio, _untested) = (maxErrorRatio, maxStillErrorRatio, untested);
+        /// <param name="untestedRatio">Ratio that applies until enough forecasts are scored; infinite if the candidate must not be used before.</param>
+        public CandidateGate(double maxErrorRatio, double maxStillErrorRatio, double untestedRatio = double.PositiveInfinity) =>
+            (_maxErrorRatio, _maxStillErrorRatio, _untestedRatio) = (maxErrorRatio, maxStillErrorRatio, untestedRatio);
 
         /// <summary>
         /// Returns the candidate's sum of squared errors relative to that of the mixture; infinite while the candidate must not replace the
@@ -54,7 +56,7 @@ namespace Nowpose.Prediction.Candidates
         {
             ref var record = ref isStill ? ref _still : ref _moving;
             var maxRatio = isStill ? _maxStillErrorRatio : _maxErrorRatio;
-            if (record.Scores < MinScores) return _untested;
+            if (record.Scores < MinScores) return _untestedRatio;
             var isImprovable = record.Mixture > MinMixtureRatio * record.Displacement;
             return isImprovable && record.Candidate < maxRatio * record.Mixture
                 ? record.Candidate / record.Mixture : double.PositiveInfinity;

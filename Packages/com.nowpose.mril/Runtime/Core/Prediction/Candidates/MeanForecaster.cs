@@ -14,8 +14,6 @@ namespace Nowpose.Prediction.Candidates
         /// <param name="scatter">The mixture's detector, which has examined the sample before this forecaster is solved.</param>
         public MeanForecaster(ScatterDetector scatter) => _scatter = scatter;
 
-        public override int RequiredSamples => ScatterDetector.MinSamples;
-
         public override bool Solve(MotionState motion) => _scatter.Scatters;
 
         public override double At(double ahead, int component) => _scatter.Mean[component];

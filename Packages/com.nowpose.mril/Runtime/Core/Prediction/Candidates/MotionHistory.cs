@@ -1,6 +1,6 @@
 using System;
 using System.Runtime.CompilerServices;
-using Nowpose.Prediction.State;
+using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Candidates
 {
@@ -93,19 +93,6 @@ namespace Nowpose.Prediction.Candidates
             for (; TimeOf(Count) <= _newest.Times[1] + Rounding * Step; Count++) Interpolate(TimeOf(Count), PlaceOf(Count));
         }
 
-        // A wrong sample would reappear in a forecast whenever the motion repeats.
-        void ReplaceSpike(int component)
-        {
-            var (times, positions) = (_newest.Times, _newest.Positions);
-            double newest = positions[component], before = positions[2 * Components + component];
-            ref var middle = ref positions[Components + component];
-            ref var max = ref _maxDisplacements[component];
-            double to = middle - before, from = newest - middle;
-            var less = Math.Min(Math.Abs(to), Math.Abs(from));
-            if (to * from >= 0) max = Math.Max(max, less);
-            else if (max > 0 && less > SpikeRatio * max) middle = before + (newest - before) * (times[1] - times[2]) / (times[0] - times[2]);
-        }
-
         /// <summary>Returns the place of a grid point in <see cref="Points"/>. The point must be one of the newest <see cref="Capacity"/>.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public int PlaceOf(long index) => ((int)index & Mask) * Components;
@@ -125,6 +112,19 @@ namespace Nowpose.Prediction.Candidates
 
         /// <summary>Returns whether there is a position at an index.</summary>
         public bool Covers(double index) => index < Count - 2 && index >= 1 && index >= Count - Capacity + 1;
+
+        // A wrong sample would reappear in a forecast whenever the motion repeats.
+        void ReplaceSpike(int component)
+        {
+            var (times, positions) = (_newest.Times, _newest.Positions);
+            double newest = positions[component], before = positions[2 * Components + component];
+            ref var middle = ref positions[Components + component];
+            ref var max = ref _maxDisplacements[component];
+            double to = middle - before, from = newest - middle;
+            var less = Math.Min(Math.Abs(to), Math.Abs(from));
+            if (to * from >= 0) max = Math.Max(max, less);
+            else if (max > 0 && less > SpikeRatio * max) middle = before + (newest - before) * (times[1] - times[2]) / (times[0] - times[2]);
+        }
 
         double TimeOf(long index) => _start + index * Step;
 

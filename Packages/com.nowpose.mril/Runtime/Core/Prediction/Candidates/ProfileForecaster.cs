@@ -62,8 +62,6 @@ namespace Nowpose.Prediction.Candidates
             Reset();
         }
 
-        public override int RequiredSamples => 1;
-
         /// <summary>Returns whether the limits are sufficient for this forecaster.</summary>
         public static bool HasLimits(PredictionLimits limits) =>
             double.IsFinite(limits.Velocity) && double.IsFinite(limits.Acceleration) && double.IsFinite(limits.Jerk);

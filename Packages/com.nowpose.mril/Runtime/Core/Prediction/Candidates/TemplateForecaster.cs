@@ -98,8 +98,6 @@ namespace Nowpose.Prediction.Candidates
             Reset();
         }
 
-        public override int RequiredSamples => 2;
-
         /// <returns>False if the history contains no similar motion.</returns>
         public override bool Solve(MotionState motion)
         {

@@ -10,9 +10,10 @@ namespace Nowpose.Prediction.Forecasting
     {
         /// <summary>
         /// Number of newest samples that a forecast needs. A mixture uses the forecaster only while this number of samples, and at least three,
-        /// belong to one motion. A forecaster that uses more samples than this number extrapolates across change points.
+        /// belong to one motion. A forecaster that uses more samples than this number extrapolates across change points. A <see cref="Candidates.Candidate"/>
+        /// does not use the number: its forecaster decides in <see cref="Solve"/>.
         /// </summary>
-        public abstract int RequiredSamples { get; }
+        public virtual int RequiredSamples => 2;
 
         /// <summary>Maximum number of newest samples that a forecast uses.</summary>
         public virtual int MaxSamples => RequiredSamples;

@@ -26,7 +26,7 @@ namespace Nowpose.Prediction.Forecasting
         const double Noise = 1e-7;
 
         /// <summary>Number of newest samples used. With 4, the errors are 0.6 to 1.0 % larger; with 7, up to 0.4 %.</summary>
-        const int Newest = 5;
+        const int SampleCount = 5;
 
         /// <summary>
         /// Variance of the level, relative to the variance of the motion, and of the trend over one length scale: large, because both are unknown, so
@@ -40,17 +40,17 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>√7 / l, in 1/s.</summary>
         const double PerSecond = 2.6457513110645906 / LengthScale;
 
-        readonly double[] _decays = new double[Newest];
-        readonly double[] _matrix = new double[Newest * Newest];
+        readonly double[] _decays = new double[SampleCount];
+        readonly double[] _matrix = new double[SampleCount * SampleCount];
 
         /// <param name="stopsAtReversal">See <see cref="WeightedSumForecaster"/>.</param>
-        public GaussianProcess(bool stopsAtReversal = false) : base(Newest, stopsAtReversal) { }
+        public GaussianProcess(bool stopsAtReversal = false) : base(SampleCount, stopsAtReversal) { }
 
         /// <summary>Returns the variance of the position, relative to the variance of the motion about its trend.</summary>
         /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
         public double VarianceAt(double ahead)
         {
-            Span<double> covariance = stackalloc double[Newest];
+            Span<double> covariance = stackalloc double[SampleCount];
             FillCovariance(ahead, covariance);
             Cholesky.SolveLower(_matrix, covariance);
             var variance = 1 + LevelVariance + TrendVariance * ahead * ahead;
@@ -67,17 +67,17 @@ namespace Nowpose.Prediction.Forecasting
         protected override bool SolveWeights()
         {
             // The exponentials of samples this far apart are zero to rounding.
-            if (-Times[Newest - 1] * PerSecond > MaxSpan) return false;
+            if (-Times[SampleCount - 1] * PerSecond > MaxSpan) return false;
             var (matrix, times, decays) = (_matrix, Times, _decays);
-            for (var i = 0; i < Newest; i++)
+            for (var i = 0; i < SampleCount; i++)
             {
-                var (time, trend, row) = (times[i], TrendVariance * times[i], i * Newest);
+                var (time, trend, row) = (times[i], TrendVariance * times[i], i * SampleCount);
                 decays[i] = Math.Exp(time * PerSecond);
                 for (var j = 0; j < i; j++)
                     matrix[row + j] = Polynomial((times[j] - time) * PerSecond) * decays[i] / decays[j] + LevelVariance + trend * times[j];
                 matrix[row + i] = 1 + LevelVariance + trend * time + Noise;
             }
-            Cholesky.Factor(matrix, Newest);
+            Cholesky.Factor(matrix, SampleCount);
             return true;
         }
 
@@ -85,7 +85,7 @@ namespace Nowpose.Prediction.Forecasting
         void FillCovariance(double ahead, Span<double> covariance)
         {
             var decay = Math.Exp(-ahead * PerSecond);
-            for (var i = 0; i < Newest; i++)
+            for (var i = 0; i < SampleCount; i++)
                 covariance[i] = Polynomial((ahead - Times[i]) * PerSecond) * decay * _decays[i]
                     + LevelVariance + TrendVariance * ahead * Times[i];
         }

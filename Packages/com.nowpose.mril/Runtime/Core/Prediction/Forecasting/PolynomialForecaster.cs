@@ -55,15 +55,6 @@ namespace Nowpose.Prediction.Forecasting
 
         protected override int MinSamples => 1;
 
-        static int Checked(int degree, int history)
-        {
-            if (degree < 0 || degree > MaxDegree)
-                throw new ArgumentOutOfRangeException(nameof(degree), degree, PredictionMessages.Degree(MaxDegree));
-            if (history < degree || history > MaxHistory)
-                throw new ArgumentOutOfRangeException(nameof(history), history, PredictionMessages.History(MaxHistory));
-            return history;
-        }
-
         /// <returns>False if the degree is 0 or the times determine no velocity.</returns>
         protected override bool SolveWeights()
         {
@@ -115,6 +106,15 @@ namespace Nowpose.Prediction.Forecasting
                 valuesAtTime[k] = value;
                 for (var j = 0; j < Count; j++) weights[j] += value * values[j];
             }
+        }
+
+        static int Checked(int degree, int history)
+        {
+            if (degree < 0 || degree > MaxDegree)
+                throw new ArgumentOutOfRangeException(nameof(degree), degree, PredictionMessages.Degree(MaxDegree));
+            if (history < degree || history > MaxHistory)
+                throw new ArgumentOutOfRangeException(nameof(history), history, PredictionMessages.History(MaxHistory));
+            return history;
         }
     }
 }

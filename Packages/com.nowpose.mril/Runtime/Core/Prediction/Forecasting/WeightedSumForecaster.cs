@@ -12,7 +12,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>
         /// Maximum difference of times that count as equal, in s: more than their rounding errors, and too short for a visible motion.
         /// </summary>
-        const double SameSeconds = 1e-9;
+        const double MaxRounding = 1e-9;
 
         readonly bool _stopsAtReversal;
 
@@ -64,7 +64,7 @@ namespace Nowpose.Prediction.Forecasting
         }
 
         /// <inheritdoc/>
-        /// <remarks>Valid until the forecaster solves for another motion.</remarks>
+        /// <remarks>Valid until the forecaster solves for another motion. Unlike <see cref="Fill"/>, it also continues a motion after a reversal.</remarks>
         public override double At(double ahead, int component)
         {
             Span<double> weights = stackalloc double[RequiredSamples];
@@ -98,7 +98,7 @@ namespace Nowpose.Prediction.Forecasting
         bool HasTimes(double[] times, int age)
         {
             for (var i = 0; i < Count; i++)
-                if (!(Math.Abs(times[age + i] - times[age] - Times[i]) <= SameSeconds)) return false;
+                if (!(Math.Abs(times[age + i] - times[age] - Times[i]) <= MaxRounding)) return false;
             return true;
         }
 

@@ -42,8 +42,8 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Number of forecasts, including hold and line.</summary>
         public int Count => First + _forecasters.Length;
 
-        /// <summary>Maximum number of newest samples that a forecast uses; the candidates need three.</summary>
-        public int MaxSamples { get; } = 3;
+        /// <summary>Maximum number of newest samples that a forecast uses.</summary>
+        public int MaxSamples { get; }
 
         /// <summary>Returns the weights that apply without evidence: one per forecast, with the sum 1.</summary>
         /// <param name="isReported">Whether the source reports velocity and acceleration.</param>

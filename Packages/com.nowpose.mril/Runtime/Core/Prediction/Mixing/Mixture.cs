@@ -14,6 +14,9 @@ namespace Nowpose.Prediction.Mixing
     /// Each new sample shows the errors of the forecasts that were made one horizon before it, the weights are solved from these errors
     /// (<see cref="MixtureWeights"/>), and the tables of all forecasts, one of which is displayed, are filled. The components of an object have the same
     /// weights: they have the same kind of noise and motion, so the weights are estimated three times as fast as for a joint.
+    /// The displayed table is that of the best candidate whose gate is open, or else the line, after a start from noise and at constant velocity, or else
+    /// the weighted sum within <see cref="DistanceLimit"/>. The limits of the drive bound the line and the sum. <see cref="PendingForecasts"/> scores the
+    /// weighted sum without these limits.
     /// </remarks>
     sealed class Mixture : Forecaster
     {
@@ -78,8 +81,6 @@ namespace Nowpose.Prediction.Mixing
             Reset();
         }
 
-        public override int RequiredSamples => 2;
-
         public override int MaxSamples => Math.Max(_forecasters.MaxSamples, ScatterDetector.Window);
 
         public override double Span => ForecastTable.Span;
@@ -94,9 +95,11 @@ namespace Nowpose.Prediction.Mixing
                 if (Uses(PredictionParts.Jumps)) _jumps.Add(motion);
                 DetectChangePoint(motion);
                 Learn(motion);
+                DetectStart(motion);
+                foreach (var candidate in _candidates) candidate.Add(motion, _points);
             }
             Forecast(motion);
-            return motion.Timing.ConnectedSamples >= 2;
+            return motion.Count >= 2;
         }
 
         public override double At(double ahead, int component) => new TableTime(ahead).Read(_table, 0, component, _components);
@@ -126,25 +129,24 @@ namespace Nowpose.Prediction.Mixing
         void Learn(MotionState motion)
         {
             // After a gap or a jump, earlier forecasts are wrong for a reason that no forecaster can know.
-            if (motion.Timing.ConnectedSamples == 1 || IsVelocityUnknown)
+            if (motion.Count == 1 || IsVelocityUnknown)
             {
                 _pending.Clear();
                 _distance.Release();
             }
-            Score(motion);
-            if (Uses(PredictionParts.Scatter)) _scatter.Add(motion.Displacements, Connected(motion));
-            if (_scatter.HasStarted && IsFirstMove(motion)) _lineUntil = motion.NewestTime + motion.Timing.Horizon + motion.Timing.Interval;
-            foreach (var candidate in _candidates) candidate.Add(motion, _points);
+            // One error per component and sample, all of which the weights forget with the same time constant.
+            var factorPerError = Math.Exp(-motion.Timing.Interval / (_components * TimeConstant));
+            // An error that a wrong sample shows would remain in all means for seconds. The next sample drops its forecasts.
+            var hasLearned = !_jumps.IsUnconfirmed && _pending.Score(motion, factorPerError);
+            var isReported = !double.IsNaN(motion.ReportedVelocity + motion.ReportedAcceleration);
+            if (hasLearned || isReported != _wasReported) _weights.Solve(_forecasters.Prior(isReported), PriorErrors * (1 - factorPerError));
+            _wasReported = isReported;
         }
 
-        void Score(MotionState motion)
+        void DetectStart(MotionState motion)
         {
-            var forgettingFactor = Math.Exp(-motion.Timing.Interval / (_components * TimeConstant));
-            // An error that a wrong sample shows would remain in all means for seconds.
-            var hasLearned = !_jumps.IsUnconfirmed && _pending.Score(motion, forgettingFactor);
-            var isReported = !double.IsNaN(motion.ReportedVelocity + motion.ReportedAcceleration);
-            if (hasLearned || isReported != _wasReported) _weights.Solve(_forecasters.Prior(isReported), PriorErrors * (1 - forgettingFactor));
-            _wasReported = isReported;
+            if (Uses(PredictionParts.Scatter)) _scatter.Add(motion.Displacements, Connected(motion));
+            if (_scatter.HasStarted && IsFirstMove(motion)) _lineUntil = motion.NewestTime + motion.Timing.Horizon + motion.Timing.Interval;
         }
 
         // The weights that result from noise at rest are unsuitable for a first move. After one horizon, they include the errors of this move.
@@ -198,12 +200,6 @@ namespace Nowpose.Prediction.Mixing
             if (motion.NewestTime < _lineUntil || (Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady)) _forecasters.AddTo(_table, Line, 1, _points);
             else AddForecasts();
             if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Timing.Interval, _limits);
-            foreach (var position in _table)
-            {
-                if (double.IsFinite(position)) continue;
-                Array.Clear(_table, 0, _table.Length);
-                return;
-            }
         }
 
         void AddForecasts()

@@ -50,7 +50,7 @@ namespace Nowpose.Prediction.Mixing
         public double Add(MotionState motion)
         {
             var (expected, horizon) = (Append(), motion.Timing.Horizon);
-            var (time, table) = (new TableTime(horizon), expected.Positions);
+            var (time, positions) = (new TableTime(horizon), expected.Positions);
             expected.Due = motion.NewestTime + horizon;
             expected.WasStill = motion.StillSamples > 0;
             for (var c = 0; c < _components; c++)
@@ -59,13 +59,13 @@ namespace Nowpose.Prediction.Mixing
                 for (var i = 0; i < _forecasters.Count; i++)
                 {
                     var forecast = _forecasters.At(i, time, c);
-                    table[i * _components + c] = newest + forecast;
+                    positions[i * _components + c] = newest + forecast;
                     sum += _weights.Values[i] * forecast;
                 }
-                table[_mixture + c] = newest + sum;
-                for (var i = 0; i < _candidates.Length; i++) table[CandidateRow(i) + c] = newest + _candidates[i].At(time, c);
+                positions[_mixture + c] = newest + sum;
+                for (var i = 0; i < _candidates.Length; i++) positions[CandidateRow(i) + c] = newest + _candidates[i].At(time, c);
             }
-            return Vectors.Distance(table, _mixture, table, Line * _components, _components);
+            return Vectors.Distance(positions, _mixture, positions, Line * _components, _components);
         }
 
         /// <summary>
@@ -103,19 +103,19 @@ namespace Nowpose.Prediction.Mixing
             _pending[_count] = dropped;
         }
 
-        bool ScoreForecasts(double[] table, double forgettingFactor)
+        bool ScoreForecasts(double[] positions, double forgettingFactor)
         {
             var differ = false;
             for (var row = 0; row < _mixture; row += _components)
             {
-                if (!(ErrorOf(table, row) < MaxError)) return false;
-                differ |= Vectors.Distance(table, row, table, Line * _components, _components) > Rounding;
+                if (!(ErrorOf(positions, row) < MaxError)) return false;
+                differ |= Vectors.Distance(positions, row, positions, Line * _components, _components) > Rounding;
             }
             // From a rest without noise, all forecasts are equal. Their error at a start would hide the differences between the forecasters for seconds.
             if (!differ) return false;
             for (var c = 0; c < _components; c++)
             {
-                for (var i = 0; i < _errors.Length; i++) _errors[i] = table[i * _components + c] - _truth[c];
+                for (var i = 0; i < _errors.Length; i++) _errors[i] = positions[i * _components + c] - _truth[c];
                 _weights.Learn(_errors, forgettingFactor);
             }
             return true;
@@ -123,19 +123,19 @@ namespace Nowpose.Prediction.Mixing
 
         void ScoreCandidates(Expectation expected, double time)
         {
-            var table = expected.Positions;
-            double mixture = ErrorOf(table, _mixture), moved = ErrorOf(table, Hold * _components);
+            var positions = expected.Positions;
+            double mixture = ErrorOf(positions, _mixture), moved = ErrorOf(positions, Hold * _components);
             for (var i = 0; i < _candidates.Length; i++)
             {
                 var row = CandidateRow(i);
-                var displacement = Math.Max(moved, Vectors.Distance(table, Hold * _components, table, row, _components));
-                _candidates[i].Score(ErrorOf(table, row), mixture, displacement, expected.WasStill, time);
+                var displacement = Math.Max(moved, Vectors.Distance(positions, Hold * _components, positions, row, _components));
+                _candidates[i].Score(ErrorOf(positions, row), mixture, displacement, expected.WasStill, time);
             }
         }
 
         int CandidateRow(int candidate) => _mixture + (1 + candidate) * _components;
 
-        double ErrorOf(double[] table, int row) => Vectors.Distance(table, row, _truth, 0, _components);
+        double ErrorOf(double[] positions, int row) => Vectors.Distance(positions, row, _truth, 0, _components);
 
         /// <summary>Forecasts for one time.</summary>
         sealed class Expectation

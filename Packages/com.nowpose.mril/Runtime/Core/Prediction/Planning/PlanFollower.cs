@@ -25,6 +25,14 @@ namespace Nowpose.Prediction.Planning
         ActivePlan _current, _next;
         int _agreements = AgreementsToReturn;
 
+        /// <summary>Estimated delay of the joint behind its plan, in s.</summary>
+        public double Delay => _filter.Delay;
+
+        /// <summary>Estimated offset of the joint from its plan, in rad or m.</summary>
+        public double Offset => _filter.Offset;
+
+        public bool HasPlan => !_current.IsNone;
+
         /// <summary>Replaces the plan at the start of the new plan, or at once if this start is not in the future.</summary>
         /// <param name="start">Stamp of the plan, in s.</param>
         /// <param name="from">See <see cref="ActivePlan"/>.</param>
@@ -97,14 +105,6 @@ namespace Nowpose.Prediction.Planning
         /// its end. Call it only while there is a plan.
         /// </summary>
         public double At(double time) => PlanAt(time).At(time - _filter.Delay, out _) + _filter.Offset;
-
-        /// <summary>Estimated delay of the joint behind its plan, in s.</summary>
-        public double Delay => _filter.Delay;
-
-        /// <summary>Estimated offset of the joint from its plan, in rad or m.</summary>
-        public double Offset => _filter.Offset;
-
-        public bool HasPlan => !_current.IsNone;
 
         ActivePlan PlanAt(double time) => !_next.IsNone && time - _filter.Delay >= _next.Start ? _next : _current;
     }

@@ -3,12 +3,12 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>Limits that distinguish late samples, and late values of signals, from a clock that went back.</summary>
-    static class ArrivalOrder
+    static class ArrivalLimits
     {
         /// <summary>
         /// Number of consecutive late samples that proves that the clock went back: at 20 ms, WiFi swaps two samples every few seconds.
         /// </summary>
-        public const int MaxLate = 5;
+        public const int ProvingLate = 5;
 
         /// <summary>
         /// Maximum delay of a sample relative to later ones on a usable network, in s. A later sample would hardly improve a prediction, whose
@@ -34,18 +34,18 @@ namespace Nowpose.Prediction.Samples
     {
         /// <summary>
         /// Number of consecutive late samples that is sufficient if the neighbouring samples show that the joint was elsewhere, or if the samples are
-        /// late by more than <see cref="ArrivalOrder.MaxDelay"/>. A single one may be a repeated message.
+        /// late by more than <see cref="ArrivalLimits.MaxDelay"/>. A single one may be a repeated message.
         /// </summary>
-        const int MinLate = 2;
+        const int ProvingClearlyLate = 2;
 
         readonly RecentSamples<TSample> _recent;
-        readonly TSample[] _ready = new TSample[ArrivalOrder.MaxLate + 1];
+        readonly TSample[] _ready = new TSample[ArrivalLimits.ProvingLate + 1];
         double _newest = double.NegativeInfinity;
         int _readyCount;
 
         // The waiting samples, each newer than the previous one. Some are only evidence: they are used only if the clock has gone back.
-        readonly TSample[] _late = new TSample[ArrivalOrder.MaxLate];
-        readonly bool[] _isOnlyEvidence = new bool[ArrivalOrder.MaxLate];
+        readonly TSample[] _late = new TSample[ArrivalLimits.ProvingLate];
+        readonly bool[] _isOnlyEvidence = new bool[ArrivalLimits.ProvingLate];
         int _lateCount, _contradicted;
 
         /// <param name="isEndless">Whether positions are angles in rad that may wrap from π to −π.</param>
@@ -102,8 +102,8 @@ namespace Nowpose.Prediction.Samples
             _readyCount = _lateCount = _contradicted = 0;
         }
 
-        bool HasClockGoneBack => _lateCount == ArrivalOrder.MaxLate || _contradicted == MinLate
-            || (_lateCount >= MinLate && _newest - _late[_lateCount - 1].Order > ArrivalOrder.MaxDelay);
+        bool HasClockGoneBack => _lateCount == ArrivalLimits.ProvingLate || _contradicted == ProvingClearlyLate
+            || (_lateCount >= ProvingClearlyLate && _newest - _late[_lateCount - 1].Order > ArrivalLimits.MaxDelay);
 
         bool IsWaiting(in TSample sample)
         {

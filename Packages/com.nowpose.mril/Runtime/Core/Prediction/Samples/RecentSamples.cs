@@ -8,7 +8,7 @@ namespace Nowpose.Prediction.Samples
     sealed class RecentSamples<TSample> where TSample : struct, ISample<TSample>
     {
         /// <summary>
-        /// Number of samples kept: a quarter of a second at 1 kHz, the maximum delay of a late sample (<see cref="ArrivalOrder.MaxDelay"/>).
+        /// Number of samples kept: a quarter of a second at 1 kHz, the maximum delay of a late sample (<see cref="ArrivalLimits.MaxDelay"/>).
         /// </summary>
         const int Capacity = 256;
 

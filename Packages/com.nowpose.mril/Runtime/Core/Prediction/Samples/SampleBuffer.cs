@@ -54,12 +54,13 @@ namespace Nowpose.Prediction.Samples
         /// <returns>Whether the history has changed.</returns>
         public bool Add(in TSample sample, double displayed)
         {
-            var isNewer = HasNewestOrder(sample);
-            var time = _stamps == null ? sample.Time : _stamps.Correct(sample, isNewer);
+            var isNewestByOrder = HasNewestOrder(sample);
+            var time = _stamps == null ? sample.Time : _stamps.Correct(sample, isNewestByOrder);
             // The order decides, because the corrected stamp of the newest sample may precede the corrected stamp of the previous sample.
-            if (isNewer) (_newestOrder, Newest) = (sample.Order, sample);
+            if (isNewestByOrder) (_newestOrder, Newest) = (sample.Order, sample);
             var before = History.NewestTime;
-            if (_thins && (isNewer ? time > before && time - before < MinInterval : History.HasWithin(MinInterval, time))) return false;
+            // The correction may put a newest sample before the previous one. It is then sorted in, not thinned.
+            if (_thins && (isNewestByOrder ? time > before && time - before < MinInterval : History.HasWithin(MinInterval, time))) return false;
             // The history is sorted by corrected times, so that successive times differ.
             if (!History.Add(sample.With(time, _stamps == null ? sample.Order : time))) return false;
             IsNewest = History.NewestTime > before;

@@ -16,7 +16,7 @@ namespace Nowpose.Prediction.Samples
         public double NewestTime => Count > 0 ? _samples[0].Time : double.NegativeInfinity;
 
         /// <summary>Order of the oldest sample in a full history, in s; negative infinity while older samples still fit.</summary>
-        public double Oldest => Count < _samples.Length ? double.NegativeInfinity : _samples[Count - 1].Order;
+        public double OldestOrder => Count < _samples.Length ? double.NegativeInfinity : _samples[Count - 1].Order;
 
         /// <returns>False if the history is full and the sample is older than its samples, or if another sample has the same order.</returns>
         public bool Add(in TSample sample)

@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Samples
 {

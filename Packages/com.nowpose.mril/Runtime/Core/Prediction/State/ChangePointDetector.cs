@@ -4,8 +4,8 @@ namespace Nowpose.Prediction.State
 {
     /// <summary>Detects change points: samples at which a motion breaks off, so that earlier samples do not predict later ones.</summary>
     /// <remarks>
-    /// A window of samples across an emergency stop gives wrong forecasts. A change point is a change of velocity that is faster than all other
-    /// changes in the last few seconds; their maximum has the time constant of the weights. If it increased the speed after noise, and the next sample
+    /// A window of samples across an emergency stop gives wrong forecasts. A change point is a change of velocity that is faster than all
+    /// recent changes; their maximum is forgotten with the time constant of the weights. If it increased the speed after noise, and the next sample
     /// confirms the new speed, all samples are used again: the samples of a joint at rest do not impair the forecast of its start. While the velocity is
     /// constant to rounding, each large change is a change point, even if earlier ones were faster: without noise, a conveyor or turntable that is
     /// switched on moves at full speed at once.

@@ -21,13 +21,13 @@ namespace Nowpose.Prediction.State
         /// <summary>Adds the newest sample of a motion. The first displacement is not a jump, because the velocity before it is unknown.</summary>
         public void Add(MotionState motion)
         {
-            if (motion.Timing.ConnectedSamples < 2) Reset();
-            else SamplesSince = IsJump(motion) ? 1 : Math.Min(SamplesSince, int.MaxValue - 1) + 1;
+            if (motion.Count < 2) Reset();
+            else SamplesSince = IsDiscontinuity(motion) ? 1 : Math.Min(SamplesSince, int.MaxValue - 1) + 1;
         }
 
         public virtual void Reset() => (SamplesSince, IsUnconfirmed) = (int.MaxValue, false);
 
-        /// <summary>Returns whether the displacement to the newest sample from its predecessor is a jump.</summary>
-        protected abstract bool IsJump(MotionState motion);
+        /// <summary>Returns whether the displacement to the newest sample is not a velocity.</summary>
+        protected abstract bool IsDiscontinuity(MotionState motion);
     }
 }

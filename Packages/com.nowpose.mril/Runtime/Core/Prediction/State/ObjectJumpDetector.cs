@@ -48,7 +48,7 @@ namespace Nowpose.Prediction.State
             (_meanChange, _isKnown) = (0, false);
         }
 
-        protected override bool IsJump(MotionState motion)
+        protected override bool IsDiscontinuity(MotionState motion)
         {
             // The stamps of two close samples may be inaccurate.
             var interval = Math.Max(motion.Timing.Interval, motion.Timing.MeanInterval);

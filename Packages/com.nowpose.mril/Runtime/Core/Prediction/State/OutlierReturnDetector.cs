@@ -30,7 +30,7 @@ namespace Nowpose.Prediction.State
         double _before;
         int _wrong;
 
-        protected override bool IsJump(MotionState motion)
+        protected override bool IsDiscontinuity(MotionState motion)
         {
             var max = MaxReturnRatio * Math.Abs(motion.Previous[0] - _before);
             var isReturn = IsUnconfirmed && Math.Abs(motion.Newest[0] - _before) < max;
@@ -41,7 +41,8 @@ namespace Nowpose.Prediction.State
                 IsUnconfirmed = !isReturn && motion.MaxSpeed > 0 && motion.Speed > MinSpeedRatio * motion.MaxSpeed;
                 (_before, _wrong) = (motion.Previous[0], 1);
             }
-            return motion.IsPreviousWrong = isReturn;
+            motion.IsPreviousWrong = isReturn;
+            return isReturn;
         }
     }
 }

@@ -5,7 +5,8 @@ namespace Nowpose.Prediction.State
     /// <summary>Detects samples that only scatter about a position, such as the samples of a noisy tracker or encoder at rest.</summary>
     /// <remarks>
     /// For white noise, the mean second difference is √3 times the mean first difference, and the samples make no progress; a smooth motion has small
-    /// second differences, even at a reversal.
+    /// second differences, even at a reversal. A motion starts in two steps: a sample leaves the position about which the previous ones scattered, and the
+    /// next one continues in the same direction.
     /// </remarks>
     sealed class ScatterDetector
     {
@@ -63,6 +64,7 @@ namespace Nowpose.Prediction.State
         {
             count = Math.Min(count, Window);
             if (count == 1) Noise = 0;
+            // Each line uses the results for the previous sample of the lines below it.
             HasStarted = _hasLeft && count > 2 && Continues(samples);
             _hasLeft = Scatters && count > 1 && DistanceFromScatter(samples, count) > MinStartRatio * Noise;
             Scatters = count >= MinSamples && !_hasLeft && IsScatter(samples, count);

@@ -113,7 +113,7 @@ namespace Nowpose.Session.Cell
 
         // The clock of the source went back if the pose is much older.
         static bool IsOvertaken(ControlTime stamp, ControlTime newest) =>
-            stamp <= newest && !ArrivalOrder.IsFarBehind(stamp, newest);
+            stamp <= newest && !ArrivalLimits.IsFarBehind(stamp, newest);
 
         // Returns a frame of the tree that neither is shown nor has children, and whose source has probably ended, or in a full tree a stationary one;
         // −1 if there is none, or while the places of all frames are needed for a change of parent.

@@ -103,7 +103,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         [Test]
         public void ErrorRatio_GateWithARatioForUntestedCandidates_IsOpenUntilTheScoresAreWorse()
         {
-            var gate = new CandidateGate(1, 1, untested: 1);
+            var gate = new CandidateGate(1, 1, untestedRatio: 1);
             Assert.That(gate.ErrorRatio(isStill: false), Is.EqualTo(1));
 
             for (var i = 0; i < 3; i++) gate.Score(0.2, 0.1, 1, wasStill: false, time: 0);

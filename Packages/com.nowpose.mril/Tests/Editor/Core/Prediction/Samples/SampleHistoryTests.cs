@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
                 Assert.That(Enumerable.Range(0, history.Count).Select(age => history[age].Time), Is.EqualTo(all), "sample " + i);
                 Assert.That(history[0].Position, Is.EqualTo(-all[0]));
-                Assert.That(history.Oldest, Is.EqualTo(all.Count < capacity ? double.NegativeInfinity : all[capacity - 1]));
+                Assert.That(history.OldestOrder, Is.EqualTo(all.Count < capacity ? double.NegativeInfinity : all[capacity - 1]));
             }
         }
 

@@ -2,6 +2,7 @@ using System;
 using NUnit.Framework;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
+using Nowpose.Prediction.Samples;
 using Nowpose.Prediction.State;
 using Nowpose.Simulation;
 using Nowpose.Tests.Core.Frames;

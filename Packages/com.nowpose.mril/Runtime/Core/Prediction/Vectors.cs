@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Prediction.State
+namespace Nowpose.Prediction
 {
     /// <summary>Lengths and products of positions with any number of components.</summary>
     static class Vectors

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Prediction.State
+namespace Nowpose.Prediction.Samples
 {
     /// <summary>Keeps the times and positions of the newest samples, newest first; the components of a position are adjacent.</summary>
     sealed class PositionWindow
