@@ -25,14 +25,16 @@ sealed class LatchedMessages(Func<HubMessage, Predicate<string>, HubMessage> onl
     }
 
     /// <summary>
-    /// Gets the current values that were published since a sequence number, in the order of publication. Each one follows the newest different value since
-    /// this number, so that a reader receives a change also if the value has changed back.
+    /// Gets the current values that were published since a sequence number, in the order of publication. Each one follows the newest different value, if
+    /// it is recent too, so that a reader receives a change also if the value has changed back.
     /// </summary>
-    /// <param name="sequence">Minimum <see cref="HubMessage.Sequence"/>; 0 for the current values only, for a reader that has received none.</param>
-    public IEnumerable<HubMessage> Since(long sequence)
+    /// <param name="sequence">Minimum <see cref="HubMessage.Sequence"/> of the current values.</param>
+    /// <param name="changesAfter">Different values must also have a higher sequence number than this.</param>
+    public IEnumerable<HubMessage> Since(long sequence, long changesAfter)
     {
-        bool IsIncluded(HubMessage message, string name) => Of(name) == message || (sequence > 0 && _former.GetValueOrDefault(name) == message);
-        return _newest.Values.Concat(sequence > 0 ? _former.Values : []).Where(message => message.Sequence >= sequence).Distinct()
-            .OrderBy(message => message.Sequence).Select(message => only(message, name => IsIncluded(message, name))).ToArray();
+        bool IsFormer(HubMessage message, string name) => message.Sequence > changesAfter && _former.GetValueOrDefault(name) == message;
+        return _newest.Values.Concat(_former.Values.Where(message => message.Sequence > changesAfter)).Where(message => message.Sequence >= sequence)
+            .Distinct().OrderBy(message => message.Sequence)
+            .Select(message => only(message, name => Of(name) == message || IsFormer(message, name))).ToArray();
     }
 }

@@ -26,6 +26,8 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
     // Sequence number of the first dropped message. Initially 0, so that all current values are sent.
     long _lostFrom;
     long _readAt;
+    // A value that is no longer the newest is read only if its sequence number is higher than those of the first reading and of the last sent message.
+    long _changesAfter = None;
 
     /// <summary>Whether values read from the hub are waiting to be sent.</summary>
     public bool HasMore => _read.Count > 0;
@@ -47,6 +49,14 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
     /// which the message was received, a count of <see cref="Stopwatch"/>.
     /// </param>
     public HubMessage Next(Func<long, bool> isOld)
+    {
+        var message = Waiting(isOld);
+        // A drop may be reported after a newer message was taken from the queue.
+        if (message?.Sequence > _changesAfter) _changesAfter = message.Sequence;
+        return message;
+    }
+
+    HubMessage Waiting(Func<long, bool> isOld)
     {
         if (Volatile.Read(ref _lostFrom) != None || (HasMore && isOld(_readAt))) ReadAgain(None);
         while (true)
@@ -73,8 +83,9 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
             while (queue.Reader.TryRead(out var queued))
                 if (queued != Wake) waiting.Add(queued.Sequence);
             return Math.Min(Interlocked.Exchange(ref _lostFrom, None), waiting.Count == 0 ? None : waiting.Min());
-        })) _read.Enqueue(message);
+        }, _changesAfter)) _read.Enqueue(message);
 
+        if (_changesAfter == None) _changesAfter = _read.Count == 0 ? 0 : _read.Max(message => message.Sequence);
         foreach (var _ in waiting.Except(_read.Select(message => message.Sequence))) lost();
     }
 }

@@ -19,6 +19,9 @@ public class LatchedQueueTests
     void Publish(HubSource source, string name, double value, long? receivedAt = null) => Assert.That(
         source.Publish(new SignalsMessage(Gateways.Start, new SignalValue(name, value)), [], receivedAt), Is.True);
 
+    static string TextOf(ReadOnlyMemory<byte> utf8) =>
+        !utf8.IsEmpty && RosbridgeReader.TryRead(Encoding.UTF8.GetString(utf8.Span), out var message, out _) ? message.Signals.Text() : null;
+
     // Lets the subscription send messages until it has sent the message `last`. Returns all sent messages as text.
     static async Task<List<string>> SentAsync(Subscription subscription, string last, bool isReaderSlow)
     {
@@ -27,8 +30,7 @@ public class LatchedQueueTests
         _ = subscription.PumpAsync(
             next =>
             {
-                var utf8 = next(isReaderSlow ? Stopwatch.GetTimestamp() : long.MinValue);
-                if (!utf8.IsEmpty && RosbridgeReader.TryRead(Encoding.UTF8.GetString(utf8.Span), out var message, out _)) sent.Add(message.Signals.Text());
+                if (TextOf(next(isReaderSlow ? Stopwatch.GetTimestamp() : long.MinValue)) is { } text) sent.Add(text);
                 if (sent.Contains(last)) isDone.TrySetResult();
                 return Task.CompletedTask;
             },
@@ -73,26 +75,71 @@ public class LatchedQueueTests
     public void Next_ValuesWaitedForASlowClient_ReturnsTheNewestAndTheDifferentValueBefore(string waiting, string expected)
     {
         using var source = _hub.OpenSource();
-        var queued = Channel.CreateUnbounded<HubMessage>();
-        var queue = new LatchedQueue(_hub, RosTopics.Signals, queued, () => { });
+        var (queue, queued) = NewQueue();
         using var subscription = _hub.SubscribeToNew(RosTopics.Signals, message => queued.Writer.TryWrite(message));
-        queue.Start();
         Publish(source, "lamp", 1);
         Publish(source, "grip", 0);
         Publish(source, "grip", 1);
-        Assert.That(Received(long.MinValue), Is.EqualTo(new[] { "lamp=1", "grip=1" }), "a new client receives only current values");
+        Assert.That(Received(queue, _ => false), Is.EqualTo(new[] { "lamp=1", "grip=1" }), "a new client receives only current values");
         var old = Stopwatch.GetTimestamp() - Stopwatch.Frequency;
 
         foreach (var value in waiting.Split(' ')) Publish(source, "grip", int.Parse(value), old);
 
-        Assert.That(Received(old), Is.EqualTo(expected.Split(' ').Select(value => "grip=" + value)));
+        Assert.That(Received(queue, receivedAt => receivedAt <= old), Is.EqualTo(expected.Split(' ').Select(value => "grip=" + value)));
+    }
 
-        string[] Received(long maxOld)
-        {
-            var received = new List<string>();
-            while (queue.Next(receivedAt => receivedAt <= maxOld) is { } message) received.Add(((SignalsMessage)message.Content).Text());
-            return [.. received];
-        }
+    [TestCase("", "door=1 grip=1")]
+    [TestCase("0 1", "door=1 grip=0 grip=1")]
+    public void Next_CurrentValuesWaitForANewSlowClient_ReturnsNoEarlierValue(string publishedLater, string expected)
+    {
+        using var source = _hub.OpenSource();
+        var (queue, queued) = NewQueue();
+        using var subscription = _hub.SubscribeToNew(RosTopics.Signals, message => queued.Writer.TryWrite(message));
+        foreach (var (name, value) in new[] { ("lamp", 1), ("door", 1), ("grip", 0), ("grip", 1) }) Publish(source, name, value);
+        Assert.That(((SignalsMessage)queue.Next(_ => false).Content).Text(), Is.EqualTo("lamp=1"));
+
+        foreach (var value in publishedLater.Split(' ', StringSplitOptions.RemoveEmptyEntries)) Publish(source, "grip", int.Parse(value));
+
+        var isOld = true;
+        Assert.That(Received(queue, _ => isOld && !(isOld = false)), Is.EqualTo(expected.Split(' ')));
+    }
+
+    // The queue reports a dropped message after it has released its lock, so the client may receive the next message before.
+    [Test]
+    public void Next_DropIsReportedAfterANewerMessage_ReturnsNoOlderValue()
+    {
+        using var source = _hub.OpenSource();
+        var (queue, queued) = NewQueue();
+        using var subscription = _hub.SubscribeToNew(RosTopics.Signals, message => queued.Writer.TryWrite(message));
+        Publish(source, "grip", 1);
+        Assert.That(Received(queue, _ => false), Is.EqualTo(new[] { "grip=1" }));
+        Publish(source, "lamp", 1);
+        Publish(source, "grip", 0);
+        Publish(source, "grip", 1);
+        HubMessage[] dropped = [Read(), Read()];
+        Assert.That(((SignalsMessage)queue.Next(_ => false).Content).Text(), Is.EqualTo("grip=1"));
+
+        foreach (var message in dropped) queue.Lose(message);
+
+        Assert.That(Received(queue, _ => false), Is.EqualTo(new[] { "lamp=1", "grip=1" }));
+
+        HubMessage Read() => queued.Reader.TryRead(out var message) ? message : null;
+    }
+
+    // A queue of a new subscription, with the channel from which it reads.
+    (LatchedQueue Queue, Channel<HubMessage> Queued) NewQueue()
+    {
+        var queued = Channel.CreateUnbounded<HubMessage>();
+        var queue = new LatchedQueue(_hub, RosTopics.Signals, queued, () => { });
+        queue.Start();
+        return (queue, queued);
+    }
+
+    static string[] Received(LatchedQueue queue, Func<long, bool> isOld)
+    {
+        var received = new List<string>();
+        while (queue.Next(isOld) is { } message) received.Add(((SignalsMessage)message.Content).Text());
+        return [.. received];
     }
 
     [Test]
