@@ -8,13 +8,14 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <summary>
 /// The queue of a subscription to a topic that is latched per name. If the queue drops messages, it later sends the newest value of each
 /// name in them, because a signal may not change again for hours and its newest value must arrive. It sends the newest different value before, if it was
-/// dropped too, because a signal that changes and changes back may release a gripped object.
+/// dropped too, because a signal that changes and changes back may release a gripped object. A throttled client gets only the newest value.
 /// </summary>
 /// <remarks>
 /// The hub publishes and reads latched values under its lock, so that no value is missed and no older value follows a newer one.
 /// </remarks>
+/// <param name="isThrottled">Whether the client wants at most one value of each name in an interval.</param>
 /// <param name="lost">Called for each message that is not sent.</param>
-sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queue, Action lost)
+sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queue, bool isThrottled, Action lost)
 {
     const long None = long.MaxValue;
 
@@ -28,9 +29,17 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
     long _readAt;
     // A value that is no longer the newest is read only if its sequence number is higher than those of the first reading and of the last sent message.
     long _changesAfter = None;
+    // Number of values that may still be sent without a pause.
+    int _together;
 
     /// <summary>Whether values read from the hub are waiting to be sent.</summary>
     public bool HasMore => _read.Count > 0;
+
+    /// <summary>
+    /// Whether the next value was read from the hub together with the previous one, so that a throttled client gets it without a pause. A repeated reading
+    /// before the pause allows no further values, because otherwise a client that is slower than the changes would get no pause.
+    /// </summary>
+    public bool IsNextTogether => _together > 0;
 
     /// <summary>Sends the current values. Call this method after the subscription.</summary>
     public void Start() => queue.Writer.TryWrite(Wake);
@@ -51,6 +60,7 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
     public HubMessage Next(Func<long, bool> isOld)
     {
         var message = Waiting(isOld);
+        _together = Math.Min(_read.Count, _together > 0 ? _together - 1 : int.MaxValue);
         // A drop may be reported after a newer message was taken from the queue.
         if (message?.Sequence > _changesAfter) _changesAfter = message.Sequence;
         return message;
@@ -58,7 +68,9 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
 
     HubMessage Waiting(Func<long, bool> isOld)
     {
-        if (Volatile.Read(ref _lostFrom) != None || (HasMore && isOld(_readAt))) ReadAgain(None);
+        // A throttled client gets the values of one reading, so that it gets each name once in an interval.
+        var isAnyLost = Volatile.Read(ref _lostFrom) != None && !(isThrottled && IsNextTogether);
+        if (isAnyLost || (HasMore && isOld(_readAt))) ReadAgain(None);
         while (true)
         {
             if (_read.TryDequeue(out var message)) return message;
@@ -83,7 +95,7 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
             while (queue.Reader.TryRead(out var queued))
                 if (queued != Wake) waiting.Add(queued.Sequence);
             return Math.Min(Interlocked.Exchange(ref _lostFrom, None), waiting.Count == 0 ? None : waiting.Min());
-        }, _changesAfter)) _read.Enqueue(message);
+        }, isThrottled ? None : _changesAfter)) _read.Enqueue(message);
 
         if (_changesAfter == None) _changesAfter = _read.Count == 0 ? 0 : _read.Max(message => message.Sequence);
         foreach (var _ in waiting.Except(_read.Select(message => message.Sequence))) lost();

@@ -35,7 +35,7 @@ sealed class Subscription : IDisposable
         if (CellKinds.IsLatched(topic))
         {
             _queue = Channel.CreateBounded<HubMessage>(bounds, message => _latched.Lose(message));
-            _latched = new LatchedQueue(hub, topic, _queue, _lost);
+            _latched = new LatchedQueue(hub, topic, _queue, terms.ThrottleMs > 0, _lost);
             _subscriber = hub.SubscribeToNew(topic, message => _queue.Writer.TryWrite(message));
             _latched.Start();
         }
@@ -66,8 +66,7 @@ sealed class Subscription : IDisposable
             if (message == null) continue;
             _times?.Add(message.ReceivedAt);
             var rest = TimeSpan.FromMilliseconds(_terms.ThrottleMs) - Stopwatch.GetElapsedTime(began);
-            // Does not pause between values that were read from the hub together.
-            if (rest > TimeSpan.Zero && !HasMore && await IsOverWithinAsync(rest, stop))
+            if (rest > TimeSpan.Zero && _latched?.IsNextTogether != true && await IsOverWithinAsync(rest, stop))
                 return;
         }
     }

@@ -126,11 +126,29 @@ public class LatchedQueueTests
         HubMessage Read() => queued.Reader.TryRead(out var message) ? message : null;
     }
 
+    [Test]
+    public void IsNextTogether_ValuesChangeBeforeEachReadingOfASlowThrottledClient_IsFalseAfterOneValuePerSignal()
+    {
+        using var source = _hub.OpenSource();
+        var (queue, queued) = NewQueue(isThrottled: true);
+        using var subscription = _hub.SubscribeToNew(RosTopics.Signals, message => queued.Writer.TryWrite(message));
+        var returned = 0;
+
+        do
+        {
+            foreach (var name in new[] { "a", "b", "c" }) Publish(source, name, returned);
+            Assert.That(queue.Next(_ => true), Is.Not.Null);
+        }
+        while (++returned < 20 && queue.IsNextTogether);
+
+        Assert.That(returned, Is.EqualTo(3));
+    }
+
     // A queue of a new subscription, with the channel from which it reads.
-    (LatchedQueue Queue, Channel<HubMessage> Queued) NewQueue()
+    (LatchedQueue Queue, Channel<HubMessage> Queued) NewQueue(bool isThrottled = false)
     {
         var queued = Channel.CreateUnbounded<HubMessage>();
-        var queue = new LatchedQueue(_hub, RosTopics.Signals, queued, () => { });
+        var queue = new LatchedQueue(_hub, RosTopics.Signals, queued, isThrottled, () => { });
         queue.Start();
         return (queue, queued);
     }
@@ -140,6 +158,58 @@ public class LatchedQueueTests
         var received = new List<string>();
         while (queue.Next(isOld) is { } message) received.Add(((SignalsMessage)message.Content).Text());
         return [.. received];
+    }
+
+    [Test]
+    public async Task Pump_SignalChangesSeveralTimesInAThrottleInterval_SendsItsNewestValueOnce()
+    {
+        using var source = _hub.OpenSource();
+        using var subscription = new Subscription(_hub, RosTopics.Signals, new SubscriptionTerms(RosTimeForm.Sec, ThrottleMs: 1, QueueLength: 0), 16, _drops);
+        Publish(source, "s", 1);
+        var (sent, isDone) = (new List<string>(), new TaskCompletionSource());
+
+        _ = subscription.PumpAsync(
+            next =>
+            {
+                if (TextOf(next(long.MinValue)) is not { } text) return Task.CompletedTask;
+                sent.Add(text);
+                for (var i = 2; sent.Count == 1 && i <= 4; i++) Publish(source, "s", i);
+                if (text == "s=4") isDone.TrySetResult();
+                return Task.CompletedTask;
+            },
+            CancellationToken.None);
+        await isDone.Task.Bounded();
+
+        Assert.That(sent, Is.EqualTo(new[] { "s=1", "s=4" }));
+    }
+
+    // The pump returns at its first pause, because nothing else in this test waits.
+    [Test]
+    public void Pump_SignalsChangeDuringEachSendToAThrottledClient_PausesAfterOneValuePerSignal()
+    {
+        using var source = _hub.OpenSource();
+        using var subscription = new Subscription(
+            _hub, RosTopics.Signals, new SubscriptionTerms(RosTimeForm.Sec, ThrottleMs: int.MaxValue, QueueLength: 0), 16, _drops);
+        var sent = new List<string>();
+        PublishBoth();
+
+        _ = subscription.PumpAsync(
+            next =>
+            {
+                if (TextOf(next(long.MinValue)) is { } text) sent.Add(text);
+                if (sent.Count == 20) subscription.Dispose();
+                PublishBoth();
+                return Task.CompletedTask;
+            },
+            CancellationToken.None);
+
+        Assert.That(sent, Is.EqualTo(new[] { "a=0", "b=0" }));
+
+        void PublishBoth()
+        {
+            Publish(source, "a", sent.Count);
+            Publish(source, "b", sent.Count);
+        }
     }
 
     [Test]
