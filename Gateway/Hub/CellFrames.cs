@@ -34,7 +34,7 @@ sealed class CellFrames(RobotLinks links)
     public LatchedMessages Stationary { get; } = new(Only);
 
     /// <summary>The newest poses of stationary frames that were refused because the frame belongs to another source.</summary>
-    public RefusedValues<TransformsMessage> Refused { get; } = new();
+    public RefusedValues<TransformsMessage> Refused { get; } = new(value => value[0].Stamp);
 
     /// <summary>
     /// Adds or updates the frames of a message. Leaves out frames of other sources, and transforms that would break a limit of the cell.
@@ -54,7 +54,6 @@ sealed class CellFrames(RobotLinks links)
         {
             var child = message[index].Child;
             var owner = Owners.OtherThan(source, child);
-            Refused.Remove(source, child);
             if (owner == null)
             {
                 var reason = Accept(source, message[index], isStationary, receivedAt);
@@ -64,6 +63,7 @@ sealed class CellFrames(RobotLinks links)
             }
 
             if (isStationary) Refused.Keep(source, child, new TransformsMessage(message[index]));
+            else Refused.Remove(source, child);
             leftOut.Add(new LeftOut(
                 DropReason.FrameTaken, child, CellMessageFaults.Of(CellMessageFaults.Named(CellKinds.Frame, child), DropReason.FrameTaken), owner));
             return false;

@@ -14,7 +14,7 @@ sealed class CellSignals
     public LatchedMessages Newest { get; } = new(Only);
 
     /// <summary>The newest values that were refused because the signal belongs to another source.</summary>
-    public RefusedValues<SignalsMessage> Refused { get; } = new();
+    public RefusedValues<SignalsMessage> Refused { get; } = new(value => value.Stamp);
 
     /// <summary>Adds the signals of a message up to the maximum number of signals. Leaves out the others, and signals of other sources.</summary>
     /// <returns>The message itself if all its signals were accepted; otherwise a message with the accepted ones, which may be empty.</returns>
@@ -30,7 +30,6 @@ sealed class CellSignals
         {
             var name = message[index].Name;
             var owner = Owners[name];
-            Refused.Remove(source, name);
             if (owner == source) return true;
             if (owner == null && Owners.Count < ProtocolLimits.Signals)
             {

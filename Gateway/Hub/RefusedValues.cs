@@ -1,3 +1,5 @@
+using Nowpose.Signals;
+
 namespace Nowpose.Gateway.Hub;
 
 /// <summary>
@@ -5,19 +7,21 @@ namespace Nowpose.Gateway.Hub;
 /// when the other source ends. Not thread-safe.
 /// </summary>
 /// <typeparam name="TMessage">A message with one stationary frame or one signal.</typeparam>
-sealed class RefusedValues<TMessage>
+/// <param name="stampOf">Returns the time stamp of a value. A stationary frame without a time stamp is older than one that has a time stamp.</param>
+sealed class RefusedValues<TMessage>(Func<TMessage, ControlTime> stampOf)
 {
     // In the order of the refusals.
     readonly OrderedDictionary<(string Name, HubSource Source), TMessage> _newest = [];
 
-    /// <summary>Keeps a value instead of an earlier one of the same source.</summary>
+    /// <summary>Keeps a value instead of an earlier one of the same source, unless newer ones have overtaken the value on the network.</summary>
     public void Keep(HubSource source, string name, TMessage value)
     {
+        if (_newest.TryGetValue((name, source), out var kept) && LateValues.IsOvertaken(stampOf(value), stampOf(kept))) return;
         Remove(source, name);
         _newest.Add((name, source), value);
     }
 
-    /// <summary>Removes a value, because the source has sent another one.</summary>
+    /// <summary>Removes the value of a source that now tracks the frame.</summary>
     public void Remove(HubSource source, string name) => _newest.Remove((name, source));
 
     /// <summary>Removes all values of a source that ends.</summary>
@@ -28,7 +32,8 @@ sealed class RefusedValues<TMessage>
     /// <param name="publish">Publishes a value of a source.</param>
     public void Publish(IReadOnlyCollection<string> released, Action<HubSource, TMessage> publish)
     {
-        var values = _newest.Where(one => released.Contains(one.Key.Name)).Reverse().DistinctBy(one => one.Key.Name).Reverse().ToArray();
+        var values = _newest.Where(one => released.Contains(one.Key.Name)).OrderBy(one => stampOf(one.Value))
+            .Reverse().DistinctBy(one => one.Key.Name).Reverse().ToArray();
         Remove(values.Select(one => one.Key));
         foreach (var ((_, source), value) in values) publish(source, value);
     }

@@ -16,6 +16,14 @@ public class RefusedValuesTests
         ? source.Publish(new SignalsMessage(Gateways.Start, new SignalValue("other", 0), new SignalValue(name, value)), [])
         : source.Publish(new TransformsMessage(Frame("other"), Frame(name, x: value)), isStationary: true, []);
 
+    // Sends a value with a time stamp, in seconds; 0 for a stationary frame without a time stamp.
+    static void SendAt(HubSource source, double seconds, double value, bool isSignal)
+    {
+        var stamp = seconds == 0 ? default : ControlTime.FromSeconds(seconds);
+        if (isSignal) source.Publish(new SignalsMessage(stamp, new SignalValue("a", value)), []);
+        else source.Publish(new TransformsMessage(Frame("a", x: value, stamp: stamp)), isStationary: true, []);
+    }
+
     // The values that a new subscriber receives.
     string[] Kept(bool isSignal)
     {
@@ -77,5 +85,52 @@ public class RefusedValuesTests
         third.Dispose();
 
         Assert.That(Kept(isSignal), Has.Member("a=3"));
+    }
+
+    [Test]
+    public void Dispose_RefusedValuesArrivedInAnotherOrderThanTheirStamps_PublishesTheNewestByStamp([Values] bool isSignal)
+    {
+        var former = _hub.OpenSource();
+        using var second = _hub.OpenSource();
+        using var third = _hub.OpenSource();
+        SendAt(former, 100, 1, isSignal);
+        SendAt(second, 300, 2, isSignal);
+        SendAt(third, 200, 3, isSignal);
+
+        former.Dispose();
+
+        Assert.That(Kept(isSignal), Is.EqualTo(new[] { "a=2" }));
+    }
+
+    // As for accepted values: a value that is late by more than a second shows that the clock of its source went back.
+    [TestCase(299.0, 2)]
+    [TestCase(298.9, 3)]
+    public void Dispose_RefusedValueIsOlderThanThePreviousOneOfItsSource_PublishesItOnlyIfTheClockWentBack(double seconds, double expected)
+    {
+        foreach (var isSignal in new[] { true, false })
+        {
+            var former = _hub.OpenSource();
+            using var refused = _hub.OpenSource();
+            SendAt(former, 100, 1, isSignal);
+            SendAt(refused, 300, 2, isSignal);
+            SendAt(refused, seconds, 3, isSignal);
+
+            former.Dispose();
+
+            Assert.That(Kept(isSignal), Is.EqualTo(new[] { $"a={expected}" }));
+        }
+    }
+
+    [Test]
+    public void Dispose_RefusedFramesWithoutStamps_PublishesTheOneThatArrivedLast()
+    {
+        var former = _hub.OpenSource();
+        using var second = _hub.OpenSource();
+        using var third = _hub.OpenSource();
+        foreach (var (source, value) in new[] { (former, 1.0), (third, 2.0), (second, 3.0) }) SendAt(source, 0, value, isSignal: false);
+
+        former.Dispose();
+
+        Assert.That(Kept(isSignal: false), Is.EqualTo(new[] { "a=3" }));
     }
 }
