@@ -11,7 +11,9 @@ namespace Nowpose.Gateway.Hub;
 /// over by another source. In a full cell, a new frame replaces a tracked frame that is silent, because a source may give each workpiece a new name, and
 /// otherwise a stationary frame without a source.
 /// </remarks>
-sealed class CellFrames(RobotLinks links)
+/// <param name="publish">Gives a message its sequence number and publishes it.</param>
+/// <param name="drop">Reports a transform that is dropped after its message was accepted, with its source and topic.</param>
+sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<HubSource, string, LeftOut> drop)
 {
     /// <summary>Time without poses after which a new frame may replace a tracked frame.</summary>
     static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(10);
@@ -19,6 +21,8 @@ sealed class CellFrames(RobotLinks links)
     // With the source of the newest pose, which may have ended, and the time of its arrival.
     readonly Dictionary<string, (HubSource Source, bool IsStationary, long ReceivedAt)> _frames = [];
     readonly FrameParents _parents = new(links.RootOf);
+    // The newest poses of stationary frames that were refused because the frame belongs to another source.
+    readonly RefusedValues<TransformsMessage> _refused = new(value => value[0].Stamp);
 
     /// <summary>Raised with a frame that is removed because its source has ended, or because it is in a cycle. Called under the hub's lock.</summary>
     public event Action<string> Ended;
@@ -33,18 +37,40 @@ sealed class CellFrames(RobotLinks links)
 
     public LatchedMessages Stationary { get; } = new(Only);
 
-    /// <summary>The newest poses of stationary frames that were refused because the frame belongs to another source.</summary>
-    public RefusedValues<TransformsMessage> Refused { get; } = new(value => value[0].Stamp);
-
-    /// <summary>
-    /// Adds or updates the frames of a message. Leaves out frames of other sources, and transforms that would break a limit of the cell.
-    /// </summary>
+    /// <summary>Publishes the poses of a message. Leaves out frames of other sources, and transforms that would break a limit of the cell.</summary>
     /// <param name="receivedAt">Arrival of the message, a count of <see cref="Stopwatch"/>.</param>
-    /// <returns>
-    /// The message itself if all its transforms were accepted in their order; otherwise a message with the accepted ones in the order in which they
-    /// were accepted, which may be empty.
-    /// </returns>
-    public TransformsMessage Accept(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
+    /// <returns>Whether at least one pose was published.</returns>
+    public bool Publish(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
+    {
+        var isAny = PublishAccepted(source, message, isStationary, leftOut, receivedAt);
+        // A new frame may have replaced one for which a refused pose waits.
+        PublishRefused();
+        return isAny;
+    }
+
+    bool PublishAccepted(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
+    {
+        var accepted = Accept(source, message, isStationary, leftOut, receivedAt);
+        foreach (var part in MessageParts.Of(accepted))
+        {
+            var published = HubMessage.Of(isStationary ? RosTopics.TfStatic : RosTopics.Tf, part, receivedAt, source);
+            for (var i = 0; isStationary && i < part.Count; i++) Stationary.Set(part[i].Child, published);
+            publish(published);
+        }
+
+        return accepted.Count > 0;
+    }
+
+    void PublishRefused() => _refused.PublishFree(Owners, (source, pose) =>
+    {
+        var leftOut = new List<LeftOut>();
+        PublishAccepted(source, pose, isStationary: true, leftOut, Stopwatch.GetTimestamp());
+        foreach (var part in leftOut) drop(source, RosTopics.TfStatic, part);
+    });
+
+    // Adds or updates the frames of a message. Returns the message itself if all its transforms were accepted in their order; otherwise a message with the
+    // accepted ones in the order in which they were accepted, which may be empty.
+    TransformsMessage Accept(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
     {
         Dictionary<int, DropReason> refused = null;
         var accepted = MessageParts.Accepted(message, message.Count, IsAccepted, MessageParts.Part);
@@ -62,8 +88,8 @@ sealed class CellFrames(RobotLinks links)
                 return reason == DropReason.None;
             }
 
-            if (isStationary) Refused.Keep(source, child, new TransformsMessage(message[index]));
-            else Refused.Remove(source, child);
+            if (isStationary) _refused.Keep(source, child, new TransformsMessage(message[index]));
+            else _refused.Remove(source, child);
             leftOut.Add(new LeftOut(
                 DropReason.FrameTaken, child, CellMessageFaults.Of(CellMessageFaults.Named(CellKinds.Frame, child), DropReason.FrameTaken), owner));
             return false;
@@ -92,26 +118,24 @@ sealed class CellFrames(RobotLinks links)
         }
     }
 
-    /// <summary>Releases the frames of a source that ends.</summary>
+    /// <summary>Releases the frames of a source that ends, and publishes the refused poses of other sources for these frames.</summary>
     /// <param name="topic">The topic on which the source ends; null for all topics.</param>
-    /// <returns>The released frames.</returns>
-    public IReadOnlyCollection<string> Release(HubSource source, string topic)
+    public void Release(HubSource source, string topic)
     {
-        if (topic is null or RosTopics.TfStatic) Refused.Remove(source);
-        var released = Owners.Release(source, child => topic == null || topic == (IsStationary(child) ? RosTopics.TfStatic : RosTopics.Tf));
-        foreach (var child in released)
+        if (topic is null or RosTopics.TfStatic) _refused.Remove(source);
+        foreach (var child in Owners.Release(source, child => topic == null || topic == (IsStationary(child) ? RosTopics.TfStatic : RosTopics.Tf)))
             if (!IsStationary(child)) Remove(child, Ended);
-        return released;
+        PublishRefused();
     }
 
     /// <summary>Removes the frames that form a cycle through a robot, because the robot was described after them.</summary>
-    /// <returns>The sources of the removed frames, which may have ended, and the faults.</returns>
-    public IReadOnlyList<(HubSource Source, LeftOut Frame)> RemoveCycles()
+    public void RemoveCycles()
     {
         var inCycle = _frames.Where(one => _parents.IsInCycle(one.Key))
             .Select(one => (one.Value.Source, LimitBroken(DropReason.FrameCycle, one.Key, _parents[one.Key]))).ToArray();
         foreach (var (_, frame) in inCycle) Remove(frame.Name, Ended);
-        return inCycle;
+        foreach (var (source, frame) in inCycle) drop(source, RosTopics.Tf, frame);
+        PublishRefused();
     }
 
     /// <summary>

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -6,25 +7,34 @@ using Nowpose.Signals;
 namespace Nowpose.Gateway.Hub;
 
 /// <summary>The signals of the cell: their sources and their newest values. A signal is removed when its source ends. Not thread-safe.</summary>
-sealed class CellSignals
+/// <param name="publish">Gives a message its sequence number and publishes it.</param>
+/// <param name="began">Called with signals that had no source before.</param>
+/// <param name="ended">Called with the removed signals of a source.</param>
+sealed class CellSignals(
+    Action<HubMessage> publish, Action<IReadOnlyCollection<string>> began, Action<HubSource, IReadOnlyCollection<string>> ended)
 {
+    readonly RefusedValues<SignalsMessage> _refused = new(value => value.Stamp);
+
     /// <summary>The sources of all signals.</summary>
     public NameOwners<string> Owners { get; } = new();
 
     public LatchedMessages Newest { get; } = new(Only);
 
-    /// <summary>The newest values that were refused because the signal belongs to another source.</summary>
-    public RefusedValues<SignalsMessage> Refused { get; } = new(value => value.Stamp);
-
-    /// <summary>Adds the signals of a message up to the maximum number of signals. Leaves out the others, and signals of other sources.</summary>
-    /// <returns>The message itself if all its signals were accepted; otherwise a message with the accepted ones, which may be empty.</returns>
-    /// <param name="began">Called with the signals that had no source before, unless there are none.</param>
-    public SignalsMessage Accept(HubSource source, SignalsMessage message, List<LeftOut> leftOut, Action<IReadOnlyCollection<string>> began)
+    /// <summary>Publishes the signals of a message up to the maximum number of signals. Leaves out the others, and signals of other sources.</summary>
+    /// <returns>Whether at least one signal was published.</returns>
+    public bool Publish(HubSource source, SignalsMessage message, List<LeftOut> leftOut, long receivedAt)
     {
         HashSet<string> added = null;
         var accepted = MessageParts.Accepted(message, message.Count, IsAccepted, MessageParts.Part);
-        if (added != null) began?.Invoke(added);
-        return accepted;
+        if (added != null) began(added);
+        foreach (var part in MessageParts.Of(accepted))
+        {
+            var published = HubMessage.Of(part, receivedAt, source);
+            Latch(published);
+            publish(published);
+        }
+
+        return accepted.Count > 0;
 
         bool IsAccepted(int index)
         {
@@ -39,14 +49,24 @@ sealed class CellSignals
             }
 
             var reason = owner == null ? DropReason.TooManySignals : DropReason.SignalTaken;
-            if (owner != null) Refused.Keep(source, name, new SignalsMessage(message.Stamp, message[index]));
+            if (owner != null) _refused.Keep(source, name, new SignalsMessage(message.Stamp, message[index]));
             leftOut.Add(new LeftOut(reason, name, CellMessageFaults.Of(CellMessageFaults.Named(CellKinds.Signal, name), reason), owner));
             return false;
         }
     }
 
-    /// <summary>Keeps a published message for later subscribers, for the signals of which it has the newest value.</summary>
-    public void Latch(HubMessage message)
+    /// <summary>Removes the signals of a source that ends, and publishes the refused values of other sources for these signals.</summary>
+    public void Release(HubSource source)
+    {
+        _refused.Remove(source);
+        var removed = Owners.Release(source, _ => true);
+        foreach (var name in removed) Newest.Remove(name);
+        if (removed.Count > 0) ended(source, removed);
+        _refused.PublishFree(Owners, (other, value) => Publish(other, value, [], Stopwatch.GetTimestamp()));
+    }
+
+    // Keeps a message for later subscribers, for the signals of which it has the newest value.
+    void Latch(HubMessage message)
     {
         var signals = (SignalsMessage)message.Content;
         for (var i = 0; i < signals.Count; i++)
@@ -55,18 +75,6 @@ sealed class CellSignals
             if (Newest.Of(name)?.Content is not SignalsMessage newest) Newest.Set(name, message);
             else if (!LateValues.IsOvertaken(signals.Stamp, newest.Stamp)) Newest.Set(name, message, ValueIn(newest, name, i) != value);
         }
-    }
-
-    /// <summary>Removes the signals of a source that ends.</summary>
-    /// <param name="ended">Called with the removed signals, unless there are none.</param>
-    /// <returns>The removed signals.</returns>
-    public IReadOnlyCollection<string> Release(HubSource source, Action<HubSource, IReadOnlyCollection<string>> ended)
-    {
-        Refused.Remove(source);
-        var removed = Owners.Release(source, _ => true);
-        foreach (var name in removed) Newest.Remove(name);
-        if (removed.Count > 0) ended?.Invoke(source, removed);
-        return removed;
     }
 
     // Starts at an index, because a source usually sends its signals in the same order.

@@ -12,13 +12,14 @@ public sealed class MessageHub
     readonly Subscribers _subscribers = new();
     readonly Dictionary<(HubSource Source, string Topic), HubMessage> _newest = [];
     readonly RobotRegistry _robots = new();
-    readonly CellSignals _signals = new();
+    readonly CellSignals _signals;
     long _sequence;
 
     public MessageHub()
     {
         Links = new RobotLinks(RemoveCycles);
-        Frames = new CellFrames(Links);
+        Frames = new CellFrames(Links, PublishNumbered, ReportDropped);
+        _signals = new CellSignals(PublishNumbered, names => SignalsBegan?.Invoke(names), (source, names) => SignalsEnded?.Invoke(source, names));
     }
 
     /// <summary>Number of topics with at least one subscriber.</summary>
@@ -139,36 +140,13 @@ public sealed class MessageHub
 
     internal bool Publish(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
     {
-        var topic = isStationary ? RosTopics.TfStatic : RosTopics.Tf;
         // Under the lock for the same reason as PublishDescription, and so that no pose of a frame is published after its release.
-        lock (_lock)
-        {
-            var accepted = Frames.Accept(source, message, isStationary, leftOut, receivedAt);
-            foreach (var part in MessageParts.Of(accepted))
-            {
-                var published = HubMessage.Of(topic, part, receivedAt, source).With(++_sequence);
-                for (var i = 0; isStationary && i < part.Count; i++) Frames.Stationary.Set(part[i].Child, published);
-                Publish(published);
-            }
-
-            return accepted.Count > 0;
-        }
+        lock (_lock) return Frames.Publish(source, message, isStationary, leftOut, receivedAt);
     }
 
     internal bool Publish(HubSource source, SignalsMessage message, List<LeftOut> leftOut, long receivedAt)
     {
-        lock (_lock)
-        {
-            var accepted = _signals.Accept(source, message, leftOut, SignalsBegan);
-            foreach (var part in MessageParts.Of(accepted))
-            {
-                var published = HubMessage.Of(part, receivedAt, source).With(++_sequence);
-                _signals.Latch(published);
-                Publish(published);
-            }
-
-            return accepted.Count > 0;
-        }
+        lock (_lock) return _signals.Publish(source, message, leftOut, receivedAt);
     }
 
     internal void PublishDescription(HubMessage message)
@@ -276,18 +254,19 @@ public sealed class MessageHub
             if (topic != null) TopicReleased?.Invoke(source, topic);
             foreach (var kept in _newest.Keys.Where(kept => kept.Source == source && (topic == null || kept.Topic == topic)).ToList())
                 _newest.Remove(kept);
-            if (topic is null or RosTopics.Tf or RosTopics.TfStatic)
-                Frames.Refused.Publish(Frames.Release(source, topic), (other, pose) => other.Publish(pose, isStationary: true, []));
-            if (topic is null or RosTopics.Signals) _signals.Refused.Publish(_signals.Release(source, SignalsEnded), (other, value) => other.Publish(value, []));
+            if (topic is null or RosTopics.Tf or RosTopics.TfStatic) Frames.Release(source, topic);
+            if (topic is null or RosTopics.Signals) _signals.Release(source);
             _robots.Release(source, topic);
         }
     }
 
     void RemoveCycles()
     {
-        lock (_lock)
-            foreach (var (source, frame) in Frames.RemoveCycles()) PartDropped?.Invoke(source, RosTopics.Tf, frame);
+        lock (_lock) Frames.RemoveCycles();
     }
+
+    // Called under the lock.
+    void PublishNumbered(HubMessage message) => Publish(message.With(++_sequence));
 
     // Called under the lock.
     IEnumerable<HubMessage> Kept(string topic)

@@ -27,15 +27,22 @@ sealed class RefusedValues<TMessage>(Func<TMessage, ControlTime> stampOf)
     /// <summary>Removes all values of a source that ends.</summary>
     public void Remove(HubSource source) => Remove(_newest.Keys.Where(one => one.Source == source));
 
-    /// <summary>Removes the newest value of each name and publishes it.</summary>
-    /// <param name="released">The names that no longer have a source.</param>
+    /// <summary>
+    /// Removes the newest value of each name that no longer has a source, and publishes it. If a value breaks a limit of the cell, the name still has no
+    /// source, and the next value follows.
+    /// </summary>
+    /// <param name="owners">The sources of the frames or signals.</param>
     /// <param name="publish">Publishes a value of a source.</param>
-    public void Publish(IReadOnlyCollection<string> released, Action<HubSource, TMessage> publish)
+    public void PublishFree(NameOwners<string> owners, Action<HubSource, TMessage> publish)
     {
-        var values = _newest.Where(one => released.Contains(one.Key.Name)).OrderBy(one => stampOf(one.Value))
-            .Reverse().DistinctBy(one => one.Key.Name).Reverse().ToArray();
-        Remove(values.Select(one => one.Key));
-        foreach (var ((_, source), value) in values) publish(source, value);
+        while (_newest.Count > 0)
+        {
+            var values = _newest.Where(one => owners[one.Key.Name] == null).OrderBy(one => stampOf(one.Value))
+                .Reverse().DistinctBy(one => one.Key.Name).Reverse().ToArray();
+            if (values.Length == 0) return;
+            Remove(values.Select(one => one.Key));
+            foreach (var ((_, source), value) in values) publish(source, value);
+        }
     }
 
     void Remove(IEnumerable<(string Name, HubSource Source)> keys)

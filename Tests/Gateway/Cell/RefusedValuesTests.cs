@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using Nowpose.Gateway.Hub;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -132,5 +133,54 @@ public class RefusedValuesTests
         former.Dispose();
 
         Assert.That(Kept(isSignal: false), Is.EqualTo(new[] { "a=3" }));
+    }
+
+    [Test]
+    public void Dispose_NewestRefusedPoseWouldCloseACycle_ReportsItAndPublishesTheNextOne()
+    {
+        var former = _hub.OpenSource();
+        using var second = _hub.OpenSource();
+        using var third = _hub.OpenSource();
+        former.Publish(new TransformsMessage(Frame("a"), Frame("b")), isStationary: false, []);
+        second.Publish(new TransformsMessage(Frame("a", x: 2)), isStationary: true, []);
+        third.Publish(new TransformsMessage(Frame("part", "a")), isStationary: false, []);
+        third.Publish(new TransformsMessage(Frame("a", "part")), isStationary: true, []);
+        var dropped = new List<(HubSource, string, DropReason, string)>();
+        _hub.PartDropped += (source, topic, part) => dropped.Add((source, topic, part.Reason, part.Name));
+
+        former.Dispose();
+
+        Assert.That(Kept(isSignal: false), Is.EqualTo(new[] { "a=2" }));
+        Assert.That(dropped, Is.EqualTo(new[] { (third, RosTopics.TfStatic, DropReason.FrameCycle, "a") }));
+    }
+
+    [Test]
+    public async Task Describe_RobotClosesACycleWithTheOwnersFrame_PublishesTheRefusedPose()
+    {
+        using var owner = _hub.OpenSource();
+        using var refused = _hub.OpenSource();
+        owner.Publish(new TransformsMessage(Frame("base", "tool")), isStationary: true, []);
+        refused.Publish(new TransformsMessage(Frame("base", x: 2)), isStationary: true, []);
+
+        owner.Describe("<robot name='r'><link name='base'/><link name='tool'/><joint name='j' type='fixed'><parent link='base'/><child link='tool'/></joint></robot>");
+        await _hub.Links.Read;
+
+        Assert.That(Kept(isSignal: false), Is.EqualTo(new[] { "base=2" }));
+    }
+
+    [Test]
+    public void Publish_NewFrameReplacesASilentFrame_PublishesTheRefusedPoseOfTheSilentFrame()
+    {
+        using var owner = _hub.OpenSource();
+        using var refused = _hub.OpenSource();
+        for (var i = 0; i < ProtocolLimits.Frames; i++) PublishMoving("part" + i, seconds: 0);
+        refused.Publish(new TransformsMessage(Frame("part0", x: 2)), isStationary: true, []);
+
+        PublishMoving("new", seconds: 20);
+
+        Assert.That(Kept(isSignal: false), Is.EqualTo(new[] { "part0=2" }));
+
+        void PublishMoving(string name, double seconds) =>
+            owner.Publish(new TransformsMessage(Frame(name)), isStationary: false, [], 1 + (long)(seconds * Stopwatch.Frequency));
     }
 }
