@@ -75,7 +75,8 @@ sealed class CellBoard(
     }
 
     /// <summary>
-    /// Records that a frame or signal was dropped because of its content. Has no effect on one that is known from another source.
+    /// Records that a frame or signal was dropped because of its content. Has no effect on one that is known from another source, except for a stationary
+    /// frame whose source has ended.
     /// </summary>
     /// <param name="topic">Topic of the message.</param>
     public void Refuse(HubSource source, string topic, LeftOut part)
@@ -272,7 +273,7 @@ sealed class CellBoard(
             all.Add(name, entry = new T());
         }
 
-        if (entry.HasAny && entry.Source != source) return null;
+        if (entry.HasAny && entry.Source != source && (entry.IsEnded || !(entry.HasLeft || entry.Source.IsEnded))) return null;
         entry.Source = source;
         entry.Refusal = entry.Refusal == null ? refusal : refusal with { Since = entry.Refusal.Since };
         return entry;

@@ -126,6 +126,34 @@ public class CellBoardRefusalTests : CellBoardFixture
         Assert.That((_board.Frames(At(5)).Single().State, _board.Signals(At(5)).Single().State), Is.EqualTo(("stationary", "live")));
     }
 
+    // A stationary frame keeps its place without a source. The invalid pose of its next source may have been a new place.
+    [Test]
+    public void Frames_InvalidPoseOfAStationaryFrameWithoutSource_IsRefused([Values] bool isUnadvertised)
+    {
+        _board.Add(_source, Pose("table", 5), isStationary: true);
+        if (isUnadvertised) _board.Leave(_source, RosTopics.TfStatic);
+        else _source.Dispose();
+        var next = new MessageHub().OpenSource();
+
+        _board.Refuse(next, RosTopics.TfStatic, new LeftOut(DropReason.NotFinite, "table", "is wrong"));
+
+        Assert.That(_board.Frames(At(5)).Single().State, Is.EqualTo("refused"));
+        _board.Add(next, Pose("table", 6), isStationary: true);
+        Assert.That(_board.Frames(At(6)).Single().State, Is.EqualTo("stationary"));
+    }
+
+    [Test]
+    public void Signals_InvalidValueAfterTheSourceEnded_KeepsTheReasonOfTheEnd()
+    {
+        _board.Add(_source, new SignalsMessage(At(5), new SignalValue("grip", 1)));
+        _source.Dispose();
+        _board.End(_source, ["grip"]);
+
+        _board.Refuse(new MessageHub().OpenSource(), RosTopics.Signals, new LeftOut(DropReason.NotFinite, "grip", "is wrong"));
+
+        Assert.That(_board.Signals(At(5)).Single().State, Is.EqualTo("ended"));
+    }
+
     [Test]
     public void Frames_MoreThanAllowed_ReplaceOnlyFramesWithoutASource()
     {
