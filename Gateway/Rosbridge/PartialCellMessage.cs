@@ -81,8 +81,10 @@ sealed class PartialCellMessage
             else values = Elements(ref json);
         }
 
-        return json.Fault == DropReason.None && names.Count == values.Count && names.Count <= ProtocolLimits.Signals && stamp.Length <= MaxStampBytes
-            ? [.. names.Select((name, i) => (NameIn(name), $"{{\"header\":{{\"stamp\":{stamp}}},\"name\":[{name}],\"value\":[{values[i]}]}}"))] : [];
+        if (json.Fault != DropReason.None || names.Count > ProtocolLimits.Signals || stamp.Length > MaxStampBytes) return [];
+        // With another number of values than names, it is unknown which value belongs to which signal, so each part has no value.
+        string ValueOf(int index) => names.Count == values.Count ? values[index] : "";
+        return [.. names.Select((name, i) => (NameIn(name), $"{{\"header\":{{\"stamp\":{stamp}}},\"name\":[{name}],\"value\":[{ValueOf(i)}]}}"))];
     }
 
     static string StampIn(ref JsonUtf8Reader json)

@@ -124,6 +124,21 @@ public class CellStatusTests
         Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Contain("box (rosbridge 127.0.0.1) " + EventTexts.IsRefused));
     }
 
+    [TestCase("[]")]
+    [TestCase("[0.0,1.0]")]
+    public async Task State_SignalWithoutAValueForItsName_IsRefusedWithTheReason(string values)
+    {
+        await _source.SendAsync(SignalsText(("grip", 1)));
+
+        await _source.SendAsync(SignalsText(("grip", 0)).Replace("[0.0]", values));
+        await _source.ExpectErrorAsync("(LengthMismatch)");
+
+        var grip = (await StateAsync()).GetProperty("signals").EnumerateArray().Single();
+        Assert.That((grip.GetProperty("state").GetString(), grip.GetProperty("value").GetDouble()), Is.EqualTo(("refused", 1.0)));
+        Assert.That(grip.GetProperty("reason").GetString(), Does.Contain("signal grip: " + DropMessages.Of(DropReason.LengthMismatch)));
+        Assert.That(_gateway.Drops.Total, Is.EqualTo(1));
+    }
+
     [Test]
     public async Task State_SecondSourceOfAFrameOrSignal_IsAnEventAndKeepsThemLive()
     {
