@@ -95,10 +95,8 @@ public sealed class HubMessage
     public static HubMessage Displayed(JointStateMessage message) => new(
         RosTopics.Displayed, message, Stopwatch.GetTimestamp(), form => RosbridgeWriter.PublishJointState(RosTopics.Displayed, message, form));
 
-    public static HubMessage Description(string urdf) => Description(urdf, "");
-
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
-    internal static HubMessage Description(string urdf, string robot)
+    internal static HubMessage Description(string urdf, string robot = "")
     {
         var topic = RobotTopic.NameOf(robot, RosTopics.RobotDescription);
         return new HubMessage(topic, urdf, Stopwatch.GetTimestamp(), _ => RosbridgeWriter.PublishString(topic, urdf))

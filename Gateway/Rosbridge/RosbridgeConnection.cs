@@ -119,13 +119,9 @@ sealed class RosbridgeConnection : IDisposable
         }
     }
 
-    static Closure Explain(Exception e) => (e as WebSocketException)?.WebSocketErrorCode switch
-    {
-        // A violation of RFC 6455. The WebSocket class itself closes with the code 1002 or 1007.
-        WebSocketError.Faulted or WebSocketError.InvalidMessageType => Closure.MalformedFrame,
-        WebSocketError.ConnectionClosedPrematurely => Closure.ByPeer,
-        _ => Closure.ByPeer,
-    };
+    // Other errors than these two are no violation of RFC 6455. For a violation, the WebSocket class itself closes with the code 1002 or 1007.
+    static Closure Explain(Exception e) =>
+        e is WebSocketException { WebSocketErrorCode: WebSocketError.Faulted or WebSocketError.InvalidMessageType } ? Closure.MalformedFrame : Closure.ByPeer;
 
     async Task RepliesAsync()
     {

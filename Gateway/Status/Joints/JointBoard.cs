@@ -64,12 +64,12 @@ sealed class JointBoard(
         lock (_lock)
         {
             foreach (var joint in _joints.Values)
-                if (joint.IsPublishedBy(source)) joint.OwnerRow(time).Refuse(reason, word);
+                if (joint.IsPublishedBy(source)) joint.OwnerRow().Refuse(reason, word);
             var places = MaxRefusedJoints - _joints.Values.Count(joint => joint.IsOnlyRefused);
             foreach (var name in names)
             {
                 if (!_joints.TryGetValue(name, out var joint) && places-- > 0) joint = Find(name);
-                if (joint != null && !joint.IsPublishedBy(source)) joint.RowOf(source.Name, time).Refuse(reason, word);
+                if (joint != null && !joint.IsPublishedBy(source)) joint.RowOf(source.Name).Refuse(reason, word);
             }
         }
     }
@@ -100,7 +100,7 @@ sealed class JointBoard(
         {
             foreach (var (name, joint) in _joints)
                 if (!reports.ContainsKey(name) && joint.EndReports(adapter) && joint.Samples.Source == source) joint.Samples.Leave();
-            foreach (var (name, report) in reports) Find(name)?.RowOf(adapter, time).Report(report);
+            foreach (var (name, report) in reports) Find(name)?.RowOf(adapter).Report(report);
         }
     }
 
@@ -131,7 +131,7 @@ sealed class JointBoard(
             Forget();
             return
             [
-                .. _joints.Values.SelectMany(joint => joint.Judge(time)).Concat(_unpublished.Judge(expected, _joints.ContainsKey)).OrderBy(row => row.Name, StringComparer.Ordinal)
+                .. _joints.Values.SelectMany(joint => joint.Judge()).Concat(_unpublished.Judge(expected, _joints.ContainsKey)).OrderBy(row => row.Name, StringComparer.Ordinal)
                     .ThenBy(row => row.Source, StringComparer.Ordinal),
             ];
         }
@@ -177,16 +177,16 @@ sealed class JointBoard(
         /// <returns>Whether the adapter had been reporting the joint.</returns>
         public bool EndReports(string adapter) => Rows.Find(row => row.Source == adapter)?.EndReports() == true;
 
-        public JointRow RowOf(string source, TimeProvider time)
+        public JointRow RowOf(string source)
         {
             var row = Rows.Find(row => row.Source == source);
             if (row == null) Rows.Add(row = new JointRow(name, source, time));
             return row;
         }
 
-        public IEnumerable<JointSnapshot> Judge(TimeProvider time)
+        public IEnumerable<JointSnapshot> Judge()
         {
-            var owner = Samples.HasAny ? OwnerRow(time) : null;
+            var owner = Samples.HasAny ? OwnerRow() : null;
             Rows.RemoveAll(row => !row.IsConfigured && !row.IsRefused && row != owner);
             // Keeps the source that publishes the joint, then those that were present last. The sort is stable, so a new source does not replace one
             // that is still present.
@@ -197,11 +197,11 @@ sealed class JointBoard(
 
         // Gets the row of the source that publishes the joint. An adapter that has just reconnected has not sent its name yet. If one adapter has
         // the joint in its configuration, the samples are assigned to that adapter.
-        public JointRow OwnerRow(TimeProvider time)
+        public JointRow OwnerRow()
         {
             var configured = Rows.FindAll(row => row.IsConfigured);
             var isUnnamed = Samples.Source?.Name is null or HubSource.Unnamed;
-            return isUnnamed && configured.Count == 1 ? configured[0] : RowOf(Samples.Source?.Name ?? HubSource.Own, time);
+            return isUnnamed && configured.Count == 1 ? configured[0] : RowOf(Samples.Source?.Name ?? HubSource.Own);
         }
     }
 }
