@@ -25,8 +25,8 @@ export type RunAdapter = (context: AdapterContext) => Promise<void>;
 /** The functions of a kind of plant that are available without loading the kind's libraries. */
 export interface Kind {
   check: OwnCheck;
-  /** Gets the reason why the adapter cannot run on this machine, with the remedy; null if it can. Changes nothing. */
-  obstacle?(configuration: Configuration): string | null;
+  /** Reports why the adapter cannot run on this machine, with the remedy. Called only by --check, after `check`. Changes nothing. */
+  checkMachine?: OwnCheck;
   /** Gets the summary that --check prints: the source, and the data that are read. */
   summary(configuration: Configuration): string;
   /** Whether the adapter also publishes joints that the configuration does not list. */

@@ -1,5 +1,5 @@
 import type { Kind } from './adapter';
-import { type Configuration, readConfiguration } from './configuration/configuration';
+import { type Configuration, type OwnCheck, readConfiguration } from './configuration/configuration';
 import { ConfigurationError } from './configuration/problem';
 import { kinds } from './kinds';
 import { Log } from './log';
@@ -47,21 +47,25 @@ async function runCommand(args: string[], host: Host): Promise<number> {
     host.err(`${USAGE}\n`);
     return others[0] === '--help' ? 0 : BAD_INPUT;
   }
-  const checks = Object.fromEntries(Object.entries(kinds).map(([name, kind]) => [name, kind.check]));
-  const configuration = readConfiguration(others[0], host.environment, checks);
-  if (args.includes('--check')) return check(configuration, host);
+  const isCheck = args.includes('--check');
+  const checks = Object.entries(kinds).map(([name, kind]) => [name, isCheck ? withMachine(kind) : kind.check] as const);
+  const configuration = readConfiguration(others[0], host.environment, Object.fromEntries(checks));
+  if (isCheck) return describe(configuration, host);
   host.listen();
   await runPlant(configuration, new Log(`plant/${configuration.plant.name}`, configuration.secrets, host.err), host.ending);
   return 0;
 }
 
-async function check(configuration: Configuration, { out, err }: Host): Promise<number> {
+/** Gets the checks of a kind for --check. The adapter itself repeats what fails on its machine until it succeeds. */
+const withMachine =
+  ({ check, checkMachine }: Kind): OwnCheck =>
+  (...about) => {
+    check(...about);
+    checkMachine?.(...about);
+  };
+
+async function describe(configuration: Configuration, { out, err }: Host): Promise<number> {
   const kind = kinds[configuration.plant.kind];
-  const obstacle = kind.obstacle?.(configuration) ?? null;
-  if (obstacle !== null) {
-    err(`${obstacle}\n`);
-    return BAD_INPUT;
-  }
   await out(`${configuration.file} is valid: ${kind.summary(configuration)}\n`);
   if (configuration.isSupervised) await out(`${JSON.stringify(contentOf(kind, configuration))}\n`);
   for (const warning of configuration.warnings) err(`warning: ${warning}\n`);

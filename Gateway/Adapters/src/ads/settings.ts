@@ -45,18 +45,20 @@ export const check: OwnCheck = (file, configuration) => {
   if (plant.local_net_id !== undefined && !isNetId(plant.local_net_id))
     file.report(['plant', 'local_net_id'], adsSettingMessages.netId(plant.local_net_id));
   if (plant.plain !== true) file.report(['plant', 'plain'], adsSettingMessages.notPlain);
-  if (plant.timestamp === 'variable' && plant.time === undefined) file.report(['plant', 'timestamp'], configurationMessages.noTimeVariable('symbol'));
+  if (plant.timestamp === 'variable' && plant.time === undefined && !file.isInvalid(['plant', 'time']))
+    file.report(['plant', 'timestamp'], configurationMessages.noTimeVariable('symbol'));
   if (plant.timestamp === 'notification' && plant.time !== undefined)
     file.report(['plant', 'time'], configurationMessages.unusedTime('notification'));
   const { samplingMs, publishingMs } = intervalsOf(plant);
-  if (publishingMs < samplingMs) file.report(['plant', 'publishing_ms'], configurationMessages.publishingTooShort(publishingMs, samplingMs));
+  if (publishingMs < samplingMs && !file.isInvalid(['plant', 'sampling_ms']))
+    file.report(['plant', 'publishing_ms'], configurationMessages.publishingTooShort(publishingMs, samplingMs));
   const { joints = [], frames = [] } = file.value as Record<'joints' | 'frames', { silence?: unknown }[] | undefined>;
   const silent: [Path, { silence?: unknown }][] = [
     [['plant'], (file.value as { plant: object }).plant],
     ...joints.map((joint, i): [Path, object] => [['joints', i], joint]),
     ...frames.map((frame, i): [Path, object] => [['frames', i], frame]),
   ];
-  if (plant.on_change !== true)
+  if (plant.on_change !== true && !file.isInvalid(['plant', 'on_change']))
     for (const [path, { silence }] of silent) if (silence === 'rest') file.report([...path, 'silence'], adsSettingMessages.restWithoutOnChange);
 };
 

@@ -81,7 +81,8 @@ function clockOf(file: YamlFile, { clock }: Section, configuration: Configuratio
   const isTls = clock.tls === true || clock.pin !== undefined;
   const at = ['plant', 'clock', 'token_file'] as const;
   const token = clock.token_file === undefined ? null : secretIn(file, at, clock.token_file);
-  if (token !== null && !isTls && !isLoopback(clock.host)) file.report(at, brokerSettingMessages.tokenInClear);
+  const isKnown = ['host', 'tls', 'pin'].every(entry => !file.isInvalid(['plant', 'clock', entry]));
+  if (token !== null && !isTls && isKnown && !isLoopback(clock.host)) file.report(at, brokerSettingMessages.tokenInClear);
   configuration.secrets.push(token ?? '');
   return { host: clock.host, port: clock.port ?? SYNC_PORT, isTls, pin: clock.pin ?? null, token };
 }

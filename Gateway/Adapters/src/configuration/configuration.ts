@@ -85,13 +85,13 @@ export type OwnCheck = (file: YamlFile, configuration: Configuration, environmen
 /**
  * Reads and checks a configuration.
  * @param environment Environment variables, which take precedence over the file if a gateway has set them.
- * @throws ConfigurationError The configuration is invalid. The error contains all invalid entries that the first failing check has found.
+ * @throws ConfigurationError The configuration is invalid. The error contains all invalid entries; if the file has no valid kind of plant, only the
+ * entries that are wrong for each kind.
  */
 export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, ownChecks: Record<string, OwnCheck>): Configuration {
   const file = new YamlFile(path);
   const kind = kindOf(file);
   checkAgainstSchema(file, kind);
-  file.throwIfWrong();
   const sections = file.value as Sections;
   const gateway = gatewayOf(file, sections, environment);
   const silence = sections.plant.silence ?? PERIODIC[kind] ?? 'rest';
@@ -173,7 +173,8 @@ function gatewayOf(file: YamlFile, sections: Sections, environment: NodeJS.Proce
   const token = environment.NOWPOSE_TOKEN ?? fromFile;
   requireAddress(file, ['gateway', 'url'], url);
   if (token !== null && url.startsWith('ws:') && !isLoopback(url)) file.report(['gateway', 'url'], configurationMessages.tokenInClear(url));
-  if (section.pin !== undefined && environment.NOWPOSE_GATEWAY === undefined) requireTls(file, ['gateway'], url);
+  const isKnown = environment.NOWPOSE_GATEWAY === undefined && !file.isInvalid(['gateway', 'url']);
+  if (section.pin !== undefined && isKnown) requireTls(file, ['gateway'], url);
   return { url, token, pin: environment.NOWPOSE_PIN ?? section.pin ?? null };
 }
 
@@ -200,7 +201,8 @@ function jointsOf(file: YamlFile, sections: Sections, silence: SilenceEntry): Jo
 }
 
 function robotsOf(file: YamlFile, { robots = {} }: Sections): Record<string, string> {
-  const found = Object.entries(robots).map(([namespace, robot]) => [namespace, robotOf(file, ['robots', namespace], robot)]);
+  const valid = Object.entries(robots).filter(([namespace]) => !file.isInvalid(['robots', namespace]));
+  const found = valid.map(([namespace, robot]) => [namespace, robotOf(file, ['robots', namespace], robot)]);
   return Object.fromEntries(found.filter(([, urdf]) => urdf !== null));
 }
 

@@ -10,6 +10,6 @@ export function requireTls(file: YamlFile, section: Path, address: string): void
 /** Reports an endpoint on another machine without TLS, unless the configuration has plain: true. */
 export function requirePlain(file: YamlFile, { endpoint, plain }: { endpoint: string; plain?: boolean }): void {
   const scheme = endpoint.slice(0, endpoint.indexOf(':'));
-  if (['wss', 'mqtts'].includes(scheme) || isLoopback(endpoint) || plain === true) return;
+  if (['wss', 'mqtts'].includes(scheme) || isLoopback(endpoint) || plain === true || file.isInvalid(['plant', 'endpoint'])) return;
   file.report(['plant', 'plain'], configurationMessages.notPlain(scheme));
 }

@@ -4,7 +4,7 @@ export interface Problem {
   text: string;
 }
 
-/** The error for an invalid configuration. It contains all invalid entries that one check of the file has found. */
+/** The error for an invalid configuration. It contains all its invalid entries. */
 export class ConfigurationError extends Error {
   constructor(
     readonly file: string,

@@ -59,6 +59,7 @@ export function requireJoints(file: YamlFile, joints: NamedJoint[], robot: strin
   joints.forEach(({ joint, robot: own, name }, i) => {
     if (own !== robot || known?.has(name) === true) return;
     const path = ['joints', i, 'joint'];
+    if (joint.includes('/') && robot === '' && file.isInvalid(['robots'])) return;
     const [, namespace, rest] = (robot === '' ? QUALIFIED.exec(name) : null) ?? [];
     if (namespace === undefined && known !== null) {
       // The message has the form of the file. In a file with one namespace, the joints are entered without it.

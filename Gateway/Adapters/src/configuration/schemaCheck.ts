@@ -2,6 +2,7 @@ import type { ErrorObject, ValidateFunction } from 'ajv';
 import * as checks from 'plant.schema.checks';
 import { nearest } from './nearest';
 import { shown } from './problem';
+import { replaceInvalid } from './validPart';
 import type { Path, YamlFile } from './yamlFile';
 import schema from '../../plant.schema.json';
 import { configurationMessages } from '../messages/configuration';
@@ -21,24 +22,30 @@ export const knownEntries = (path: string[]): string[] =>
     return Object.keys(path.reduce((section, step) => section.properties![step], top).properties!);
   });
 
-/** Reports each entry that violates the schema of a kind of plant. Sets missing entries to their defaults. */
+/**
+ * Reports each entry that violates the schema of a kind of plant. Sets missing entries to their defaults, and replaces invalid entries, so that all
+ * other entries can be checked.
+ */
 export function checkAgainstSchema(file: YamlFile, kind: string): void {
   const check = (checks as Record<string, ValidateFunction>)[kind]!;
   if (check(file.value)) return;
-  const reported = new Set<string>();
-  for (const error of check.errors!.filter(e => !['if', 'oneOf', 'anyOf', 'allOf', 'not'].includes(e.keyword) || isOwnWords(e))) {
-    const { path, text } = inWords(error, file.value);
-    const key = `${path.join('/')}:${error.keyword === 'required' || error.keyword === 'additionalProperties' ? text : ''}`;
-    if (!reported.has(key)) file.report(path, text);
-    reported.add(key);
+  const errors = check.errors!.filter(e => !['if', 'oneOf', 'anyOf', 'allOf', 'not'].includes(e.keyword) || isOwnWords(e));
+  const wrong = errors.map(error => inWords(error, file.value));
+  for (const { path, text } of wrong) {
+    file.report(path, text);
+    file.markInvalid(path);
   }
+  for (const { meant } of wrong) if (meant !== undefined) file.markInvalid(meant);
+  for (const { path } of wrong) replaceInvalid(file, path);
 }
 
 // Whether the schema describes the allowed forms of an entry in words, so that one message can report that none of them matches.
 const isOwnWords = (error: ErrorObject): boolean => error.keyword !== 'if' && (error.parentSchema as Described)?.description !== undefined;
 
-function inWords(error: ErrorObject, root: unknown): { path: Path; text: string } {
-  const at = pathOf(error.instancePath, root);
+/** Gets the entry of an error, the message, and, for a misspelt entry, the missing entry that was probably meant. */
+function inWords(error: ErrorObject, root: unknown): { path: Path; text: string; meant?: Path } {
+  const key = error.propertyName ?? (error.keyword === 'propertyNames' ? (error.params.propertyName as string) : undefined);
+  const at = [...pathOf(error.instancePath, root), ...(key === undefined ? [] : [key])];
   const parent = error.parentSchema as Described;
   switch (error.keyword) {
     case 'required': {
@@ -48,7 +55,9 @@ function inWords(error: ErrorObject, root: unknown): { path: Path; text: string 
     case 'additionalProperties': {
       const name = error.params.additionalProperty as string;
       const known = Object.keys(parent.properties ?? {});
-      return { path: [...at, name], text: configurationMessages.unknownEntry(nearest(name, known)[0], known) };
+      const [guess] = nearest(name, known);
+      const isMissing = guess !== undefined && (error.data as Record<string, unknown>)[guess] === undefined;
+      return { path: [...at, name], text: configurationMessages.unknownEntry(guess, known), meant: isMissing ? [...at, guess] : undefined };
     }
     case 'dependencies': {
       const { property, missingProperty } = error.params as Record<'property' | 'missingProperty', string>;

@@ -20,6 +20,7 @@ export class YamlFile {
   readonly warnings: Problem[] = [];
   readonly #lines = new LineCounter();
   readonly #document: Document;
+  readonly #invalid = new Set<string>();
 
   /**
    * Reads and parses the file.
@@ -41,9 +42,19 @@ export class YamlFile {
     }
   }
 
-  /** Adds an error in an entry. The error of a missing entry has the line of its parent. */
+  /** Adds an error in an entry, unless the entry is marked as invalid. The error of a missing entry has the line of its parent. */
   report(path: Path, text: string): void {
-    this.problems.push(this.#at(path, text));
+    if (!this.isInvalid(path)) this.problems.push(this.#at(path, text));
+  }
+
+  /** Marks an entry whose value is not known, because it has a reported error. Further errors in it would be consequences. */
+  markInvalid(path: Path): void {
+    this.#invalid.add(JSON.stringify(path));
+  }
+
+  /** Whether the value of an entry is not known. Checks of other entries that depend on this value are not possible. */
+  isInvalid(path: Path): boolean {
+    return this.#invalid.has(JSON.stringify(path));
   }
 
   /** Adds a warning about an entry that is valid. */

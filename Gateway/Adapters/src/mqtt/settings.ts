@@ -27,7 +27,8 @@ export const settingsOf = (configuration: Configuration): MqttSettings => config
 export const mqtt: Kind = {
   check(file, configuration, environment) {
     const section = configuration.plant as unknown as Section;
-    if (configuration.values.length === 0) file.report(['plant'], mqttMessages.nothingRead);
+    const hasLists = ['joints', 'frames', 'signals'].every(list => !file.isInvalid([list]));
+    if (configuration.values.length === 0 && hasLists) file.report(['plant'], mqttMessages.nothingRead);
     const settings: MqttSettings = { broker: brokerOf(file, section, configuration, environment), time: section.time ?? null };
     configuration.plant.settings = settings;
   },

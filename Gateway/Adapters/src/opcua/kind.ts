@@ -44,9 +44,11 @@ export const opcua: Kind = {
     if (section.time !== undefined) requireNode(file, [...at, 'time', 'node'], section.time.node);
     const samplingMs = section.sampling_ms ?? SAMPLING_MS;
     const publishingMs = section.publishing_ms ?? Math.max(samplingMs, PUBLISHING_MS);
-    if (publishingMs < samplingMs) file.report([...at, 'publishing_ms'], configurationMessages.publishingTooShort(publishingMs, samplingMs));
+    if (publishingMs < samplingMs && !file.isInvalid([...at, 'sampling_ms']))
+      file.report([...at, 'publishing_ms'], configurationMessages.publishingTooShort(publishingMs, samplingMs));
     const timestamp = section.timestamp ?? (section.time === undefined ? 'source' : 'variable');
-    if (timestamp === 'variable' && section.time === undefined) file.report([...at, 'timestamp'], configurationMessages.noTimeVariable('node'));
+    if (timestamp === 'variable' && section.time === undefined && !file.isInvalid([...at, 'time']))
+      file.report([...at, 'timestamp'], configurationMessages.noTimeVariable('node'));
     if (timestamp !== 'variable' && section.time !== undefined) file.report([...at, 'time'], configurationMessages.unusedTime(timestamp));
     const settings: OpcUaSettings = {
       endpoint: section.endpoint,
@@ -60,13 +62,12 @@ export const opcua: Kind = {
     };
     configuration.plant.settings = settings;
   },
-  obstacle: configuration => {
+  checkMachine: (file, configuration) => {
     const { folder } = settingsOf(configuration).security;
     try {
       tryFolder(folder);
-      return null;
     } catch (error) {
-      return `${configuration.where(['plant', 'security', 'folder'])}: ${folderTrouble(folder, error as Error)}`;
+      file.report(['plant', 'security', 'folder'], folderTrouble(folder, error as Error));
     }
   },
   summary: configuration => {
@@ -92,7 +93,8 @@ function securityOf(file: YamlFile, { security = {} }: Section, environment: Nod
   const at = ['plant', 'security'] as const;
   const mode = security.mode ?? 'sign_and_encrypt';
   if (mode === 'none' && security.i_know_this_is_open !== true) file.report([...at, 'mode'], opcuaSettingMessages.open);
-  if (mode !== 'none' && security.i_know_this_is_open !== undefined) file.report([...at, 'i_know_this_is_open'], opcuaSettingMessages.notOpen(mode));
+  if (mode !== 'none' && security.i_know_this_is_open !== undefined && !file.isInvalid([...at, 'mode']))
+    file.report([...at, 'i_know_this_is_open'], opcuaSettingMessages.notOpen(mode));
   const text = (name: 'folder' | 'server_certificate'): string | null => (security[name] === undefined ? null : besides(file.path, security[name]));
   if (security.server_certificate !== undefined) requireCertificate(file, [...at, 'server_certificate'], security.server_certificate);
   return {

@@ -97,7 +97,8 @@ export const ros: Kind = {
     const names = frames.map(({ frame, source }) => source ?? frame);
     frames.forEach(({ source, topic, position }, i) => {
       if (source !== undefined && names.indexOf(source) < i) file.report(['frames', i, 'source'], configurationMessages.valueTwice(source, 'frame'));
-      if (source !== undefined && position !== undefined) file.report(['frames', i, 'source'], rosMessages.sourceAndPosition);
+      if (source !== undefined && position !== undefined && !file.isInvalid(['frames', i, 'position']))
+        file.report(['frames', i, 'source'], rosMessages.sourceAndPosition);
       const isRead = configuration.values.some(({ path: [section, index] }) => section === 'frames' && index === i);
       if (isRead && topic === undefined) file.report(['frames', i, 'topic'], rosMessages.noTopic);
     });

@@ -211,7 +211,7 @@ describe('configuration of frames, signals and robots', () => {
     ['FrameCannotDecelerate', OPCUA, 'frame: part', 'frame: part\n    max_deceleration: 0', 'line 14: frames[1].max_deceleration: value 0; '],
     ['SignalTwice', OPCUA, 'signal: speed', 'signal: closed', `line 19: signals[1].signal: ${configurationMessages.nameTwice('closed', 18, 'signal')}`],
     ['SignalWithoutNode', OPCUA, 'signal: closed, node: i=6', 'signal: closed', 'line 18: signals[0].node: missing; '],
-    ['InvalidNamespace', OPCUA, '  arm1: ur5e', '  1arm: ur5e', 'line 4: robots: value '],
+    ['InvalidNamespace', OPCUA, '  arm1: ur5e', '  1arm: ur5e', 'line 5: robots.1arm: value '],
     ['RobotFileMissing', OPCUA, '  arm1: ur5e', '  arm1: none.urdf', `line 5: robots.arm1: ${robotMessages.notReadable('none.urdf', 'ENOENT', [])}`],
     ['JointUnknownToTheRobot', OPCUA, 'arm2/shoulder_pan_joint', 'arm2/sholder_pan_joint', `line 9: joints[1].joint: ${robotMessages.noJoint('arm2/sholder_pan_joint', 'arm2/shoulder_pan_joint')}`],
     ['JointOfAnUnknownRobot', OPCUA, 'arm2/shoulder_pan_joint', 'arm3/shoulder_pan_joint', `line 9: joints[1].joint: ${robotMessages.noRobot('arm3/shoulder_pan_joint', 'arm3', 'arm1')}`],
