@@ -7,9 +7,11 @@ import { parse } from 'yaml';
 import { parts } from './parts.mjs';
 import { adapters, check } from './program.mjs';
 
-const { robotOf } = await parts('configuration/robot');
+const { readConfiguration, robotOf } = await parts('configuration/configuration', 'configuration/robot');
 
 const folder = join(adapters, 'examples');
+
+const read = name => readConfiguration(join(folder, name), {}, {});
 
 const names = readdirSync(folder, { recursive: true }).filter(f => /\.ya?ml$/.test(f) && statSync(join(folder, f)).isFile());
 
@@ -46,3 +48,10 @@ for (const kind of ['opcua', 'ads', 'mqtt', 'ros'])
     if (kind === 'ros') assert.deepEqual([plant.namespace, frames.map(({ angles }) => angles !== undefined)], ['arm2', [false, false, true]]);
     else assert.deepEqual([Object.keys(robots), frames.map(({ quaternion, angles }) => [quaternion !== undefined, angles !== undefined])], [['arm2'], [[true, false], [false, true]]]);
   });
+
+it('Example_OfACellWithMqtt_StampsAllValuesWithTheTimeInTheirMessages', () => {
+  const { values, plant } = read('mqtt-cell.yaml');
+
+  // A message that is only a value contains no time.
+  assert.deepEqual([plant.time.field, values.filter(({ address }) => address.field === undefined).map(({ label }) => label)], ['timestamp', []]);
+});
