@@ -7,7 +7,7 @@ namespace Nowpose.Headless.Tests.ControlSystem;
 public class BeltProgramTests
 {
     const int ValuesPerWorkpiece = 7;
-    const decimal Store = 0, Conveyor = 1, Gripper = 2;
+    const decimal Store = 0, Conveyor = 1, Gripper = 2, Fixture = 3;
 
     readonly StructuredText _program = new(Source());
 
@@ -77,17 +77,103 @@ public class BeltProgramTests
     }
 
     [Test]
+    public void Run_GripperCloses_WritesTheParentAndThePoseInItInTheSameCycle()
+    {
+        RunToThePickPosition();
+        var onTheBelt = ValuesOf(0);
+
+        _program["bGripperClosed"] = 1;
+        Run(1);
+
+        Assert.That(onTheBelt, Is.EqualTo(new decimal[] { 900, 0, 15, 0, 0, 0, Conveyor }));
+        Assert.That(ValuesOf(0), Is.EqualTo(new decimal[] { 0, 0, 150, 0, 0, 180, Gripper }));
+    }
+
+    [Test]
     public void Run_GrippedWorkpiece_KeepsItsPoseInTheGripper()
     {
-        _program["fBeltSpeed"] = 100;
-        Run(1, isInterrupted: true);
-        _program.Array("aWorkpiece")[6] = Gripper;
-        _program.Array("aWorkpiece")[0] = 12;
+        RunToThePickPosition();
+        _program["bGripperClosed"] = 1;
+        Run(1);
+        var gripped = ValuesOf(0);
 
-        Run(5);
-        Run(5, isInterrupted: true);
+        Run(500);
+        Run(500, isInterrupted: true);
 
-        Assert.That((X(0), Parent(0)), Is.EqualTo((12m, Gripper)));
-        Assert.That(Parent(1), Is.EqualTo(Conveyor));
+        Assert.That(ValuesOf(0), Is.EqualTo(gripped));
+        Assert.That(Parents, Is.EqualTo(new[] { Gripper, Conveyor, Store }), "the next workpiece uses other elements");
     }
+
+    [Test]
+    public void Run_GripperOpens_WorkpieceIsOnTheFixtureUntilItIsUnloaded()
+    {
+        RunToThePickPosition();
+        _program["bGripperClosed"] = 1;
+        Run(100);
+
+        _program["bGripperClosed"] = 0;
+        Run(1);
+        var released = ValuesOf(0);
+        Run(10);
+        _program["bFixtureOccupied"] = 1;
+        Run(10);
+        var resting = ValuesOf(0);
+        _program["bFixtureOccupied"] = 0;
+        Run(1);
+
+        Assert.That(released, Is.EqualTo(new decimal[] { 0, 0, 15, 0, 0, 0, Fixture }));
+        Assert.That(resting, Is.EqualTo(released), "also while the sensor of the fixture is late");
+        Assert.That(Parents, Is.All.EqualTo(Store));
+    }
+
+    [TestCase(860)]
+    [TestCase(940)]
+    public void Run_GripperClosesBesideTheWorkpiece_WorkpieceStaysOnTheBelt(int x)
+    {
+        RunToThePickPosition(x);
+
+        _program["bGripperClosed"] = 1;
+        Run(100);
+        _program["bGripperClosed"] = 0;
+        Run(1);
+
+        Assert.That((X(0), Parent(0)), Is.EqualTo(((decimal)x, Conveyor)));
+    }
+
+    [Test]
+    public void Run_GripperIsClosedBeforeTheWorkpieceArrives_WorkpieceStaysOnTheBelt()
+    {
+        _program["bGripperClosed"] = 1;
+
+        RunToThePickPosition();
+
+        Assert.That(Parents, Is.EqualTo(new[] { Conveyor, Store, Store }));
+    }
+
+    [Test]
+    public void Run_TwoWorkpiecesWithinReach_GripperTakesOne()
+    {
+        _program["fBeltSpeed"] = 1000;
+        Run(1, isInterrupted: true);
+        Run(9);
+        Run(1, isInterrupted: true);
+        Run(899);
+        _program["fBeltSpeed"] = 0;
+
+        _program["bGripperClosed"] = 1;
+        Run(2);
+
+        Assert.That(Parents, Is.EqualTo(new[] { Gripper, Conveyor, Store }));
+    }
+
+    // The belt stops when the centre of the first workpiece is at this position, in mm.
+    void RunToThePickPosition(int x = 900)
+    {
+        _program["fBeltSpeed"] = 1000;
+        Run(1, isInterrupted: true);
+        Run(x);
+        _program["fBeltSpeed"] = 0;
+    }
+
+    decimal[] ValuesOf(int workpiece) => _program.Array("aWorkpiece")[(ValuesPerWorkpiece * workpiece)..(ValuesPerWorkpiece * (workpiece + 1))];
 }

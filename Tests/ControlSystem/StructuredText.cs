@@ -5,7 +5,7 @@ namespace Nowpose.Headless.Tests.ControlSystem;
 
 /// <summary>Interprets the subset of Structured Text (IEC 61131-3) used by the manual and the files of the LED matrix, directly from their text.</summary>
 /// <remarks>
-/// Supports integers, BOOL, LREAL (without division and with decimal arithmetic), zero-based arrays, assignments, IF, FOR, and calls of function blocks with named inputs. Each variable has the
+/// Supports integers, BOOL, LREAL (without division and with decimal arithmetic), zero-based arrays, assignments, IF with ELSIF, FOR, and calls of function blocks with named inputs. Each variable has the
 /// range of its type. Anything else is an error that names the token.
 /// </remarks>
 sealed partial class StructuredText
@@ -93,7 +93,7 @@ sealed partial class StructuredText
 
     void Block(bool runs)
     {
-        while (!Next.StartsWith("END_", StringComparison.Ordinal) && Next != "ELSE")
+        while (!Next.StartsWith("END_", StringComparison.Ordinal) && Next is not ("ELSE" or "ELSIF"))
         {
             if (TryTake("IF")) If(runs);
             else if (TryTake("FOR")) For(runs);
@@ -106,6 +106,11 @@ sealed partial class StructuredText
         var isTrue = Expression() != 0;
         Expect("THEN");
         Block(runs && isTrue);
+        if (TryTake("ELSIF"))
+        {
+            If(runs && !isTrue);
+            return;
+        }
         if (TryTake("ELSE")) Block(runs && !isTrue);
         Expect("END_IF");
         Expect(";");

@@ -26,7 +26,7 @@ for (const name of names)
 const withRobot = names.map(name => [name, parse(readFileSync(join(folder, name), 'utf8'))]).filter(([, { robot }]) => robot !== undefined);
 
 it('Examples_OfControlSystems_ContainARobot', () =>
-  assert.deepEqual(withRobot.map(([name]) => name).sort(), ['ads-cell.yaml', 'ads.yaml', 'mqtt-cell.yaml', 'mqtt.yaml', 'opcua-cell.yaml', 'opcua.yaml', 'ros-cell.yaml', 'rtde.yaml', 'twincat-opcua.yaml']));
+  assert.deepEqual(withRobot.map(([name]) => name).sort(), ['ads-cell.yaml', 'ads.yaml', 'codesys-opcua.yaml', 'mqtt-cell.yaml', 'mqtt.yaml', 'opcua-cell.yaml', 'opcua.yaml', 'ros-cell.yaml', 'rtde.yaml', 'twincat-opcua.yaml']));
 
 for (const [name, { robot, robots = {}, joints }] of withRobot)
   for (const [prefix, description] of [['', robot], ...Object.entries(robots).map(([namespace, each]) => [`${namespace}/`, each])])
@@ -54,4 +54,14 @@ it('Example_OfACellWithMqtt_StampsAllValuesWithTheTimeInTheirMessages', () => {
 
   // A message that is only a value contains no time.
   assert.deepEqual([plant.time.field, values.filter(({ address }) => address.field === undefined).map(({ label }) => label)], ['timestamp', []]);
+});
+
+it('Example_OfCodesys_ReadsTheElementsThatTheProgramOfTheManualWrites', () => {
+  const { values, frames } = read('codesys-opcua.yaml');
+
+  const elements = values.filter(({ address }) => address.node.endsWith('.GVL.aWorkpiece'));
+  const labels = ['x', 'y', 'z', 'angle z', 'angle y', 'angle x', 'parent'];
+  assert.deepEqual(Object.fromEntries(elements.map(({ label, address }) => [address.index, label])),
+    Object.fromEntries([1, 2, 3].flatMap(n => labels.map(label => `workpiece_${n} ${label}`)).entries()));
+  assert.deepEqual(frames.at(-1).parents, ['store', 'conveyor', 'tool0', 'fixture']);
 });
