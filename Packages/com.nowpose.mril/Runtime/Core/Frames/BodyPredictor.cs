@@ -46,6 +46,9 @@ namespace Nowpose.Frames
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first sample.</summary>
         public double NewestTime => _pipeline.NewestStamp;
 
+        /// <inheritdoc cref="PredictionPipeline{TSample}.MaxAhead"/>
+        public double MaxAhead => _pipeline.MaxAhead;
+
         /// <inheritdoc cref="JointPredictor.Restarts"/>
         public int Restarts => _pipeline.Restarts;
 

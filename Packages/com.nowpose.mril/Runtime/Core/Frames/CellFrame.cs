@@ -21,8 +21,9 @@ namespace Nowpose.Frames
         ControlTime? _newest;
         string _parent;
         double _displayed = double.NaN;
-        // Display time before the newest pose that arrived while the frame was held; NaN if there is none.
-        double _addedWhileHeld = double.NaN;
+        // First display time after the arrival of the newest pose, if this pose was already too old to be predicted up to it; otherwise NaN.
+        double _oldArrival = double.NaN;
+        bool _hasArrived;
         bool _isStationary;
 
         /// <param name="newPredictor">Creates the predictor for the first pose of a tracked frame. Stationary frames need no predictor.</param>
@@ -95,7 +96,7 @@ namespace Nowpose.Frames
         public FrameState State { get; private set; }
 
         /// <summary>Whether new poses of a held frame arrive, but all are too old to be predicted up to the display time.</summary>
-        public bool ReceivesOldPoses => State == FrameState.Held && _displayed - _addedWhileHeld <= MaxSilence;
+        public bool ReceivesOldPoses => State == FrameState.Held && _displayed - _oldArrival <= MaxSilence;
 
         /// <summary>Stamp of the newest pose; null before the first pose, and for a stationary frame.</summary>
         public ControlTime? Newest => _isStationary ? null : _newest;
@@ -190,13 +191,20 @@ namespace Nowpose.Frames
         public void Evaluate(double time, in RigidTransform parent, bool isParentCurrent, bool isParentFixed)
         {
             IsFixed = IsStationary && isParentFixed;
-            if (!double.IsNaN(time)) _displayed = time;
+            if (!double.IsNaN(time)) SetDisplayed(time);
             var pose = PoseInParent(time, out var kind);
             State = kind == PredictionKind.None ? FrameState.Missing
                 : kind == PredictionKind.Held ? FrameState.Held
                 : _grips.IsUnknown ? FrameState.GripUnknown
                 : isParentCurrent ? FrameState.Current : FrameState.ParentNotCurrent;
             if (kind != PredictionKind.None) _shown.Show(time, parent * pose);
+        }
+
+        void SetDisplayed(double time)
+        {
+            _displayed = time;
+            if (_hasArrived) _oldArrival = time - _predictor.NewestTime > _predictor.MaxAhead ? time : double.NaN;
+            _hasArrived = false;
         }
 
         // A released object is current only while its source sends poses, because only the source reports that the object is moved again.
@@ -252,10 +260,7 @@ namespace Nowpose.Frames
                 ClockTicks.Seconds(pose.Stamp - epoch), new Vector3D(pose.X, pose.Y, pose.Z), rotation), _displayed);
             var hasRestarted = _predictor.Restarts != restarts;
             if (!(pose.Stamp <= _newest) || hasRestarted)
-            {
-                (_newest, _given) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z));
-                _addedWhileHeld = State == FrameState.Held ? _displayed : double.NaN;
-            }
+                (_newest, _given, _hasArrived) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z), true);
             // The time stamp of the release belongs to the earlier run of the source.
             if (hasRestarted && (Reach?.IsReleased == true || UnknownMover != null)) Put(null);
             return reason;

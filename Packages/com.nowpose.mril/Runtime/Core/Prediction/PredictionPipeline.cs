@@ -51,6 +51,9 @@ namespace Nowpose.Prediction
         /// <summary>Corrected time of the newest sample in use, in s; negative infinity before the first.</summary>
         public double NewestTime => _motions[0].NewestTime;
 
+        /// <summary>Time after the newest sample from which on positions are held, s.</summary>
+        public double MaxAhead => Math.Min(_limits.HorizonCap, _forecasters[0].Span);
+
         public SampleTiming Timing => _buffer.Timing;
 
         /// <summary>Number of times that the samples showed that their clock went back.</summary>
@@ -119,8 +122,7 @@ namespace Nowpose.Prediction
                     : new SectionPlace(PredictionKind.Interpolated, ahead, isOnCurve: true);
             }
             if (!_isSolved || double.IsNaN(time)) return new SectionPlace(PredictionKind.Held, double.NaN);
-            var furthest = Math.Min(_limits.HorizonCap, _forecasters[0].Span);
-            if (ahead > furthest) return new SectionPlace(PredictionKind.Held, furthest);
+            if (ahead > MaxAhead) return new SectionPlace(PredictionKind.Held, MaxAhead);
             if (double.IsInfinity(ahead)) return new SectionPlace(PredictionKind.Held, double.NaN);
             // The paper's polynomials are used before their newest sample too. A section is as inaccurate before its oldest sample as it is far beyond
             // its newest sample, so its value at the oldest sample is held.

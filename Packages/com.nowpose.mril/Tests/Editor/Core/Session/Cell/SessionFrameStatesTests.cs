@@ -81,6 +81,27 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(Reason(), Is.EqualTo(FrameMessages.PosesStopped));
         }
 
+        [TestCase(0.4)]
+        [TestCase(0.6)]
+        [TestCase(0.9)]
+        public void Faults_CurrentPosesArriveRarely_NeverNameOldStamps(double interval)
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("box");
+            var next = 20.0;
+            cell.Sampling = t =>
+            {
+                if (t < next) return;
+                cell.Send("world", "box", t, Along(t));
+                next += interval;
+            };
+
+            cell.Run(5, _ => Assert.That(
+                cell.Session.Frames.Faults(null).Select(fault => fault.Reason), Has.None.EqualTo(FrameMessages.PosesTooOld)));
+
+            Assert.That(cell.Session.Frames.Find("box").Newest, Is.GreaterThan(ControlTime.FromSeconds(24)));
+        }
+
         [Test]
         public void Faults_CurrentPosesStop_NeverNameOldStamps()
         {
