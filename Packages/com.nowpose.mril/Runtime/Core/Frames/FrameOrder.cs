@@ -67,7 +67,7 @@ namespace Nowpose.Frames
                 var frame = _frames[above];
                 if (!frame.IsPlaced) return false;
                 (pose, isCurrent) = (frame.World, frame.State == FrameState.Current);
-                isFixed &= isCurrent && frame.IsFixed;
+                isFixed &= frame.IsFixed;
             }
             if (place.Robot < 0) return above >= 0 || place.IsInWorld;
             pose *= _robots[place.Robot].Poses[place.Parent];

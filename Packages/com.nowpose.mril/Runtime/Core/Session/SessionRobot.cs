@@ -90,11 +90,10 @@ namespace Nowpose.Session
         public bool IsMovedByJoints(int link) => _computer.IsMovedByJoints(link);
 
         /// <summary>Predicts the joints to the display time of a frame.</summary>
-        public void Show(in DisplayMoment moment)
-        {
-            _computer.Compute(moment, Joints.IsAnyReportedMissing(moment.Start));
-            Hindcast.Shown(Frame, moment.Clock.ErrorBound, HasRootFrame && !HasFixedRootFrame);
-        }
+        public void Show(in DisplayMoment moment) => _computer.Compute(moment, Joints.IsAnyReportedMissing(moment.Start));
+
+        /// <summary>Scores the displayed frame when later samples have arrived. Call it after <see cref="PlaceRoot"/>.</summary>
+        public void Score(in DisplayMoment moment) => Hindcast.Shown(Frame, moment.Clock.ErrorBound, HasRootFrame && !HasFixedRootFrame);
 
         /// <summary>Places the root link in the cell. Call it after <see cref="Show"/>.</summary>
         /// <param name="state">State of the root link's pose.</param>

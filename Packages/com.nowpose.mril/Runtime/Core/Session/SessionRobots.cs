@@ -98,10 +98,14 @@ namespace Nowpose.Session
             foreach (var robot in _all) robot.Show(moment);
         }
 
-        /// <summary>Places each robot at the frame of the cell that has its root link's name.</summary>
-        public void PlaceRoots()
+        /// <summary>Places each robot at the frame of the cell that has its root link's name, and scores it there.</summary>
+        public void PlaceRoots(in DisplayMoment moment)
         {
-            foreach (var robot in _all) _frames.PlaceRoot(robot);
+            foreach (var robot in _all)
+            {
+                _frames.PlaceRoot(robot);
+                robot.Score(moment);
+            }
         }
 
         /// <summary>Discards all samples, because their times are no longer valid.</summary>

@@ -49,7 +49,7 @@ namespace Nowpose.Session.Cell
             // A gripper takes an object in the frame in which its signal's change is visible.
             Grips.Decide(moment, canReceiveSignals);
             Frames.Show(moment);
-            Robots.PlaceRoots();
+            Robots.PlaceRoots(moment);
         }
 
         /// <summary>Returns the objects and signals that were shown and not current in the newest frame; allocates. Thread-safe.</summary>

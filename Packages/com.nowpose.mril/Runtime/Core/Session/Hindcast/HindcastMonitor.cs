@@ -90,7 +90,8 @@ namespace Nowpose.Session.Hindcast
             if (!IsKnown) return;
             foreach (ref readonly var track in _tracks.AsSpan())
                 if (!(track.CompleteUntil < _now.Value)) return;
-            var values = _frames.Add(_now.Value, frame.State, frame.ToolPose, _kinematics.ToolOf(frame.HeldJoints), ClockTicks.Seconds(clockError));
+            var values = _frames.Add(
+                _now.Value, frame.State, IsToolKnown, frame.ToolPose, _kinematics.ToolOf(frame.HeldJoints), ClockTicks.Seconds(clockError));
             for (var i = 0; i < _joints.Length; i++)
             {
                 values[i].Displayed = frame.Joints[_joints[i]];
@@ -155,7 +156,7 @@ namespace Nowpose.Session.Hindcast
                     Square(joint.Displayed - joint.Truth), Square(joint.Held - joint.Truth), Square(joint.Uncertainty),
                     Square(frame.ClockError * _speeds.OfJoint(i, joint.Truth))), isOfRun);
             }
-            if (!IsToolKnown) return;
+            if (!frame.IsToolKnown) return;
             var truth = _kinematics.ToolOf(_values, false);
             var uncertain = _kinematics.ToolOf(_values, true);
             var error = new ErrorSums(

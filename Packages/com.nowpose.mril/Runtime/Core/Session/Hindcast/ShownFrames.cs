@@ -22,17 +22,19 @@ namespace Nowpose.Session.Hindcast
         }
 
         /// <param name="state">State of the frame's pose.</param>
+        /// <param name="isToolKnown">Whether the error of the tool can be computed, and not only those of the joints.</param>
         /// <param name="displayed">Displayed tool pose.</param>
         /// <param name="held">Tool pose from the newest samples without compensation.</param>
         /// <param name="clockError">Error bound of the clock, s.</param>
         /// <returns>Buffer for the displayed and uncompensated positions of the joints.</returns>
-        public Span<JointValues> Add(ControlTime at, PoseState state, in RigidTransform displayed, in RigidTransform held, double clockError)
+        public Span<JointValues> Add(
+            ControlTime at, PoseState state, bool isToolKnown, in RigidTransform displayed, in RigidTransform held, double clockError)
         {
             if (_count == Capacity) RemoveFirst();
             var index = (_first + _count++) % Capacity;
             _frames[index] = new Frame
             {
-                At = at, State = state, Missing = _jointCount, ClockError = clockError,
+                At = at, State = state, IsToolKnown = isToolKnown, Missing = _jointCount, ClockError = clockError,
                 X = displayed.X, Y = displayed.Y, Z = displayed.Z, HeldX = held.X, HeldY = held.Y, HeldZ = held.Z,
             };
             return _joints.AsSpan(index * _jointCount, _jointCount);
@@ -82,7 +84,7 @@ namespace Nowpose.Session.Hindcast
             public ControlTime At;
             public PoseState State;
             public int Missing;
-            public bool IsLost;
+            public bool IsLost, IsToolKnown;
             public double ClockError;
             public double X, Y, Z, HeldX, HeldY, HeldZ;
         }
