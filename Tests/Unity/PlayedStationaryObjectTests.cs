@@ -43,18 +43,29 @@ public class PlayedStationaryObjectTests : PlayedParts
     }
 
     // Each would replace the saved place of the other.
-    [TestCase("", 1)]
-    [TestCase("conveyor", 0)]
-    public void StationaryObjects_SameFrame_AreReportedOnce(string frame, int expected)
+    [TestCase("", "", 1)]
+    [TestCase("conveyor", "", 0)]
+    [TestCase("", "other.json", 0)]
+    public void StationaryObjects_SameFrameInTheSameFile_AreReportedOnce(string frame, string file, int expected)
     {
         Below<StationaryObject>("fixture", _session.transform);
         var other = Below<FrameProbe>("fixture", _session.transform).gameObject;
         other.SetActive(false);
-        other.AddComponent<StationaryObject>().With("_frame", frame);
+        other.AddComponent<StationaryObject>().With("_frame", frame).With("_fileName", file);
         other.SetActive(true);
         Run(0.5);
 
         Assert.That(_cell.Messages, Has.Exactly(expected).Contains(ObjectMessages.SameFrame("fixture", "fixture")));
+    }
+
+    [Test]
+    public void StationaryObject_FrameOfATrackedObject_IsNotReported()
+    {
+        Below<TrackedObject>("fixture", _session.transform);
+        Below<StationaryObject>("fixture", _session.transform);
+        Run(0.5);
+
+        Assert.That(_cell.Messages, Has.None.Contains(ObjectMessages.SameFrame("fixture", "fixture")), "a tracked object has no saved place");
     }
 
     [Test]

@@ -46,9 +46,8 @@ namespace Nowpose.Editor.Inspectors
             new UniqueRule<RobotRig>(
                 (rig, other) => IsDisplayed(rig) && IsDisplayed(other) && rig.RobotNamespace == other.RobotNamespace,
                 (_, other) => ShortcomingTexts.SameRobot(other.name)),
-            // Objects with the same frame replace each other's saved place.
             new UniqueRule<StationaryObject>(
-                (shown, other) => shown.Frame == other.Frame, (shown, other) => ShortcomingTexts.SameFrame(other.name, shown.Frame)),
+                (shown, other) => shown.HasPlaceOf(other), (shown, other) => ShortcomingTexts.SameFrame(other.name, shown.Frame)),
         };
 
         /// <summary>Returns the problems of components. A problem of several components is returned only once.</summary>

@@ -104,10 +104,13 @@ namespace Nowpose.Unity
         {
             _followed = FollowedFrame.Of(this, _session, "stationary object", Frame, _canBeGripped, missing: ObjectMessages.NotPlaced);
             if (_followed == null) return;
-            if (_followed.IsShownTwice) ConsoleLog.Warn(this, ObjectMessages.SameFrame(name, Frame));
+            if (_followed.Source.Movers.HasAny(mover => mover is StationaryObject other && HasPlaceOf(other))) ConsoleLog.Warn(this, ObjectMessages.SameFrame(name, Frame));
             _saved = Saved();
             _followed.Source.Movers.Add(this, Show);
         }
+
+        /// <summary>Returns whether this and another object have the same saved place, so that each replaces that of the other.</summary>
+        internal bool HasPlaceOf(StationaryObject other) => Frame == other.Frame && SavedPath == other.SavedPath;
 
         void OnDisable()
         {

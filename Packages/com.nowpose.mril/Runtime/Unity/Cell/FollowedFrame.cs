@@ -51,9 +51,6 @@ namespace Nowpose.Unity.Cell
 
         public string Title { get; }
 
-        /// <summary>Whether another component of the session also shows this frame.</summary>
-        public bool IsShownTwice => _source.Parts.CountOf(Title) > 1;
-
         /// <summary>The transform that is the frame <c>world</c>.</summary>
         public Transform World { get; private set; }
 

@@ -30,6 +30,9 @@ namespace Nowpose.Unity.Cell
             _isChanged = true;
         }
 
+        /// <summary>Returns whether a component that moves its object meets a condition.</summary>
+        public bool HasAny(Predicate<Component> condition) => _movers.Exists(mover => condition(mover.Component));
+
         public void Move(DisplayFrame frame)
         {
             _isStopped = false;

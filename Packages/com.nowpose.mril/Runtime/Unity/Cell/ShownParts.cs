@@ -56,15 +56,6 @@ namespace Nowpose.Unity.Cell
         /// <summary>Returns the control time since which this part has not been current; null while unknown.</summary>
         public ControlTime? SinceOf(int index) => _faults[index].Since;
 
-        /// <summary>Returns the number of parts with a title.</summary>
-        public int CountOf(string title)
-        {
-            var count = 0;
-            foreach (var part in _parts)
-                if (part.Title == title) count++;
-            return count;
-        }
-
         public void Add(IShownPart part) => _parts.Add(part);
 
         public void Remove(IShownPart part) => _parts.Remove(part);

@@ -83,15 +83,16 @@ namespace Nowpose.Tests.Unity.Inspectors
             Assert.That(Of(one).Length, Is.EqualTo(isReported ? 1 : 0));
         }
 
-        [TestCase("Fixture", true)]
-        [TestCase("Conveyor", false)]
-        public void StationaryObjects_OfOneSession_AreReportedIfTheyHaveTheSameFrame(string frame, bool isReported)
+        [TestCase("Fixture", "", true)]
+        [TestCase("Conveyor", "", false)]
+        [TestCase("Fixture", "other.json", false)]
+        public void StationaryObjects_OfOneSession_AreReportedIfTheyHaveTheSameFrameInTheSameFile(string frame, string file, bool isReported)
         {
             var session = _scene.New<MrilSession>("Session").transform;
             _scene.New<StationaryObject>("Fixture", session);
             _scene.New<StationaryObject>("Fixture", _scene.New<MrilSession>("Another").transform);
 
-            var other = _scene.New<StationaryObject>("Other", session).With("_frame", frame);
+            var other = _scene.New<StationaryObject>("Other", session).With("_frame", frame).With("_fileName", file);
 
             Assert.That(
                 Of(other).Select(each => each.Message), Is.EqualTo(isReported ? new[] { ShortcomingTexts.SameFrame("Fixture", frame) } : System.Array.Empty<string>()));
