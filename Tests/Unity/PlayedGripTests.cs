@@ -137,6 +137,36 @@ public class PlayedGripTests : PlayedParts
         Assert.That(FaultsNow(), Is.Empty);
     }
 
+    [TestCase(false)]
+    [TestCase(true)]
+    public void GripByReach_RigDisabled_IsShownOnThePanelUntilTheRigIsEnabled(bool isInactive)
+    {
+        var (rig, grip, _) = NewGrip();
+        // A gripper below an inactive rig is itself inactive.
+        grip.Follow(rig);
+        if (isInactive) grip.transform.SetParent(null);
+        void Enable(bool isEnabled)
+        {
+            if (isInactive) rig.gameObject.SetActive(isEnabled);
+            else rig.enabled = isEnabled;
+        }
+        var expected = "gripper grip: " + PoseMessages.RigDisabled;
+        Enable(false);
+        Run(0.5, _ => { });
+        Assert.That(FaultsNow(), Does.Contain(expected), "before the rig was enabled");
+
+        Enable(true);
+        Run(1, _ => { });
+        SendSignal("grip", _cell.Now - Latency, 0);
+        Run(0.5, _ => { });
+        Assert.That((grip.Fault, FaultsNow()), Is.EqualTo(((string)null, "object box: " + FrameMessages.NoPose)));
+
+        Enable(false);
+        Run(0.5, _ => { });
+        Assert.That(grip.Fault, Is.EqualTo(PoseMessages.RigDisabled));
+        Assert.That(FaultsNow(), Does.Contain(expected), "after the rig was disabled");
+    }
+
     [Test]
     public void GripByReach_MovedBelowARig_FollowsItsRobot()
     {

@@ -53,6 +53,7 @@ namespace Nowpose.Unity
             get
             {
                 if (_source == null) return StatusMessages.NoRig;
+                if (_source.Session == null && _session != null) return PoseMessages.RigDisabled;
                 if (_followed == null || _followed != _session.Session) return StatusMessages.NoSession;
                 return _grip == null ? _problem ?? ObjectMessages.RobotUnknown : _grip.Fault;
             }
@@ -84,8 +85,7 @@ namespace Nowpose.Unity
             _title = "gripper " + name;
             _source = _rig != null ? _rig : GetComponentInParent<RobotRig>();
             if (_source == null) ConsoleLog.Warn(this, ComponentMessages.GripWithoutRig(name));
-            // Without a rig, the session above lists this component, because what the gripper carries is unknown.
-            Follow(_source != null ? _source.Session : this.SessionOr(null));
+            Follow(SessionOfRig);
         }
 
         void OnDisable() => Follow(session: null);
@@ -100,8 +100,12 @@ namespace Nowpose.Unity
         // Detects the session of a rig that is enabled after this component.
         void LateUpdate()
         {
-            if (_source != null && _source.Session != _session) Follow(_source.Session);
+            if (_source != null && SessionOfRig != _session) Follow(SessionOfRig);
         }
+
+        // Without an enabled rig, the session that the rig would have lists this component, because what the gripper carries is unknown.
+        MrilSession SessionOfRig => _source == null ? this.SessionOr(null)
+            : _source.Session != null ? _source.Session : _source.SessionOr(_source.AssignedSession);
 
         void Follow(MrilSession session)
         {
