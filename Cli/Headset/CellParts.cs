@@ -1,15 +1,20 @@
+using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using Nowpose.Session.Cell;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary>Follows all objects and signals that a session receives, and lists those that are not current.</summary>
+/// <summary>
+/// Follows all objects and signals that a session receives, except objects on other robots, which the session does not show, and lists those that are
+/// not current.
+/// </summary>
 sealed class CellParts
 {
     readonly CompensationSession _session;
-    readonly HashSet<string> _frames = new(StringComparer.Ordinal);
-    readonly List<string> _added = [];
+    readonly Dictionary<string, string> _parents = new(StringComparer.Ordinal);
+    readonly HashSet<string> _followed = new(StringComparer.Ordinal);
+    bool _isChanged;
 
     public CellParts(CompensationSession session)
     {
@@ -21,9 +26,14 @@ sealed class CellParts
     /// <summary>Predicts the objects that have arrived for the first time. Call it after each frame, because the session calls the handler within one.</summary>
     public void Update()
     {
-        foreach (var name in _added)
-            if (!_session.Frames.Tree.IsLink(name)) _session.Frames.Need(name);
-        _added.Clear();
+        if (!_isChanged) return;
+        _isChanged = false;
+        foreach (var name in _parents.Keys)
+        {
+            var isFollowed = !_session.Frames.Tree.IsLink(name) && OtherRobotBelow(name) == null;
+            if (isFollowed && _followed.Add(name)) _session.Frames.Need(name);
+            else if (!isFollowed && _followed.Remove(name)) _session.Frames.Leave(name);
+        }
     }
 
     /// <summary>Gets the objects and the signals that are not current, as the diagnostics list them.</summary>
@@ -33,11 +43,31 @@ sealed class CellParts
         return (Results(faults.Objects), Results(faults.Signals));
     }
 
+    /// <summary>Gets the objects on links of robots that the session does not show.</summary>
+    public HeadsetResult.OtherPartResult[] NotFollowed() =>
+    [
+        .. from name in _parents.Keys
+           let link = OtherRobotBelow(name)
+           where link != null
+           select new HeadsetResult.OtherPartResult(name, link),
+    ];
+
+    // Returns the link of another robot on which an object is, also on other objects; null if there is none.
+    string OtherRobotBelow(string name)
+    {
+        // The steps are limited, because poses that the session has not checked against each other can form a cycle.
+        for (var steps = 0; steps <= _parents.Count && _parents.TryGetValue(name, out var parent); steps++) name = parent;
+        var slash = name.IndexOf('/');
+        return slash > 0 && RobotTopic.IsNamespace(name.AsSpan(0, slash)) && _session.Robots.Of(name[..slash]) == null ? name : null;
+    }
+
     static HeadsetResult.PartResult[] Results(IReadOnlyList<PartStatus> parts) =>
         [.. parts.Select(part => new HeadsetResult.PartResult(part.Name, part.Age?.TotalSeconds, part.Reason))];
 
     void OnPose(in FrameTransform pose, bool isStationary, HeadsetTime arrival, DropReason reason)
     {
-        if (reason == DropReason.None && _frames.Add(pose.Child)) _added.Add(pose.Child);
+        if (reason != DropReason.None || (_parents.TryGetValue(pose.Child, out var parent) && parent == pose.Parent)) return;
+        _parents[pose.Child] = pose.Parent;
+        _isChanged = true;
     }
 }

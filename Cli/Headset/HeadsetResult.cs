@@ -7,13 +7,15 @@ namespace Nowpose.Cli.Headset;
 /// <param name="Robot">Name of the robot; null if the gateway did not describe it.</param>
 /// <param name="ObjectsNotCurrent">Objects of the cell that are not current at the end of the run, apart from reasons that affect all of them.</param>
 /// <param name="SignalsNotCurrent">The same for signals.</param>
+/// <param name="ObjectsNotFollowed">Objects on robots that the session does not show. They are not among the objects that are not current.</param>
 /// <param name="VersionMismatch">Message that the gateway's version is not compatible; null if it is compatible or unknown.</param>
 sealed record HeadsetResult(
     double Seconds, int Frames, string Robot, long Samples, long Dropped,
     HeadsetResult.ClockResult Clock, HeadsetResult.LatencyResult LatencyMs, HeadsetResult.PoseResult Pose, HeadsetResult.ErrorResult ToolErrorMm,
     IReadOnlyList<string> MissingJoints, IReadOnlyList<HeadsetResult.JointResult> Joints, IReadOnlyList<HeadsetResult.StretchResult> Stretches,
     IReadOnlyList<HeadsetResult.OutageResult> Outages, IReadOnlyList<HeadsetResult.PartResult> ObjectsNotCurrent,
-    IReadOnlyList<HeadsetResult.PartResult> SignalsNotCurrent, string VersionMismatch)
+    IReadOnlyList<HeadsetResult.PartResult> SignalsNotCurrent, IReadOnlyList<HeadsetResult.OtherPartResult> ObjectsNotFollowed,
+    string VersionMismatch)
 {
     /// <param name="CoarseAfterS">Time from the start to the first coarse or synchronised state.</param>
     /// <param name="SynchronisedAfterS">Time from the start to the first synchronised state.</param>
@@ -53,6 +55,10 @@ sealed record HeadsetResult(
     /// <summary>An object or a signal that is not current at the end of the run.</summary>
     /// <param name="SinceS">Time for which it has not been current, s.</param>
     public sealed record PartResult(string Name, double? SinceS, string Reason);
+
+    /// <summary>An object on a robot that the session does not show.</summary>
+    /// <param name="Parent">Link of this robot, with its namespace.</param>
+    public sealed record OtherPartResult(string Name, string Parent);
 
     /// <summary>A part of the run between two outages.</summary>
     /// <param name="FromS">Time of the first current frame since the start of the run.</param>

@@ -159,6 +159,6 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             pose, _stretches.Total,
             [.. statistics.JointStatuses.Where(joint => joint.IsMissing).Select(joint => joint.Joint)],
             [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result(), _outages.Result(),
-            objects, signals, statistics.VersionMismatch);
+            objects, signals, _parts?.NotFollowed() ?? [], statistics.VersionMismatch);
     }
 }

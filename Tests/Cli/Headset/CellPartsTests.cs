@@ -48,7 +48,46 @@ public class CellPartsTests
         Assert.That(closed.SinceS, Is.EqualTo(now - end).Within(0.1));
     }
 
-    static FrameTransform Pose(string child, double stamp) => new(Control(stamp), FrameParents.World, child, 0.1 * stamp, 0, 0, 0, 0, 0, 1);
+    // The session shows only the robot arm1.
+    [Test]
+    public void Update_ObjectsOnAnotherRobot_AreNotFollowedUntilTheirParentIsInTheCell()
+    {
+        const double start = 100;
+        using var session = new CompensationSession(
+            new SessionSettings(
+                new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40), robotNamespace: "arm1"),
+            RobotFiles.Load("youbot"), new SetClock());
+        var parts = new CellParts(session);
+        var frame = 0;
+        string Run(int frames, string parentOfBox)
+        {
+            for (var end = frame + frames; frame < end; frame++)
+            {
+                var t = start + frame / 60.0;
+                session.Clock.Add(new SyncExchange(Headset(t - 0.001), Control(t), Control(t), Headset(t + 0.001)), out _);
+                if (frame % 3 == 0) session.Frames.Add(new TransformsMessage(Pose("screw", t, "box"), Pose("box", t, parentOfBox)), false, Headset(t));
+                session.Tick(Headset(t));
+                parts.Update();
+            }
+            return string.Join(", ", parts.NotCurrent(Headset(start + frame / 60.0)).Objects.Select(part => part.Name).Order());
+        }
+        session.Frames.Add(
+            new TransformsMessage(Pose("lid", 0, "hall"), Pose("cap", 0, "arm1/unknown"), Pose("tray", 0, "arm2/tool0")), true, Headset(start));
+
+        Assert.That(Run(120, "arm2/tool0"), Is.EqualTo("cap, lid"), "their parents are unknown");
+        Assert.That(
+            parts.NotFollowed().Select(part => (part.Name, part.Parent)).Order(),
+            Is.EqualTo(new[] { ("box", "arm2/tool0"), ("screw", "arm2/tool0"), ("tray", "arm2/tool0") }));
+
+        Assert.That(Run(120, FrameParents.World), Is.EqualTo("cap, lid"));
+        Assert.That(parts.NotFollowed().Select(part => part.Name), Is.EqualTo(new[] { "tray" }));
+        Assert.That(session.Frames.StateOf(session.Frames.Find("screw")), Is.EqualTo(PoseState.Current));
+
+        Assert.That(Run(120, "arm2/tool0"), Is.EqualTo("cap, lid"), "the robot has gripped the box again");
+    }
+
+    static FrameTransform Pose(string child, double stamp, string parent = FrameParents.World) =>
+        new(Control(stamp), parent, child, 0.1 * stamp, 0, 0, 0, 0, 0, 1);
 
     static ControlTime Control(double seconds) => ControlTime.FromSeconds(seconds);
 

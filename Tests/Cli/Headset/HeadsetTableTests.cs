@@ -21,7 +21,8 @@ public class HeadsetTableTests
             new HeadsetResult.StretchResult(12, 16, 0.98, new HeadsetResult.ErrorResult(20, 40, 4, 8, 0.8, 0.02)),
         ],
         [new HeadsetResult.OutageResult(8, 12, "held", ["a3"], "joint a3: no data: node deleted")],
-        [new HeadsetResult.PartResult("box", 4.2, "no poses")], [new HeadsetResult.PartResult("closed", null, "no source")], null);
+        [new HeadsetResult.PartResult("box", 4.2, "no poses")], [new HeadsetResult.PartResult("closed", null, "no source")],
+        [new HeadsetResult.OtherPartResult("lid", "arm2/tool0")], null);
 
     static string Printed(HeadsetResult result)
     {
@@ -70,6 +71,7 @@ public class HeadsetTableTests
         var text = Printed(Result());
 
         Assert.That(text, HasRow(HeadsetTexts.Object("box"), $"{StateNames.NotCurrent}{HeadsetTexts.Duration("4 s")}: no poses"));
+        Assert.That(text, HasRow(HeadsetTexts.Object("lid"), HeadsetTexts.NotFollowed("arm2/tool0")));
         Assert.That(text, HasRow(HeadsetTexts.Signal("closed"), $"{StateNames.NotCurrent}: no source"));
     }
 
