@@ -20,10 +20,10 @@ const stamp = t => ({ sec: Math.floor(t), nanosec: Math.floor((t % 1) * 1e9) });
 const jointState = (topic, t, positions, frame = '', names = JOINTS) => JSON.stringify(
   { op: 'publish', topic, msg: { header: { stamp: stamp(t), frame_id: frame }, name: names, position: positions, velocity: [], effort: [] } });
 
-const transform = (t, parent, child, [x, y, z], topic = '/tf') => JSON.stringify({ op: 'publish', topic, msg: { transforms: [{
+const transforms = (t, frames, topic = '/tf') => JSON.stringify({ op: 'publish', topic, msg: { transforms: frames.map(([parent, child, [x, y, z]]) => ({
   header: { stamp: stamp(t), frame_id: parent }, child_frame_id: child,
   transform: { translation: { x, y, z }, rotation: { x: 0, y: 0, z: 0, w: 1 } },
-}] } });
+})) } });
 
 /** Creates a text frame as a server sends it, without a mask. */
 function frame(text) {
@@ -85,8 +85,10 @@ export class FakeGateway {
   robots = [];
   /** Names of stationary objects. Each subscriber receives their poses once. */
   stationary = [];
-  /** Parents of stationary objects by name; `world` for the others. */
+  /** Parents of objects by name; `world` for the others. */
   parents = {};
+  /** Positions of moving objects by name. Their poses are published while they are in this list. */
+  moving = {};
   /** Promise that delays the response with the pairing code. */
   codeIsLate = null;
   began = Date.now();
@@ -151,7 +153,9 @@ export class FakeGateway {
     if (this.isSilent) return;
     const t = this.now - 0.07, names = this.sets[this.ticks++ % this.sets.length], truth = swing(this.pace * t, this.rest);
     if (names) this.send('/joint_states', jointState('/joint_states', t, names.map(name => truth[JOINTS.indexOf(name)]), '', names));
-    if (this.base) this.send('/tf', transform(t, 'world', 'arm_link_0', this.base));
+    if (this.base) this.send('/tf', transforms(t, [['world', 'arm_link_0', this.base]]));
+    const moving = Object.entries(this.moving).map(([name, at]) => [this.parents[name] ?? 'world', name, at]);
+    if (moving.length > 0) this.send('/tf', transforms(t, moving));
     for (const robot of this.robots) this.send(`/${robot}/joint_states`, jointState(`/${robot}/joint_states`, t, truth, '', JOINTS));
     for (const [name, turned] of [['left door', this.turned], ['right door', 1]]) {
       if (turned === null) continue;
@@ -215,6 +219,6 @@ export class FakeGateway {
     this.queues.set(topic, queue_length);
     if (this.urdf && topic.endsWith('/robot_description')) socket.write(frame(JSON.stringify({ op: 'publish', topic, msg: { data: this.urdf } })));
     if (topic !== '/tf_static') return;
-    for (const name of this.stationary) socket.write(frame(transform(0, this.parents[name] ?? 'world', name, [0.3, 0, 0], topic)));
+    for (const name of this.stationary) socket.write(frame(transforms(0, [[this.parents[name] ?? 'world', name, [0.3, 0, 0]]], topic)));
   }
 }

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { buildSync } from 'esbuild';
 import { Matrix4 } from 'three';
+import { messages } from './messages.mjs';
 
 const { outputFiles } = buildSync({ entryPoints: [new URL('../src/robot/frames.ts', import.meta.url).pathname], bundle: true, write: false, format: 'esm' });
 const { Frames } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString('base64')}`);
@@ -13,6 +14,10 @@ const message = (child, parent, t, x, angle = 0) => JSON.stringify({ msg: { tran
 }] } });
 const none = () => null;
 const drawn = frames => frames.group.children.map(axes => (axes.visible ? Number(axes.position.x.toFixed(6)) : null));
+const states = frames => Object.fromEntries(frames.labels().map(({ name, state, at }) => [name, [state, Number(at.x.toFixed(6))]]));
+/** Whether the axes of each frame are drawn in the colours of a current pose. */
+const coloured = frames => frames.group.children.map(axes => axes.material.vertexColors);
+const { frameStates } = messages;
 
 describe('frames', () => {
   it('are interpolated between two samples', () => {
@@ -38,12 +43,12 @@ describe('frames', () => {
 
   it('place a robot at the origin only if the gateway does not list its base as a frame', () => {
     const frames = new Frames();
-    frames.setListed(['arm1/base', 'box']);
+    frames.setListed(new Map([['arm1/base', null], ['box', null]]));
     const baseAt = name => frames.baseAt(name, 10, none)?.elements[12];
     assert.deepEqual(['base', 'arm1/base', 'arm2/base'].map(baseAt), [0, undefined, 0]);
 
     frames.take(message('arm1/base', 'world', 10, 2), false);
-    frames.setListed([]);
+    frames.setListed(new Map());
 
     assert.equal(baseAt('arm1/base'), 2);
   });
@@ -68,13 +73,102 @@ describe('frames', () => {
     assert.deepEqual(drawn(frames), [1, 0.75]);
   });
 
-  it('are hidden without a recent pose, without a known parent, and in a cycle', () => {
+  it('are hidden without a known parent, and in a cycle', () => {
     const frames = new Frames();
-    for (const [child, parent, t] of [['old', 'world', 8], ['lost', 'nobody', 10], ['a', 'b', 10], ['b', 'a', 10]]) frames.take(message(child, parent, t, 1), false);
+    for (const [child, parent] of [['lost', 'nobody'], ['a', 'b'], ['b', 'a']]) frames.take(message(child, parent, 10, 1), false);
 
     frames.pose(10, none);
 
-    assert.deepEqual(drawn(frames), [null, null, null, null]);
+    assert.deepEqual(drawn(frames), [null, null, null]);
+  });
+
+  it('without a recent pose stay at the last one and look different', () => {
+    const frames = new Frames();
+    frames.take(message('box', 'world', 10, 1), false);
+    frames.take(message('table', 'world', 0, 2), true);
+    frames.pose(10.9, none);
+    assert.deepEqual([states(frames), coloured(frames)], [{ box: [null, 1], table: [null, 2] }, [true, true]]);
+
+    frames.pose(11.1, none);
+    assert.deepEqual([states(frames), coloured(frames)], [{ box: [frameStates.stale, 1], table: [null, 2] }, [false, true]]);
+
+    frames.take(message('box', 'world', 12, 5), false);
+    frames.pose(12, none);
+    assert.deepEqual([states(frames), coloured(frames)], [{ box: [null, 5], table: [null, 2] }, [true, true]]);
+  });
+
+  it('whose parent is no longer known do not move and look different', () => {
+    const frames = new Frames();
+    const tool = x => name => (name === 'tool' && x !== null ? new Matrix4().makeTranslation(x, 0, 0) : null);
+    frames.take(message('box', 'tool', 10, 0.1), false);
+    frames.take(message('mark', 'tool', 0, 0.2), true);
+    frames.pose(10, tool(2));
+
+    frames.take(message('box', 'tool', 10.1, 0.4), false);
+    frames.pose(10.1, tool(null));
+
+    assert.deepEqual(states(frames), { box: [frameStates.parentNotCurrent, 2.1], mark: [frameStates.parentNotCurrent, 2.2] });
+    assert.deepEqual(coloured(frames), [false, false]);
+  });
+
+  it('do not move with their parent after their own data have stopped', () => {
+    const frames = new Frames();
+    frames.take(message('box', 'tool', 10, 0.1), false);
+    const tool = x => () => new Matrix4().makeTranslation(x, 0, 0);
+    frames.pose(10, tool(2));
+
+    frames.pose(11.1, tool(3));
+
+    assert.deepEqual(states(frames), { box: [frameStates.stale, 2.1] });
+  });
+
+  it('are shown at the newest pose if no picture was drawn while it was current', () => {
+    const frames = new Frames();
+    frames.take(message('box', 'world', 10, 1), false);
+    frames.pose(10, none);
+    frames.take(message('box', 'world', 20, 7), false);
+
+    frames.pose(30, none);
+
+    assert.deepEqual(states(frames), { box: [frameStates.stale, 7] });
+  });
+
+  it('look different in each state of the gateway that is not current, also with recent poses', () => {
+    for (const state of ['stale', 'orphan', 'parent-stale', 'refused', 'fault', 'missing']) {
+      const frames = new Frames();
+      frames.take(message('box', 'world', 10, 1), false);
+      frames.setListed(new Map([['box', state]]));
+
+      frames.pose(10, none);
+
+      assert.deepEqual([states(frames), coloured(frames)], [{ box: [state, 1] }, [false]]);
+    }
+  });
+
+  it('are named if they are not current and have no pose', () => {
+    const frames = new Frames(), bad = i => [`part ${i}`, 'orphan'];
+    frames.take(message('part 0', 'world', 10, 1), false);
+    frames.setListed(new Map([bad(0), ['live', null], ...Array.from({ length: 10 }, (_, i) => bad(i + 1))]));
+
+    frames.pose(10, none);
+
+    assert.deepEqual(frames.notDrawn(), { names: Array.from({ length: 8 }, (_, i) => `part ${i + 1} (orphan)`), others: 2 });
+  });
+
+  it('disappear when the gateway no longer lists them, but not before it has listed them', () => {
+    const frames = new Frames();
+    frames.setListed(new Map());
+    frames.take(message('table', 'world', 0, 1), true);
+    frames.pose(10, none);
+    assert.deepEqual(drawn(frames), [1], 'the list is older than the frame');
+
+    frames.setListed(new Map([['table', 'stale']]));
+    frames.pose(10, none);
+    assert.deepEqual(states(frames), { table: ['stale', 1] });
+
+    frames.setListed(new Map());
+    frames.pose(10, none);
+    assert.deepEqual(drawn(frames), [null]);
   });
 
   it('keep their parents until the time of the sample with another parent', () => {
@@ -89,17 +183,18 @@ describe('frames', () => {
     }
   });
 
-  it('that were stationary move from the time of the first sample, and are hidden without a recent one', () => {
+  it('that were stationary move from the time of the first sample, and stop without a recent one', () => {
     const frames = new Frames();
     frames.take(message('box', 'world', 0, 1), true);
     frames.take(message('box', 'world', 10, 2), false);
 
-    for (const [t, x] of [[9.9, 1], [10, 2], [11.1, null]]) {
+    for (const [t, x] of [[9.9, 1], [10, 2], [11.1, 2]]) {
       frames.pose(t, none);
       assert.deepEqual(drawn(frames), [x], `at ${t} s`);
     }
     frames.take(message('box', 'world', 0, 3), true);
     frames.take(message('box', 'world', 0, 4), true);
+    assert.deepEqual(states(frames), { box: [frameStates.stale, 2] });
     frames.pose(9, none);
     assert.deepEqual(drawn(frames), [4], 'the newest stationary pose applies to all times');
   });

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, describe, it } from 'node:test';
 import { Browser, NO_WEBGL, WEBGL } from './browser.mjs';
+import { drawn } from './drawn.mjs';
 import { settled } from './inks.mjs';
 import { messages } from './messages.mjs';
 import { picture } from './pixels.mjs';
@@ -11,7 +12,7 @@ import { report } from './sample.mjs';
 const urdf = readFileSync(new URL('../../Packages/com.nowpose.mril/Runtime/Robots/youbot.urdf', import.meta.url), 'utf8');
 const names = [1, 2, 3, 4, 5].map(i => `arm_joint_${i}`);
 const SECONDS = 8;
-const { reportMessages, robotMessages, robotReasons } = messages;
+const { partLabels, reportMessages, robotMessages, robotReasons } = messages;
 
 /** A robot that swings about its base. The error of the displayed pose is 0.01 rad, and 0.1 rad without compensation. */
 function withPlayback(change = {}) {
@@ -167,6 +168,18 @@ describe('the objects in the playback', () => {
     const [, , compensated, held] = (await words(page)).match(/[\d.]+(?=\u00a0mm)/g).map(Number);
     assert.ok(Math.abs(compensated - 2) < 0.01 && Math.abs(held - 30) < 0.01, await words(page));
     assert.deepEqual(page.complaints, []);
+    await page.context().close();
+  });
+
+  it('have their names beside them', async () => {
+    const page = await browser.open(withObjects());
+    await page.locator('#playback .stage').scrollIntoViewIfNeeded();
+    const names = () => page.evaluate(() => [...document.querySelectorAll('#playback .label')]
+      .filter(label => label.style.visibility === 'visible').map(label => label.textContent).sort());
+
+    const shown = await drawn(names, all => all.length === 3);
+
+    assert.deepEqual(shown, [partLabels.belt, partLabels.fixture, 'workpiece_1']);
     await page.context().close();
   });
 

@@ -6,6 +6,9 @@ export const robotDescriptions = {
   live: 'The true pose of the robot half a second ago, and the pose that the selected headset displayed at that time.',
 };
 
+/** Names of the parts of the cell that carry the workpieces. */
+export const partLabels = { belt: 'conveyor', fixture: 'fixture' };
+
 /** Kind of the view of the robot for screen readers. */
 export const robotLabels = { view: '3D view' };
 
@@ -33,7 +36,15 @@ export const robotMessages = {
   displaysUnknown: (headset: string, robot: string) => `${headset} displays the robot ${robot}, whose description has not arrived.`,
   /** @param joints The joints, each with the reason from `jointReasons`. */
   linksNotDrawn: (joints: string[]) => `${joints.join(', ')}: links below these joints are not drawn.`,
+  /** @param names The objects, each with its state. */
+  objectsNotDrawn: (names: string[], count: number) =>
+    `Objects that are not drawn, because their poses are not known: ${names.join(', ')}${count === 0 ? '' : `, and ${count} more`}.`,
+  labelsHidden: (count: number) =>
+    count === 1 ? '1 more label does not fit; zoom in to see it.' : `${count} more labels do not fit; zoom in to see them.`,
 };
+
+/** States of a frame that the page itself detects. Other states come from the gateway. */
+export const frameStates = { stale: 'stale', parentNotCurrent: 'parent not current' };
 
 /** Reasons why the position of a joint is not known. */
 export const jointReasons = {

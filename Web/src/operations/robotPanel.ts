@@ -31,6 +31,7 @@ export class RobotPanel {
   private readonly view = new RobotView(robotDescriptions.live);
   private readonly words = el('p', { class: 'apart' }, robotMessages.noDescription);
   private readonly unknown = el('p', { class: 'level warning', hidden: true });
+  private readonly objects = el('p', { class: 'level warning', hidden: true });
   private readonly truth = new JointTracks(KEEP_S);
   private readonly displayed = new JointTracks(KEEP_S);
   /** Namespace of the robot that the selected headset displays; empty for the robot without a namespace. */
@@ -48,7 +49,7 @@ export class RobotPanel {
   private drawn = 0;
 
   constructor(link: Rosbridge, isCalm: boolean) {
-    this.element = el('div', {}, this.words, this.unknown, this.view.element);
+    this.element = el('div', {}, this.words, this.unknown, this.objects, this.view.element);
     link.subscribe('/robot_description', 'std_msgs/msg/String', text => this.describe(text));
     // A throttle interval of 20 ms is short enough for a smooth motion. The queue holds several messages, because arm and gripper are often published
     // separately.
@@ -84,7 +85,7 @@ export class RobotPanel {
 
   /** Sets the frames of the gateway. A robot whose base is one of them is drawn only while the pose of its base is known. */
   setFrames(frames: CellFrame[]): void {
-    this.frames.setListed(frames.map(frame => frame.name));
+    this.frames.setListed(new Map(frames.map(({ name, state }) => [name, state === 'live' || state === 'stationary' ? null : state])));
   }
 
   // Removes everything received on an earlier connection. The gateway may have restarted without some robots and objects; it sends the others again.
@@ -132,13 +133,14 @@ export class RobotPanel {
     // Before the first time stamp, draws the stationary objects, whose poses apply to all times.
     const time = (this.clock.at(seconds()) ?? -Infinity) - BEHIND_S;
     const linkOf = this.pose(time);
+    this.frames.pose(time, linkOf);
     const { bodies } = this.view;
     if (performance.now() - this.shownAt >= NUMBERS_MS) {
       this.shownAt = performance.now();
       if (bodies) this.showUnknown(bodies.joints, new Set(this.truth.at(time)?.names));
+      this.showNotDrawn();
       this.showDistances(time);
     }
-    this.frames.pose(time, linkOf);
     this.view.ask();
   }
 
@@ -187,6 +189,12 @@ export class RobotPanel {
       });
     this.unknown.hidden = reasons.length === 0;
     setText(this.unknown, reasons.length === 0 ? '' : robotMessages.linksNotDrawn(reasons));
+  }
+
+  private showNotDrawn(): void {
+    const { names, others } = this.frames.notDrawn();
+    this.objects.hidden = names.length === 0;
+    setText(this.objects, names.length === 0 ? '' : robotMessages.objectsNotDrawn(names, others));
   }
 
   // Returns the displayed pose; null if the headset has not reported recently.

@@ -1,4 +1,6 @@
-import { AxesHelper, type Box3, Group, Matrix4, Quaternion, Vector3 } from 'three';
+import { AxesHelper, type Box3, Group, LineBasicMaterial, Matrix4, Quaternion, Vector3 } from 'three';
+import { frameStates } from '../messages/robot';
+import type { Label } from './labels';
 import { Track } from './track';
 
 /** Length of a drawn axis, m. */
@@ -8,8 +10,11 @@ const AXES = 0.05;
 const MAX_DEPTH = 16;
 const MAX_FRAMES = 256;
 
-/** Maximum age at which a pose is still drawn, s. */
+/** Maximum age of a current pose, s. */
 const MAX_AGE = 1;
+
+/** Maximum number of frames that the text about frames without a pose lists. */
+const MAX_NAMES = 8;
 
 /** Age at which a moving frame is removed before a stationary one if there are too many, s. */
 const SILENT_S = 3;
@@ -22,6 +27,10 @@ const MAX_DISTANCE = 100;
 
 const ONE = new Vector3(1, 1, 1);
 
+/** Looks of the axes. Axes whose pose is not current are grey and translucent, with a contrast of 3:1 to the light and the dark background. */
+const CURRENT = new LineBasicMaterial({ vertexColors: true, toneMapped: false });
+const NOT_CURRENT = new LineBasicMaterial({ color: 0x808a94, transparent: true, opacity: 0.8, toneMapped: false });
+
 interface Sample {
   parent: string;
   position: Vector3;
@@ -32,7 +41,16 @@ interface Sample {
 interface Frame {
   samples: Track<Sample>;
   axes: AxesHelper;
+  /** Control time for which the axes were last placed, s; null before the first pose. */
+  placedAt: number | null;
+  /** State if the pose is not current; null if it is current. */
+  state: string | null;
+  /** Whether the gateway has listed the frame. */
+  wasListed: boolean;
 }
+
+/** State of each frame according to the gateway; null if the pose is current. */
+type FrameStates = Map<string, string | null>;
 
 /** A received transform with the fields of a ROS message. */
 interface Transform {
@@ -41,12 +59,16 @@ interface Transform {
   transform: { translation: { x: number; y: number; z: number }; rotation: { x: number; y: number; z: number; w: number } };
 }
 
-/** Draws the frames of the cell as axes: x red, y green, z blue. */
+/**
+ * Draws the frames of the cell as axes: x red, y green, z blue. A frame whose pose is not current stays at its last pose, with grey axes and its state
+ * in its label.
+ */
 export class Frames {
   readonly group = new Group();
   /** The stationary frames among them are in the order of their arrival. */
   private readonly frames = new Map<string, Frame>();
-  private listed = new Set<string>();
+  /** Frames of the gateway; null before the first list. */
+  private listed: FrameStates | null = null;
 
   /** @param sampled Called with the time stamp of each pose of a moving frame. */
   constructor(private readonly sampled: (stamp: number) => void = () => {}) {}
@@ -62,9 +84,10 @@ export class Frames {
     }
   }
 
-  /** @param names All frames of the gateway, also those without a pose that the gateway could send to this page. */
-  setListed(names: string[]): void {
-    this.listed = new Set(names);
+  /** @param listed All frames of the gateway, also those without a pose that the gateway could send to this page. */
+  setListed(listed: FrameStates): void {
+    this.listed = listed;
+    for (const [name, frame] of this.frames) frame.wasListed ||= listed.has(name);
   }
 
   /** Removes all frames. */
@@ -73,21 +96,42 @@ export class Frames {
   }
 
   /**
-   * Moves the axes to their poses at a given time. Hides frames without a known parent or without a recent pose.
+   * Moves the axes to their poses at a given time. Axes without a current pose do not move.
    * @param time Control time in seconds; -Infinity shows only the stationary frames.
    * @param linkOf Returns the pose of a robot's link in the world; null for an unknown link.
    */
   pose(time: number, linkOf: (name: string) => Matrix4 | null): void {
     for (const [name, frame] of this.frames) {
-      const world = this.worldOf(name, time, linkOf, 0);
-      frame.axes.visible = world !== null;
-      if (world) world.decompose(frame.axes.position, frame.axes.quaternion, frame.axes.scale);
+      const current = this.worldOf(name, time, linkOf);
+      const isSilent = sampleAt(frame.samples, time) === null;
+      // While the page is in the background, it draws nothing but receives poses. The last of them is newer than the pose that was drawn last.
+      const hasNewer = isSilent && frame.samples.last! > (frame.placedAt ?? -Infinity);
+      const world = current ?? (hasNewer ? this.worldOf(name, time, linkOf, Infinity) : null);
+      if (world) {
+        world.decompose(frame.axes.position, frame.axes.quaternion, frame.axes.scale);
+        frame.placedAt = time;
+      }
+      const own = current ? null : isSilent ? frameStates.stale : frameStates.parentNotCurrent;
+      frame.state = this.listed?.get(name) ?? own;
+      frame.axes.material = frame.state === null ? CURRENT : NOT_CURRENT;
+      frame.axes.visible = frame.placedAt !== null && this.exists(name, frame, current !== null);
     }
+  }
+
+  /** Returns the labels of the drawn frames. */
+  labels(): Label[] {
+    return [...this.frames].filter(([, { axes }]) => axes.visible).map(([name, { axes, state }]) => ({ name, state, at: axes.position }));
+  }
+
+  /** Returns the frames of the gateway that are not current and have no pose on this page, each with its state, and the number of those left out. */
+  notDrawn(): { names: string[]; others: number } {
+    const all = [...(this.listed ?? [])].filter(([name, state]) => state !== null && !this.frames.get(name)?.axes.visible);
+    return { names: all.slice(0, MAX_NAMES).map(([name, state]) => `${name} (${state})`), others: Math.max(0, all.length - MAX_NAMES) };
   }
 
   /** Returns the pose of a frame in the world; null if the pose is unknown at that time, and the identity if the gateway has no frame of this name. */
   baseAt(name: string, time: number, linkOf: (name: string) => Matrix4 | null): Matrix4 | null {
-    return this.frames.has(name) || this.listed.has(name) ? this.worldOf(name, time, linkOf, 0) : new Matrix4();
+    return this.frames.has(name) || this.listed?.has(name) ? this.worldOf(name, time, linkOf) : new Matrix4();
   }
 
   addTo(box: Box3): void {
@@ -113,7 +157,9 @@ export class Frames {
     let frame = this.frames.get(name);
     if (frame) return frame;
     if (this.frames.size >= MAX_FRAMES) this.removeOldest(time);
-    frame = { samples: new Track(KEEP_S), axes: new AxesHelper(AXES) };
+    const axes = new AxesHelper(AXES);
+    axes.visible = false;
+    frame = { samples: new Track(KEEP_S), axes, placedAt: null, state: null, wasListed: this.listed?.has(name) ?? false };
     this.frames.set(name, frame);
     this.group.add(frame.axes);
     return frame;
@@ -135,29 +181,35 @@ export class Frames {
     const { axes } = this.frames.get(name)!;
     this.frames.delete(name);
     this.group.remove(axes);
-    axes.dispose();
+    axes.geometry.dispose();
   }
 
-  private worldOf(name: string, time: number, linkOf: (name: string) => Matrix4 | null, depth: number): Matrix4 | null {
+  // The gateway removes a frame from its list some time after the frame's source has ended. Its list may be a little older than a new frame.
+  private exists(name: string, { wasListed }: Frame, isCurrent: boolean): boolean {
+    return this.listed === null || this.listed.has(name) || (isCurrent && !wasListed);
+  }
+
+  /** @param maxAge Maximum age of the poses of the frame and of its parents, s. */
+  private worldOf(name: string, time: number, linkOf: (name: string) => Matrix4 | null, maxAge = MAX_AGE, depth = 0): Matrix4 | null {
     if (name === 'world') return new Matrix4();
     const frame = this.frames.get(name);
     if (!frame) return null;
-    const sample = sampleAt(frame.samples, time);
+    const sample = sampleAt(frame.samples, time, maxAge);
     if (!sample || depth >= MAX_DEPTH) return null;
     // A link is drawn with its robot, even if a source publishes its pose too.
-    const parent = linkOf(sample.parent) ?? this.worldOf(sample.parent, time, linkOf, depth + 1);
+    const parent = linkOf(sample.parent) ?? this.worldOf(sample.parent, time, linkOf, maxAge, depth + 1);
     return parent && parent.clone().multiply(new Matrix4().compose(sample.position, sample.rotation, ONE));
   }
 }
 
 // Interpolates between two samples with the same parent. Otherwise, the earlier sample applies until the later one, and the last sample for a limited
 // time.
-function sampleAt(samples: Track<Sample>, time: number): Sample | null {
+function sampleAt(samples: Track<Sample>, time: number, maxAge = MAX_AGE): Sample | null {
   const place = samples.at(time);
   if (!place) return null;
   const { from, to, share } = place;
   if (from.isStationary) return from;
-  if (time - samples.last! > MAX_AGE) return null;
+  if (time - samples.last! > maxAge) return null;
   if (from.parent !== to.parent) return from;
   return { ...from, position: from.position.clone().lerp(to.position, share), rotation: from.rotation.clone().slerp(to.rotation, share) };
 }

@@ -13,8 +13,10 @@ import {
   Vector3,
 } from 'three';
 import type { ObjectsData } from '../data';
+import { partLabels } from '../messages/robot';
 import { colour } from '../theme';
 import { BACK, type Part, PARTS } from './bodies';
+import type { Label } from './labels';
 
 /** Number of values per object: x, y, z in m and a unit quaternion with the scalar part last. */
 const NUMBERS = 7;
@@ -58,6 +60,20 @@ export class Objects {
   /** Returns the largest distance of an object between two sets of poses, mm. */
   largestDistance(a: ArrayLike<number>, b: ArrayLike<number>): number {
     return Math.max(...this.data.names.map((_, i) => 1000 * positionOf(a, i).distanceTo(positionOf(b, i))));
+  }
+
+  /** Returns the labels of the workpieces at their true poses, or at other poses if those are hidden, and of belt and fixture. */
+  labels(): Label[] {
+    const shown = ALL.map(part => this.cubes[part]).find(cubes => cubes.some(cube => cube.visible)) ?? [];
+    const { belt, fixture } = this.data;
+    const stands: [string, number[]][] = [
+      [partLabels.belt, belt[belt.length >> 1]],
+      [partLabels.fixture, fixture],
+    ];
+    return [
+      ...shown.map((cube, i) => ({ name: this.data.names[i], state: null, at: cube.position })),
+      ...stands.map(([name, at]) => ({ name, state: null, at: new Vector3(...at) })),
+    ];
   }
 
   addTo(box: Box3): void {

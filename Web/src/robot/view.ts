@@ -4,6 +4,7 @@ import { robotLabels, robotMessages } from '../messages/robot';
 import { colour, onColoursChanged } from '../theme';
 import { Bodies } from './bodies';
 import { OrbitCamera } from './camera';
+import { type Label, Labels } from './labels';
 
 const HEIGHT = 380;
 
@@ -17,6 +18,8 @@ export interface Beside {
   addTo(box: Box3): void;
   /** Applies the colours of the page. */
   recolour?(): void;
+  /** Returns the labels of the visible objects. */
+  labels?(): Label[];
 }
 
 /** Draws a robot at its true, displayed and uncompensated poses. Without WebGL, shows a message; the joints are still updated. */
@@ -24,6 +27,7 @@ export class RobotView {
   readonly element: HTMLElement;
   private bodiesShown: Bodies | null = null;
   private readonly others: Beside[] = [];
+  private readonly labels = new Labels();
   private readonly note = el('p', { class: 'missing', hidden: true });
   private readonly scene = new Scene();
   private readonly renderer: WebGLRenderer | null;
@@ -40,6 +44,7 @@ export class RobotView {
       'div',
       { class: 'stage', tabindex: 0, role: 'group', 'aria-roledescription': robotLabels.view, 'aria-label': `${description} ${robotMessages.keys}` },
       this.canvas,
+      this.labels.element,
     );
     this.element = el('div', { class: 'robot' }, stage, this.note);
     this.renderer = rendererOn(this.canvas);
@@ -103,6 +108,10 @@ export class RobotView {
       this.isAsked = false;
       this.widen();
       this.renderer!.render(this.scene, this.orbit!.camera);
+      this.labels.show(
+        this.others.flatMap(others => others.labels?.() ?? []),
+        this.orbit!.camera,
+      );
     });
   }
 
@@ -145,6 +154,7 @@ export class RobotView {
     if (width === 0) return;
     this.renderer!.setPixelRatio(Math.min(2, devicePixelRatio));
     this.renderer!.setSize(width, HEIGHT);
+    this.labels.resize(width, HEIGHT);
     this.orbit!.setAspect(width / HEIGHT);
     // A canvas is empty after a change of its size.
     this.ask();
