@@ -24,6 +24,9 @@ export const PICTURES = {
 export function setState(gateway) {
   // Corresponds to a tool error of 2 mm at a distance of 0.48 m from the rotation axis.
   gateway.turned = 0.004;
+  // The fixture is at (0.3, 0, 0) m.
+  gateway.stationary = ['fixture'];
+  gateway.moving = { workpiece_1: [0.1, -0.35, 0.1] };
   const reason = 'refused: the router does not know this machine';
   const since = seconds => new Date(NOW - 1000 * seconds).toISOString();
   for (const joint of gateway.state.joints) joint.since_utc = since(3600);
