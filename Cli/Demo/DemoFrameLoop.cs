@@ -12,12 +12,17 @@ sealed class DemoFrameLoop(DemoSettings settings, IDemoHeadset headset, IHeadset
 
     readonly DemoBodies _bodies = settings.Work == null ? null : new DemoBodies(settings.Work);
 
+    readonly DemoSignals _signals = settings.Work == null ? null : new DemoSignals(settings.Work);
+
     bool _isScored;
 
     public DemoFrames Frames { get; } = new(settings.Robot.MovingJoints.Count, (int)(settings.Seconds * DemoDisplay.FramesPerSecond) + 1);
 
     /// <summary>The recorded poses of the cell's objects; null if the cell has none.</summary>
     public DemoBodies Bodies => _bodies;
+
+    /// <summary>The recorded values of the cell's signals; null if the cell has none.</summary>
+    public DemoSignals Signals => _signals;
 
     /// <param name="report">Receives the finished seconds and a status text.</param>
     public void Run(Action<double, Func<string>> report, CancellationToken cancel)
@@ -41,6 +46,7 @@ sealed class DemoFrameLoop(DemoSettings settings, IDemoHeadset headset, IHeadset
         BeginScoring(start, start - begin);
         if (_display.DriverTime is TimeSpan gpu) headset.ReportGpuTime(gpu);
         _bodies?.Follow(headset.Session);
+        _signals?.Follow(headset.Session);
         var bytes = GC.GetAllocatedBytesForCurrentThread();
         var count = Stopwatch.GetTimestamp();
         headset.Step((start - begin).TotalSeconds);
@@ -48,6 +54,7 @@ sealed class DemoFrameLoop(DemoSettings settings, IDemoHeadset headset, IHeadset
         bytes = GC.GetAllocatedBytesForCurrentThread() - bytes;
         var frame = headset.Frame;
         _bodies?.Add(frame);
+        _signals?.Add();
         var model = headset.Session.Clock.ModelAt(start);
         var offsetErrorUs = model.IsKnown ? (model.OffsetAt(start) - truth.OffsetAt(start)).TotalMicroseconds : double.NaN;
         Frames.Add(frame == null ? [] : frame.Joints, frame == null ? [] : frame.HeldJoints, new DemoFrames.Row(

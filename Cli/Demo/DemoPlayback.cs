@@ -31,6 +31,7 @@ sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
             Displayed = frames.Select(frame => Joints(joint => run.Frames.Displayed(frame, joint))),
             Hold = frames.Select(frame => Joints(joint => run.Frames.Held(frame, joint))),
             Objects = Objects(frames),
+            Signals = Signals(frames[0], frames[^1]),
         };
     }
 
@@ -45,6 +46,27 @@ sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
         Displayed = frames.Select(frame => bodies.AreKnown(frame) ? Poses(work, body => bodies.At(frame, body).Displayed) : null),
         Hold = frames.Select(frame => bodies.AreKnown(frame) ? Poses(work, body => bodies.At(frame, body).Held) : null),
     };
+
+    // Gets the signals of the cell; null if it has none. Uses every frame, so that the times of the changes are those of the display.
+    object Signals(int first, int last) => run.Settings.Work is not { } work || run.Signals is not { } signals ? null : work.Signals.Select((name, i) => new
+    {
+        Name = name,
+        Truth = Changes(first, last, frame => TrueSignal(work, frame, i)),
+        Displayed = Changes(first, last, frame => signals.At(frame, i)),
+    });
+
+    object Changes(int first, int last, Func<int, double?> valueOf)
+    {
+        var frames = Enumerable.Range(first, last - first + 1).Where(frame => frame == first || valueOf(frame) != valueOf(frame - 1)).ToList();
+        return new { T = frames.Select(frame => Math.Round((run.Frames.Rows[frame].TrueLight - start).TotalSeconds, 4)), V = frames.Select(valueOf) };
+    }
+
+    double? TrueSignal(CellWork work, int frame, int signal)
+    {
+        Span<double> values = stackalloc double[work.Signals.Count];
+        work.SignalsAt(run.Truth.MotionSecondsAt(run.Frames.Rows[frame].TrueLight), values);
+        return values[signal];
+    }
 
     RigidTransform TrueOf(CellWork work, int frame, int body) => work.WorldOf(body, run.Truth.MotionSecondsAt(run.Frames.Rows[frame].TrueLight));
 

@@ -16,6 +16,9 @@ sealed record DemoRun(
     /// <summary>The displayed objects; null if the cell has none.</summary>
     public DemoBodies Bodies { get; init; }
 
+    /// <summary>The displayed signals; null if the cell has none.</summary>
+    public DemoSignals Signals { get; init; }
+
     /// <summary>The sync exchanges that the runtime received, in order.</summary>
     public IReadOnlyList<SyncExchange> Exchanges { get; init; } = [];
 

@@ -72,6 +72,6 @@ static class DemoStage
         if (headset.Complaint is string complaint) throw new DemoFailedException(DemoMessages.SceneError(complaint));
         return new DemoRun(settings, truth, loop.Frames, headset.Log.ApplicationLatencies, headset.Session.Statistics(clock.Now),
             session.Range?.Limit, headset.Alarms)
-        { Bodies = loop.Bodies, Exchanges = headset.Log.Exchanges() };
+        { Bodies = loop.Bodies, Signals = loop.Signals, Exchanges = headset.Log.Exchanges() };
     }
 }

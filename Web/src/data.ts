@@ -105,6 +105,14 @@ export interface PlaybackData {
   displayed: number[][];
   hold: number[][];
   objects?: ObjectsData | null;
+  signals?: CellSignal[] | null;
+}
+
+/** A signal of the cell. Each series has the first value and all changes, and null before the first value. A Boolean is 0 or 1. */
+export interface CellSignal {
+  name: string;
+  truth: Signal;
+  displayed: Signal;
 }
 
 /** Objects of the cell. At each time, seven numbers per object: position in m and unit quaternion, in the robot's base frame. */

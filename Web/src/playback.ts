@@ -9,6 +9,7 @@ import type { Playhead } from './playhead';
 import type { Part } from './robot/bodies';
 import { Objects } from './robot/objects';
 import { RobotView } from './robot/view';
+import { type SignalStrips, signalStrips } from './signalStrips';
 import type { Look } from './traces';
 
 const SPEEDS = [1, 0.5, 0.25, 0.1];
@@ -30,6 +31,7 @@ export class Playback {
   private readonly speed = el('select', {}, ...SPEEDS.map(s => el('option', { value: s }, `${s} ×`)));
   private readonly hidden = new Set<Part>();
   private readonly objects: Objects | null;
+  private readonly signals: SignalStrips | null;
   private time: number;
   private playedAt: number | null = null;
 
@@ -40,6 +42,7 @@ export class Playback {
     const { t } = data;
     this.time = t[0];
     this.slider = el('input', { type: 'range', min: t[0], max: t[t.length - 1], step: 0.02, value: t[0], 'aria-label': reportLabels.moment });
+    this.signals = signalStrips(data.signals, t[0], t[t.length - 1]);
     const legend = new Legend((Object.keys(LEGEND) as Part[]).map(part => ({ ...LEGEND[part], toggle: shown => this.toggle(part, shown) })));
     this.element = el(
       'section',
@@ -49,6 +52,7 @@ export class Playback {
       legend.element,
       this.words,
       this.view.element,
+      this.signals?.element,
       el('div', { class: 'player' }, this.button, this.slider, this.clock, el('label', {}, `${reportLabels.speed} `, this.speed)),
     );
     this.button.addEventListener('click', () => this.toggleRun());
@@ -104,6 +108,7 @@ export class Playback {
     const words = `${this.time.toFixed(2)} s`;
     this.clock.textContent = words;
     this.slider.setAttribute('aria-valuetext', words);
+    this.signals?.show(this.time);
     const { bodies } = this.view;
     if (!bodies) return;
     const i = lastUpTo(t, this.time);

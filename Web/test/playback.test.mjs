@@ -12,7 +12,7 @@ import { report } from './sample.mjs';
 const urdf = readFileSync(new URL('../../Packages/com.nowpose.mril/Runtime/Robots/youbot.urdf', import.meta.url), 'utf8');
 const names = [1, 2, 3, 4, 5].map(i => `arm_joint_${i}`);
 const SECONDS = 8;
-const { partLabels, reportMessages, robotMessages, robotReasons } = messages;
+const { partLabels, reportLabels, reportMessages, robotMessages, robotReasons } = messages;
 
 /** A robot that swings about its base. The error of the displayed pose is 0.01 rad, and 0.1 rad without compensation. */
 function withPlayback(change = {}) {
@@ -193,5 +193,66 @@ describe('the objects in the playback', () => {
 
     assert.equal((await picture(page, stage, counts => counts.blue === 0)).blue, 0);
     await page.context().close();
+  });
+});
+
+describe('the signals in the playback', () => {
+  // The gripper closes at 2 s and opens at 4 s. The headset displays each change 0.1 s later. Its first value of the sensor arrives at 1 s.
+  const signals = [
+    { name: 'gripper_closed', truth: { t: [0, 2, 4], v: [0, 1, 0] }, displayed: { t: [0, 2.1, 4.1], v: [0, 1, 0] } },
+    { name: 'part_present', truth: { t: [0], v: [1] }, displayed: { t: [0, 1], v: [null, 1] } },
+  ];
+  const { displayedAndTrue, off, on, valueUnknown } = reportLabels;
+  const shown = page => page.evaluate(() => [...document.querySelectorAll('.signals li')].map(row =>
+    [row.querySelector('.name').textContent, row.querySelector('.words').textContent, row.querySelector('.lamp').classList.contains('on')]));
+
+  it('have the displayed and the true value at each moment', async () => {
+    const page = await browser.open(withPlayback({ signals }));
+    const expected = [
+      [0, off, false, displayedAndTrue(valueUnknown, on), false],
+      [1.5, off, false, on, true],
+      [2.06, displayedAndTrue(off, on), false, on, true],
+      [3, on, true, on, true],
+      [4.06, displayedAndTrue(on, off), true, on, true],
+      [5, off, false, on, true],
+    ];
+
+    for (const [time, gripper, isClosed, part, isPresent] of expected) {
+      await page.locator('#playback input[type=range]').fill(String(time));
+      assert.deepEqual(await shown(page), [['gripper_closed', gripper, isClosed], ['part_present', part, isPresent]], `at ${time} s`);
+    }
+    assert.deepEqual(page.complaints, []);
+    await page.context().close();
+  });
+
+  it('are drawn over the session, with a line at the moment of the playback', async () => {
+    const page = await browser.open(withPlayback({ signals }));
+    await page.locator('#playback input[type=range]').fill('2');
+
+    const { bars, line, strip, lefts } = await page.evaluate(() => {
+      const boxOf = element => (({ left, width }) => ({ left, width }))(element.getBoundingClientRect());
+      const row = document.querySelector('.signals li');
+      return { bars: [...row.querySelectorAll('rect')].map(boxOf), line: boxOf(row.querySelector('.line')), strip: boxOf(row.querySelector('.strip')),
+        lefts: [...document.querySelectorAll('.strip')].map(each => boxOf(each).left) };
+    });
+
+    const timeAt = left => (SECONDS * (left - strip.left)) / strip.width;
+    const spans = bars.map(({ left, width }) => [timeAt(left), timeAt(left + width)]);
+    for (const [i, [from, to]] of [[2, 4], [2.1, 4.1]].entries())
+      assert.ok(Math.abs(spans[i][0] - from) < 0.02 && Math.abs(spans[i][1] - to) < 0.02, JSON.stringify(spans));
+    assert.ok(Math.abs(timeAt(line.left + line.width / 2) - 2) < 0.02, `${timeAt(line.left)} s`);
+    assert.deepEqual(lefts, [strip.left, strip.left], 'all strips have the same time axis');
+    await page.context().close();
+  });
+
+  it('fit narrow windows, and are missing in a session without signals', async () => {
+    const page = await browser.open(withPlayback({ signals }), { viewport: { width: 390, height: 844 }, colorScheme: 'dark' });
+    const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+    assert.ok(content <= window, `${content} px of content`);
+    await page.context().close();
+
+    const without = await browser.open(withPlayback({ signals: null }));
+    assert.equal(await without.locator('.signals').count(), 0);
+    await without.context().close();
   });
 });

@@ -61,7 +61,7 @@ sealed class VirtualStage
         return new DemoRun(
             _settings, _truth, loop.Frames, _headset.Log.ApplicationLatencies, _headset.Session.Statistics(_clock.Read),
             _headset.Session.Range?.Limit, _headset.Alarms)
-        { Bodies = loop.Bodies, Exchanges = _headset.Log.Exchanges() };
+        { Bodies = loop.Bodies, Signals = loop.Signals, Exchanges = _headset.Log.Exchanges() };
     }
 
     void AdvanceTo(HeadsetTime time)

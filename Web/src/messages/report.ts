@@ -27,6 +27,9 @@ export const reportMessages = {
     `The displayed tool is ${format(compensatedMm, 'mm')} from its true position; without compensation, the distance is ${format(heldMm, 'mm')}.`,
   workpieceError: (compensatedMm: number | null, heldMm: number | null) =>
     `The displayed workpieces are up to ${format(compensatedMm, 'mm')} from their true positions; without compensation, the distance is up to ${format(heldMm, 'mm')}.`,
+  signals:
+    'Signals of the cell. The upper bar of each shows when the signal was on, the lower bar when the headset displayed it as on. '
+    + 'A change is displayed at its time, or when its message arrives.',
   pointsBeyond: (count: number) => `Points outside the plot: ${count}.`,
   errorBeyond: (extentUs: number, widestUs: number) =>
     `The plot shows errors up to ${format(extentUs, 'µs')}; the error or its bound reaches ${format(widestUs, 'µs')}.`,
@@ -82,6 +85,11 @@ export const reportLabels = {
   moreError: 'more tool error with compensation',
   latencyOfPoints: 'Latency of the operating points',
   moment: 'moment of the session',
+  signals: 'Signals',
+  on: 'on',
+  off: 'off',
+  valueUnknown: 'not known',
+  displayedAndTrue: (displayed: string, truth: string) => `displayed ${displayed}, true ${truth}`,
 };
 
 /** Text of the paper's figures. */
