@@ -14,7 +14,8 @@ namespace Nowpose.Prediction.Mixing
     /// Each new sample shows the errors of the forecasts that were made one horizon before it, the weights are solved from these errors
     /// (<see cref="MixtureWeights"/>), and the tables of all forecasts, one of which is displayed, are filled. The components of an object have the same
     /// weights: they have the same kind of noise and motion, so the weights are estimated three times as fast as for a joint.
-    /// The displayed table is that of the best candidate whose gate is open, or else the line at constant velocity, or else the weighted sum within <see cref="DistanceLimit"/>. The limits of the drive bound the line and the sum. <see cref="PendingForecasts"/> scores the
+    /// The displayed table is that of the best candidate whose gate is open, or else the line at constant velocity, or else the weighted sum, after
+    /// a start from noise together with the line, within <see cref="DistanceLimit"/>. The limits of the drive bound the line and the sum. <see cref="PendingForecasts"/> scores the
     /// weighted sum without these limits.
     /// </remarks>
     sealed class Mixture : Forecaster
@@ -32,12 +33,25 @@ namespace Nowpose.Prediction.Mixing
         const double PriorErrors = 20;
 
         /// <summary>
+        /// Threshold for a first move, which is a motion much faster than the noise before it: minimum ratio of the squared displacement within one
+        /// horizon to the mean square error of hold. For a motion that continues at constant speed, the ratio is 1.
+        /// </summary>
+        const double FirstMoveRatio = 30;
+
+        /// <summary>
+        /// Weight of the line in a first move; the mixture has the remainder. Of the real trackers, most of such samples are impulses that come back, and of the
+        /// simulated ones, starts of conveyors: with 1, 15 instead of 10 of 210 ratios of real trackers are above 1.05; with 0, simulated first moves have up
+        /// to 1.9 % larger errors.
+        /// </summary>
+        const double FirstMoveShare = 0.5;
+
+        /// <summary>
         /// Factor by which the line multiplies the speed directly after a change point that did not increase it. Without the factor, the errors on
         /// recordings are 0.4 % larger.
         /// </summary>
         const double SpeedRatioAfterStop = 0.5;
 
-        const int Line = ForecasterSet.Line;
+        const int Hold = ForecasterSet.Hold, Line = ForecasterSet.Line;
 
         readonly int _components, _points;
         readonly PredictionLimits _limits;
@@ -54,7 +68,7 @@ namespace Nowpose.Prediction.Mixing
         // The table of the displayed forecast.
         readonly double[] _table;
 
-        double _forgettingFactor;
+        double _forgettingFactor, _firstMoveUntil;
         bool _wasReported;
 
         /// <param name="limits">Horizon cap, and for a joint the limits of its drive.</param>
@@ -88,7 +102,7 @@ namespace Nowpose.Prediction.Mixing
                 if (Uses(PredictionParts.Jumps)) _jumps.Add(motion);
                 DetectChangePoint(motion);
                 Learn(motion);
-                if (Uses(PredictionParts.Scatter)) _scatter.Add(motion.Displacements, Connected(motion));
+                DetectStart(motion);
                 foreach (var candidate in _candidates) candidate.Add(motion, _points);
             }
             Forecast(motion);
@@ -107,6 +121,7 @@ namespace Nowpose.Prediction.Mixing
             _pending.Clear();
             _distance.Clear();
             Array.Clear(_table, 0, _table.Length);
+            _firstMoveUntil = double.NegativeInfinity;
             _wasReported = false;
         }
 
@@ -133,6 +148,19 @@ namespace Nowpose.Prediction.Mixing
             var isReported = !double.IsNaN(motion.ReportedVelocity + motion.ReportedAcceleration);
             if (hasLearned || isReported != _wasReported) _weights.Solve(_forecasters.Prior(isReported), PriorErrors * (1 - factorPerError));
             _wasReported = isReported;
+        }
+
+        void DetectStart(MotionState motion)
+        {
+            if (Uses(PredictionParts.Scatter)) _scatter.Add(motion.Displacements, Connected(motion));
+            if (_scatter.HasStarted && IsFirstMove(motion)) _firstMoveUntil = motion.NewestTime + motion.Timing.Horizon + motion.Timing.Interval;
+        }
+
+        // The weights that result from noise at rest are unsuitable for a first move. After one horizon, they include the errors of this move.
+        bool IsFirstMove(MotionState motion)
+        {
+            var displacement = Vectors.Distance(motion.Newest, motion.Previous) * motion.Timing.Horizon / motion.Timing.Interval;
+            return displacement * displacement > FirstMoveRatio * _components * _weights.MeanSquare(Hold);
         }
 
         // Number of newest samples without a gap or a jump.
@@ -176,17 +204,20 @@ namespace Nowpose.Prediction.Mixing
         void FillMixture(MotionState motion, double speedFactor)
         {
             // The weights of the last seconds would displace a constant velocity if they include hold.
-            if (Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady) _forecasters.AddTo(_table, Line, 1, _points);
-            else AddForecasts();
+            var lineShare = Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady ? 1 : motion.NewestTime < _firstMoveUntil ? FirstMoveShare : 0;
+            AddForecasts(1 - lineShare);
+            _forecasters.AddTo(_table, Line, lineShare, _points);
             if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Timing.Interval, _limits);
         }
 
-        void AddForecasts()
+        // Adds the weighted sum, within the limit of the distance, with this share.
+        void AddForecasts(double share)
         {
+            if (share == 0) return;
             var weights = _weights.Values;
             for (var i = Line; i < weights.Length; i++)
-                if (weights[i] != 0) _forecasters.AddTo(_table, i, weights[i] * _distance.Factor, _points);
-            if (_distance.Factor < 1) _forecasters.AddTo(_table, Line, 1 - _distance.Factor, _points);
+                if (weights[i] != 0) _forecasters.AddTo(_table, i, share * weights[i] * _distance.Factor, _points);
+            if (_distance.Factor < 1) _forecasters.AddTo(_table, Line, share * (1 - _distance.Factor), _points);
         }
     }
 }

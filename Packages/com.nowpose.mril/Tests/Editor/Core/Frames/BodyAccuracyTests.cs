@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("turntable, noise", 50, 100, 0.95)]
         [TestCase("conveyor, noise", 20, 100, 1.05)]
         [TestCase("conveyor, noise", 50, 100, 1.05)]
-        [TestCase("conveyor, noise", 100, 150, 1.08)]
+        [TestCase("conveyor, noise", 100, 150, 1.05)]
         [TestCase("unequal moves", 20, 100, 1.05)]
         [TestCase("unequal moves", 50, 100, 1.05)]
         [TestCase("unequal moves", 100, 150, 1.05)]
