@@ -21,8 +21,7 @@ namespace Nowpose.Prediction.Mixing
     sealed class Mixture : Forecaster
     {
         /// <summary>
-        /// Time constant of the forgetting factor of the weights, in s: with 10 or 40 s, the errors of joints change by at most 0.2 %; with 40 s, the
-        /// errors of objects are 1.5 % larger.
+        /// Time constant of the forgetting factor of the weights, in s. With 10 or 40 s, the mean errors change by at most 0.5 %.
         /// </summary>
         const double TimeConstant = 20;
 
@@ -34,7 +33,8 @@ namespace Nowpose.Prediction.Mixing
 
         /// <summary>
         /// Threshold for a first move, which is a motion much faster than the noise before it: minimum ratio of the squared displacement within one
-        /// horizon to the mean square error of hold. For a motion that continues at constant speed, the ratio is 1.
+        /// horizon to the mean square error of hold. For a motion that continues at constant speed, the ratio is 1. Without the threshold, the errors on
+        /// recordings are 0.4 % larger, and those of 24 other simulated objects 0.6 %.
         /// </summary>
         const double FirstMoveRatio = 30;
 
