@@ -12,7 +12,10 @@ namespace Nowpose.Cli.Headset;
 sealed class CellParts
 {
     readonly CompensationSession _session;
-    readonly Dictionary<string, string> _parents = new(StringComparer.Ordinal);
+    /// <summary>Time after its last pose for which an object that is not followed is listed.</summary>
+    static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(10);
+
+    readonly Dictionary<string, (string Parent, bool IsStationary, HeadsetTime Arrival)> _parents = new(StringComparer.Ordinal);
     readonly HashSet<string> _followed = new(StringComparer.Ordinal);
     bool _isChanged;
 
@@ -28,7 +31,7 @@ sealed class CellParts
     {
         if (!_isChanged) return;
         _isChanged = false;
-        foreach (var name in _parents.Keys)
+        foreach (var name in _parents.Keys.ToArray())
         {
             var isFollowed = !_session.Frames.Tree.IsLink(name) && OtherRobotBelow(name) == null;
             if (isFollowed && _followed.Add(name)) _session.Frames.Need(name);
@@ -56,7 +59,7 @@ sealed class CellParts
     string OtherRobotBelow(string name)
     {
         // The steps are limited, because poses that the session has not checked against each other can form a cycle.
-        for (var steps = 0; steps <= _parents.Count && _parents.TryGetValue(name, out var parent); steps++) name = parent;
+        for (var steps = 0; steps <= _parents.Count && _parents.TryGetValue(name, out var known); steps++) name = known.Parent;
         var slash = name.IndexOf('/');
         return slash > 0 && RobotTopic.IsNamespace(name.AsSpan(0, slash)) && _session.Robots.Of(name[..slash]) == null ? name : null;
     }
@@ -66,8 +69,18 @@ sealed class CellParts
 
     void OnPose(in FrameTransform pose, bool isStationary, HeadsetTime arrival, DropReason reason)
     {
-        if (reason != DropReason.None || (_parents.TryGetValue(pose.Child, out var parent) && parent == pose.Parent)) return;
-        _parents[pose.Child] = pose.Parent;
+        if (reason != DropReason.None) return;
+        var isNew = !_parents.TryGetValue(pose.Child, out var known);
+        _parents[pose.Child] = (pose.Parent, isStationary, arrival);
+        if (!isNew && known.Parent == pose.Parent) return;
         _isChanged = true;
+        // The session limits the objects that it follows, but the sources of the others may use new names without end.
+        if (isNew) ForgetSilent(arrival);
+    }
+
+    void ForgetSilent(HeadsetTime now)
+    {
+        foreach (var (name, (_, isStationary, last)) in _parents)
+            if (!isStationary && now - last > MaxSilence && !_followed.Contains(name)) _parents.Remove(name);
     }
 }

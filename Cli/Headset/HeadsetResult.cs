@@ -58,7 +58,7 @@ sealed record HeadsetResult(
 
     /// <summary>An object on a robot that the session does not show.</summary>
     /// <param name="Parent">Link of this robot, with its namespace.</param>
-    public sealed record OtherPartResult(string Name, string Parent);
+    public sealed record OtherPartResult(string Name, string Link);
 
     /// <summary>A part of the run between two outages.</summary>
     /// <param name="FromS">Time of the first current frame since the start of the run.</param>

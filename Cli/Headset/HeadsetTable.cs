@@ -35,7 +35,7 @@ static class HeadsetTable
         if (result.MissingJoints.Count > 0) Row(HeadsetTexts.MissingJoints, string.Join(", ", result.MissingJoints));
         foreach (var joint in result.Joints) Row(HeadsetTexts.Joint(joint.Name), StateOf(joint.State, joint.SinceS, joint.Reason));
         foreach (var part in result.ObjectsNotCurrent) Row(HeadsetTexts.Object(part.Name), NotCurrent(part));
-        foreach (var part in result.ObjectsNotFollowed) Row(HeadsetTexts.Object(part.Name), HeadsetTexts.NotFollowed(part.Parent));
+        foreach (var part in result.ObjectsNotFollowed) Row(HeadsetTexts.Object(part.Name), HeadsetTexts.NotFollowed(part.Link));
         foreach (var part in result.SignalsNotCurrent) Row(HeadsetTexts.Signal(part.Name), NotCurrent(part));
         foreach (var outage in result.Outages)
             Row(

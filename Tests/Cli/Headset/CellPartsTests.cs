@@ -76,7 +76,7 @@ public class CellPartsTests
 
         Assert.That(Run(120, "arm2/tool0"), Is.EqualTo("cap, lid"), "their parents are unknown");
         Assert.That(
-            parts.NotFollowed().Select(part => (part.Name, part.Parent)).Order(),
+            parts.NotFollowed().Select(part => (part.Name, part.Link)).Order(),
             Is.EqualTo(new[] { ("box", "arm2/tool0"), ("screw", "arm2/tool0"), ("tray", "arm2/tool0") }));
 
         Assert.That(Run(120, FrameParents.World), Is.EqualTo("cap, lid"));
@@ -84,6 +84,25 @@ public class CellPartsTests
         Assert.That(session.Frames.StateOf(session.Frames.Find("screw")), Is.EqualTo(PoseState.Current));
 
         Assert.That(Run(120, "arm2/tool0"), Is.EqualTo("cap, lid"), "the robot has gripped the box again");
+    }
+
+    // The other robot handles parts whose names are always new.
+    [Test]
+    public void NotFollowed_SilentObjectsOnAnotherRobot_AreForgottenWhenOthersArrive()
+    {
+        using var session = new CompensationSession(
+            new SessionSettings(new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40), robotNamespace: "arm1"),
+            RobotFiles.Load("youbot"), new SetClock());
+        var parts = new CellParts(session);
+        for (var k = 0; k < 40; k++)
+        {
+            session.Clock.Add(new SyncExchange(Headset(k - 0.001), Control(k), Control(k), Headset(k + 0.001)), out _);
+            session.Frames.Add(new TransformsMessage(Pose($"part_{k}", k, "arm2/tool0")), false, Headset(k));
+            session.Tick(Headset(k));
+            parts.Update();
+        }
+
+        Assert.That(parts.NotFollowed().Select(part => part.Name), Is.EqualTo(Enumerable.Range(29, 11).Select(k => $"part_{k}")));
     }
 
     static FrameTransform Pose(string child, double stamp, string parent = FrameParents.World) =>

@@ -49,6 +49,9 @@ namespace Nowpose.Frames
         /// <inheritdoc cref="PredictionPipeline{TSample}.MaxAhead"/>
         public double MaxAhead => _pipeline.MaxAhead;
 
+        /// <inheritdoc cref="SampleTiming.Interval"/>
+        public double Interval => _pipeline.Timing.Interval;
+
         /// <inheritdoc cref="JointPredictor.Restarts"/>
         public int Restarts => _pipeline.Restarts;
 

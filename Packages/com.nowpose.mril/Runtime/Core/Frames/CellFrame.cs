@@ -95,8 +95,12 @@ namespace Nowpose.Frames
 
         public FrameState State { get; private set; }
 
-        /// <summary>Whether new poses of a held frame arrive, but all are too old to be predicted up to the display time.</summary>
+        /// <summary>Whether new poses of a held frame arrive, but are too old to be predicted until the next one.</summary>
         public bool ReceivesOldPoses => State == FrameState.Held && _displayed - _oldArrival <= MaxSilence;
+
+        /// <summary>Whether new poses of a held frame arrive, but at intervals that are longer than a prediction.</summary>
+        public bool ReceivesRarePoses => State == FrameState.Held && _predictor.Interval > _predictor.MaxAhead
+            && _displayed - _predictor.NewestTime <= MaxSilence + _predictor.MaxAhead;
 
         /// <summary>Stamp of the newest pose; null before the first pose, and for a stationary frame.</summary>
         public ControlTime? Newest => _isStationary ? null : _newest;
@@ -203,8 +207,15 @@ namespace Nowpose.Frames
         void SetDisplayed(double time)
         {
             _displayed = time;
-            if (_hasArrived) _oldArrival = time - _predictor.NewestTime > _predictor.MaxAhead ? time : double.NaN;
+            if (_hasArrived) _oldArrival = IsTooOld(time - _predictor.NewestTime) ? time : double.NaN;
             _hasArrived = false;
+        }
+
+        // A pose must be predicted until the next one arrives, unless the interval alone is too long for this.
+        bool IsTooOld(double age)
+        {
+            var (interval, max) = (_predictor.Interval, _predictor.MaxAhead);
+            return age + (interval <= max ? interval : 0) > max;
         }
 
         // A released object is current only while its source sends poses, because only the source reports that the object is moved again.
@@ -233,6 +244,7 @@ namespace Nowpose.Frames
             if (_isStationary) return;
             _predictor.Reset();
             _newest = null;
+            (_oldArrival, _hasArrived) = (double.NaN, false);
         }
 
         void Begin(in FrameTransform pose, bool isStationary)
@@ -244,7 +256,8 @@ namespace Nowpose.Frames
             if (hasFormerParent) _predictor?.ChangeParent();
             else _predictor?.Reset();
             _newest = null;
-            _displayed = double.NaN;
+            _displayed = _oldArrival = double.NaN;
+            _hasArrived = false;
         }
 
         DropReason Take(in FrameTransform pose, ControlTime epoch)

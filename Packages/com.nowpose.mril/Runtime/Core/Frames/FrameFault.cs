@@ -18,7 +18,7 @@ namespace Nowpose.Frames
                 case FrameState.Missing: return FrameMessages.NoPose;
                 case FrameState.Held:
                     return frame.IsStationary ? FrameMessages.OlderThanConnection
-                        : frame.ReceivesOldPoses ? FrameMessages.PosesTooOld : FrameMessages.PosesStopped;
+                        : frame.ReceivesOldPoses ? FrameMessages.PosesTooOld : frame.ReceivesRarePoses ? FrameMessages.PosesTooRare : FrameMessages.PosesStopped;
                 case FrameState.GripUnknown: return Kept(frame.State, frame.GripFault);
                 default: return Kept(frame.State, tree.ReasonAbove(frame, out _, out _));
             }

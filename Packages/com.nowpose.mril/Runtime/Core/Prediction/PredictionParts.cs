@@ -54,7 +54,7 @@ namespace Nowpose.Prediction
         /// <summary>Ignores samples before a change point.</summary>
         ChangePoints = 8192,
 
-        /// <summary>Predicts the mean of samples that only scatter, and continues the first move after that as a line.</summary>
+        /// <summary>Predicts the mean of samples that only scatter, and gives the line half of the weight in the first move after that.</summary>
         Scatter = 16384,
 
         /// <summary>Detects positions that jump.</summary>

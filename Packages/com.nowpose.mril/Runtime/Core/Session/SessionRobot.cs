@@ -92,8 +92,8 @@ namespace Nowpose.Session
         /// <summary>Predicts the joints to the display time of a frame.</summary>
         public void Show(in DisplayMoment moment) => _computer.Compute(moment, Joints.IsAnyReportedMissing(moment.Start));
 
-        /// <summary>Scores the displayed frame when later samples have arrived. Call it after <see cref="PlaceRoot"/>.</summary>
-        public void Score(in DisplayMoment moment) => Hindcast.Shown(Frame, moment.Clock.ErrorBound, HasRootFrame && !HasFixedRootFrame);
+        /// <summary>Records the displayed frame; later samples give its error. Call it after <see cref="PlaceRoot"/>.</summary>
+        public void Record(in DisplayMoment moment) => Hindcast.Shown(Frame, moment.Clock.ErrorBound, HasRootFrame && !HasFixedRootFrame);
 
         /// <summary>Places the root link in the cell. Call it after <see cref="Show"/>.</summary>
         /// <param name="state">State of the root link's pose.</param>

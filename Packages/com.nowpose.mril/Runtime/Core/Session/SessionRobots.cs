@@ -98,13 +98,13 @@ namespace Nowpose.Session
             foreach (var robot in _all) robot.Show(moment);
         }
 
-        /// <summary>Places each robot at the frame of the cell that has its root link's name, and scores it there.</summary>
+        /// <summary>Places each robot at the frame of the cell that has its root link's name, and records its frame there.</summary>
         public void PlaceRoots(in DisplayMoment moment)
         {
             foreach (var robot in _all)
             {
                 _frames.PlaceRoot(robot);
-                robot.Score(moment);
+                robot.Record(moment);
             }
         }
 

@@ -10,7 +10,7 @@ namespace Nowpose.Signals
     sealed class LateValues
     {
         /// <summary>Number of consecutive late values that proves that the clock went back; the same number as for samples.</summary>
-        const int Capacity = ArrivalLimits.ProvingLate;
+        const int Capacity = ArrivalLimits.MinLateForRestart;
 
         /// <summary>
         /// Number of consecutive late values that is sufficient if the last of them is late by more than <see cref="ArrivalLimits.MaxDelay"/>.

@@ -14,9 +14,9 @@ namespace Nowpose.Prediction.Mixing
     /// Each new sample shows the errors of the forecasts that were made one horizon before it, the weights are solved from these errors
     /// (<see cref="MixtureWeights"/>), and the tables of all forecasts, one of which is displayed, are filled. The components of an object have the same
     /// weights: they have the same kind of noise and motion, so the weights are estimated three times as fast as for a joint.
-    /// The displayed table is that of the best candidate whose gate is open, or else the line at constant velocity, or else the weighted sum, after
-    /// a start from noise together with the line, within <see cref="DistanceLimit"/>. The limits of the drive bound the line and the sum. <see cref="PendingForecasts"/> scores the
-    /// weighted sum without these limits.
+    /// Directly after a jump, the displayed table holds the position. Otherwise, it is that of the best candidate whose gate is open, or else the line at
+    /// constant velocity, or else the weighted sum within <see cref="DistanceLimit"/>, with a half of the line after a start from noise. The limits of the
+    /// drive bound the last two. The gates compare with the weighted sum alone, without the line and without limits.
     /// </remarks>
     sealed class Mixture : Forecaster
     {
@@ -206,7 +206,7 @@ namespace Nowpose.Prediction.Mixing
             // The weights of the last seconds would displace a constant velocity if they include hold.
             var lineShare = Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady ? 1 : motion.NewestTime < _firstMoveUntil ? FirstMoveShare : 0;
             AddForecasts(1 - lineShare);
-            _forecasters.AddTo(_table, Line, lineShare, _points);
+            if (lineShare > 0) _forecasters.AddTo(_table, Line, lineShare, _points);
             if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Timing.Interval, _limits);
         }
 

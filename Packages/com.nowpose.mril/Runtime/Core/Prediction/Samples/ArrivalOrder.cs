@@ -8,7 +8,7 @@ namespace Nowpose.Prediction.Samples
         /// <summary>
         /// Number of consecutive late samples that proves that the clock went back: at 20 ms, WiFi swaps two samples every few seconds.
         /// </summary>
-        public const int ProvingLate = 5;
+        public const int MinLateForRestart = 5;
 
         /// <summary>
         /// Maximum delay of a sample relative to later ones on a usable network, in s. A later sample would hardly improve a prediction, whose
@@ -36,16 +36,16 @@ namespace Nowpose.Prediction.Samples
         /// Number of consecutive late samples that is sufficient if the neighbouring samples show that the joint was elsewhere, or if the samples are
         /// late by more than <see cref="ArrivalLimits.MaxDelay"/>. A single one may be a repeated message.
         /// </summary>
-        const int ProvingClearlyLate = 2;
+        const int MinClearlyLateForRestart = 2;
 
         readonly RecentSamples<TSample> _recent;
-        readonly TSample[] _ready = new TSample[ArrivalLimits.ProvingLate + 1];
+        readonly TSample[] _ready = new TSample[ArrivalLimits.MinLateForRestart + 1];
         double _newest = double.NegativeInfinity;
         int _readyCount;
 
         // The waiting samples, each newer than the previous one. Some are only evidence: they are used only if the clock has gone back.
-        readonly TSample[] _late = new TSample[ArrivalLimits.ProvingLate];
-        readonly bool[] _isOnlyEvidence = new bool[ArrivalLimits.ProvingLate];
+        readonly TSample[] _late = new TSample[ArrivalLimits.MinLateForRestart];
+        readonly bool[] _isOnlyEvidence = new bool[ArrivalLimits.MinLateForRestart];
         int _lateCount, _contradicted;
 
         /// <param name="isEndless">Whether positions are angles in rad that may wrap from π to −π.</param>
@@ -102,8 +102,8 @@ namespace Nowpose.Prediction.Samples
             _readyCount = _lateCount = _contradicted = 0;
         }
 
-        bool HasClockGoneBack => _lateCount == ArrivalLimits.ProvingLate || _contradicted == ProvingClearlyLate
-            || (_lateCount >= ProvingClearlyLate && _newest - _late[_lateCount - 1].Order > ArrivalLimits.MaxDelay);
+        bool HasClockGoneBack => _lateCount == ArrivalLimits.MinLateForRestart || _contradicted == MinClearlyLateForRestart
+            || (_lateCount >= MinClearlyLateForRestart && _newest - _late[_lateCount - 1].Order > ArrivalLimits.MaxDelay);
 
         bool IsWaiting(in TSample sample)
         {

@@ -156,14 +156,15 @@ namespace Nowpose.Session.Hindcast
                     Square(joint.Displayed - joint.Truth), Square(joint.Held - joint.Truth), Square(joint.Uncertainty),
                     Square(frame.ClockError * _speeds.OfJoint(i, joint.Truth))), isOfRun);
             }
-            if (!frame.IsToolKnown) return;
             var truth = _kinematics.ToolOf(_values, false);
+            var toolSpeed = _speeds.OfTool(truth);
+            if (!frame.IsToolKnown) return;
             var uncertain = _kinematics.ToolOf(_values, true);
             var error = new ErrorSums(
                 Square(frame.X - truth.X) + Square(frame.Y - truth.Y) + Square(frame.Z - truth.Z),
                 Square(frame.HeldX - truth.X) + Square(frame.HeldY - truth.Y) + Square(frame.HeldZ - truth.Z),
                 Square(uncertain.X - truth.X) + Square(uncertain.Y - truth.Y) + Square(uncertain.Z - truth.Z),
-                Square(frame.ClockError * _speeds.OfTool(truth)));
+                Square(frame.ClockError * toolSpeed));
             _tool.Add(frame.At, error, isOfRun);
             ToolJudged?.Invoke(frame.At, frame.State, error);
         }

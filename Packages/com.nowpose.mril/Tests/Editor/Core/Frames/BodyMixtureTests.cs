@@ -5,6 +5,7 @@ using Nowpose.Prediction;
 using Nowpose.Prediction.Mixing;
 using NUnit.Framework;
 using Nowpose.Kinematics;
+using Nowpose.Simulation;
 
 namespace Nowpose.Tests.Core.Frames
 {
@@ -50,6 +51,22 @@ namespace Nowpose.Tests.Core.Frames
             var body = Fed(k => new Vector3D(4e-11 * k, 0, 0), 101);
 
             Assert.That(body.PositionAt(102 * Interval).X, Is.EqualTo(4e-11 * 102).Within(1e-14));
+        }
+
+        /// <summary>
+        /// Two samples leave the noise in the same direction: it may be a start or an impulse that comes back. The forecast is between the newest sample, where
+        /// the weights from the noise would leave it, and the line.
+        /// </summary>
+        [Test]
+        public void At_FirstMoveAfterNoise_IsHalfwayToTheLine()
+        {
+            var random = new Random(31);
+            var body = Fed(_ => new Vector3D(1e-3 * random.NextNormal(), 1e-3 * random.NextNormal(), 1e-3 * random.NextNormal()), 200);
+
+            Add(body, 200, new Vector3D(0.02, 0, 0), UnitQuaternion.Identity);
+            Add(body, 201, new Vector3D(0.04, 0, 0), UnitQuaternion.Identity);
+
+            Assert.That(body.PositionAt(201 * Interval + Latency).X, Is.EqualTo(0.06).Within(0.006), "sample at 0.04 m, line at 0.08 m");
         }
 
         [TestCase(1)]
