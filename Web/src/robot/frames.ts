@@ -104,8 +104,8 @@ export class Frames {
     for (const [name, frame] of this.frames) {
       const current = this.worldOf(name, time, linkOf);
       const isSilent = sampleAt(frame.samples, time) === null;
-      // While the page is in the background, it draws nothing but receives poses. The last of them is newer than the pose that was drawn last.
-      const hasNewer = isSilent && frame.samples.last! > (frame.placedAt ?? -Infinity);
+      // While the page is in the background, it draws nothing but receives poses. One of them can be newer than the pose that was drawn last.
+      const hasNewer = isSilent && (frame.samples.at(time)?.fromTime ?? -Infinity) > (frame.placedAt ?? -Infinity);
       const world = current ?? (hasNewer ? this.worldOf(name, time, linkOf, Infinity) : null);
       if (world) {
         world.decompose(frame.axes.position, frame.axes.quaternion, frame.axes.scale);
@@ -202,14 +202,14 @@ export class Frames {
   }
 }
 
-// Interpolates between two samples with the same parent. Otherwise, the earlier sample applies until the later one, and the last sample for a limited
-// time.
+// Interpolates between two samples with the same parent. Before a sample with another parent, or after a gap, the earlier sample applies, but only for
+// a limited time, like the last sample.
 function sampleAt(samples: Track<Sample>, time: number, maxAge = MAX_AGE): Sample | null {
   const place = samples.at(time);
   if (!place) return null;
-  const { from, to, share } = place;
+  const { from, to, fromTime, toTime, share } = place;
   if (from.isStationary) return from;
-  if (time - samples.last! > maxAge) return null;
-  if (from.parent !== to.parent) return from;
+  if (time - fromTime > maxAge) return null;
+  if (from.parent !== to.parent || toTime - fromTime > MAX_AGE) return from;
   return { ...from, position: from.position.clone().lerp(to.position, share), rotation: from.rotation.clone().slerp(to.rotation, share) };
 }

@@ -4,6 +4,9 @@ import { lastUpTo } from '../numbers';
 export interface Place<T> {
   from: T;
   to: T;
+  /** Times of the two samples, s. */
+  fromTime: number;
+  toTime: number;
   share: number;
 }
 
@@ -51,7 +54,9 @@ export class Track<T> {
     const i = lastUpTo(this.times, time);
     if (i < 0) return null;
     const from = this.values[i];
-    if (i === this.times.length - 1) return { from, to: from, share: 0 };
-    return { from, to: this.values[i + 1], share: (time - this.times[i]) / (this.times[i + 1] - this.times[i]) };
+    const fromTime = this.times[i];
+    if (i === this.times.length - 1) return { from, to: from, fromTime, toTime: fromTime, share: 0 };
+    const toTime = this.times[i + 1];
+    return { from, to: this.values[i + 1], fromTime, toTime, share: (time - fromTime) / (toTime - fromTime) };
   }
 }
