@@ -1,8 +1,10 @@
 // Tests where the operations page draws the axes of the cell's frames at a given time.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { describe, it } from 'node:test';
 import { buildSync } from 'esbuild';
-import { Matrix4 } from 'three';
+import { Color, Matrix4 } from 'three';
+import { contrast } from './inks.mjs';
 import { messages } from './messages.mjs';
 
 const { outputFiles } = buildSync({ entryPoints: [new URL('../src/robot/frames.ts', import.meta.url).pathname], bundle: true, write: false, format: 'esm' });
@@ -95,6 +97,25 @@ describe('frames', () => {
     frames.take(message('box', 'world', 12, 5), false);
     frames.pose(12, none);
     assert.deepEqual([states(frames), coloured(frames)], [{ box: [null, 5], table: [null, 2] }, [true, true]]);
+  });
+
+  it('that are not current have a contrast of at least 3:1 to the light and the dark background', () => {
+    const frames = new Frames();
+    frames.take(message('box', 'world', 10, 1), false);
+    frames.pose(11.1, none);
+    const { color, opacity } = frames.group.children[0].material;
+    const surfaces = [...readFileSync(new URL('../src/report.css', import.meta.url), 'utf8').matchAll(/--surface: (#\w{6})/g)].map(([, hex]) => hex);
+    // Colours of three.js are linear. The graphics card blends the values of sRGB.
+    const luminance = ({ r, g, b }) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    const inSrgb = linear => linear.clone().convertLinearToSRGB();
+
+    const contrasts = surfaces.map(hex => {
+      const surface = new Color(hex), seen = inSrgb(surface).lerp(inSrgb(color), opacity).convertSRGBToLinear();
+      return contrast(luminance(seen), luminance(surface));
+    });
+
+    assert.equal(surfaces.length, 2);
+    assert.ok(contrasts.every(each => each >= 3), contrasts.map(each => each.toFixed(1)).join(', '));
   });
 
   it('whose parent is no longer known do not move and look different', () => {
