@@ -128,7 +128,7 @@ describe('frames', () => {
     frames.take(message('box', 'tool', 10.1, 0.4), false);
     frames.pose(10.1, tool(null));
 
-    assert.deepEqual(states(frames), { box: [frameStates.parentNotCurrent, 2.1], mark: [frameStates.parentNotCurrent, 2.2] });
+    assert.deepEqual(states(frames), { box: [frameStates.parentStale, 2.1], mark: [frameStates.parentStale, 2.2] });
     assert.deepEqual(coloured(frames), [false, false]);
   });
 
@@ -163,7 +163,7 @@ describe('frames', () => {
 
     for (const [t, x, state] of [[10.9, 2, null], [11.1, 2, frameStates.stale], [19.5, 2, frameStates.stale], [20, 7, null]]) {
       frames.pose(t, none);
-      const above = state && frameStates.parentNotCurrent;
+      const above = state && frameStates.parentStale;
       assert.deepEqual(states(frames), { box: [state, x], lid: [above, x + 0.25] }, `at ${t} s`);
     }
   });
@@ -189,6 +189,13 @@ describe('frames', () => {
 
       assert.deepEqual([states(frames), coloured(frames)], [{ box: [state, 1] }, [false]]);
     }
+  });
+
+  it('have states that the gateway and its table of objects name in the same way', () => {
+    const source = readFileSync(new URL('../../Gateway/Status/Cell/CellStates.cs', import.meta.url), 'utf8');
+    const ofGateway = [...source.matchAll(/const string \w+ = "(.*)"/g)].map(([, name]) => name);
+
+    assert.deepEqual(Object.values(frameStates).filter(name => !ofGateway.includes(name)), []);
   });
 
   it('are named if they are not current and have no pose', () => {

@@ -43,8 +43,8 @@ export const robotMessages = {
     count === 1 ? '1 more label does not fit; zoom in to see it.' : `${count} more labels do not fit; zoom in to see them.`,
 };
 
-/** States of a frame that the page itself detects. Other states come from the gateway. */
-export const frameStates = { stale: 'stale', parentNotCurrent: 'parent not current' };
+/** States of a frame that the page itself can detect. They have the names of the gateway's states. */
+export const frameStates = { stale: 'stale', parentStale: 'parent-stale' };
 
 /** Reasons why the position of a joint is not known. */
 export const jointReasons = {

@@ -111,7 +111,7 @@ export class Frames {
         world.decompose(frame.axes.position, frame.axes.quaternion, frame.axes.scale);
         frame.placedAt = time;
       }
-      const own = current ? null : isSilent ? frameStates.stale : frameStates.parentNotCurrent;
+      const own = current ? null : isSilent ? frameStates.stale : frameStates.parentStale;
       frame.state = this.listed?.get(name) ?? own;
       frame.axes.material = frame.state === null ? CURRENT : NOT_CURRENT;
       frame.axes.visible = frame.placedAt !== null && this.exists(name, frame, current !== null);
