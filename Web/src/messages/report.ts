@@ -29,7 +29,7 @@ export const reportMessages = {
     `The displayed workpieces are up to ${format(compensatedMm, 'mm')} from their true positions; without compensation, the distance is up to ${format(heldMm, 'mm')}.`,
   signals:
     'Signals of the cell. The upper bar of each shows when the signal was on, the lower bar when the headset displayed it as on. '
-    + 'A change is displayed at its time, or when its message arrives.',
+    + 'A change is displayed at its time, or later if its message arrives later.',
   pointsBeyond: (count: number) => `Points outside the plot: ${count}.`,
   errorBeyond: (extentUs: number, widestUs: number) =>
     `The plot shows errors up to ${format(extentUs, 'µs')}; the error or its bound reaches ${format(widestUs, 'µs')}.`,
