@@ -36,7 +36,7 @@ const SPOTS = [0, -1, 1, -2, 2].flatMap(lines => [
 /**
  * Finds places for labels, in the order of the list, so that no label covers another one. A label covers the point of another one only if all
  * other spots are taken. A label keeps its former spot while this is free, so that it does not jump.
- * @param size Size of the picture, px.
+ * @param size Size of the area for labels, px. It begins at the upper left corner of the picture.
  * @param max Maximum number of labels with a place.
  * @returns The spot of each label; null if it has no place.
  */

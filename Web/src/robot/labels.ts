@@ -30,12 +30,14 @@ interface Shown {
 export class Labels {
   /** Hidden from screen readers, because tables of the page list the same names and states. */
   readonly element: HTMLElement;
-  private readonly others = el('p', { class: 'others', hidden: true });
+  /** Number of labels that do not fit, at the bottom of the view. Always has its height, which the labels leave free. */
+  private readonly others = el('p', { class: 'others' });
   private readonly shown = new Map<string, Shown>();
   private size = { width: 0, height: 0 };
 
   constructor() {
     this.element = el('div', { class: 'labels', 'aria-hidden': 'true' }, this.others);
+    this.count(0);
   }
 
   /** Sets the size of the picture, px. */
@@ -51,7 +53,7 @@ export class Labels {
     const rank = ({ label, shown }: (typeof all)[0]) => (label.state !== null ? 0 : shown.spot !== null ? 1 : 2);
     all.sort((a, b) => rank(a) - rank(b));
     const wanted = all.map(({ x, y, shown }) => ({ x, y, width: shown.width, former: shown.spot }));
-    const spots = spotsOf(wanted, this.size, MAX_LABELS);
+    const spots = spotsOf(wanted, { width: this.size.width, height: this.size.height - this.others.offsetHeight }, MAX_LABELS);
     all.forEach(({ shown }, i) => {
       const spot = spots[i];
       shown.spot = spot?.number ?? null;
@@ -93,8 +95,8 @@ export class Labels {
   }
 
   private count(hidden: number): void {
-    this.others.hidden = hidden === 0;
-    const words = hidden === 0 ? '' : robotMessages.labelsHidden(hidden);
+    this.others.style.visibility = hidden === 0 ? 'hidden' : 'visible';
+    const words = robotMessages.labelsHidden(hidden);
     if (this.others.textContent !== words) this.others.textContent = words;
   }
 }

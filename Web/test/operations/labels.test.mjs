@@ -102,6 +102,22 @@ describe('an object in the 3D view', () => {
     assert.deepEqual(page.complaints, []);
   });
 
+  it('has no label over the note about the others', async () => {
+    publish(256);
+    Object.keys(gateway.moving).forEach((name, i) => { gateway.moving[name] = [0.1 * (i % 16) - 0.75, 0.1 * (i >> 4) - 0.75, 0]; });
+    const page = await open({ reducedMotion: 'reduce', viewport: { width: 480, height: 720 } });
+    await drawn(() => labels(page), all => all.length > 5);
+    await page.locator('.stage').focus();
+    for (let i = 0; i < 5; i++) await page.keyboard.press('+');
+    const isBeside = ({ labels, note }) => labels.some(({ left, bottom }) => left < note.right && bottom > note.top - 40);
+
+    const seen = await drawn(() => viewOf(page), isBeside);
+
+    assert.ok(isBeside(seen), JSON.stringify(seen));
+    assert.deepEqual(overlaps([...seen.labels, seen.note]), []);
+    assert.deepEqual(page.complaints, []);
+  });
+
   it('with a long name keeps the beginning and the end of it', async () => {
     const names = publish(2, 0.4, i => `station_with_a_very_long_name/workpiece_${i}`);
     const page = await open();
