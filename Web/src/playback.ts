@@ -23,7 +23,7 @@ const LEGEND: Record<Part, { label: string; look: Look }> = {
 /** Plays the session with three copies of the robot: at its true pose, at the displayed pose, and at the pose without compensation. */
 export class Playback {
   readonly element: HTMLElement;
-  private readonly view = new RobotView(robotDescriptions.session);
+  private readonly view: RobotView;
   private readonly words = el('p', { class: 'apart' });
   private readonly button = el('button', { type: 'button', class: 'play' }, reportLabels.play);
   private readonly slider: HTMLInputElement;
@@ -41,6 +41,8 @@ export class Playback {
   ) {
     const { t } = data;
     this.time = t[0];
+    this.objects = data.objects ? new Objects(data.objects) : null;
+    this.view = new RobotView(robotDescriptions.session(this.objects?.names ?? []));
     this.slider = el('input', { type: 'range', min: t[0], max: t[t.length - 1], step: 0.02, value: t[0], 'aria-label': reportLabels.moment });
     this.signals = signalStrips(data.signals, t[0], t[t.length - 1]);
     const legend = new Legend((Object.keys(LEGEND) as Part[]).map(part => ({ ...LEGEND[part], toggle: shown => this.toggle(part, shown) })));
@@ -65,7 +67,6 @@ export class Playback {
       this.show(time);
     });
     this.view.describe(data.urdf);
-    this.objects = data.objects ? new Objects(data.objects) : null;
     if (this.objects) this.view.add(this.objects);
     this.show(t[0]);
   }

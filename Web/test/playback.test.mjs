@@ -12,7 +12,7 @@ import { report } from './sample.mjs';
 const urdf = readFileSync(new URL('../../Packages/com.nowpose.mril/Runtime/Robots/youbot.urdf', import.meta.url), 'utf8');
 const names = [1, 2, 3, 4, 5].map(i => `arm_joint_${i}`);
 const SECONDS = 8;
-const { partLabels, reportLabels, reportMessages, robotMessages, robotReasons } = messages;
+const { partLabels, reportLabels, reportMessages, robotDescriptions, robotMessages, robotReasons } = messages;
 
 /** A robot that swings about its base. The error of the displayed pose is 0.01 rad, and 0.1 rad without compensation. */
 function withPlayback(change = {}) {
@@ -181,6 +181,22 @@ describe('the objects in the playback', () => {
 
     assert.deepEqual(shown, [partLabels.belt, partLabels.fixture, 'workpiece_1']);
     await page.context().close();
+  });
+
+  it('are named in the description of the view, because the labels are hidden from screen readers', async () => {
+    const descriptionOf = async data => {
+      const page = await browser.open(data);
+      const description = await page.getAttribute('#playback .stage', 'aria-label');
+      await page.context().close();
+      return description;
+    };
+    const { belt, fixture } = partLabels;
+
+    const [shown, without] = [await descriptionOf(withObjects()), await descriptionOf(withPlayback())];
+
+    assert.equal(shown, `${robotDescriptions.session(['workpiece_1', belt, fixture])} ${robotMessages.keys}`);
+    assert.ok(['workpiece_1', belt, fixture].every(name => shown.includes(name)), shown);
+    assert.equal(without, `${robotDescriptions.session([])} ${robotMessages.keys}`);
   });
 
   it('are hidden with their pose', async () => {

@@ -2,7 +2,10 @@ import { format } from '../numbers';
 
 /** Descriptions of the views of the robot for screen readers. */
 export const robotDescriptions = {
-  session: 'The robot of this session at one moment: its true pose, the displayed pose, and the pose without compensation.',
+  /** @param names The objects in the view; empty in a session without objects. */
+  session: (names: string[]) =>
+    'The robot of this session at one moment: its true pose, the displayed pose, and the pose without compensation.'
+    + (names.length === 0 ? '' : ` Objects beside it: ${names.join(', ')}.`),
   live: 'The true pose of the robot half a second ago, and the pose that the selected headset displayed at that time.',
 };
 

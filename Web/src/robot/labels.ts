@@ -26,9 +26,12 @@ interface Shown {
   spot: number | null;
 }
 
-/** Shows labels over a 3D view, as elements of the page: they cost the graphics card nothing, and have the style of the page. */
+/** Shows labels over a 3D view. Uses elements of the page, so that they have its style and the 3D scene needs no text. */
 export class Labels {
-  /** Hidden from screen readers, because tables of the page list the same names and states. */
+  /**
+   * Hidden from screen readers, because other elements name the objects: on the operations page the table of objects, with the states of the gateway,
+   * and in the report the description of the view.
+   */
   readonly element: HTMLElement;
   /** Number of labels that do not fit, at the bottom of the view. Always has its height, which the labels leave free. */
   private readonly others = el('p', { class: 'others' });

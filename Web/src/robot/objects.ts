@@ -49,6 +49,11 @@ export class Objects {
     this.recolour();
   }
 
+  /** Names of the workpieces, of belt and fixture. */
+  get names(): string[] {
+    return [...this.data.names, partLabels.belt, partLabels.fixture];
+  }
+
   /** @param poses Poses of all objects; null hides the objects. */
   pose(part: Part, poses: ArrayLike<number> | null): void {
     this.cubes[part].forEach((cube, i) => {
