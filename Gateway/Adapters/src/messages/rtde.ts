@@ -4,7 +4,6 @@ import { wrongValue } from './configuration';
 export const rtdeSettingMessages = {
   notCalibrated: (value: unknown, arms: string[]) => wrongValue(value, `with calibration: true, the allowed robots are ${arms.join(', ')}`),
   recipeTooLong: (size: number, most: number) => `the list of fields has ${size} bytes; the maximum is ${most} bytes; remove signals`,
-  index: (value: unknown) => wrongValue(value, 'allowed: a whole number from 0 to 5, because the arm has six joints'),
   summary: (place: string, source: string, rateHz: number, read: string) =>
     `RTDE ${place}, NO SECURITY; t_k is the controller's timestamp; ${source} positions at ${rateHz} Hz; ${read}`,
   indexTwice: (value: unknown, line: number) => wrongValue(value, `line ${line} already has this joint of the arm; use each index once`),

@@ -92,7 +92,8 @@ function requireNode(file: YamlFile, entry: Path, node: string): void {
 function securityOf(file: YamlFile, { security = {} }: Section, environment: NodeJS.ProcessEnv): OpcUaSettings['security'] {
   const at = ['plant', 'security'] as const;
   const mode = security.mode ?? 'sign_and_encrypt';
-  if (mode === 'none' && security.i_know_this_is_open !== true) file.report([...at, 'mode'], opcuaSettingMessages.open);
+  if (mode === 'none' && security.i_know_this_is_open !== true && !file.isInvalid([...at, 'i_know_this_is_open']))
+    file.report([...at, 'mode'], opcuaSettingMessages.open);
   if (mode !== 'none' && security.i_know_this_is_open !== undefined && !file.isInvalid([...at, 'mode']))
     file.report([...at, 'i_know_this_is_open'], opcuaSettingMessages.notOpen(mode));
   const text = (name: 'folder' | 'server_certificate'): string | null => (security[name] === undefined ? null : besides(file.path, security[name]));

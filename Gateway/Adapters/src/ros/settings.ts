@@ -94,7 +94,9 @@ export const ros: Kind = {
     const { frames = [] } = file.value as { frames?: FrameEntry[] };
     // Stored in the plant section, because the poses of these frames arrive as a whole and not as individual values.
     (configuration.plant as { frames?: object[] }).frames = frames.filter(({ position }) => position === undefined);
-    const names = frames.map(({ frame, source }) => source ?? frame);
+    // If the source is invalid, the name is not the source either.
+    const known = (path: Path, source: unknown): unknown => (file.isInvalid([...path, 'source']) ? undefined : source);
+    const names = frames.map(({ frame, source }, i) => known(['frames', i], source ?? frame));
     frames.forEach(({ source, topic, position }, i) => {
       if (source !== undefined && names.indexOf(source) < i) file.report(['frames', i, 'source'], configurationMessages.valueTwice(source, 'frame'));
       if (source !== undefined && position !== undefined && !file.isInvalid(['frames', i, 'position']))
@@ -102,9 +104,9 @@ export const ros: Kind = {
       const isRead = configuration.values.some(({ path: [section, index] }) => section === 'frames' && index === i);
       if (isRead && topic === undefined) file.report(['frames', i, 'topic'], rosMessages.noTopic);
     });
-    const sources = joints.map(joint => joint.source ?? joint.name);
+    const sources = joints.map((joint, i) => known(['joints', i], joint.source ?? joint.name));
     sources.forEach((source, i) => {
-      if (sources.indexOf(source) < i) file.report(['joints', i], rosMessages.sourceTwice(String(source)));
+      if (source !== undefined && sources.indexOf(source) < i) file.report(['joints', i], rosMessages.sourceTwice(String(source)));
     });
     joints.forEach(({ source, topic }, i) => {
       if (source !== undefined && topic !== undefined) file.report(['joints', i, 'source'], rosMessages.sourceAndTopic);

@@ -66,11 +66,12 @@ export const rtde: Kind = {
       .map(({ name }) => name)
       .join().length;
     if (length > MAX_RECIPE) file.report(['signals'], rtdeSettingMessages.recipeTooLong(length, MAX_RECIPE));
+    // The place of a joint is its index only if its entry is valid.
+    const isKnown = (i: number): boolean =>
+      configuration.joints[i].index !== undefined || !(file.isInvalid(['joints', i]) || file.isInvalid(['joints', i, 'index']));
     indices.forEach((index, i) => {
-      const entry = ['joints', i, 'index'];
-      const first = indices.indexOf(index);
-      if (index > 5) file.report(entry, rtdeSettingMessages.index(index));
-      else if (first < i) file.report(entry, rtdeSettingMessages.indexTwice(index, file.lineOf(['joints', first])));
+      const first = indices.findIndex((other, j) => other === index && isKnown(j));
+      if (first < i && isKnown(i)) file.report(['joints', i, 'index'], rtdeSettingMessages.indexTwice(index, file.lineOf(['joints', first])));
     });
   },
   summary(configuration) {
