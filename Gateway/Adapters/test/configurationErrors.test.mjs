@@ -112,6 +112,7 @@ describe('errors of a configuration', () => {
       ['joints[0].joint', 'joints[0].jiont', 'joints[2].index']],
     ['TooManySignalsAndADuplicate', OPCUA, [['  - { signal: closed, node: i=6 }', Array.from({ length: 257 }, (_, i) => `  - { signal: s${Math.min(i, 255)}, node: i=6 }`).join('\n')]],
       ['signals', 'signals[256].signal']],
+    ['TooManyNamespacesAndADuplicate', BROKER, [['topic:', `namespaces: [${[...'abcdefghijklmnopp']}]\n  topic:`]], ['plant.namespaces', 'plant.namespaces[16]']],
     ['NamespaceAndRobotFile', OPCUA, [['arm1: ur5e', 'arm1: ur5e\n  2arm: ur5e\n  arm3: none.urdf']], ['robots.2arm', 'robots.arm3']],
   ])
     it(`Check_${name}_NamesAll`, () => assert.deepEqual(entriesOf(text, changes), entries));
@@ -141,6 +142,9 @@ describe('errors of a configuration', () => {
     ['EndpointInvalid', ROS, [['endpoint: ws://127.0.0.1:9090', `endpoint: 5\n  pin: sha256/${'A'.repeat(43)}=`]], ['plant.endpoint']],
     ['JointsNotAList', MQTT, [['joints:\n  - { joint: a, topic: a }', 'joints: { joint: a, topic: a }']], ['joints']],
     ['JointsMisspelt', MQTT, [['joints:', 'jiont:']], ['jiont']],
+    ['RobotIsASection', OPCUA, [['robots:', 'robot:\n  arm2: ur5e\nrobots:']], ['robot']],
+    ['RobotsOfRos', ROS, [['joints:', 'robots: { arm1: none.urdf }\njoints:']], ['robots']],
+    ['JointsOfABroker', BROKER, [['plant:', 'joints: [null, {}]\nplant:']], ['joints']],
     ['ListElementsOfNoForm', OPCUA, [['node: i=1 }', 'node: i=1 }\n  - 5\n  -\n  - []']], ['joints[1]', 'joints[2]', 'joints[3]']],
     ['RosJointsWithoutNames', ROS, [['{ joint: a }', '{}'], ['{ joint: b }', '{}']], ['joints[0].joint', 'joints[1].joint']],
     ['RosParentWithoutPosition', ROS, [['source: detected_part', 'source: detected_part, parent: world']], ['frames[0].position']],

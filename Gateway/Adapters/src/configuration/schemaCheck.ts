@@ -36,14 +36,23 @@ export function checkAgainstSchema(file: YamlFile, kind: string): void {
     file.markInvalid(path);
   }
   for (const { meant } of wrong) if (meant !== undefined) file.markInvalid(meant);
-  for (const { path } of wrong) replaceInvalid(file, path);
+  for (const { path, isTooLong } of wrong) if (isTooLong !== true) replaceInvalid(file, path);
 }
 
 // Whether the schema describes the allowed forms of an entry in words, so that one message can report that none of them matches.
 const isOwnWords = (error: ErrorObject): boolean => error.keyword !== 'if' && (error.parentSchema as Described)?.description !== undefined;
 
-/** Gets the entry of an error, the message, and, for a misspelt entry, the missing entry that was probably meant. */
-function inWords(error: ErrorObject, root: unknown): { path: Path; text: string; meant?: Path } {
+/** An entry that violates the schema. */
+interface Wrong {
+  path: Path;
+  text: string;
+  /** For a misspelt entry, the missing entry that was probably meant. */
+  meant?: Path;
+  /** Whether the entry only has too many elements, which can be checked like the others. */
+  isTooLong?: boolean;
+}
+
+function inWords(error: ErrorObject, root: unknown): Wrong {
   const key = error.propertyName ?? (error.keyword === 'propertyNames' ? (error.params.propertyName as string) : undefined);
   const at = [...pathOf(error.instancePath, root), ...(key === undefined ? [] : [key])];
   const parent = error.parentSchema as Described;
@@ -71,7 +80,11 @@ function inWords(error: ErrorObject, root: unknown): { path: Path; text: string;
     }
     case 'maxItems':
     case 'maxProperties':
-      return { path: at, text: configurationMessages.tooMany(Object.keys(error.data as object).length, error.params.limit as number) };
+      return {
+        path: at,
+        text: configurationMessages.tooMany(Object.keys(error.data as object).length, error.params.limit as number),
+        isTooLong: true,
+      };
     default:
       return { path: at, text: `value ${shown(error.data)}; ${parent.description ? `allowed: ${parent.description}` : error.message}` };
   }

@@ -11,18 +11,16 @@ const isSection = (value: unknown): value is Section =>
 
 /**
  * Replaces an entry that violates the schema, so that the following checks can use the entries beside it: an invalid name or endpoint by an empty
- * text, an invalid position by the origin, and any other entry by its default. Keeps a list that is only too long, and the other elements of a list,
- * because joints without an index depend on their places.
+ * text, an invalid position by the origin, and any other entry by its default. Keeps the other elements of a list, because joints without an index
+ * depend on their places.
  * @param path The entry; for an invalid part of an entry of a list element, the whole entry is replaced.
  */
 export function replaceInvalid(file: YamlFile, [section, entry, key, ...inner]: Path): void {
   const root = file.value as Section;
   const name = NAMES[section];
   const found = root[section];
-  if (entry === undefined) {
-    const isRightForm = name === undefined ? isSection(found) : Array.isArray(found);
-    if (!isRightForm) root[section] = undefined;
-  } else if (name !== undefined) {
+  if (entry === undefined) root[section] = undefined;
+  else if (name !== undefined) {
     const list = found as unknown[];
     if (!isSection(list[Number(entry)])) list[Number(entry)] = {};
     replaceInElement(file, list[Number(entry)] as Section, [section, entry], name, key ?? name);
