@@ -138,6 +138,8 @@ describe('errors of a configuration', () => {
       ['frames[0].position']],
     ['FramesMisspelt', OPCUA, [['frames:', 'fraems:']], ['fraems']],
     ['GatewayUrlInvalid', OPCUA, [['plant:', `gateway: { url: https://gateway:47011, pin: "sha256/${'A'.repeat(43)}=" }\nplant:`]], ['gateway.url']],
+    ['GatewayUrlMisspelt', OPCUA, [['plant:', `gateway: { ulr: "wss://gateway:47011", pin: "sha256/${'A'.repeat(43)}=" }\nplant:`]], ['gateway.ulr']],
+    ['RtdeJointsMisspelt', RTDE, [['joints:', 'robot: youbot\njionts:']], ['jionts']],
     ['EndpointMisspelt', MQTT, [['endpoint: mqtt', 'endpont: mqtt']], ['plant.endpoint', 'plant.endpont']],
     ['EndpointInvalid', ROS, [['endpoint: ws://127.0.0.1:9090', `endpoint: 5\n  pin: sha256/${'A'.repeat(43)}=`]], ['plant.endpoint']],
     ['JointsNotAList', MQTT, [['joints:\n  - { joint: a, topic: a }', 'joints: { joint: a, topic: a }']], ['joints']],

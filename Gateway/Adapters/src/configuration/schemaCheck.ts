@@ -35,7 +35,12 @@ export function checkAgainstSchema(file: YamlFile, kind: string): void {
     file.report(path, text);
     file.markInvalid(path);
   }
-  for (const { meant } of wrong) if (meant !== undefined) file.markInvalid(meant);
+  for (const { meant } of wrong) {
+    if (meant === undefined || file.has(meant)) continue;
+    file.markInvalid(meant);
+    // Removes the default of the schema.
+    replaceInvalid(file, meant);
+  }
   for (const { path, isTooLong } of wrong) if (isTooLong !== true) replaceInvalid(file, path);
 }
 
@@ -46,7 +51,7 @@ const isOwnWords = (error: ErrorObject): boolean => error.keyword !== 'if' && (e
 interface Wrong {
   path: Path;
   text: string;
-  /** For a misspelt entry, the missing entry that was probably meant. */
+  /** For an unknown entry, the entry that was probably meant. */
   meant?: Path;
   /** Whether the entry only has too many elements, which can be checked like the others. */
   isTooLong?: boolean;
@@ -65,8 +70,7 @@ function inWords(error: ErrorObject, root: unknown): Wrong {
       const name = error.params.additionalProperty as string;
       const known = Object.keys(parent.properties ?? {});
       const [guess] = nearest(name, known);
-      const isMissing = guess !== undefined && (error.data as Record<string, unknown>)[guess] === undefined;
-      return { path: [...at, name], text: configurationMessages.unknownEntry(guess, known), meant: isMissing ? [...at, guess] : undefined };
+      return { path: [...at, name], text: configurationMessages.unknownEntry(guess, known), meant: guess === undefined ? undefined : [...at, guess] };
     }
     case 'dependencies': {
       const { property, missingProperty } = error.params as Record<'property' | 'missingProperty', string>;

@@ -57,6 +57,11 @@ export class YamlFile {
     return this.#invalid.has(JSON.stringify(path));
   }
 
+  /** Whether the file contains an entry, so that its value is not a default. */
+  has(path: Path): boolean {
+    return this.#document.hasIn(path);
+  }
+
   /** Adds a warning about an entry that is valid. */
   warn(path: Path, text: string): void {
     this.warnings.push(this.#at(path, text));
