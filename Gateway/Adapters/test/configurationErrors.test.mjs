@@ -119,6 +119,7 @@ describe('errors of a configuration', () => {
 
   for (const [name, text, changes, entries] of [
     ['TimeMisspelt', OPCUA, [['robots:', '  timestamp: variable\n  tiem: { node: i=9 }\nrobots:']], ['plant.tiem']],
+    ['TimeAbbreviated', ADS, [['joints:', '  timestamp: variable\n  tim: { symbol: MAIN.t }\njoints:']], ['plant.tim']],
     ['TimeInvalid', ADS, [['joints:', '  timestamp: variable\n  time: MAIN.t\njoints:']], ['plant.time']],
     ['TimestampInvalid', OPCUA, [['robots:', '  timestamp: clock\n  time: { node: i=9 }\nrobots:']], ['plant.timestamp']],
     ['SamplingInvalid', OPCUA, [['robots:', '  sampling_ms: 0\n  publishing_ms: 5\nrobots:']], ['plant.sampling_ms']],
@@ -130,6 +131,7 @@ describe('errors of a configuration', () => {
     ['ConfirmationOfNoSecurityMisspelt', OPCUA, [['robots:', '  security: { mode: none, i_know_its_open: true }\nrobots:']], ['plant.security.i_know_its_open']],
     ['SecurityMisspelt', OPCUA, [['robots:', '  security: { mdoe: none, i_know_this_is_open: true }\nrobots:']], ['plant.security.mdoe']],
     ['RobotsMisspelt', OPCUA, [['robots:', 'robts:'], ['parent: table', 'parent: arm1/tool0']], ['robts']],
+    ['RobotsMisspeltWithAnotherLetter', OPCUA, [['robots:', 'robotss:']], ['robotss']],
     ['RobotsInvalid', OPCUA, [['robots:\n  arm1: ur5e', 'robots: [ur5e]']], ['robots']],
     ['RobotDescriptionInvalid', OPCUA, [['arm1: ur5e', 'arm1: 5'], ['parent: table', 'parent: arm1/q']], ['robots.arm1']],
     ['RobotFileMissing', OPCUA, [['arm1: ur5e', 'arm1: none.urdf'], ['parent: table', 'parent: arm1/q'], ['arm1/elbow_joint', 'arm1/q']], ['robots.arm1']],

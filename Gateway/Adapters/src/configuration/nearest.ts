@@ -19,10 +19,13 @@ export function nearest(name: string, known: Iterable<string>, count = 1): strin
   return [...known]
     .map(candidate => ({ candidate, distance: judged(meant, candidate.toLowerCase()) }))
     .filter(entry => entry.distance <= Math.max(2, meant.length / 2))
-    .sort((a, b) => a.distance - b.distance)
+    .sort((a, b) => a.distance - b.distance || lengthDifference(meant, a.candidate) - lengthDifference(meant, b.candidate))
     .slice(0, count)
     .map(entry => entry.candidate);
 }
+
+// Decides between candidates with a common beginning: "robotss" means "robots" and not "robot".
+const lengthDifference = (meant: string, candidate: string): number => Math.abs(candidate.length - meant.length);
 
 // Treats a common beginning as a small distance, so that "token" matches "token_file".
 const judged = (meant: string, candidate: string): number =>
