@@ -85,8 +85,8 @@ export type OwnCheck = (file: YamlFile, configuration: Configuration, environmen
 /**
  * Reads and checks a configuration.
  * @param environment Environment variables, which take precedence over the file if a gateway has set them.
- * @throws ConfigurationError The configuration is invalid. The error contains all invalid entries; if the file has no valid kind of plant, only the
- * entries that are wrong for each kind.
+ * @throws ConfigurationError The configuration is invalid. The error contains all invalid entries; of a file that is not valid YAML, only its first
+ * error; of a file without a valid kind of plant, only the errors about the kind and the entries that exist for no kind.
  */
 export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, ownChecks: Record<string, OwnCheck>): Configuration {
   const file = new YamlFile(path);

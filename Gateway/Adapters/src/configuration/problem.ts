@@ -4,7 +4,7 @@ export interface Problem {
   text: string;
 }
 
-/** The error for an invalid configuration. It contains all its invalid entries. */
+/** The error for an invalid configuration. It contains the errors that one check finds. */
 export class ConfigurationError extends Error {
   constructor(
     readonly file: string,
