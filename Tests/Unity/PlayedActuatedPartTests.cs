@@ -181,6 +181,63 @@ public class PlayedActuatedPartTests : PlayedParts
         Assert.That(_cell.Player.Logs.Count(log => log.Type == LogType.Error && log.Message.Contains(ObjectMessages.OtherMover)), Is.EqualTo(1));
     }
 
+    [Test]
+    public void ActuatedPart_OnALinkThatAJointMoves_ReportsTheConflictAndDoesNotMoveIt()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        Run(1);
+        var link = rig.Link("gripper_finger_link_l");
+        var part = link.gameObject.AddComponent<ActuatedPart>().With("_wayMetres", new Vector3(0, 0, 1));
+        SendSignal(link.name, _cell.Now - 1, 1);
+
+        var rest = link.localPosition.z;
+        Run(1, seen: () => Assert.That(link.localPosition.z, Is.EqualTo(rest).Within(0.02)));
+
+        AssertConflict(part, ObjectMessages.MovedByJoint("Robot", "gripper_finger_joint_l"));
+        UnityEngine.Object.Destroy(part);
+        Run(0.1);
+        Assert.That(FaultsNow(), Is.Empty);
+    }
+
+    [Test]
+    public void ActuatedPart_OnALinkThatNoJointMoves_Moves()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        Run(1);
+        var part = rig.Tool.gameObject.AddComponent<ActuatedPart>();
+        SendSignal(rig.Tool.name, _cell.Now - 1, 1);
+        Run(1);
+
+        Assert.That((part.Fault, part.Share), Is.EqualTo(((string)null, 1f)));
+    }
+
+    [Test]
+    public void ActuatedPart_OnAFingerOfAGripper_MovesItOnlyWhenTheGripperDoesNot()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var gripper = Below<VirtualGripper>("Virtual Gripper", rig.transform);
+        var finger = Below<FrameProbe>("Finger", gripper.transform).transform;
+        gripper.With("_fingers", new List<GripperFinger> { new("gripper_finger_joint_l", finger) });
+        var part = finger.gameObject.AddComponent<ActuatedPart>().With("_wayMetres", new Vector3(0, 0, 1)).With("_signal", "jaw");
+        Run(1);
+        SendSignal("jaw", _cell.Now - 1, 1);
+        Run(1, seen: () => Assert.That(finger.localPosition.magnitude, Is.LessThan(0.02)));
+        AssertConflict(part, ObjectMessages.MovedByGripper("Virtual Gripper", "gripper_finger_joint_l"));
+
+        gripper.enabled = false;
+        Run(1);
+        Assert.That((part.Fault, part.Share, FaultsNow()), Is.EqualTo(((string)null, 1f, "")));
+        Assert.That(finger.localPosition, Is.EqualTo(new Vector3(0, 0, 1)));
+    }
+
+    void AssertConflict(ActuatedPart part, string conflict)
+    {
+        Assert.That((part.Fault, part.Share), Is.EqualTo((conflict, 0f)));
+        Assert.That(FaultsNow(), Is.EqualTo($"actuated part {part.name}: {conflict}"));
+        var log = ComponentMessages.Of("actuated part", part.name, conflict);
+        Assert.That(_cell.Player.Logs.Count(each => each.Type == LogType.Error && each.Message.EndsWith(log, StringComparison.Ordinal)), Is.EqualTo(1));
+    }
+
     [TestCase(-3600)]
     [TestCase(3600)]
     public void ActuatedPart_ControlClockSteps_StaysAtItsPositionAndMovesFromThere(double step)

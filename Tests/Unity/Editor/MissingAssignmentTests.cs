@@ -1,5 +1,6 @@
 using Nowpose.Editor.Inspectors;
 using Nowpose.Editor.Messages;
+using Nowpose.Gateway.Plants;
 using Nowpose.Unity.Tests.Manual;
 using NUnit.Framework;
 using UnityEditor;
@@ -64,6 +65,60 @@ public sealed class MissingAssignmentTests : EditorFixture
         missing.Fix();
         Assert.That(Shortcomings.Of([sweep]), Is.Empty);
     }
+
+    [TestCase("gripper_finger_joint_l", true)]
+    [TestCase("no_such_joint", false)]
+    public void Inspector_ActuatedPartOnAFinger_ReportsTheGripperOnlyIfTheRobotHasTheJoint(string joint, bool isReported)
+    {
+        var (rig, gripper) = Gripper(out var finger);
+        gripper.With("_fingers", new List<GripperFinger> { new(joint, finger) });
+        var part = finger.gameObject.AddComponent<ActuatedPart>();
+
+        var reported = Shortcomings.Of([part]).Select(each => each.Message);
+
+        Assert.That(reported.Contains(ShortcomingTexts.MovedByGripper(gripper.name, joint)), Is.EqualTo(isReported));
+        Assert.That(rig.Model, Is.Null, "outside play mode");
+    }
+
+    [TestCase("gripper_finger_link_l", "gripper_finger_joint_l")]
+    [TestCase("tool_centre_point", null)]
+    public void Inspector_ActuatedPartOnALink_ReportsTheJointThatMovesIt(string link, string joint)
+    {
+        var (rig, _) = Gripper(out _);
+        var model = Youbot().Read();
+        Keep(rig.BuildToStay(model, Keep(new Material((Shader)null))));
+        var part = rig.GetComponentsInChildren<Transform>().Single(each => each.name == link).gameObject.AddComponent<ActuatedPart>();
+
+        var reported = Shortcomings.Of([part]).Select(each => each.Message).ToArray();
+
+        if (joint == null) Assert.That(reported, Has.None.Contains(rig.name));
+        else Assert.That(reported, Does.Contain(ShortcomingTexts.MovedByJoint(rig.name, joint)));
+    }
+
+    [Test]
+    public void Inspector_ActuatedPartOnAnObjectOfTheCell_ReportsIt()
+    {
+        var box = Keep(new GameObject("box")).AddComponent<TrackedObject>();
+
+        var reported = Shortcomings.Of([box.gameObject.AddComponent<ActuatedPart>()]).Select(each => each.Message);
+
+        Assert.That(reported, Does.Contain(ShortcomingTexts.MovedByObject));
+    }
+
+    (RobotRig Rig, VirtualGripper Gripper) Gripper(out Transform finger)
+    {
+        var session = Keep(new GameObject("cell")).AddComponent<MrilSession>();
+        session.RobotAsset = Youbot();
+        var rig = new GameObject("Robot").AddComponent<RobotRig>();
+        rig.transform.SetParent(session.transform);
+        var gripper = new GameObject("Virtual Gripper").AddComponent<VirtualGripper>();
+        gripper.transform.SetParent(rig.transform);
+        finger = new GameObject("Finger").transform;
+        finger.SetParent(gripper.transform);
+        return (rig, gripper);
+    }
+
+    RobotDescriptionAsset Youbot() => Keep(RobotDescriptionAsset.Create("youbot", RobotFiles.LoadText("youbot")));
 
     UnityEditor.Editor Inspect(Component component) => Keep(UnityEditor.Editor.CreateEditor(component));
 }

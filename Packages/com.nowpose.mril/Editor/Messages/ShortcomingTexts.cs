@@ -40,6 +40,17 @@ namespace Nowpose.Editor.Messages
         public static string SameFrame(string other, string frame) =>
             $"'{other}' has the same frame '{frame}', so each replaces the saved place of the other. Enter another Frame.";
 
+        public const string MovedByObject =
+            "The tracked or stationary object on the same object moves it. Move the Actuated Part to a child object.";
+
+        /// <param name="rig">Name of the rig that moves the object.</param>
+        public static string MovedByJoint(string rig, string joint) =>
+            $"Joint '{joint}' of '{rig}' moves the same object. Move the Actuated Part to a child object.";
+
+        /// <param name="gripper">Name of the gripper that moves the object.</param>
+        public static string MovedByGripper(string gripper, string joint) =>
+            $"'{gripper}' moves the same object with joint '{joint}'. Move the Actuated Part to a child object, or remove the finger from the gripper.";
+
         public const string Rig = "Its parents have no rig. Move the object below a rig, or assign a rig.";
     }
 }

@@ -1,3 +1,4 @@
+using Nowpose.Kinematics;
 using Nowpose.Session;
 using Nowpose.Signals;
 using Nowpose.Unity.Cell;
@@ -14,11 +15,12 @@ namespace Nowpose.Unity
     /// the message arrived late; see <see cref="ActuatedStroke"/>. The pose for the value 0 is the object's local pose when this component is
     /// enabled. The object keeps this pose until the first value is known. If the object gets another parent, the pose for the value 0 is computed
     /// from its new local pose and its position within the stroke. While the signal's value is not current or is outside 0 to 1, the
-    /// <see cref="PoseAppearance"/> on this object or above it stripes the part.
+    /// <see cref="PoseAppearance"/> on this object or above it stripes the part. The component does not move an object that another component moves: an
+    /// object of the cell, a link that a joint moves, or a finger that a <see cref="VirtualGripper"/> moves.
     /// </remarks>
     [AddComponentMenu("Nowpose/Actuated Part")]
     [DisallowMultipleComponent]
-    public sealed class ActuatedPart : MonoBehaviour, ISignalComponent, IFollowsSession
+    public sealed class ActuatedPart : MonoBehaviour, ISignalComponent, IShownPart, IFollowsSession
     {
         [SerializeField, Tooltip("The session that receives the signal. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
@@ -41,6 +43,8 @@ namespace Nowpose.Unity
         ActuatedStroke _stroke;
         Vector3 _restPosition;
         Quaternion _restRotation;
+        (Component Mover, RobotJoint Joint) _other;
+        string _conflict, _title;
 
         /// <summary>Name of the signal.</summary>
         public string Signal => string.IsNullOrEmpty(_signal) ? name : _signal;
@@ -52,12 +56,20 @@ namespace Nowpose.Unity
         /// Reason why the part does not follow the signal, or why the signal's value is not current or is outside the stroke, in one line; null if there is
         /// none.
         /// </summary>
-        public string Fault => _follower != null ? _follower.Fault : GetComponent<ICellObject>() is object ? ObjectMessages.OtherMover : StatusMessages.NoSession;
+        public string Fault => _conflict ?? (_follower != null ? _follower.Fault : StatusMessages.NoSession);
 
         MrilSession IFollowsSession.AssignedSession => _session;
 
-        string ISignalComponent.FaultLabel =>
-            _follower != null && _follower.CurrentFault == null ? ObjectMessages.OutsideStroke : ObjectMessages.SignalNotCurrent;
+        string ISignalComponent.FaultLabel => _conflict != null ? ObjectMessages.MovedTwice
+            : _follower != null && _follower.CurrentFault == null ? ObjectMessages.OutsideStroke : ObjectMessages.SignalNotCurrent;
+
+        string IShownPart.Title => _title;
+
+        string IShownPart.Fault => _conflict;
+
+        bool IShownPart.IsFaultCommon => false;
+
+        ControlTime? IShownPart.FaultSince => null;
 
         /// <summary>
         /// Sets the fields Session and Signal, and follows the signal from now on. A script can call this method at any time, for example after it has
@@ -79,16 +91,12 @@ namespace Nowpose.Unity
         {
             TakeRest();
             _stroke = new ActuatedStroke(0, 1, _strokeMs / 1000.0);
-            if (GetComponent<ICellObject>() is object)
-            {
-                ConsoleLog.Fail(this, ComponentMessages.Of("actuated part", name, ObjectMessages.OtherMover));
-                return;
-            }
             _follower = SignalFollower.Of(this, _session, "actuated part", Signal, Take, restarted: Take);
             _source = this.SessionOr(_session);
             if (_source == null) return;
             _world = CellPlace.WorldOf(this, _source);
             _source.Movers.Add(this, Show);
+            FindOther();
         }
 
         void OnDisable()
@@ -96,9 +104,10 @@ namespace Nowpose.Unity
             if (_follower == null) return;
             _follower.Leave();
             _follower = null;
-            if (_source is object) _source.Movers.Remove(this);
+            _source.Movers.Remove(this);
+            if (_conflict == null) Move(0);
+            else SetOther(default);
             _source = null;
-            Move(0);
         }
 
         void OnTransformParentChanged()
@@ -112,7 +121,33 @@ namespace Nowpose.Unity
         void Show(DisplayFrame frame)
         {
             _follower.Update(frame);
-            if (frame.DisplayTime is ControlTime displayTime) Move((float)_stroke.At(displayTime));
+            FindOther();
+            if (_conflict == null && frame.DisplayTime is ControlTime displayTime) Move((float)_stroke.At(displayTime));
+        }
+
+        // Another component may start or stop to move the object at any time, for example when the rig is bound to its robot.
+        void FindOther()
+        {
+            var other = OtherMover.Of(this);
+            // Unity's == is not used, because a destroyed component equals null.
+            if (!ReferenceEquals(other.Mover, _other.Mover) || other.Joint != _other.Joint) SetOther(other);
+        }
+
+        void SetOther((Component Mover, RobotJoint Joint) other)
+        {
+            var isListed = _conflict != null;
+            _other = other;
+            _conflict = OtherMover.Conflict(other.Mover, other.Joint);
+            if (_conflict != null)
+            {
+                Share = 0;
+                _title = "actuated part " + name;
+                ConsoleLog.Fail(this, ComponentMessages.Of("actuated part", name, _conflict));
+            }
+            else TakeRest();
+            if (isListed == (_conflict != null)) return;
+            if (isListed) _source.Parts.Remove(this);
+            else _source.Parts.Add(this);
         }
 
         // After a step of the control clock, the time of the change is unknown, so the part jumps to the end of its move.

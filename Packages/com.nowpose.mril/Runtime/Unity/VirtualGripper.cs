@@ -42,6 +42,14 @@ namespace Nowpose.Unity
 
         internal IReadOnlyList<GripperFinger> Fingers => _fingers;
 
+        /// <summary>Returns the joint with which this gripper moves an object; null if it does not move it.</summary>
+        internal RobotJoint JointOf(Transform finger)
+        {
+            foreach (var drive in _drives)
+                if (drive.Finger == finger) return _source.Model.MovingJoints[drive.Joint];
+            return null;
+        }
+
         string IShownPart.Title => _title;
 
         string IShownPart.Fault => _fault;

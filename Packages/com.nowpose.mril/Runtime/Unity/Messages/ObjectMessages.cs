@@ -8,10 +8,18 @@ namespace Nowpose.Unity.Messages
     static class ObjectMessages
     {
         public const string OtherMover = "the tracked or stationary object on the same object moves it; put the actuated part on a child object";
+        public const string MovedTwice = "moved by another component";
         public const string SignalNotCurrent = "signal not current";
         public const string OutsideStroke = "value outside the stroke";
         public const string FingerNotMoved = "finger not moved";
         public const string RobotUnknown = "its robot is unknown";
+
+        public static string MovedByJoint(string rig, string joint) =>
+            $"joint '{joint}' of the rig '{rig}' moves the same object; put the actuated part on a child object";
+
+        public static string MovedByGripper(string gripper, string joint) =>
+            $"gripper '{gripper}' moves the same object with joint '{joint}'; put the actuated part on a child object, or remove the finger from the "
+            + "gripper";
 
         /// <param name="frame">An invalid name.</param>
         public static string InvalidFrame(string frame) =>
