@@ -141,8 +141,9 @@ namespace Nowpose.Editor
             return Put((GameObject)PrefabUtility.InstantiatePrefab(asset), command.context as GameObject);
         }
 
+        /// <summary>Puts a new object at its parent, and selects it. The user can undo it.</summary>
         /// <param name="setUp">Completes the instance when it has its parent; null if it is complete.</param>
-        static GameObject Put(GameObject instance, GameObject parent, Action setUp = null)
+        internal static GameObject Put(GameObject instance, GameObject parent, Action setUp = null)
         {
             StageUtility.PlaceGameObjectInCurrentStage(instance);
             GameObjectUtility.SetParentAndAlign(instance, parent);

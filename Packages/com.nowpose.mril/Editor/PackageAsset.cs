@@ -19,6 +19,7 @@ namespace Nowpose.Editor
         public static PackageAsset VirtualGripper { get; } = new PackageAsset("Virtual Gripper", "176885fd79569bed07f075035b658bde");
         public static PackageAsset PoseLabel { get; } = new PackageAsset("Pose Label", "20bf8de9cf3b1bce3e3caecc2074273d");
         public static PackageAsset Hologram { get; } = new PackageAsset("Hologram", "9de0e70208da3b674b333cda9ee663db");
+        public static PackageAsset Ghost { get; } = new PackageAsset("Ghost", "553296ffa63da5f4788ce2846d03b3bc");
         public static PackageAsset Timestamp { get; } = new PackageAsset("Timestamp", "aa83367800e25fa19364e7d18432dcc5");
         public static PackageAsset HologramShader { get; } = new PackageAsset("Hologram", "a80c51a6e93c28d02a1283edfb854dcd");
         public static PackageAsset DefaultSettings { get; } = new PackageAsset("Default Session Settings", "66b6686ca18f5802cb9aa8d01ead1a10");

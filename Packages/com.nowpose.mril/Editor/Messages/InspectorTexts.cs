@@ -23,6 +23,7 @@ namespace Nowpose.Editor.Messages
         public const string NoHead = "nothing: Head is empty, and no camera is tagged MainCamera";
         public const string Disabled = "nothing; the component is disabled";
         public const string ReadClipboard = "Read the code on the clipboard";
+        public const string AddGhost = "Add a ghost";
         public const string GhostGap = "Gap to the displayed tool";
         public const string AxisSpeed = "Speed along the axis";
         public const string NoProfile = "none; the settings apply";
