@@ -24,9 +24,9 @@ namespace Nowpose.Editor
         internal static readonly (string Name, Action<MenuCommand> Create)[] Entries =
         {
             ("Robot Cell", RobotCell), ("Robot Cell UR5", RobotCellUr5), (SetupTexts.AnyRobotCell, RobotCellAny),
-            ("Virtual Gripper", VirtualGripper), ("Another Robot", AnotherRobot), ("Tracked Object", TrackedObject),
-            ("Stationary Object", StationaryObject), ("Signal", Signal), ("Actuated Part", ActuatedPart), ("Grip by Reach", GripByReach),
-            ("Planned Path", PlannedPath),
+            ("Virtual Gripper", VirtualGripper), ("Another youBot", AnotherYoubot), ("Another Robot", AnotherRobot),
+            ("Tracked Object", TrackedObject), ("Stationary Object", StationaryObject), ("Signal", Signal), ("Actuated Part", ActuatedPart),
+            ("Grip by Reach", GripByReach), ("Planned Path", PlannedPath),
         };
 
         [MenuItem(Folder + "Robot Cell", false, Priority)]
@@ -40,6 +40,10 @@ namespace Nowpose.Editor
 
         [MenuItem(Folder + "Virtual Gripper", false, Priority)]
         static void VirtualGripper(MenuCommand command) => PlaceOnce(PackageAsset.VirtualGripper, command);
+
+        // Below the Base Anchor of a cell, the robot is in the session of this cell.
+        [MenuItem(Folder + "Another youBot", false, Priority)]
+        static void AnotherYoubot(MenuCommand command) => PlaceOnce(PackageAsset.Robot, command);
 
         [MenuItem(Folder + "Tracked Object", false, Priority)]
         static void TrackedObject(MenuCommand command) => CreateOnce<TrackedObject>("Tracked Object", command, AddAppearance);

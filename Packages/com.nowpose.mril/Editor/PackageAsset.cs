@@ -17,6 +17,7 @@ namespace Nowpose.Editor
         public static PackageAsset RobotCellUr5 { get; } = new PackageAsset("Nowpose Robot Cell UR5", "e602b3296d36eb3d20de88f1ba6a7342");
         public static PackageAsset RobotCellAny { get; } = new PackageAsset("Nowpose " + SetupTexts.AnyRobotCell, "e8eea288bb4c4da5985170c59761926b");
         public static PackageAsset VirtualGripper { get; } = new PackageAsset("Virtual Gripper", "176885fd79569bed07f075035b658bde");
+        public static PackageAsset Robot { get; } = new PackageAsset("Nowpose Robot", "4684d0cafe6b15f1d700d724137c2a91");
         public static PackageAsset PoseLabel { get; } = new PackageAsset("Pose Label", "20bf8de9cf3b1bce3e3caecc2074273d");
         public static PackageAsset Hologram { get; } = new PackageAsset("Hologram", "9de0e70208da3b674b333cda9ee663db");
         public static PackageAsset Ghost { get; } = new PackageAsset("Ghost", "553296ffa63da5f4788ce2846d03b3bc");

@@ -14,6 +14,7 @@ public sealed class CellMenuTests : EditorFixture
         new TestCaseData("GameObject/Nowpose/Robot Cell UR5", PackageAsset.RobotCellUr5),
         new TestCaseData("GameObject/Nowpose/Robot Cell (Any Robot)", PackageAsset.RobotCellAny),
         new TestCaseData("GameObject/Nowpose/Virtual Gripper", PackageAsset.VirtualGripper),
+        new TestCaseData("GameObject/Nowpose/Another youBot", PackageAsset.Robot),
     };
 
     [TestCaseSource(nameof(Items))]

@@ -51,6 +51,21 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
+        public void Place_AnotherRobot_IsInTheSessionOfTheSelectedCell()
+        {
+            _instance = CellMenu.Place(PackageAsset.RobotCell, new MenuCommand(null));
+            var anchor = _instance.GetComponentInChildren<BaseAnchor>(true);
+
+            var robot = CellMenu.Place(PackageAsset.Robot, new MenuCommand(anchor.gameObject));
+
+            Assert.That(robot.transform.parent, Is.SameAs(anchor.transform));
+            Assert.That(robot.GetComponentsInChildren<RobotRig>(true).Select(rig => rig.Shows), Is.EquivalentTo(new[] { RigPose.Displayed, RigPose.Held }));
+            Assert.That(robot.GetComponentsInChildren<VirtualGripper>(true).Length, Is.EqualTo(2));
+            foreach (var component in robot.GetComponentsInChildren<MonoBehaviour>(true).Where(each => !(each is RobotRig)))
+                Assert.That(Shortcomings.Of(new Object[] { component }).Select(s => s.Message), Is.Empty, component.name);
+        }
+
+        [Test]
         public void Fix_SessionWithoutSettings_AssignsTheDefaultSettings()
         {
             _instance = new GameObject("Session");
