@@ -1,7 +1,10 @@
 using Nowpose.Editor.Messages;
+using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Messages;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using Nowpose.Unity.Messages;
 using NUnit.Framework;
@@ -92,10 +95,59 @@ public sealed class InspectorTests : EditorFixture
 
         Assert.That(GuiRecorder.Texts, Does.Contain("Parent: –").And.Contain("State: " + FrameMessages.NoPose));
         Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.StrokeShare + ": 0 %").And.Contain("Value: –"));
-        Assert.That(GuiRecorder.Texts.Count(text => text == "State: " + SignalMessages.NoConnection), Is.EqualTo(3), "part, signal and gripper");
+        Assert.That(GuiRecorder.Texts.Count(text => text.StartsWith("State: " + SignalMessages.NoConnection, StringComparison.Ordinal)), Is.EqualTo(3), "part, signal and gripper");
         Assert.That(GuiRecorder.Texts, Does.Contain("Holds: unknown")
             .And.Contain(InspectorTexts.DrawnAhead + ": nothing").And.Contain(InspectorTexts.MovedByHand + ": no"));
         Assert.That(GuiRecorder.Texts, Does.Contain("State: " + ObjectMessages.NotPlaced).And.Contain("State: " + path.Fault));
+    }
+
+    [Test]
+    public void StationaryObject_Playing_ShowsItsPoseAndOrigin()
+    {
+        var folder = Directory.CreateTempSubdirectory("nowpose-inspector-");
+        _played.Cell.Player.World.Host.PersistentDataPath = folder.FullName;
+        var session = _played.Cell.Play();
+        var fixture = Below<StationaryObject>(session);
+        _played.Play(session, 8);
+        var editor = _played.Inspect(fixture);
+        editor.OnInspectorGUI();
+        Assert.That(GuiRecorder.Texts, Does.Contain("Parent: –").And.Contain(InspectorTexts.PoseFrom + ": –"));
+
+        GuiRecorder.Clear();
+        fixture.transform.localPosition = new Vector3(-1, 2, 3);
+        fixture.transform.localRotation = Quaternion.Euler(0, -90, 0);
+        fixture.BeginMove();
+        _played.Play(session, 0.1);
+        editor.OnInspectorGUI();
+        Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.PoseFrom + ": " + ObjectMessages.PlacedByHand).And.Contain("Parent: world")
+            .And.Contain(InspectorTexts.ObjectPosition + ": x 3.000   y 1.000   z 2.000").And.Contain(InspectorTexts.ObjectRotation + ": 90.0°"));
+
+        GuiRecorder.Clear();
+        fixture.EndMove();
+        session.Session.Listener.FramesReceived(
+            new TransformsMessage(RigidTransform.FromXyzRpy(0.5, 0.2, 0.1, 0, 0, 0).ToTransform(default, "world", fixture.Frame)), true,
+            HeadsetTime.FromSeconds(1000 + _played.Cell.Now));
+        _played.Play(session, 0.1);
+        editor.OnInspectorGUI();
+        Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.PoseFrom + ": " + RosTopics.TfStatic)
+            .And.Contain(InspectorTexts.ObjectPosition + ": x 0.500   y 0.200   z 0.100"));
+        folder.Delete(recursive: true);
+    }
+
+    [Test]
+    public void Signal_Playing_ShowsSinceWhenItHasItsValue()
+    {
+        var session = _played.Cell.Play();
+        var signal = Below<CellSignal>(session);
+        _played.Play(session, 8);
+        session.Session.Listener.SignalsReceived(
+            new SignalsMessage(ControlTime.FromSeconds(1300 + _played.Cell.Now - 1), new SignalValue(signal.Signal, 0.5)),
+            HeadsetTime.FromSeconds(1000 + _played.Cell.Now));
+        _played.Play(session, 0.1);
+
+        _played.Inspect(signal).OnInspectorGUI();
+
+        Assert.That(GuiRecorder.Texts, Has.Some.StartsWith("Value: 0.5, " + StatusMessages.Since("")));
     }
 
     [TestCase(0.0115, "gripper_finger_joint_l: 11.5 mm")]

@@ -25,10 +25,10 @@ namespace Nowpose.Editor.Inspectors
             var place = Target.transform;
             var (at, turn) = (place.position, place.rotation);
             var pose = UnityFrame.FromUnity(new UnityPose(at.x, at.y, at.z, turn.x, turn.y, turn.z, turn.w));
-            Vector3 forward = turn * Vector3.forward, up = turn * Vector3.up;
-            EditorGUILayout.LabelField(InspectorTexts.BasePosition, "x " + Metres(pose.X) + "   y " + Metres(pose.Y) + "   z " + Metres(pose.Z));
-            EditorGUILayout.LabelField(InspectorTexts.BaseRotation, Degrees(Math.Atan2(-forward.x, forward.z)));
-            EditorGUILayout.LabelField("Tilted", Degrees(Math.Atan2(Math.Sqrt(up.x * up.x + up.z * up.z), up.y)));
+            var up = turn * Vector3.up;
+            EditorGUILayout.LabelField(InspectorTexts.BasePosition, LiveText.Place(pose.X, pose.Y, pose.Z));
+            EditorGUILayout.LabelField(InspectorTexts.BaseRotation, LiveText.TurnToLeft(turn));
+            EditorGUILayout.LabelField("Tilted", LiveText.Degrees(Math.Atan2(Math.Sqrt(up.x * up.x + up.z * up.z), up.y)));
             DrawSteps("x", "back", "forward", (1, 0, 0));
             DrawSteps("y", "right", "left", (0, 1, 0));
             DrawSteps("z", "down", "up", (0, 0, 1));
@@ -64,9 +64,5 @@ namespace Nowpose.Editor.Inspectors
             Target.Nudge(metres, degreesAboutUp);
             if (!Application.isPlaying) PrefabUtility.RecordPrefabInstancePropertyModifications(Target.transform);
         }
-
-        static string Metres(double value) => LiveText.Number(value, "0.000", "");
-
-        static string Degrees(double radians) => LiveText.Number(radians * Mathf.Rad2Deg, "0.0", "°");
     }
 }

@@ -10,8 +10,9 @@ namespace Nowpose.Editor.Inspectors
         protected override void DrawLive()
         {
             var shown = (CellSignal)target;
-            EditorGUILayout.LabelField("Value", LiveText.Number(shown.Value, "0.###", ""));
-            EditorGUILayout.LabelField("State", shown.Fault ?? "current");
+            var session = shown.Follower?.Source;
+            EditorGUILayout.LabelField("Value", LiveText.WithSince(LiveText.Number(shown.Value, "0.###", ""), shown.Since, session));
+            EditorGUILayout.LabelField("State", LiveText.WithSince(shown.Fault ?? "current", shown.Follower?.FaultSince, session));
         }
     }
 }

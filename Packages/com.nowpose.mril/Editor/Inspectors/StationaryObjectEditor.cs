@@ -1,6 +1,8 @@
 using Nowpose.Editor.Messages;
 using Nowpose.Unity;
+using Nowpose.Unity.Cell;
 using UnityEditor;
+using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
@@ -11,8 +13,19 @@ namespace Nowpose.Editor.Inspectors
         protected override void DrawLive()
         {
             var shown = (StationaryObject)target;
+            var followed = shown.Followed;
             EditorGUILayout.LabelField(InspectorTexts.MovedByHand, shown.IsMoving ? "now" : "no");
-            EditorGUILayout.LabelField("State", shown.Fault ?? "current");
+            EditorGUILayout.LabelField("Parent", followed?.Parent ?? LiveText.Unknown);
+            EditorGUILayout.LabelField(InspectorTexts.PoseFrom, followed?.Origin ?? LiveText.Unknown);
+            if (followed?.IsKnown == true) DrawPose(followed.World, shown.transform);
+            EditorGUILayout.LabelField("State", LiveText.WithSince(shown.Fault ?? "current", followed?.FaultSince, followed?.Source));
+        }
+
+        static void DrawPose(Transform world, Transform shown)
+        {
+            var pose = CellPlace.PoseIn(world, shown);
+            EditorGUILayout.LabelField(InspectorTexts.ObjectPosition, LiveText.Place(pose.X, pose.Y, pose.Z));
+            EditorGUILayout.LabelField(InspectorTexts.ObjectRotation, LiveText.TurnToLeft(Quaternion.Inverse(world.rotation) * shown.rotation));
         }
     }
 }

@@ -8,6 +8,9 @@ namespace Nowpose.Editor.Messages
         public const string StrokeShare = "Share of the stroke";
         public const string BasePosition = "Base in the room, m";
         public const string BaseRotation = "Base rotation to the left";
+        public const string ObjectPosition = "Position in 'world', m";
+        public const string ObjectRotation = "Rotation to the left";
+        public const string PoseFrom = "Pose from";
         public const string MovedByLock = "Moved by the newest lock";
         public const string MovedByDevice = "Moved by the device since then";
         public const string HeldByDevice = "Held by the device";

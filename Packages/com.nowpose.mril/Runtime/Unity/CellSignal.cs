@@ -82,6 +82,9 @@ namespace Nowpose.Unity
         /// <summary>Reason why the value is not current, in one line; null if it is current.</summary>
         public string Fault => _follower == null ? StatusMessages.NoSession : _follower.Fault;
 
+        /// <summary>The signal's follower; null while the component follows no signal.</summary>
+        internal SignalFollower Follower => _follower;
+
         string ISignalComponent.FaultLabel => ObjectMessages.SignalNotCurrent;
 
         MrilSession IFollowsSession.AssignedSession => _session;

@@ -56,6 +56,9 @@ namespace Nowpose.Unity
         /// <summary>Reason why the object's pose is not current, in one line; null if it is current.</summary>
         public string Fault => _followed == null ? StatusMessages.NoSession : _followed.Fault;
 
+        /// <summary>The frame that the object follows; null while it follows none.</summary>
+        internal FollowedFrame Followed => _followed;
+
         MrilSession IFollowsSession.AssignedSession => _session;
 
         bool ICellObject.IsUnplaced => _followed != null && !_followed.IsKnown;

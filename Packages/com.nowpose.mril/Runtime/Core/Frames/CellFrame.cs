@@ -55,6 +55,9 @@ namespace Nowpose.Frames
         /// </summary>
         public bool IsOutdated { get; set; }
 
+        /// <summary>Whether a user has placed the frame by hand, and no source has published it since. The next pose resets it.</summary>
+        public bool IsPlacedByHand { get; set; }
+
         /// <summary>
         /// Whether the displayed pose is the same at any display time, because this frame and all frames above it are stationary, and no joint moves a
         /// link above it.
@@ -121,7 +124,7 @@ namespace Nowpose.Frames
         /// <param name="epoch">Time from which the predictor counts.</param>
         public DropReason Add(in FrameTransform pose, bool isStationary, ControlTime epoch)
         {
-            IsOutdated = false;
+            IsOutdated = IsPlacedByHand = false;
             _handOver.EndRefusals();
             if (_parent == null) Begin(pose, isStationary);
             if (pose.Parent == _parent && isStationary == _isStationary && _handOver.Count == 0)

@@ -57,6 +57,18 @@ namespace Nowpose.Unity.Cell
         /// <summary>Name of the frame in which the displayed pose is given; null while no pose is known.</summary>
         public string Parent => _frame?.Parent;
 
+        /// <summary>Where the displayed pose comes from: a topic, a gripper or the user; null while no pose is known.</summary>
+        public string Origin
+        {
+            get
+            {
+                if (_frame == null) return null;
+                if (_frame.Reach != null) return ObjectMessages.FromGripper;
+                if (_frame.IsPlacedByHand) return ObjectMessages.PlacedByHand;
+                return _frame.HasStationarySource ? RosTopics.TfStatic : RosTopics.Tf;
+            }
+        }
+
         /// <summary>Whether a pose of the frame is known.</summary>
         public bool IsKnown => _frame != null;
 

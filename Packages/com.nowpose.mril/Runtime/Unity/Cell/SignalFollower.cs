@@ -54,7 +54,7 @@ namespace Nowpose.Unity.Cell
 
         bool IShownPart.IsFaultCommon => Fault == SignalMessages.ClockUnsynchronised;
 
-        ControlTime? IShownPart.FaultSince => _session == null ? null : SessionFault.Since;
+        public ControlTime? FaultSince => _session == null ? null : SessionFault.Since;
 
         (string Reason, ControlTime? Since) SessionFault => _session.Signals.FaultOf(_name, _session.CanReceiveSignals);
 

@@ -12,6 +12,8 @@ namespace Nowpose.Unity.Messages
         public const string SignalNotCurrent = "signal not current";
         public const string OutsideStroke = "value outside the stroke";
         public const string FingerNotMoved = "finger not moved";
+        public const string FromGripper = "a gripper";
+        public const string PlacedByHand = "placed by hand";
         public const string RobotUnknown = "its robot is unknown";
 
         public static string MovedByJoint(string rig, string joint) =>

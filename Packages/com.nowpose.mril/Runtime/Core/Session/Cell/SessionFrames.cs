@@ -95,7 +95,9 @@ namespace Nowpose.Session.Cell
             {
                 _needed.Need(name);
                 _stationaryArrivals.Remove(name);
-                return _needed.Add(pose.ToTransform(default, FrameParents.World, name), isStationary: true);
+                var reason = _needed.Add(pose.ToTransform(default, FrameParents.World, name), isStationary: true);
+                if (reason == DropReason.None) Find(name).IsPlacedByHand = true;
+                return reason;
             }
         }
 
