@@ -61,10 +61,12 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
         return accepted.Count > 0;
     }
 
-    void PublishRefused() => _refused.PublishFree(Owners, (source, pose) =>
+    // The poses of a source form one message, because they may exchange the places of frames in the tree.
+    void PublishRefused() => _refused.PublishFree(Owners, (source, poses) =>
     {
         var leftOut = new List<LeftOut>();
-        PublishAccepted(source, pose, isStationary: true, leftOut, Stopwatch.GetTimestamp());
+        var message = new TransformsMessage([.. poses.Select(pose => pose[0])]);
+        PublishAccepted(source, message, isStationary: true, leftOut, Stopwatch.GetTimestamp());
         foreach (var part in leftOut) drop(source, RosTopics.TfStatic, part);
     });
 

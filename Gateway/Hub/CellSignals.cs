@@ -62,7 +62,11 @@ sealed class CellSignals(
         var removed = Owners.Release(source, _ => true);
         foreach (var name in removed) Newest.Remove(name);
         if (removed.Count > 0) ended(source, removed);
-        _refused.PublishFree(Owners, (other, value) => Publish(other, value, [], Stopwatch.GetTimestamp()));
+        // Each value has its own time stamp, so each one is a message.
+        _refused.PublishFree(Owners, (other, values) =>
+        {
+            foreach (var value in values) Publish(other, value, [], Stopwatch.GetTimestamp());
+        });
     }
 
     // Keeps a message for later subscribers, for the signals of which it has the newest value.

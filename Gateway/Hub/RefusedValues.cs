@@ -32,8 +32,8 @@ sealed class RefusedValues<TMessage>(Func<TMessage, ControlTime> stampOf)
     /// source, and the next value follows.
     /// </summary>
     /// <param name="owners">The sources of the frames or signals.</param>
-    /// <param name="publish">Publishes a value of a source.</param>
-    public void PublishFree(NameOwners<string> owners, Action<HubSource, TMessage> publish)
+    /// <param name="publish">Publishes the values of a source, in the order of their time stamps.</param>
+    public void PublishFree(NameOwners<string> owners, Action<HubSource, IEnumerable<TMessage>> publish)
     {
         while (_newest.Count > 0)
         {
@@ -41,7 +41,7 @@ sealed class RefusedValues<TMessage>(Func<TMessage, ControlTime> stampOf)
                 .Reverse().DistinctBy(one => one.Key.Name).Reverse().ToArray();
             if (values.Length == 0) return;
             Remove(values.Select(one => one.Key));
-            foreach (var ((_, source), value) in values) publish(source, value);
+            foreach (var ofSource in values.GroupBy(one => one.Key.Source, one => one.Value)) publish(ofSource.Key, ofSource);
         }
     }
 
