@@ -176,6 +176,8 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
         if (!isStationary && IsStationary(transform.Child)) Stationary.Remove(transform.Child);
         Owners.Take(source, transform.Child);
         _frames[transform.Child] = (source, isStationary, receivedAt);
+        // A pose of this source may have been refused before the frame was replaced by another one of the same message.
+        _refused.Remove(source, transform.Child);
         return DropReason.None;
     }
 

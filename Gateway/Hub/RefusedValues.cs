@@ -21,7 +21,7 @@ sealed class RefusedValues<TMessage>(Func<TMessage, ControlTime> stampOf)
         _newest.Add((name, source), value);
     }
 
-    /// <summary>Removes the value of a source that now tracks the frame.</summary>
+    /// <summary>Removes the value of a source that has sent another value since, which replaces it.</summary>
     public void Remove(HubSource source, string name) => _newest.Remove((name, source));
 
     /// <summary>Removes all values of a source that ends.</summary>

@@ -196,6 +196,20 @@ public class RefusedValuesTests
         Assert.That(Kept(isSignal: false), Is.EqualTo(new[] { "part0=2" }));
     }
 
+    [Test]
+    public void Release_SourceTracksItsRefusedFrameSinceTheFrameWasReplaced_PublishesNoRefusedPose()
+    {
+        using var owner = _hub.OpenSource();
+        using var refused = _hub.OpenSource();
+        Fill(owner);
+        refused.Publish(new TransformsMessage(Frame("part0", x: 2)), isStationary: true, []);
+        PublishMoving(refused, seconds: 20, "new", "part0");
+
+        refused.Release(RosTopics.Tf);
+
+        Assert.That(Kept(isSignal: false), Is.Empty);
+    }
+
     static void Fill(HubSource owner)
     {
         for (var i = 0; i < ProtocolLimits.Frames; i++) PublishMoving(owner, seconds: 0, "part" + i);
