@@ -23,6 +23,8 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
     readonly FrameParents _parents = new(links.RootOf);
     // The newest poses of stationary frames that were refused because the frame belongs to another source.
     readonly RefusedValues<TransformsMessage> _refused = new(value => value[0].Stamp);
+    // Whether a new frame has replaced one, for which a refused pose may wait.
+    bool _hasReplaced;
 
     /// <summary>Raised with a frame that is removed because its source has ended, or because it is in a cycle. Called under the hub's lock.</summary>
     public event Action<string> Ended;
@@ -43,8 +45,8 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
     public bool Publish(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
     {
         var isAny = PublishAccepted(source, message, isStationary, leftOut, receivedAt);
-        // A new frame may have replaced one for which a refused pose waits.
-        PublishRefused();
+        // Otherwise no frame has lost its source. The search for refused poses would take time under the hub's lock for each message.
+        if (_hasReplaced) PublishRefused();
         return isAny;
     }
 
@@ -62,13 +64,17 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
     }
 
     // The poses of a source form one message, because they may exchange the places of frames in the tree.
-    void PublishRefused() => _refused.PublishFree(Owners, (source, poses) =>
+    void PublishRefused()
     {
-        var leftOut = new List<LeftOut>();
-        var message = new TransformsMessage([.. poses.Select(pose => pose[0])]);
-        PublishAccepted(source, message, isStationary: true, leftOut, Stopwatch.GetTimestamp());
-        foreach (var part in leftOut) drop(source, RosTopics.TfStatic, part);
-    });
+        _refused.PublishFree(Owners, (source, poses) =>
+        {
+            var leftOut = new List<LeftOut>();
+            var message = new TransformsMessage([.. poses.Select(pose => pose[0])]);
+            PublishAccepted(source, message, isStationary: true, leftOut, Stopwatch.GetTimestamp());
+            foreach (var part in leftOut) drop(source, RosTopics.TfStatic, part);
+        });
+        _hasReplaced = false;
+    }
 
     // Adds or updates the frames of a message. Returns the message itself if all its transforms were accepted in their order; otherwise a message with the
     // accepted ones in the order in which they were accepted, which may be empty.
@@ -169,6 +175,7 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
         if (reason == DropReason.TooManyFrames && (SilentAt(receivedAt, transform.Parent) ?? WithoutSource(transform.Parent)) is { } unused)
         {
             Remove(unused, Replaced);
+            _hasReplaced = true;
             reason = _parents.TrySet(transform.Child, transform.Parent);
         }
 
