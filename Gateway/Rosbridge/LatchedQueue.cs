@@ -8,7 +8,8 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <summary>
 /// The queue of a subscription to a topic that is latched per name. If the queue drops messages, it later sends the newest value of each
 /// name in them, because a signal may not change again for hours and its newest value must arrive. It sends the newest different value before, if it was
-/// dropped too, because a signal that changes and changes back may release a gripped object. A throttled client gets only the newest value.
+/// dropped too, because a signal that changes and changes back may release a gripped object. A throttled client gets only the newest
+/// of the dropped values, and the messages that are in the queue one by one.
 /// </summary>
 /// <remarks>
 /// The hub publishes and reads latched values under its lock, so that no value is missed and no older value follows a newer one.
