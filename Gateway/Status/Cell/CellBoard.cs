@@ -273,7 +273,9 @@ sealed class CellBoard(
             all.Add(name, entry = new T());
         }
 
-        if (entry.HasAny && entry.Source != source && (entry.IsEnded || !(entry.HasLeft || entry.Source.IsEnded))) return null;
+        // A stationary frame keeps its place after the end of its source. An invalid pose of another source may then have been its new place.
+        var isWithoutSource = entry is { HasAny: true, IsEnded: false } && (entry.HasLeft || entry.Source.IsEnded);
+        if (entry.HasAny && entry.Source != source && !isWithoutSource) return null;
         entry.Source = source;
         entry.Refusal = entry.Refusal == null ? refusal : refusal with { Since = entry.Refusal.Since };
         return entry;
