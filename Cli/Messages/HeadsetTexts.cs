@@ -20,7 +20,7 @@ static class HeadsetTexts
     public static string RmsP95(string rms, string p95) => $"{rms} RMS, {p95} P95";
     public static string Joint(string joint) => $"joint {joint}";
     public static string Object(string frame) => $"object {frame}";
-    public static string NotFollowed(string link) => $"not followed, because it is on {link}: a link of a robot that is not shown, or an unknown frame";
+    public static string NotFollowed(string link) => $"not followed: {link} is on another robot or unknown";
     public static string Signal(string signal) => $"signal {signal}";
     public static string Duration(string time) => $" for {time}";
     public static string Outage(string from, string to) => $"outage from {from} to {to}";

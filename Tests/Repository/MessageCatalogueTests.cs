@@ -77,7 +77,7 @@ public sealed partial class MessageCatalogueTests
         ["FrameMessages"] =
         [
             "FileLine", "FiniteNumber", "FrameNotCurrent", "FrameUnknown", "List", "MayBeGripped", "NoPose", "NotCurrent", "Object", "OfFrame",
-            "OfTransform", "PosesStopped", "Text",
+            "OfTransform", "PosesStopped", "PosesTooRare", "Text",
         ],
         ["HeadsetMessages"] = ["AtEnd", "BaseNotCurrent", "CurrentAgain", "NeverCurrent", "NoJointsOfRobot", "OtherNamespaces", "Pose"],
         ["KeyFileMessages"] = ["Renewed"],
@@ -88,7 +88,7 @@ public sealed partial class MessageCatalogueTests
         ["ManifestMessages"] = ["TooDeep", "Twice"],
         ["MeshMessages"] = ["Of"],
         ["Mrtk3Messages"] = ["VisuByRuntime"],
-        ["ObjectMessages"] = ["FingerNotMoved", "OutsideStroke", "RobotUnknown", "SignalNotCurrent"],
+        ["ObjectMessages"] = ["FingerNotMoved", "FromGripper", "MovedTwice", "OutsideStroke", "PlacedByHand", "RobotUnknown", "SignalNotCurrent"],
         ["OperationsMessages"] = ["LoggedIn", "NoTokenNeeded", "UnknownTokenLog"],
         ["OptionMessages"] = ["SeeHelp"],
         ["PairedCellMessages"] = ["Field", "List", "Unusable"],
