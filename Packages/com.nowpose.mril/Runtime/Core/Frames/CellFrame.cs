@@ -243,11 +243,8 @@ namespace Nowpose.Frames
             _handOver.Reset();
             _shown.Reset();
             _grips.ForgetTimes();
-            _displayed = double.NaN;
-            if (_isStationary) return;
-            _predictor.Reset();
-            _newest = null;
-            (_oldArrival, _hasArrived) = (double.NaN, false);
+            ForgetTimes();
+            if (!_isStationary) _predictor.Reset();
         }
 
         void Begin(in FrameTransform pose, bool isStationary)
@@ -258,10 +255,10 @@ namespace Nowpose.Frames
             if (!isStationary) _predictor ??= _newPredictor();
             if (hasFormerParent) _predictor?.ChangeParent();
             else _predictor?.Reset();
-            _newest = null;
-            _displayed = _oldArrival = double.NaN;
-            _hasArrived = false;
+            ForgetTimes();
         }
+
+        void ForgetTimes() => (_newest, _displayed, _oldArrival, _hasArrived) = (null, double.NaN, double.NaN, false);
 
         DropReason Take(in FrameTransform pose, ControlTime epoch)
         {
