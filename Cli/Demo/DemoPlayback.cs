@@ -57,8 +57,9 @@ sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
 
     object Changes(int first, int last, Func<int, double?> valueOf)
     {
-        var frames = Enumerable.Range(first, last - first + 1).Where(frame => frame == first || valueOf(frame) != valueOf(frame - 1)).ToList();
-        return new { T = frames.Select(frame => Math.Round((run.Frames.Rows[frame].TrueLight - start).TotalSeconds, 4)), V = frames.Select(valueOf) };
+        var values = Enumerable.Range(first, last - first + 1).Select(valueOf).ToArray();
+        var changes = Enumerable.Range(0, values.Length).Where(i => i == 0 || values[i] != values[i - 1]).ToList();
+        return new { T = changes.Select(i => Math.Round((run.Frames.Rows[first + i].TrueLight - start).TotalSeconds, 4)), V = changes.Select(i => values[i]) };
     }
 
     double? TrueSignal(CellWork work, int frame, int signal)

@@ -11,10 +11,10 @@ namespace Nowpose.Cli.Headset;
 /// </summary>
 sealed class CellParts
 {
-    readonly CompensationSession _session;
     /// <summary>Time after its last pose for which an object that is not followed is listed.</summary>
     static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(10);
 
+    readonly CompensationSession _session;
     readonly Dictionary<string, (string Parent, bool IsStationary, HeadsetTime Arrival)> _parents = new(StringComparer.Ordinal);
     readonly HashSet<string> _followed = new(StringComparer.Ordinal);
     bool _isChanged;
@@ -46,7 +46,7 @@ sealed class CellParts
         return (Results(faults.Objects), Results(faults.Signals));
     }
 
-    /// <summary>Gets the objects on links of robots that the session does not show.</summary>
+    /// <summary>Gets the objects on links of robots that the session does not show, or on unknown frames with the name of such a link.</summary>
     public HeadsetResult.OtherPartResult[] NotFollowed() =>
     [
         .. from name in _parents.Keys

@@ -57,7 +57,7 @@ sealed record HeadsetResult(
     public sealed record PartResult(string Name, double? SinceS, string Reason);
 
     /// <summary>An object on a robot that the session does not show.</summary>
-    /// <param name="Parent">Link of this robot, with its namespace.</param>
+    /// <param name="Link">Link of this robot, with its namespace.</param>
     public sealed record OtherPartResult(string Name, string Link);
 
     /// <summary>A part of the run between two outages.</summary>

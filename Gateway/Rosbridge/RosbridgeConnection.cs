@@ -119,7 +119,7 @@ sealed class RosbridgeConnection : IDisposable
         }
     }
 
-    // Other errors than these two are no violation of RFC 6455. For a violation, the WebSocket class itself closes with the code 1002 or 1007.
+    // Only these two errors violate RFC 6455. For a violation, the WebSocket class itself closes with the code 1002 or 1007.
     static Closure Explain(Exception e) =>
         e is WebSocketException { WebSocketErrorCode: WebSocketError.Faulted or WebSocketError.InvalidMessageType } ? Closure.MalformedFrame : Closure.ByPeer;
 
