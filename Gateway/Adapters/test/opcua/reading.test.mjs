@@ -88,7 +88,7 @@ describe('reading over OPC UA', () => {
 
     for (const [{ joint }, place, tolerance] of ALL) assert.ok(worst(seen, place, joint) < tolerance, joint);
     const { values } = await bridge.call('/nowpose/plant_time/cell');
-    assert.ok(Math.abs(Number(nanoseconds(values.sent) - clock.now)) < 1e9);
+    assert.ok(Math.abs(Number(nanoseconds(values.sent) - clock.now)) < 60e9);
   });
 
   it('TimeVariable_StampedLaterThanTheValues_IsReportedWithGroupMs', async t => {
