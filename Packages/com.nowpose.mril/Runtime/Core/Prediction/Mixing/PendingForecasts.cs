@@ -109,7 +109,7 @@ namespace Nowpose.Prediction.Mixing
             for (var row = 0; row < _mixture; row += _components)
             {
                 if (!(ErrorOf(positions, row) < MaxError)) return false;
-                differ |= Vectors.Distance(positions, row, positions, Line * _components, _components) > Rounding;
+                differ = differ || Vectors.Distance(positions, row, positions, Line * _components, _components) > Rounding;
             }
             // From a rest without noise, all forecasts are equal. Their error at a start would hide the differences between the forecasters for seconds.
             if (!differ) return false;
