@@ -156,7 +156,7 @@ namespace Nowpose.Prediction
                 new Candidate(components, new MeanForecaster(scatter), new CandidateGate(MeanGate, MeanGate, untestedRatio: MeanGate))
             };
             if (Has(parts, PredictionParts.Repetition))
-                candidates.Add(new Candidate(components, new TemplateForecaster(components, limits.MaximumGap, matchInterval, forecasters.Join()),
+                candidates.Add(new Candidate(components, new TemplateForecaster(components, limits.MaximumGap, matchInterval),
                     new CandidateGate(TemplateGate, StartGate)));
             if (Has(parts, PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
                 candidates.Add(new Candidate(components, new ProfileForecaster(limits), new CandidateGate(ProfileGate, ProfileGate)));

@@ -80,19 +80,13 @@ namespace Nowpose.Prediction.Candidates
         // Whether a component has ever differed from its first position. The others are the same at all lags.
         readonly bool[] _varies;
 
-        readonly int _turn;
-
         // _step: grid steps between successive lags. _stride: grid steps between successive compared points. The forgetting factor is per comparison.
         int _step, _stride;
         double _forgettingFactor;
 
-        /// <param name="turn">
-        /// Index of this motion among those that are sampled together, for example of the joint. Motions with successive indices compare at successive
-        /// samples, so that no sample of a robot takes the time of all its joints' passes.
-        /// </param>
-        public LagSearch(MotionHistory history, int turn)
+        public LagSearch(MotionHistory history)
         {
-            (_history, _turn) = (history, turn);
+            _history = history;
             _rows = new float[history.Components * MotionHistory.Capacity];
             _origins = new double[history.Components];
             _positions = new float[history.Components];
@@ -126,7 +120,7 @@ namespace Nowpose.Prediction.Candidates
             for (; _taken < _history.Count; _taken++)
             {
                 Take(_taken);
-                if ((_taken + _turn) % _stride == 0 && _taken >= minLag) Compare(_taken, minLag);
+                if (_taken % _stride == 0 && _taken >= minLag) Compare(_taken, minLag);
             }
         }
 

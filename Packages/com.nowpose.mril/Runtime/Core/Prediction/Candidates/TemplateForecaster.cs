@@ -85,15 +85,14 @@ namespace Nowpose.Prediction.Candidates
         /// <param name="matchInterval">
         /// Minimum interval between two comparisons with the history, in s; samples between them keep the last matches.
         /// </param>
-        /// <param name="turn">Index of this motion among those that are sampled together (<see cref="LagSearch"/>).</param>
-        public TemplateForecaster(int components, double maximumGap, double matchInterval, int turn = 0)
+        public TemplateForecaster(int components, double maximumGap, double matchInterval)
         {
             _components = components;
             _maximumGap = Math.Min(maximumGap, MaxGap);
             _matchInterval = matchInterval;
             _history = new MotionHistory(components);
             _overlay = new MotionOverlay(_history);
-            _search = new LagSearch(_history, turn);
+            _search = new LagSearch(_history);
             _newest = new PositionWindow(MaxCompared, components);
             _offsets = new double[LagSearch.Kept * components];
             Reset();

@@ -19,7 +19,6 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _prior, _priorWhenReported;
         readonly int _components;
         readonly double[] _tables;
-        int _motions;
 
         /// <param name="components">Number of components of the motions.</param>
         /// <param name="forecasters">
@@ -45,9 +44,6 @@ namespace Nowpose.Prediction.Mixing
 
         /// <summary>Maximum number of newest samples that a forecast uses.</summary>
         public int MaxSamples { get; }
-
-        /// <summary>Counts a motion that uses the set, and returns the number of motions before it.</summary>
-        public int Join() => _motions++;
 
         /// <summary>Returns the weights that apply without evidence: one per forecast, with the sum 1.</summary>
         /// <param name="isReported">Whether the source reports velocity and acceleration.</param>
