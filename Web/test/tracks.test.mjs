@@ -25,10 +25,10 @@ describe('joints published in overlapping sets', () => {
   it('are interpolated between their own samples', () => {
     const tracks = new JointTracks(5);
     tracks.add(1, ['a', 'b'], [1, 1]);
-    tracks.add(2, ['b'], [5]);
-    tracks.add(3, ['b', 'a'], [9, 3]);
+    tracks.add(1.5, ['b'], [5]);
+    tracks.add(2, ['b', 'a'], [9, 3]);
 
-    assert.deepEqual(at(tracks.at(2)), { a: 2, b: 5 });
+    assert.deepEqual(at(tracks.at(1.5)), { a: 2, b: 5 });
     assert.deepEqual(at(tracks.at(9)), { a: 3, b: 9 }, 'a joint without a newer sample keeps its position');
     assert.equal(tracks.at(0.5), null);
   });
@@ -53,13 +53,29 @@ describe('joints published in overlapping sets', () => {
   });
 
   it('are interpolated between samples that are further apart than the length of the history', () => {
-    const tracks = new JointTracks(5);
+    const tracks = new JointTracks(1);
     tracks.add(0, ['a'], [0]);
-    for (let t = 6; t <= 1000; t += 6) {
+    for (let t = 1.5; t <= 300; t += 1.5) {
       tracks.add(t, ['a'], [t]);
 
       assert.deepEqual(at(tracks.at(t - 0.5)), { a: t - 0.5 });
     }
+  });
+
+  it('have no position in a gap between two samples', () => {
+    const tracks = new JointTracks(5);
+    tracks.add(1, ['a', 'b'], [1, 1]);
+    tracks.add(2, ['b'], [2]);
+    tracks.add(3, ['a', 'b'], [3, 3]);
+
+    assert.deepEqual(at(tracks.at(1)), { a: 1, b: 1 }, 'at the last sample before the gap');
+    for (const time of [1.1, 2.9]) {
+      assert.equal(at(tracks.at(time)).a, undefined, `${time} s`);
+      assert.equal(at(tracks.heldAt(time)).a, undefined, `without compensation, ${time} s`);
+    }
+    assert.equal(at(tracks.at(2.5)).b, 2.5, 'another joint has data');
+    assert.equal(at(tracks.at(3)).a, 3, 'after the gap');
+    assert.ok(tracks.has('a') && !tracks.has('c'));
   });
 
   it('follow a source whose clock was set back', () => {

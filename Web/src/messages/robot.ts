@@ -52,6 +52,7 @@ export const frameStates = { stale: 'stale', parentStale: 'parent-stale' };
 /** Reasons why the position of a joint is not known. */
 export const jointReasons = {
   notReceived: (joint: string) => `${joint} has not been received`,
+  noData: (joint: string) => `${joint} has no data at the displayed time`,
   notPublished: (joint: string) => `${joint} is no longer published`,
   inState: (joint: string, state: string) => `${joint} is ${state}`,
 };

@@ -183,7 +183,7 @@ export class RobotPanel {
     const reasons = all
       .filter(joint => !received.has(joint) || !this.current.has(joint))
       .map(joint => {
-        if (!received.has(joint)) return jointReasons.notReceived(joint);
+        if (!received.has(joint)) return this.truth.has(joint) ? jointReasons.noData(joint) : jointReasons.notReceived(joint);
         const state = this.faults.get(joint);
         return state === undefined ? jointReasons.notPublished(joint) : jointReasons.inState(joint, state);
       });

@@ -3,6 +3,9 @@ import { type Place, Track } from './track';
 /** Maximum number of joints: twice the maximum in a message, so that the joints of a second robot fit, too. */
 const MAX_JOINTS = 512;
 
+/** Interval between two samples of a joint, in seconds, above which its position between them is unknown. The gateway's limit is the same. */
+const MAX_GAP = 1.8;
+
 /** Positions of all joints at one time. */
 export interface Pose {
   names: string[];
@@ -33,12 +36,20 @@ export class JointTracks {
     this.tracks.clear();
   }
 
-  /** Interpolates between samples. After its last sample, a joint keeps its position. Null before the first sample. */
+  /** Whether the history contains a sample of the joint. */
+  has(joint: string): boolean {
+    return this.tracks.has(joint);
+  }
+
+  /**
+   * Interpolates between samples. After its last sample, a joint keeps its position, because the gateway reports when it is no longer current. Without
+   * the joints that have no data at this time: before their first sample, and in a gap between two samples. Null if no joint has data.
+   */
   at(time: number): Pose | null {
     return this.pose(time, ({ from, to, share }) => from + share * (to - from));
   }
 
-  /** Returns the last positions up to a time, as displayed without compensation. */
+  /** Returns the last positions up to a time, as displayed without compensation, of the joints that have data at this time. */
   heldAt(time: number): Pose | null {
     return this.pose(time, ({ from }) => from);
   }
@@ -59,7 +70,7 @@ export class JointTracks {
     const pose: Pose = { names: [], positions: [] };
     for (const [name, track] of this.tracks) {
       const place = track.at(time);
-      if (!place) continue;
+      if (!place || (time > place.fromTime && place.toTime - place.fromTime > MAX_GAP)) continue;
       pose.names.push(name);
       pose.positions.push(of(place));
     }
