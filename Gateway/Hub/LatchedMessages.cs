@@ -29,11 +29,11 @@ sealed class LatchedMessages(Func<HubMessage, Predicate<string>, HubMessage> onl
     /// it is recent too, so that a reader receives a change also if the value has changed back.
     /// </summary>
     /// <param name="sequence">Minimum <see cref="HubMessage.Sequence"/> of the current values.</param>
-    /// <param name="changesAfter">Different values must also have a higher sequence number than this.</param>
-    public IEnumerable<HubMessage> Since(long sequence, long changesAfter)
+    /// <param name="changesAfter">Different values must also have a higher sequence number than this function returns for their name.</param>
+    public IEnumerable<HubMessage> Since(long sequence, Func<string, long> changesAfter)
     {
-        bool IsFormer(HubMessage message, string name) => message.Sequence > changesAfter && _former.GetValueOrDefault(name) == message;
-        return _newest.Values.Concat(_former.Values.Where(message => message.Sequence > changesAfter)).Where(message => message.Sequence >= sequence)
+        bool IsFormer(HubMessage message, string name) => _former.GetValueOrDefault(name) == message && message.Sequence > changesAfter(name);
+        return _newest.Values.Concat(_former.Where(one => one.Value.Sequence > changesAfter(one.Key)).Select(one => one.Value)).Where(message => message.Sequence >= sequence)
             .Distinct().OrderBy(message => message.Sequence)
             .Select(message => only(message, name => Of(name) == message || IsFormer(message, name))).ToArray();
     }

@@ -125,9 +125,9 @@ public sealed class MessageHub
     /// <summary>Gets the current values of a latched topic, in the order of publication. During the call, no message is published on it.</summary>
     /// <param name="since">Called first, under the lock; returns the sequence number of the first message to read.</param>
     /// <inheritdoc cref="LatchedMessages.Since" path="/param[@name='changesAfter']"/>
-    internal IEnumerable<HubMessage> ReadLatched(string topic, Func<long> since, long changesAfter = long.MaxValue)
+    internal IEnumerable<HubMessage> ReadLatched(string topic, Func<long> since, Func<string, long> changesAfter = null)
     {
-        lock (_lock) return (topic == RosTopics.Signals ? _signals.Newest : Frames.Stationary).Since(since(), changesAfter);
+        lock (_lock) return (topic == RosTopics.Signals ? _signals.Newest : Frames.Stationary).Since(since(), changesAfter ?? (_ => long.MaxValue));
     }
 
     /// <inheritdoc cref="CellFrames.Applicable"/>

@@ -27,6 +27,15 @@ static class MessageParts
     public static IEnumerable<SignalsMessage> Of(SignalsMessage message) =>
         Divided(message, message.Count, i => SignalBytes + RosMessageWriter.MaxBytesOf(message[i].Name), Part);
 
+    /// <summary>Gets the names of the frames or signals in a message.</summary>
+    public static IEnumerable<string> NamesIn(HubMessage message)
+    {
+        if (message.Content is TransformsMessage transforms)
+            for (var i = 0; i < transforms.Count; i++) yield return transforms[i].Child;
+        else if (message.Content is SignalsMessage signals)
+            for (var i = 0; i < signals.Count; i++) yield return signals[i].Name;
+    }
+
     /// <summary>Creates a message with some of the transforms.</summary>
     public static TransformsMessage Part(TransformsMessage message, Predicate<int> isIn)
     {

@@ -20,6 +20,9 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
 {
     const long None = long.MaxValue;
 
+    /// <summary>Maximum number of remembered names: more than the cell can have at a time, because names end with their sources.</summary>
+    const int MaxNames = 4 * ProtocolLimits.Signals;
+
     /// <summary>A queue entry without content that wakes the sending loop.</summary>
     public static readonly HubMessage Wake = HubMessage.Description("");
 
@@ -28,8 +31,13 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
     // Sequence number of the first dropped message. Initially 0, so that all current values are sent.
     long _lostFrom;
     long _readAt;
-    // A value that is no longer the newest is read only if its sequence number is higher than those of the first reading and of the last sent message.
+    // A value that is no longer the newest is read only if its sequence number is higher than those of the first reading and of the last sent message of
+    // its name.
     long _changesAfter = None;
+    // Highest sequence number of the sent messages of each name.
+    readonly Dictionary<string, long> _sent = [];
+    // Sequence number of the first value of each name that was read from the hub after its last sent value.
+    readonly Dictionary<string, long> _waitingSince = [];
     // Number of values that may still be sent without a pause.
     int _together;
 
@@ -62,9 +70,24 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
     {
         var message = Waiting(isOld);
         _together = Math.Min(_read.Count, _together > 0 ? _together - 1 : int.MaxValue);
-        // A drop may be reported after a newer message was taken from the queue.
-        if (message?.Sequence > _changesAfter) _changesAfter = message.Sequence;
+        if (message != null) Remember(message);
         return message;
+    }
+
+    void Remember(HubMessage message)
+    {
+        foreach (var name in MessageParts.NamesIn(message))
+        {
+            // A drop may be reported after a newer message was taken from the queue.
+            _sent[name] = Math.Max(message.Sequence, _sent.GetValueOrDefault(name));
+            _waitingSince.Remove(name);
+        }
+
+        if (_sent.Count <= MaxNames) return;
+        // The sources of most names have ended.
+        _changesAfter = _sent.Values.Max();
+        _sent.Clear();
+        _waitingSince.Clear();
     }
 
     HubMessage Waiting(Func<long, bool> isOld)
@@ -88,17 +111,40 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
     {
         var waiting = new List<long>();
         if (from != None) waiting.Add(from);
-        waiting.AddRange(_read.Select(message => message.Sequence));
+        HubMessage[] earlier = [.. _read];
+        waiting.AddRange(earlier.Select(message => message.Sequence));
         _read.Clear();
         _readAt = Stopwatch.GetTimestamp();
-        foreach (var message in hub.ReadLatched(topic, () =>
+        var read = hub.ReadLatched(topic, () =>
         {
             while (queue.Reader.TryRead(out var queued))
                 if (queued != Wake) waiting.Add(queued.Sequence);
             return Math.Min(Interlocked.Exchange(ref _lostFrom, None), waiting.Count == 0 ? None : waiting.Min());
-        }, isThrottled ? None : _changesAfter)) _read.Enqueue(message);
-
+        }, name => isThrottled ? None : Math.Max(_changesAfter, _sent.GetValueOrDefault(name)));
+        HubMessage[] unsent = [.. read.Where(IsUnsent)];
+        // Names that end before a value is sent would accumulate.
+        if (_waitingSince.Count > MaxNames) _waitingSince.Clear();
+        foreach (var message in earlier.Concat(unsent))
+            foreach (var name in MessageParts.NamesIn(message)) _waitingSince.TryAdd(name, message.Sequence);
+        foreach (var message in LongestWaitingFirst(unsent)) _read.Enqueue(message);
         if (_changesAfter == None) _changesAfter = _read.Count == 0 ? 0 : _read.Max(message => message.Sequence);
         foreach (var _ in waiting.Except(_read.Select(message => message.Sequence))) lost();
+    }
+
+    bool IsUnsent(HubMessage message) => MessageParts.NamesIn(message).Any(name => message.Sequence > _sent.GetValueOrDefault(name));
+
+    // Sorts messages by the times since which their names have been waiting. In the order of publication, a name that changes during each send would come
+    // before the others again. Messages of one name stay in the order of publication.
+    IEnumerable<HubMessage> LongestWaitingFirst(HubMessage[] messages)
+    {
+        var since = new long[messages.Length];
+        var later = new Dictionary<string, long>();
+        for (var i = messages.Length - 1; i >= 0; i--)
+        {
+            string[] names = [.. MessageParts.NamesIn(messages[i])];
+            since[i] = names.Min(name => Math.Min(_waitingSince[name], later.GetValueOrDefault(name, None)));
+            foreach (var name in names) later[name] = since[i];
+        }
+        return messages.Zip(since).OrderBy(one => one.Second).Select(one => one.First);
     }
 }
