@@ -11,11 +11,11 @@ public static class CommandLine
     /// <returns>The exit status.</returns>
     public static Task<int> RunAsync(string[] args)
     {
+        var configured = new ConfiguredArguments();
         var root = Invocation.Root(
             "nowpose-gateway", "Serves the control time and joint positions to headsets. Stop it with Ctrl-C.",
-            SimulateVerb.Create(), ReplayVerb.Create(), ServeVerb.Create(),
+            SimulateVerb.Create(configured), ReplayVerb.Create(configured), ServeVerb.Create(configured),
             MarkerCodeVerb.Create(), PairVerb.Create(), PairingsVerb.Create());
-        var configured = new ConfiguredArguments();
         // Exit status Done, because termination by the service manager is a normal end.
         return Invocation.RunAsync(root, args, ExitStatus.Done, configured.Of, configured.Place);
     }

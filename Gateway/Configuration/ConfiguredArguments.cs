@@ -9,22 +9,28 @@ namespace Nowpose.Gateway.Configuration;
 /// <summary>Inserts the entries of a configuration file before the typed arguments. Keys are option names; typed options take precedence.</summary>
 sealed class ConfiguredArguments
 {
-    public const string Option = "--config";
+    public const string Option = "--config", Check = "--check";
 
     readonly ConfiguredPlaces _places = new();
+    readonly List<string> _wrong = [];
 
     /// <summary>Maps the key of a list to the option that each element of the list sets.</summary>
     static readonly Dictionary<string, string> Plurals = new() { ["plants"] = "plant" };
 
     // Options that a configuration file must not contain.
-    static readonly string[] NotInAFile = [Option, "--check", "--help"];
+    static readonly string[] NotInAFile = [Option, Check, "--help"];
 
     // Placeholders of options that take a path. In a file, paths are relative to the file's folder.
     static readonly string[] Paths = ["FILE", "FOLDER"];
 
-    /// <summary>Inserts the entries of the file that <see cref="Option"/> names.</summary>
+    /// <summary>The errors in the file, one line each. Not empty only with <see cref="Check"/>, which reports them together with its own.</summary>
+    public IReadOnlyList<string> Wrong => _wrong;
+
+    /// <summary>Inserts the entries of the file that <see cref="Option"/> names; with <see cref="Check"/>, only the valid ones.</summary>
     /// <returns>The combined arguments; the typed arguments if no file is given.</returns>
-    /// <exception cref="InputException">The file has invalid entries. The message lists all of them with their lines.</exception>
+    /// <exception cref="InputException">
+    /// The file cannot be read, or has invalid entries and is not only to be checked. The message lists all of them with their lines.
+    /// </exception>
     public string[] Of(Command root, string[] args)
     {
         var typed = root.Parse(args);
@@ -33,9 +39,9 @@ sealed class ConfiguredArguments
             || typed.GetResult(config) is not { Tokens.Count: 1 } named) return args;
         var path = named.Tokens[0].Value;
         var added = new List<string>();
-        var wrong = new List<string>();
-        foreach (var entry in ConfigurationFile.Read(path, wrong)) Add(root, typed, entry, path, added, wrong);
-        if (wrong.Count > 0) throw new WrongEntriesException(wrong);
+        foreach (var entry in ConfigurationFile.Read(path, _wrong)) Add(root, typed, entry, path, added, _wrong);
+        var isCheck = verb.Options.OfType<Option<bool>>().Any(option => option.Name == Check && typed.GetValue(option));
+        if (_wrong.Count > 0 && !(isCheck && typed.Errors.Count == 0)) throw new WrongEntriesException(_wrong);
         // The file's arguments come first, because the typed arguments may end with values that belong to no option.
         var place = Array.IndexOf(args, verb.Name) + 1;
         return [.. args[..place], .. added, .. args[place..]];

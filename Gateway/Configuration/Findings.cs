@@ -3,10 +3,11 @@ using Nowpose.Gateway.Options;
 namespace Nowpose.Gateway.Configuration;
 
 /// <summary>The result of a check: lines "key value" for valid settings, and all errors.</summary>
-sealed class Findings
+/// <param name="wrong">The errors that were found before the check.</param>
+sealed class Findings(IEnumerable<string> wrong)
 {
     readonly List<string> _good = [];
-    readonly List<string> _wrong = [];
+    readonly List<string> _wrong = [.. wrong];
 
     public void Good(string key, string value)
     {

@@ -13,11 +13,13 @@ namespace Nowpose.Gateway.Verbs;
 static class PlantCommand
 {
     /// <summary>Completes a command: adds its options and its action.</summary>
+    /// <param name="configured">The entries of the configuration file.</param>
     /// <param name="motionOf">Creates the motion of the robots.</param>
     /// <param name="mayHaveSeveral">Whether the command can serve several robots.</param>
-    public static Command Complete(Command command, Func<ParseResult, RobotModel, IMotion> motionOf, bool mayHaveSeveral = false)
+    public static Command Complete(
+        ConfiguredArguments configured, Command command, Func<ParseResult, RobotModel, IMotion> motionOf, bool mayHaveSeveral = false)
     {
-        var server = new ServerArguments();
+        var server = new ServerArguments(configured);
         var plant = new PlantArguments();
         plant.AddTo(command, mayHaveSeveral);
         server.AddTo(command);
@@ -28,7 +30,7 @@ static class PlantCommand
                 var findings = await Invocation.ReadAsync(
                     () =>
                     {
-                        var found = new Findings();
+                        var found = new Findings(configured.Wrong);
                         server.Check(parsed, found);
                         found.Try(() => motionOf(parsed, RobotFiles.Load(plant.Robot(parsed))));
                         return found;

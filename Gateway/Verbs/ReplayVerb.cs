@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Gateway.Configuration;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Plants;
 
@@ -7,11 +8,11 @@ namespace Nowpose.Gateway.Verbs;
 /// <summary>The verb "replay", which starts a gateway with a recorded motion.</summary>
 static class ReplayVerb
 {
-    public static Command Create()
+    public static Command Create(ConfiguredArguments configured)
     {
         var file = new Argument<string>("FILE") { Description = "Recorded motion, .csv or .csv.gz: the time in s and one column for each joint" };
         var command = new Command("replay", "Serve a recorded motion, played forward and backward");
         command.Arguments.Add(file);
-        return PlantCommand.Complete(command, (parsed, robot) => new RecordedMotion(MotionRecording.Read(parsed.GetValue(file)), robot));
+        return PlantCommand.Complete(configured, command, (parsed, robot) => new RecordedMotion(MotionRecording.Read(parsed.GetValue(file)), robot));
     }
 }

@@ -13,9 +13,9 @@ static class ServeVerb
 {
     const string Monotonic = "monotonic", System = "system";
 
-    public static Command Create()
+    public static Command Create(ConfiguredArguments configured)
     {
-        var server = new ServerArguments();
+        var server = new ServerArguments(configured);
         var robot = new Option<string>("--robot")
         {
             Description = $"Robot description for headsets: {RobotFiles.Names} or the path of a .urdf file [default: a source sends it]",
@@ -56,7 +56,7 @@ static class ServeVerb
             var frames = parsed.GetValue(stationary);
             if (server.IsCheck(parsed))
             {
-                await CheckAsync(server, parsed, parsed.GetValue(ownClock) == System, name, files, frames, stop);
+                await CheckAsync(new Findings(configured.Wrong), server, parsed, parsed.GetValue(ownClock) == System, name, files, frames, stop);
                 return;
             }
 
@@ -87,9 +87,9 @@ static class ServeVerb
     }
 
     static async Task CheckAsync(
-        ServerArguments server, ParseResult parsed, bool isSystemClock, string robot, string[] plants, string stationary, CancellationToken stop)
+        Findings findings, ServerArguments server, ParseResult parsed, bool isSystemClock, string robot, string[] plants, string stationary,
+        CancellationToken stop)
     {
-        var findings = new Findings();
         var (options, description, placed) = await Invocation.ReadAsync(
             () =>
             {

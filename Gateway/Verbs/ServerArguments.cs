@@ -14,7 +14,8 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Verbs;
 
 /// <summary>The options of all verbs that start a gateway: addresses and ports, access, recordings, and the control clock.</summary>
-sealed class ServerArguments
+/// <param name="configured">The entries of the configuration file.</param>
+sealed class ServerArguments(ConfiguredArguments configured)
 {
     readonly Option<IPAddress> _bind = new("--bind")
     {
@@ -89,7 +90,7 @@ sealed class ServerArguments
         Description = "Read options from a .yaml file with one \"name: value\" per line; options of the command line take precedence", HelpName = "FILE",
     };
 
-    readonly Option<bool> _check = new("--check")
+    readonly Option<bool> _check = new(ConfiguredArguments.Check)
     {
         Description = "Check the configuration, print what would be served, and exit without changing anything",
     };
@@ -112,23 +113,25 @@ sealed class ServerArguments
     {
         var (tokens, certificate) = (parsed.GetValue(_tokens), parsed.GetValue(_certificate));
         var (pairing, recordings) = (parsed.GetValue(_pairing), parsed.GetValue(_recordings));
+        // If an entry of the file is invalid, an option may be missing, and a comparison of options would report consequences of this error.
+        var areComparable = configured.Wrong.Count == 0;
         var options = new GatewayOptions
         {
             Bind = parsed.GetValue(_bind),
             SyncPort = parsed.GetValue(_syncPort),
             WebSocketPort = parsed.GetValue(_webSocketPort),
-            Certificate = findings.Try(() => certificate == null
-                ? Certificate(parsed) : DryRun.Certificate(certificate, parsed.GetValue(_key), findings)),
+            Certificate = findings.Try(() => certificate != null
+                ? DryRun.Certificate(certificate, parsed.GetValue(_key), findings) : areComparable ? Certificate(parsed) : null),
             Tokens = tokens == null ? TokenList.None : findings.Try(() => DryRun.Tokens(tokens, findings)) ?? TokenList.None,
             AllowInsecureLan = parsed.GetValue(_insecureLan),
             MaxConnections = parsed.GetValue(_maxConnections),
         };
-        findings.Try(() => CheckPairing(parsed));
+        if (areComparable) findings.Try(() => CheckPairing(parsed));
         if (pairing != null) findings.Try(() => DryRun.Pairing(pairing, findings));
         if (recordings != null) findings.Try(() => DryRun.Recordings(recordings, findings));
-        else if (Records(parsed)) findings.Try(() => Recordings(parsed));
+        else if (Records(parsed) && areComparable) findings.Try(() => Recordings(parsed));
         // Skips the check if the certificate is invalid, because the check would also report the certificate as missing.
-        if (certificate == null || options.Certificate != null) findings.Try(() => options.Check(pairsHeadsets: pairing != null));
+        if (areComparable && (certificate == null || options.Certificate != null)) findings.Try(() => options.Check(pairsHeadsets: pairing != null));
         DryRun.Ports(options, findings);
         return options;
     }

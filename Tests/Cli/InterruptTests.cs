@@ -23,7 +23,8 @@ public class InterruptTests
             "nowpose", "", KinematicsVerb.Create(), Nowpose.Cli.Replay.ReplayVerb.Create(), SyncVerb.Create(), RecommendVerb.Create(),
             CalibrateVerb.Create(), UnityVerb.Create(), HeadsetVerb.Create(), DemoVerb.Create()),
         ["gateway"] = () => Invocation.Root(
-            "gateway", "", Nowpose.Gateway.Verbs.SimulateVerb.Create(), ReplayVerb.Create(), ServeVerb.Create(), MarkerCodeVerb.Create(),
+            "gateway", "", Nowpose.Gateway.Verbs.SimulateVerb.Create(new ConfiguredArguments()), ReplayVerb.Create(new ConfiguredArguments()),
+            ServeVerb.Create(new ConfiguredArguments()), MarkerCodeVerb.Create(),
             PairVerb.Create(), PairingsVerb.Create()),
     };
 

@@ -41,6 +41,31 @@ public class ConfigurationCheckTests : ConfigurationFixture
     }
 
     [Test]
+    public async Task Check_InvalidEntriesAndFiles_ReportsAll()
+    {
+        Save("observer\n", "tokens.txt");
+
+        var (status, output, errors) = await CheckAsync(
+            "bind: nowhere\nws-port: 0\nsync-port: 0\ntokens: tokens.txt\nrobot: none.urdf\nplants: [none.yaml]\nws-prot: 1\n");
+
+        Assert.That(status, Is.EqualTo(2));
+        foreach (var part in new[] { "gateway.yaml:1: bind: ", "tokens.txt, line 1", "gateway.yaml:5: robot: ", "gateway.yaml:6: plants: ", "gateway.yaml:7: ws-prot: " })
+            Assert.That(errors, Has.Exactly(1).Contains(part), string.Join(" | ", errors));
+        Assert.That(errors, Has.Length.EqualTo(5));
+        Assert.That(output, Does.Not.Contain("state checked"));
+    }
+
+    [Test]
+    public async Task Check_InvalidEntryThatAnotherOneNeeds_ReportsOnlyTheInvalidEntry()
+    {
+        var (_, _, errors) = await CheckAsync(
+            "ws-port: 0\nsync-port: 0\nbind: any\ncertificate: [a, b]\ncertificate-key: key.pem\npairing: headsets.txt\nrecordings: {}\nrecord: true\n");
+
+        Assert.That(errors, Has.Length.EqualTo(2), string.Join(" | ", errors));
+        Assert.That(errors, Has.One.Contains("gateway.yaml:4: certificate: ").And.One.Contains("gateway.yaml:7: recordings: "));
+    }
+
+    [Test]
     public async Task Check_PortsInUse_ReportsThemAndSucceeds()
     {
         await using var other = await Gateways.StartAsync();
