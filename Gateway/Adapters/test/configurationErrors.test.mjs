@@ -61,6 +61,7 @@ const BROKER = `plant:
   topic: nowpose/building-1
 `;
 
+
 /** Applies [from, to] pairs to a text, and returns the lines of the errors without the path of the file. */
 function linesOf(text, changes) {
   const changed = changes.reduce((each, [from, to]) => {
@@ -152,6 +153,11 @@ describe('errors of a configuration', () => {
     ['ListElementsOfNoForm', OPCUA, [['node: i=1 }', 'node: i=1 }\n  - 5\n  -\n  - []']], ['joints[1]', 'joints[2]', 'joints[3]']],
     ['RosJointsWithoutNames', ROS, [['{ joint: a }', '{}'], ['{ joint: b }', '{}']], ['joints[0].joint', 'joints[1].joint']],
     ['RosParentWithoutPosition', ROS, [['source: detected_part', 'source: detected_part, parent: world']], ['frames[0].position']],
+    ['RosPositionMisspelt', ROS, [['source: detected_part', 'topic: /p, type: my_msgs/Pose, postion: { unit: mm, x: { field: x }, y: 0, z: 0 }']], ['frames[0].postion']],
+    ['RosPositionMisspeltWithParent', ROS, [['source: detected_part', 'parent: world, postion: { unit: mm, x: 0, y: 0, z: 0 }']], ['frames[0].postion']],
+    ['RosPositionMisspeltAndTypeInvalid', ROS, [['source: detected_part', 'topic: /p, type: no type, postion: { unit: mm, x: { field: x }, y: 0, z: 0 }']],
+      ['frames[0].postion', 'frames[0].type']],
+    ['RosTopicMisspelt', ROS, [['source: detected_part', 'topci: /p, type: nav_msgs/Odometry']], ['frames[0].topci']],
     ['RosSourcesInvalid', ROS, [['{ joint: a }', '{ joint: a, source: 5 }'], ['{ joint: b }', '{ joint: b, source: a }'],
       ['source: detected_part }', 'source: [] }\n  - { frame: b, source: part }']], ['frames[0].source', 'joints[0].source']],
     ['RtdeIndexInvalid', RTDE, [['shoulder_pan_joint', 'shoulder_pan_joint, index: 9'], ['elbow_joint', 'elbow_joint, index: 0']], ['joints[0].index']],

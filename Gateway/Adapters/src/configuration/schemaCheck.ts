@@ -30,7 +30,10 @@ export function checkAgainstSchema(file: YamlFile, kind: string): void {
   const check = (checks as Record<string, ValidateFunction>)[kind]!;
   if (check(file.value)) return;
   const errors = check.errors!.filter(e => !['if', 'oneOf', 'anyOf', 'allOf', 'not'].includes(e.keyword) || isOwnWords(e));
-  const wrong = errors.map(error => inWords(error, file.value));
+  const all = errors.map(error => inWords(error, file.value));
+  const misspelt = all.filter(({ meant }) => meant !== undefined && !file.has(meant));
+  const isConsequence = consequencesIn(file, misspelt, check);
+  const wrong = all.filter((_, i) => !isConsequence(errors[i]));
   for (const { path, text } of wrong) {
     file.report(path, text);
     file.markInvalid(path);
@@ -46,6 +49,24 @@ export function checkAgainstSchema(file: YamlFile, kind: string): void {
 
 // Whether the schema describes the allowed forms of an entry in words, so that one message can report that none of them matches.
 const isOwnWords = (error: ErrorObject): boolean => error.keyword !== 'if' && (error.parentSchema as Described)?.description !== undefined;
+
+/**
+ * Returns a function that determines whether an error would not exist if the misspelt entries had the names that were probably meant. The error of a
+ * required entry is not a consequence: it states what to enter.
+ */
+function consequencesIn(file: YamlFile, misspelt: Wrong[], check: ValidateFunction): (error: ErrorObject) => boolean {
+  if (misspelt.length === 0) return () => false;
+  const corrected = structuredClone(file.value);
+  for (const { path, meant } of misspelt) {
+    const section = path.slice(0, -1).reduce((part, step) => (part as Record<string | number, unknown>)[step], corrected) as Record<string, unknown>;
+    section[meant![meant!.length - 1]] = section[path[path.length - 1]];
+    delete section[path[path.length - 1]];
+  }
+  check(corrected);
+  const idOf = ({ instancePath, schemaPath, params }: ErrorObject): string => JSON.stringify([instancePath, schemaPath, params]);
+  const remaining = new Set(check.errors?.map(idOf));
+  return error => !['required', 'additionalProperties'].includes(error.keyword) && !remaining.has(idOf(error));
+}
 
 /** An entry that violates the schema. */
 interface Wrong {
