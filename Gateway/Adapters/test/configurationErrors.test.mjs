@@ -61,6 +61,7 @@ const BROKER = `plant:
   topic: nowpose/building-1
 `;
 
+const BYTES = Buffer.alloc(200, 7).toString('base64');
 
 /** Applies [from, to] pairs to a text, and returns the lines of the errors without the path of the file. */
 function linesOf(text, changes) {
@@ -165,6 +166,11 @@ describe('errors of a configuration', () => {
     ['RtdeJointOfNoForm', RTDE, [['{ joint: shoulder_pan_joint }', '5'], ['elbow_joint', 'elbow_joint, index: 0']], ['joints[0]']],
     ['RtdeTooManyJoints', RTDE, [['joints:', `joints:${'abcd'.replace(/./g, '\n  - { joint: $& }')}`]], ['joints']],
     ['RobotOfACalibration', RTDE, [['  host:', '  calibration: true\n  host:'], ['joints:', 'rbot: ur5e\njoints:']], ['rbot']],
+    ['RobotsWithABinaryTag', OPCUA, [['robots:\n  arm1: ur5e', `robots: !!binary ${BYTES}`]], ['robots']],
+    ['RobotsWithASetTag', OPCUA, [['robots:\n  arm1: ur5e', 'robots: !!set { arm1 }']], ['robots.arm1']],
+    ['FrameWithABinaryTag', OPCUA, [['frame: table\n', `frame: !!binary ${BYTES}\n`]], ['frames[0].frame']],
+    ['FileOfOneText', OPCUA, [[OPCUA, BYTES]], ['plant']],
+    ['FileOfAList', OPCUA, [[OPCUA, '- plant\n- joints\n']], ['plant']],
     ['BrokerDirectionMisspelt', BROKER, [['publish', 'pulbish']], ['plant.direction']],
     ['BrokerClockMisspelt', BROKER, [['direction: publish', 'direction: subscribe\n  clokc: { host: plc }']], ['plant.clokc']],
   ])

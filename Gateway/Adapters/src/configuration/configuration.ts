@@ -151,7 +151,9 @@ function kindOf(file: YamlFile): string {
 }
 
 /** Reports top-level entries that exist for no kind of plant, except the entry that was already reported. */
-function reportUnknown(file: YamlFile, root: object | null, reported: string | undefined): void {
+function reportUnknown(file: YamlFile, root: unknown, reported: string | undefined): void {
+  // The characters of a text and the elements of a list are not entries.
+  if (typeof root !== 'object' || Array.isArray(root)) return;
   const known = [...new Set(knownEntries([]))];
   for (const key of Object.keys(root ?? {}))
     if (key !== reported && !known.includes(key)) file.report([key], configurationMessages.unknownEntry(undefined, known));

@@ -5,9 +5,7 @@ const NAMES: Record<string, string> = { joints: 'joint', frames: 'frame', signal
 
 type Section = Record<string | number, unknown>;
 
-// A tag such as !!binary creates an object of another class, whose properties may be read-only.
-const isSection = (value: unknown): value is Section =>
-  typeof value === 'object' && value !== null && Object.getPrototypeOf(value) === Object.prototype;
+const isSection = (value: unknown): value is Section => typeof value === 'object' && value !== null && !Array.isArray(value);
 
 /**
  * Replaces an entry that violates the schema, so that the following checks can use the entries beside it: an invalid name or endpoint by an empty

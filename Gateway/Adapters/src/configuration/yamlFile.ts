@@ -27,7 +27,14 @@ export class YamlFile {
    * @throws ConfigurationError The file cannot be read, or is not valid YAML.
    */
   constructor(readonly path: string) {
-    this.#document = parseDocument(read(path), { lineCounter: this.#lines, prettyErrors: false, uniqueKeys: true, logLevel: 'error' });
+    this.#document = parseDocument(read(path), {
+      lineCounter: this.#lines,
+      prettyErrors: false,
+      uniqueKeys: true,
+      logLevel: 'error',
+      // A value with a tag such as !!binary would be an object, and each of its bytes would be reported as an entry.
+      resolveKnownTags: false,
+    });
     // Reports only the first error, because later errors are often its consequences and have wrong lines.
     const [error] = [...this.#document.errors].sort((a, b) => a.pos[0] - b.pos[0]);
     if (error !== undefined)
