@@ -4,6 +4,7 @@ using Nowpose.Motion;
 using Nowpose.Network;
 using Nowpose.Prediction;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using Nowpose.Recording;
 using Nowpose.Session;
 using Nowpose.Simulation;
@@ -86,6 +87,37 @@ public class TickAllocationTests
         Assert.That(allocated, Is.EqualTo(0), "seed 3");
         Assert.That(plans, Is.GreaterThan(100), "each plan is applied within a frame");
         Assert.That(planned, Is.GreaterThan(1000), "most of the 1500 frames are planned");
+    }
+
+    [Test]
+    public void Tick_RecordedObjects_AllocatesNothing()
+    {
+        using var session = new CompensationSession(
+            new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.FromMilliseconds(40))),
+            RobotFiles.Load("youbot"), new StopwatchHeadsetClock());
+        using var recorder = new SessionRecorder(session, new RecordingSettings("nowhere", () => Stream.Null));
+        string[] names = [.. Enumerable.Range(0, 10).Select(i => "part_" + i)];
+        foreach (var name in names) session.Frames.Need(name);
+        var (allocated, current) = (0L, 0);
+        for (var frame = 0; frame < 1200; frame++)
+        {
+            var now = HeadsetTime.FromSeconds(10 + frame / 60.0);
+            var control = new ControlTime(now.SinceEpoch);
+            if (frame % 12 == 0)
+                session.Clock.Add(new SyncExchange(now - TimeSpan.FromMilliseconds(2), control, control, now), out _);
+            if (frame % 3 == 0)
+                session.Frames.Add(new TransformsMessage([.. names.Select(name => new FrameTransform(
+                    control - TimeSpan.FromMilliseconds(80), "world", name, Math.Sin(frame * 0.05), 0, 0, 0, 0, 0, 1))]), false, now);
+
+            var before = GC.GetAllocatedBytesForCurrentThread();
+            session.Tick(now);
+            if (frame < 500) continue;
+            allocated += GC.GetAllocatedBytesForCurrentThread() - before;
+            if (session.Frames.StateOf(session.Frames.Find(names[0])) == PoseState.Current) current++;
+        }
+
+        Assert.That(allocated, Is.EqualTo(0));
+        Assert.That(current, Is.GreaterThan(600));
     }
 
     static double[] Positions(int count, int frame) => [.. Enumerable.Range(0, count).Select(joint => 0.005 * Math.Sin(frame * 0.05 + joint))];

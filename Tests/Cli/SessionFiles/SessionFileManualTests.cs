@@ -12,7 +12,7 @@ public class SessionFileManualTests
     {
         using var folder = new TemporaryFolder();
         var path = Path.Combine(folder.Path, "session.jsonl");
-        VirtualRecording.To(path, seconds: 20, jitterMs: 60, stepAfter: 12, planLagMs: 0);
+        VirtualRecording.To(path, seconds: 20, jitterMs: 60, stepAfter: 12, planLagMs: 0, hasWork: true);
 
         var (kinds, fields) = (new HashSet<string>(), new HashSet<string>());
         foreach (var line in File.ReadLines(path))
@@ -22,7 +22,7 @@ public class SessionFileManualTests
             Collect(json.RootElement, fields);
         }
 
-        Assert.That(kinds, Is.SupersetOf(new[] { "session", "sync", "sample", "plan", "frame", "clock", "display", "statistics", "end" }));
+        Assert.That(kinds, Is.SupersetOf(new[] { "session", "sync", "sample", "plan", "pose", "signal", "frame", "object", "clock", "display", "statistics", "end" }));
         Assert.That(kinds.Where(kind => !Page.Contains("| " + kind + " |", StringComparison.Ordinal)), Is.Empty);
         Assert.That(fields, Has.Count.GreaterThan(40));
         Assert.That(fields.Where(field => !Page.Contains("`" + field + "`", StringComparison.Ordinal)), Is.Empty);

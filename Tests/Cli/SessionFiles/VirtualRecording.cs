@@ -31,7 +31,7 @@ sealed class VirtualRecording
     /// <param name="predictor">The predictor, used with <paramref name="blendMs"/> if <paramref name="prediction"/> is null.</param>
     /// <param name="planLagMs">Delay of the robot relative to its published set-points; null to publish no set-points.</param>
     /// <param name="planUntil">Time in s after which no set-points are published.</param>
-    /// <param name="hasWork">Whether the robot moves workpieces. The cell then publishes the workpieces and its signals.</param>
+    /// <param name="hasWork">Whether the robot moves workpieces. The cell then publishes the workpieces and its signals, and the session shows the workpieces.</param>
     /// <param name="jitterMs">Jitter in ms. Samples overtake each other if the jitter exceeds the sampling interval.</param>
     public static VirtualRecording To(
         string path, double seconds = 20, string predictor = "quadratic", double jitterMs = 0, double loss = 0, double? stepAfter = null,
@@ -53,6 +53,7 @@ sealed class VirtualRecording
             robot, new StopwatchHeadsetClock());
         session.Clock.Judged += (in SyncExchange e, SyncVerdict _, SyncExchangeFault _) =>
             result.Exchanges.Add(FormattableString.Invariant($"{e.T1.Nanoseconds},{e.T2.Nanoseconds},{e.T3.Nanoseconds},{e.T4.Nanoseconds}"));
+        foreach (var name in work?.Names ?? []) session.Frames.Need(name);
         using (var recorder = new SessionRecorder(session, new RecordingSettings(path)))
         {
             for (var i = 0; i < seconds * 60; i++)

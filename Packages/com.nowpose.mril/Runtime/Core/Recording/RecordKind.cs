@@ -24,6 +24,9 @@ namespace Nowpose.Recording
         /// <summary>The joints that one frame displayed.</summary>
         Frame,
 
+        /// <summary>The pose at which one frame displayed an object.</summary>
+        Object,
+
         /// <summary>The clock model has changed its state, has stepped, or has become known.</summary>
         Clock,
 

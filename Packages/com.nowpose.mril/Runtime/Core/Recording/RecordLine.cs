@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Latency;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using Nowpose.Sync;
 
@@ -43,6 +44,7 @@ namespace Nowpose.Recording
                 case RecordKind.Pose: WritePose(record); break;
                 case RecordKind.Signal: WriteSignal(record); break;
                 case RecordKind.Frame: WriteFrame(record); break;
+                case RecordKind.Object: WriteObject(record); break;
                 case RecordKind.Clock: WriteClock(record); break;
                 case RecordKind.Display: WriteDisplay(record); break;
                 case RecordKind.Statistics: WriteStatistics(record); break;
@@ -99,8 +101,7 @@ namespace Nowpose.Recording
             _line.Begin("pose").Add("arrival_ns", record.At.Nanoseconds).Add("stamp_ns", pose.Stamp.Nanoseconds);
             AddControlArrival(record);
             _line.Add("frame", pose.Child).Add("parent", pose.Parent);
-            Span<double> numbers = stackalloc double[] { pose.X, pose.Y, pose.Z, pose.Qx, pose.Qy, pose.Qz, pose.Qw };
-            _line.Add("position", numbers.Slice(0, PositionNumbers)).Add("rotation", numbers.Slice(PositionNumbers));
+            AddPlace(pose);
             if (record.IsStationary) _line.Add("stationary", true);
             AddReason(record);
         }
@@ -115,12 +116,16 @@ namespace Nowpose.Recording
 
         void WriteFrame(SessionRecord record)
         {
-            _line.Begin("frame").Add("start_ns", record.At.Nanoseconds);
-            if (record.Light.HasValue) _line.Add("light_ns", record.Light.Value.Nanoseconds);
-            _line.Add("state", Poses[(int)record.Pose]).Add("joints", record.Numbers.AsSpan(0, _joints))
+            BeginDisplayed("frame", record).Add("state", Poses[(int)record.Pose]).Add("joints", record.Numbers.AsSpan(0, _joints))
                 .Add("held", record.Numbers.AsSpan(_joints, _joints));
             if (record.Length.HasValue) _line.Add("render_ns", Nanoseconds(record.Length.Value));
             if (record.EstimatedError.HasValue) _line.Add("estimated_error_ns", Nanoseconds(record.EstimatedError.Value));
+        }
+
+        void WriteObject(SessionRecord record)
+        {
+            BeginDisplayed("object", record).Add("frame", record.Transform.Child).Add("state", Poses[(int)record.Pose]);
+            AddPlace(record.Transform);
         }
 
         void WriteClock(SessionRecord record)
@@ -156,6 +161,18 @@ namespace Nowpose.Recording
         {
             _line.Begin("drops").Add("at_ns", record.At.Nanoseconds);
             DropsLine.Write(_line, record.Numbers);
+        }
+
+        JsonLine BeginDisplayed(string kind, SessionRecord record)
+        {
+            _line.Begin(kind).Add("start_ns", record.At.Nanoseconds);
+            return record.Light.HasValue ? _line.Add("light_ns", record.Light.Value.Nanoseconds) : _line;
+        }
+
+        void AddPlace(in FrameTransform pose)
+        {
+            Span<double> numbers = stackalloc double[] { pose.X, pose.Y, pose.Z, pose.Qx, pose.Qy, pose.Qz, pose.Qw };
+            _line.Add("position", numbers.Slice(0, PositionNumbers)).Add("rotation", numbers.Slice(PositionNumbers));
         }
 
         void AddControlArrival(SessionRecord record)

@@ -23,7 +23,7 @@ namespace Nowpose.Recording
         public RecordKind Kind { get; set; }
 
         /// <summary>
-        /// Time of a clock, display, statistics, drops or diagnostics record; start of a frame; arrival of a pose or signal.
+        /// Time of a clock, display, statistics, drops or diagnostics record; start of the frame of a frame or object record; arrival of a pose or signal.
         /// </summary>
         public HeadsetTime At { get; set; }
 
@@ -57,7 +57,7 @@ namespace Nowpose.Recording
         /// <summary>The plan; used by plan records. Referenced, not copied.</summary>
         public Arrival<JointTrajectoryMessage> Plan { get; set; }
 
-        /// <summary>The pose of a frame of the cell; used by pose records.</summary>
+        /// <summary>The received pose of a frame of the cell; used by pose records. The displayed pose in the world; used by object records.</summary>
         public FrameTransform Transform { get; set; }
 
         /// <summary>Whether the frame does not move; used by pose records.</summary>
@@ -72,10 +72,10 @@ namespace Nowpose.Recording
         /// <summary>Reason why the message was dropped; None if it was not dropped. Used by sample, plan, pose and signal records.</summary>
         public DropReason Reason { get; set; }
 
-        /// <summary>Display time on the control clock; used by frame records.</summary>
+        /// <summary>Display time on the control clock; used by frame and object records.</summary>
         public ControlTime? Light { get; set; }
 
-        /// <summary>State of the pose; used by frame records.</summary>
+        /// <summary>State of the pose; used by frame and object records.</summary>
         public PoseState Pose { get; set; }
 
         /// <summary>Δt_render in frame records, L_visu in display records.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Threading.Tasks;
+using Nowpose.Frames;
 using Nowpose.Latency;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -10,7 +11,7 @@ using Nowpose.Sync;
 namespace Nowpose.Recording
 {
     /// <summary>
-    /// Records a running session to a file: sync exchanges, displayed frames, statistics, and all received samples, set-points, signals and poses of
+    /// Records a running session to a file: sync exchanges, displayed frames and objects, statistics, and all received samples, set-points, signals and poses of
     /// the cell's frames.
     /// </summary>
     /// <remarks>
@@ -150,6 +151,7 @@ namespace Nowpose.Recording
             if (clock.State != _clockState || clock.Steps != _clockSteps) WriteClock(frame.Start, clock, isNewStart: false);
             WriteDisplay(frame);
             WriteFrame(frame);
+            WriteObjects(frame);
             WriteStatistics(frame.Start, clock);
         }
 
@@ -190,6 +192,24 @@ namespace Nowpose.Recording
             record.EstimatedError = frame.DisplayTime.HasValue ? frame.ClockError : (TimeSpan?)null;
             frame.Joints.CopyTo(record.Numbers);
             frame.HeldJoints.CopyTo(record.Numbers.AsSpan(frame.Joints.Length));
+            _ring.Publish(record);
+        }
+
+        // A stationary object has the same pose in all frames, which is in its pose line.
+        void WriteObjects(DisplayFrame frame)
+        {
+            var tree = _session.Frames.Tree;
+            for (var i = 0; i < tree.Count; i++)
+                if (!tree[i].IsFixed && tree[i].IsPlaced && _session.Frames.IsShown(tree[i])) WriteObject(tree[i], frame);
+        }
+
+        void WriteObject(CellFrame shown, DisplayFrame frame)
+        {
+            if (!TryClaim(RecordKind.Object, out var record)) return;
+            record.At = frame.Start;
+            record.Light = frame.DisplayTime;
+            record.Transform = shown.World.ToTransform(default, FrameParents.World, shown.Name);
+            record.Pose = _session.Frames.StateOf(shown);
             _ring.Publish(record);
         }
 

@@ -153,6 +153,15 @@ namespace Nowpose.Session.Cell
             return faults;
         }
 
+        /// <summary>Returns whether a component shows a frame, or a shown robot stands on it. Call it under the lock of the session.</summary>
+        public bool IsShown(CellFrame frame)
+        {
+            if (_needed.IsShown(frame.Name)) return true;
+            foreach (var robot in _robots)
+                if (robot.IsShown && robot.Root == frame.Name) return true;
+            return false;
+        }
+
         void AddFault(string name, CellFrame frame, ControlTime? now, List<PartStatus> to)
         {
             var state = StateOf(frame);

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -35,6 +36,42 @@ namespace Nowpose.Tests.Core.Recording
             Assert.That(poses[1]["position"].Select(number => (double)number), Is.EqualTo(new[] { 0.1, 0.2, 1 / 3.0 }));
             Assert.That(poses[1]["rotation"].Select(number => (double)number), Is.EqualTo(new[] { 0, 0.6, 0, 0.8 }));
             Assert.That(poses.Select(pose => (string)pose["dropped"]), Is.EqualTo(new[] { null, null, "late_sample" }));
+        }
+
+        [Test]
+        public void Object_ShownMovingFrame_HasItsDisplayedPoseInEachFrame()
+        {
+            var session = NewSession();
+            foreach (var name in new[] { "table", "part" }) session.Frames.Need(name);
+            var shown = new List<(long Start, long? Light, string State, double X, double Y)>();
+            RecordedRun run;
+            using (run = new RecordedRun(session))
+            {
+                Synchronise(session);
+                session.Frames.Add(new TransformsMessage(new FrameTransform(default, "world", "table", 0, 2, 0, 0, 0, 0, 1)), true, Start);
+                for (var ms = 900; ms < 3000; ms += 50)
+                {
+                    var (now, stamp) = (Start + Lengths.Ms(ms), new ControlTime((Start + Lengths.Ms(ms - 40)).SinceEpoch));
+                    FrameTransform Pose(string child) => new FrameTransform(stamp, "table", child, (ms - 40) / 1000.0, 0, 0, 0, 0.6, 0, 0.8);
+                    session.Clock.Add(Exchange(now), out _);
+                    // The poses stop after a second.
+                    if (ms < 1900) session.Frames.Add(new TransformsMessage(Pose("part"), Pose("not shown")), false, now);
+                    var frame = session.Tick(now);
+                    var part = session.Frames.Find("part");
+                    shown.Add((now.Nanoseconds, frame.DisplayTime?.Nanoseconds, session.Frames.StateOf(part).ToString().ToLowerInvariant(), part.World.X, part.World.Y));
+                }
+                run.Flush();
+            }
+
+            var lines = run.Of("object");
+            Assert.That(lines.Select(line => (string)line["frame"]).Distinct(), Is.EqualTo(new[] { "part" }));
+            Assert.That(
+                lines.Select(line => ((long)line["start_ns"], (long?)line["light_ns"], (string)line["state"], (double)line["position"][0], (double)line["position"][1])),
+                Is.EqualTo(shown));
+            Assert.That(shown.Select(one => one.State), Has.Some.EqualTo("current").And.Some.EqualTo("held"));
+            Assert.That(shown[15].X, Is.EqualTo(0.9 + 15 * 0.05 + 0.04).Within(2e-3), "predicted to the display time");
+            Assert.That(shown[15].Y, Is.EqualTo(2));
+            Assert.That(lines[15]["rotation"].Select(number => (double)number), Is.EqualTo(new[] { 0, 0.6, 0, 0.8 }).Within(1e-9));
         }
 
         [Test]
