@@ -4,5 +4,7 @@ namespace Nowpose.Cli.Messages;
 static class ReplayTexts
 {
     public const string Units = "errors in the unit of the file's columns";
+    public const string DisplayedPosition = "position on the headset, mm";
+    public const string DisplayedRotation = "rotation on the headset, °";
     public const string Body = "distance and angle between the displayed and the true pose";
 }

@@ -23,6 +23,8 @@ sealed class BodyError
         return before.DistanceTo(after) > 2 * HalfInterval * MinSpeed || before.AngleTo(after) > 2 * HalfInterval * MinTurning;
     }
 
+    public int Count => _predicted.Count;
+
     /// <summary>Adds the absolute errors of one frame.</summary>
     public void Add(double held, double predicted)
     {

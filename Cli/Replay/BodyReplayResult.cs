@@ -8,6 +8,9 @@ namespace Nowpose.Cli.Replay;
 public sealed record BodyReplayResult(
     string File, string Predictor, int Frames, BodyReplayResult.ErrorSize Position, BodyReplayResult.ErrorSize Rotation)
 {
+    /// <summary>Errors of the poses that the session displayed; null if they are not recorded, or their truth is unknown.</summary>
+    public (ErrorSize Position, ErrorSize Rotation)? Displayed { get; init; }
+
     /// <summary>Errors of hold (RMS) and of the prediction (RMS, P95, maximum).</summary>
     public readonly record struct ErrorSize(double RmsHold, double Rms, double P95, double Max)
     {

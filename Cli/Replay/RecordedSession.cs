@@ -8,11 +8,11 @@ namespace Nowpose.Cli.Replay;
 /// <summary>The data of a session file that a replay needs, in the order in which the session processed them, in a compact form.</summary>
 sealed class RecordedSession
 {
-    /// <summary>Maximum number of stored values, about 400 MB. A session file of the default maximum size contains a tenth of this number.</summary>
+    /// <summary>Maximum number of stored values, about 400 MB. A session file of the default maximum size contains less than half of this number.</summary>
     const int MaxNumbers = 50_000_000;
 
-    /// <summary>Number of values per pose: position, quaternion and time stamp.</summary>
-    const int NumbersPerPose = 8;
+    /// <summary>Number of values per pose: position, quaternion and time stamp; and per displayed object: position and rotation matrix.</summary>
+    const int NumbersPerPose = 8, NumbersPerObject = 12;
 
     // Drop reasons of samples that reached no predictor in the session. The replay drops these samples, too.
     static readonly string[] NeverTaken = ["slow_reader", "stamp_in_future"];
@@ -27,6 +27,8 @@ sealed class RecordedSession
     readonly List<Value> _values = [];
     readonly List<PlannedMotion> _plans = [];
     readonly List<PoseLine> _poses = [];
+    readonly List<(string Frame, RigidTransform Pose)> _objects = [];
+    readonly NewestPoses _newest = new();
     readonly Dictionary<string, (double Value, int Changes)> _signals = [];
     int _line, _timeLine;
     long _planned;
@@ -79,13 +81,14 @@ sealed class RecordedSession
                 break;
             case SampleLine sample when Array.IndexOf(NeverTaken, sample.Dropped) < 0: Add(sample); break;
             case PlanLine { Dropped: null } plan: Add(plan); break;
-            case PoseLine { Dropped: null, IsStationary: false } pose: Add(pose); break;
+            case PoseLine { Dropped: null } pose: Add(pose); break;
+            case ObjectLine { IsCurrent: true } shown: Add(shown); break;
             case SignalLine { Dropped: null } signal: Add(signal); break;
             case FrameLine frame: Add(frame); break;
             case ClockChangeLine { IsNewStart: true }: StartTimeLine(); break;
             case LostLine lost: Lost += lost.Count; break;
         }
-        if (_values.Count + _planned + NumbersPerPose * (long)_poses.Count > MaxNumbers)
+        if (_values.Count + _planned + NumbersPerPose * (long)_poses.Count + NumbersPerObject * (long)_objects.Count > MaxNumbers)
             throw new InputException(ReplayMessages.TooLong(_path, MaxNumbers));
     }
 
@@ -96,11 +99,24 @@ sealed class RecordedSession
     /// <summary>Gets the pose of a pose event.</summary>
     public PoseLine PoseOf(in Event pose) => _poses[pose.First];
 
+    /// <summary>Gets the displayed pose of an object event, in the same parent as the newest pose of the object, and the name of its frame.</summary>
+    public (string Frame, RigidTransform Pose) ObjectOf(in Event shown) => _objects[shown.First];
+
     void Add(PoseLine pose)
     {
+        _newest.Add(pose);
+        if (pose.IsStationary) return;
         if (pose.ControlArrival is { } arrival) AddFramesUntil(arrival);
         _events.Add(new Event(EventKind.Pose, pose.Stamp, true, _timeLine, _poses.Count, 1));
         _poses.Add(pose);
+    }
+
+    // The true pose is known in the parent of the received poses. If this parent moves, the displayed pose cannot be compared with it.
+    void Add(ObjectLine shown)
+    {
+        if (shown.Light is not { } light || _newest.PoseInParent(shown.Frame, shown.Pose) is not { } pose) return;
+        _events.Add(new Event(EventKind.Object, light, true, _timeLine, _objects.Count, 1));
+        _objects.Add((shown.Frame, pose));
     }
 
     // A source repeats the current value for each new connection. A repeated value is not counted as a change.
@@ -176,16 +192,17 @@ sealed class RecordedSession
         Plan,
         Pose,
         Frame,
+        Object,
     }
 
-    /// <summary>A sample, plan or pose that the replay processes, or a frame.</summary>
-    /// <param name="At">t_k of a sample or pose, time stamp of a plan, or display time of a frame.</param>
+    /// <summary>A sample, plan or pose that the replay processes, or a frame, or an object that was displayed as current in the frame before it.</summary>
+    /// <param name="At">t_k of a sample or pose, time stamp of a plan, or display time of a frame or object.</param>
     /// <param name="IsTimed">Whether the display time of a frame is known; true for other events.</param>
     /// <param name="TimeLine">
     /// Number of the time line, which increases when the session discards all samples. Times of different lines are not comparable.
     /// </param>
-    /// <param name="First">Index of the first joint value; for a plan, pose or frame, its index among the plans, poses or frames.</param>
-    /// <param name="Count">Number of joint values of a sample, number of joints of a plan, or 1 for a pose or frame.</param>
+    /// <param name="First">Index of the first joint value; for a plan, pose, frame or object, its index among the events of this kind.</param>
+    /// <param name="Count">Number of joint values of a sample, number of joints of a plan, or 1 for other events.</param>
     public readonly record struct Event(EventKind Kind, ControlTime At, bool IsTimed, int TimeLine, int First, int Count);
 
     /// <param name="Joint">Index of the joint in the header.</param>

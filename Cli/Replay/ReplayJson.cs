@@ -10,8 +10,11 @@ static class ReplayJson
             ["file"] = result.File, ["predictor"] = result.Predictor, ["frames"] = result.Frames, ["axes"] = result.Axes.Select(Axis),
             ["rms_hold"] = result.RmsHold, ["rms"] = result.Rms, ["reduction"] = result.Reduction,
         };
-        if (result.Bodies.Count > 0) json["bodies"] = result.Bodies.Select(
-            body => new { Name = body.File, body.Frames, ErrorMm = Error(body.Position), ErrorDeg = Error(body.Rotation) });
+        if (result.Bodies.Count > 0) json["bodies"] = result.Bodies.Select(body => new
+        {
+            Name = body.File, body.Frames, ErrorMm = Error(body.Position), ErrorDeg = Error(body.Rotation),
+            DisplayedErrorMm = Error(body.Displayed?.Position), DisplayedErrorDeg = Error(body.Displayed?.Rotation),
+        });
         if (result.Signals.Count > 0) json["signals"] = result.Signals.Select(signal => new { signal.Name, signal.Changes });
         return JsonText.Of(json);
     }
@@ -22,7 +25,7 @@ static class ReplayJson
         result.File, result.Predictor, result.Frames, Body = new { ErrorMm = Error(result.Position), ErrorDeg = Error(result.Rotation) },
     });
 
-    static object Error(BodyReplayResult.ErrorSize error) => new { error.RmsHold, error.Rms, error.P95 };
+    static object Error(BodyReplayResult.ErrorSize? size) => size is { } error ? new { error.RmsHold, error.Rms, error.P95 } : null;
 
     static object Axis(ReplayResult.Axis axis) => axis.Deviation is { } deviation
         ? new

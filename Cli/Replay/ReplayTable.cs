@@ -40,7 +40,9 @@ static class ReplayTable
         table.AddColumn("rigid body");
         foreach (var heading in new[] { "uncompensated RMS", "compensated RMS", "P95", "max", "reduction" })
             table.AddColumn(new TableColumn(heading).RightAligned());
-        foreach (var (name, error) in new[] { ("position, mm", result.Position), ("rotation, °", result.Rotation) })
+        List<(string Name, BodyReplayResult.ErrorSize Error)> rows = [("position, mm", result.Position), ("rotation, °", result.Rotation)];
+        if (result.Displayed is { } displayed) rows.AddRange([(ReplayTexts.DisplayedPosition, displayed.Position), (ReplayTexts.DisplayedRotation, displayed.Rotation)]);
+        foreach (var (name, error) in rows)
             table.AddRow(name, Number(error.RmsHold), Number(error.Rms), Number(error.P95), Number(error.Max), Percent(error.Reduction));
         table.Caption(ReplayTexts.Body);
         console.Write(table);

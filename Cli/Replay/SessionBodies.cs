@@ -48,6 +48,11 @@ sealed class SessionBodies
             if (next.Kind == RecordedSession.EventKind.Pose) _bodies[_session.PoseOf(next).Frame].Take(_settings.StampError * (2 * _stampErrors.Next() - 1));
             else if (next.Kind == RecordedSession.EventKind.Frame && next.IsTimed)
                 foreach (var body in _bodies.Values) body.Show(next.TimeLine, next.At, _settings.LatencyError);
+            else if (next.Kind == RecordedSession.EventKind.Object)
+            {
+                var (frame, pose) = _session.ObjectOf(next);
+                if (_bodies.TryGetValue(frame, out var body)) body.AddDisplayed(pose);
+            }
         }
         return [.. _bodies.Where(body => body.Value.Frames > 0).Select(body => body.Value.Result(body.Key, _settings.Predictor))];
     }
@@ -84,9 +89,13 @@ sealed class SessionBodies
         readonly List<Stretch> _stretches = [];
         readonly BodyError _position = new();
         readonly BodyError _rotation = new();
+        readonly BodyError _displayedPosition = new();
+        readonly BodyError _displayedRotation = new();
         BodyPredictor _predictor;
         int _stretch = -1, _taken;
         double _displayed = double.NaN, _newest;
+        // True pose in the newest frame; null if the frame is not scored.
+        RigidTransform? _truth;
 
         public int Frames { get; private set; }
 
@@ -114,6 +123,7 @@ sealed class SessionBodies
 
         public void Show(int timeLine, ControlTime light, double latencyError)
         {
+            _truth = null;
             if (_stretch < 0 || _stretches[_stretch].TimeLine != timeLine) return;
             var stretch = _stretches[_stretch];
             var time = stretch.Seconds(light);
@@ -126,6 +136,7 @@ sealed class SessionBodies
             _position.Add(_predictor.Hold.DistanceTo(pose), predicted.DistanceTo(pose));
             _rotation.Add(_predictor.Hold.AngleTo(pose), predicted.AngleTo(pose));
             Frames++;
+            _truth = pose;
 
             RigidTransform PoseAt(double t)
             {
@@ -134,7 +145,18 @@ sealed class SessionBodies
             }
         }
 
+        /// <summary>Scores the pose at which the session displayed the object in the newest frame.</summary>
+        public void AddDisplayed(in RigidTransform pose)
+        {
+            if (_truth is not { } truth) return;
+            _displayedPosition.Add(_predictor.Hold.DistanceTo(truth), pose.DistanceTo(truth));
+            _displayedRotation.Add(_predictor.Hold.AngleTo(truth), pose.AngleTo(truth));
+        }
+
         public BodyReplayResult Result(string name, string predictor) => new(
-            name, predictor, Frames, _position.Summary(MmPerMetre), _rotation.Summary(DegreesPerRadian));
+            name, predictor, Frames, _position.Summary(MmPerMetre), _rotation.Summary(DegreesPerRadian))
+        {
+            Displayed = _displayedPosition.Count == 0 ? null : (_displayedPosition.Summary(MmPerMetre), _displayedRotation.Summary(DegreesPerRadian)),
+        };
     }
 }

@@ -52,8 +52,8 @@ static class SessionLines
             ControlTime.FromNanoseconds(line.Whole("stamp_ns")), Name(line, "name"), line.Number("value"), line.TextOrNull("dropped")),
         "frame" => new FrameLine(
             HeadsetTime.FromNanoseconds(line.Whole("start_ns")),
-            line.Has("light_ns") ? ControlTime.FromNanoseconds(line.Whole("light_ns")) : null,
-            line.Numbers("joints")),
+            LightIn(line), line.Numbers("joints")),
+        "object" => ReadObject(line),
         "clock" => new ClockChangeLine(line.FlagOr("new_start", false)),
         "lost" => new LostLine(line.Whole("count")),
         _ => null,
@@ -129,18 +129,30 @@ static class SessionLines
 
     static PoseLine ReadPose(LineFields line)
     {
+        var (position, rotation) = ReadPlace(line);
+        var (frame, parent) = (Name(line, "frame"), Name(line, "parent"));
+        if (frame == FrameParents.World) throw line.Wrong("frame", SessionFileMessages.WorldAsFrame);
+        if (frame == parent) throw line.Wrong("parent", SessionFileMessages.OwnParent);
+        return new PoseLine(
+            ControlTime.FromNanoseconds(line.Whole("stamp_ns")), frame, parent, position, rotation, line.FlagOr("stationary", false), line.TextOrNull("dropped"),
+            ControlArrivalIn(line));
+    }
+
+    static ObjectLine ReadObject(LineFields line)
+    {
+        var (position, rotation) = ReadPlace(line);
+        return new ObjectLine(
+            LightIn(line), Name(line, "frame"), rotation.At(position.X, position.Y, position.Z), line.Text("state") == "current");
+    }
+
+    static (Vector3D Position, UnitQuaternion Rotation) ReadPlace(LineFields line)
+    {
         var (position, rotation) = (line.Numbers("position", 3), line.Numbers("rotation", 4));
         if (!UnitQuaternion.TryNormalise(rotation[0], rotation[1], rotation[2], rotation[3], out var turned))
             throw line.Wrong("rotation", SessionFileMessages.NotARotation);
         if (position.FirstOrDefault(value => Math.Abs(value) > TransformsReader.MaxCoordinate) is not 0 and var far)
             throw line.Wrong("position", SessionFileMessages.TooFar(far, TransformsReader.MaxCoordinate));
-        var (frame, parent) = (Name(line, "frame"), Name(line, "parent"));
-        if (frame == FrameParents.World) throw line.Wrong("frame", SessionFileMessages.WorldAsFrame);
-        if (frame == parent) throw line.Wrong("parent", SessionFileMessages.OwnParent);
-        return new PoseLine(
-            ControlTime.FromNanoseconds(line.Whole("stamp_ns")), frame, parent,
-            new Vector3D(position[0], position[1], position[2]), turned, line.FlagOr("stationary", false), line.TextOrNull("dropped"),
-            ControlArrivalIn(line));
+        return (new Vector3D(position[0], position[1], position[2]), turned);
     }
 
     // Returns the name of a frame, which may be a link of a robot, or of a signal.
@@ -149,6 +161,8 @@ static class SessionLines
         var name = line.Text(field);
         return name.Length > 0 && RobotTopic.HasNameLength(name) ? name : throw line.Wrong(field, SessionFileMessages.Name(name, ProtocolLimits.NameLength));
     }
+
+    static ControlTime? LightIn(LineFields line) => line.Has("light_ns") ? ControlTime.FromNanoseconds(line.Whole("light_ns")) : null;
 
     static ControlTime? ControlArrivalIn(LineFields line) =>
         line.Has("control_arrival_ns") ? ControlTime.FromNanoseconds(line.Whole("control_arrival_ns")) : null;

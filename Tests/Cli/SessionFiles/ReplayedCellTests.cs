@@ -69,6 +69,54 @@ public class ReplayedCellTests : SessionReplayFixture
         Assert.That(table.Output, Does.Contain("workpiece_1").And.Contain("signals: ").And.Contain("gripper_closed ("));
     }
 
+    [Test]
+    public void Replay_ObjectsOnStationaryFrames_ReportsTheErrorsOfTheDisplayedPoses()
+    {
+        VirtualRecording.To(_path, predictor: "adaptive", hasWork: true);
+
+        var bodies = new SessionBodies(RecordedSession.Read(_path), new ReplaySettings { Predictor = "hold" }).Run();
+
+        Assert.That(bodies, Is.Not.Empty);
+        foreach (var body in bodies)
+        {
+            var (position, rotation) = body.Displayed.Value;
+            Assert.That(position.Rms, Is.InRange(0.001, 0.4 * body.Position.Rms), body.File);
+            Assert.That(position.RmsHold, Is.GreaterThan(2 * position.Rms), body.File);
+            Assert.That(rotation.Rms, Is.LessThan(1), body.File);
+        }
+    }
+
+    [Test]
+    public void Replay_DisplayedPoseMovedByTenCentimetres_ReportsThisError()
+    {
+        VirtualRecording.To(_path, predictor: "adaptive", hasWork: true);
+        var before = Displayed();
+        File.WriteAllLines(_path, [.. File.ReadLines(_path).Select(line =>
+        {
+            var fields = JsonNode.Parse(line);
+            if ((string)fields["kind"] != "object") return line;
+            fields["position"][2] = (double)fields["position"][2] + 0.1;
+            return fields.ToJsonString();
+        })]);
+
+        Assert.That(Displayed(), Is.EqualTo(before.Select(rms => Math.Sqrt(rms * rms + 1e4))).Within(2.0));
+
+        double[] Displayed() => [.. new SessionBodies(RecordedSession.Read(_path), new ReplaySettings()).Run().Select(body => body.Displayed.Value.Position.Rms)];
+    }
+
+    [Test]
+    public async Task Replay_RecordingWithoutDisplayedObjects_StatesNoDisplayedError()
+    {
+        VirtualRecording.To(_path, hasWork: true);
+        File.WriteAllLines(_path, File.ReadLines(_path).Where(line => !line.Contains("\"kind\":\"object\"")).ToArray());
+
+        var run = await Run("replay", _path, "--json");
+
+        var bodies = JsonDocument.Parse(run.Output).RootElement.GetProperty("bodies");
+        Assert.That(bodies.GetArrayLength(), Is.EqualTo(3));
+        Assert.That(bodies.EnumerateArray().Select(body => body.GetProperty("displayed_error_mm").ValueKind), Is.All.EqualTo(JsonValueKind.Null));
+    }
+
     // The clock of the restarted source is behind, so the session shows no object as current after the restart.
     [Test]
     public void Run_SourceRestartsWithItsClockBehind_DoesNotMixTheTwoRuns()

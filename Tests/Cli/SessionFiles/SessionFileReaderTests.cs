@@ -107,6 +107,10 @@ public class SessionFileReaderTests
         ["""{"kind":"sample","arrival_ns":1,"stamp_ns":1,"names":"a","position":[1]}""", "names", SessionFileMessages.NotAnArray],
         ["""{"kind":"frame","start_ns":1,"joints":7}""", "joints", SessionFileMessages.NotAnArray],
         [
+            """{"kind":"object","start_ns":1,"frame":"part","state":"current","position":[0,0,0],"rotation":[0,0,0,2]}""", "rotation",
+            SessionFileMessages.NotARotation,
+        ],
+        [
             """{"kind":"sync","t1_ns":1,"t2_ns":99999999999999999999,"t3_ns":1,"t4_ns":1}""", "t2_ns",
             SessionFileMessages.NotWhole("99999999999999999999"),
         ],
