@@ -41,8 +41,8 @@ public sealed class MessageHub
     public ForwardingTimes Forwarding { get; } = new();
 
     /// <summary>
-    /// Raised when a joint, frame or signal of a source is refused because another source owns it, with the source, the topic, the name and the owner.
-    /// Called under the hub's lock.
+    /// Raised when a joint, planned joint, frame or signal of a source is refused because another source owns it, with the source, the topic, the name
+    /// and the owner. Called under the hub's lock.
     /// </summary>
     internal event Action<HubSource, string, string, HubSource> Refused;
 
@@ -196,7 +196,8 @@ public sealed class MessageHub
             var topic = RobotTopic.NameOf(robot, kind);
             if (_owners.FindTaken(source, topic, names) is { } taken)
             {
-                if (kind == RosTopics.JointStates) Refused?.Invoke(source, kind, RobotTopic.Qualified(robot, taken.What), taken.Owner);
+                // A description that was refused is published later, see HubSource.TryDescribe.
+                if (kind != RosTopics.RobotDescription) Refused?.Invoke(source, kind, RobotTopic.Qualified(robot, taken.What), taken.Owner);
                 return taken;
             }
 
