@@ -104,8 +104,6 @@ public sealed class InspectorTests : EditorFixture
     [Test]
     public void StationaryObject_Playing_ShowsItsPoseAndOrigin()
     {
-        var folder = Directory.CreateTempSubdirectory("nowpose-inspector-");
-        _played.Cell.Player.World.Host.PersistentDataPath = folder.FullName;
         var session = _played.Cell.Play();
         var fixture = Below<StationaryObject>(session);
         _played.Play(session, 8);
@@ -131,7 +129,6 @@ public sealed class InspectorTests : EditorFixture
         editor.OnInspectorGUI();
         Assert.That(GuiRecorder.Texts, Does.Contain(InspectorTexts.PoseFrom + ": " + RosTopics.TfStatic)
             .And.Contain(InspectorTexts.ObjectPosition + ": x 0.500   y 0.200   z 0.100"));
-        folder.Delete(recursive: true);
     }
 
     [Test]

@@ -9,7 +9,14 @@ namespace Nowpose.Unity.Tests.Editor;
 /// <summary>Opens inspectors of components in a running cell. Dispose closes them.</summary>
 sealed class PlayedInspectors : IDisposable
 {
-    public PlayedInspectors() => Cell = new PlayedCell();
+    // Files that one test saves must not change another one.
+    readonly string _folder = Directory.CreateTempSubdirectory("nowpose-inspector-").FullName;
+
+    public PlayedInspectors()
+    {
+        Cell = new PlayedCell();
+        Cell.Player.World.Host.PersistentDataPath = _folder;
+    }
 
     public PlayedCell Cell { get; }
     public List<UnityEditor.Editor> Editors { get; } = new();
@@ -48,6 +55,7 @@ sealed class PlayedInspectors : IDisposable
         foreach (var editor in Editors) UnityEngine.Object.DestroyImmediate(editor);
         Editors.Clear();
         Cell.Dispose();
+        Directory.Delete(_folder, recursive: true);
         Assert.That(EditorApplication.update, Is.Null, "a closed inspector has unregistered its callback");
     }
 }
