@@ -15,8 +15,13 @@ export { setDebugLogger, setErrorLogger } from 'node-opcua-debug';
 export { MonitoredItem, OPCUAServer, Subscription } from 'node-opcua-server';
 `;
 
+/** The URL of the file. Several tested modules import it; without this promise, each of these imports would create the file. */
+let created;
+
 /** Returns the URL of the file. */
-export async function libraryFile() {
+export const libraryFile = () => created ??= create();
+
+async function create() {
   const hash = createHash('sha256').update(contents);
   for (const file of ['package-lock.json', 'loading.mjs']) hash.update(readFileSync(join(adapters, file)));
   const version = hash.digest('hex').slice(0, 16);
