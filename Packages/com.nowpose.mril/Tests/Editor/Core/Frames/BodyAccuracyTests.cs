@@ -12,6 +12,7 @@ namespace Nowpose.Tests.Core.Frames
     /// Compares the default predictor with the hold, linear and quadratic predictors on simulated motions of 20 s, with and without a
     /// tracker's noise.
     /// </summary>
+    [Category("Study")]
     public class BodyAccuracyTests
     {
         static readonly Dictionary<string, Func<double, PoseSample>> Motions = new Dictionary<string, Func<double, PoseSample>>

@@ -8,6 +8,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
+    [Category("Study")]
     public class ServerErrorBoundTests
     {
         // Simulates a gateway that has just started. The error of its first time stamps exceeds the error bound that it states later.
