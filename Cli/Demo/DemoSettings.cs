@@ -22,8 +22,8 @@ sealed record DemoSettings
     /// <summary>The true motion of the robot.</summary>
     public IMotion Motion { get; init; }
 
-    /// <summary>The task of the robot, which moves objects; null if the motion has no known task.</summary>
-    public CellWork Work { get; init; }
+    /// <summary>The motion with objects and signals; null if the motion moves no objects.</summary>
+    public CellWork Work => Motion as CellWork;
 
     /// <summary>Name of the motion in the report.</summary>
     public string MotionName { get; init; }

@@ -120,15 +120,14 @@ static class DemoVerb
         if (IsGiven(parsed, Repeats) && !parsed.GetValue(Paper)) throw new InputException(DemoMessages.RepeatsWithoutPaper);
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording);
-        var picking = recording == null ? new PickAndPlaceMotion(robot) : null;
         return new DemoSettings
         {
             Seconds = parsed.GetValue(Seconds),
             Network = NetworkProfile.Named(parsed.GetValue(Network)),
             Robot = robot,
             RobotText = urdf,
-            Motion = picking ?? (IMotion)new RecordedMotion(MotionRecording.Read(recording), robot),
-            Work = picking == null ? null : new CellWork(robot, picking),
+            Motion = recording == null
+                ? new CellWork(robot, new PickAndPlaceMotion(robot)) : new RecordedMotion(MotionRecording.Read(recording), robot),
             MotionName = recording == null
                 ? DemoTexts.PickAndPlace : DemoTexts.Recording(Path.GetFileName(recording)),
             Predictor = parsed.GetValue(Predictor),

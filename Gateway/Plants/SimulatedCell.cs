@@ -20,16 +20,15 @@ public sealed class SimulatedCell : IDisposable
     Thread _thread;
 
     /// <summary>Creates a cell.</summary>
-    /// <param name="motion">The motion of the robot.</param>
+    /// <param name="motion">The motion of the robot. A <see cref="CellWork"/> also has objects and signals, which are published, and several robots.</param>
     /// <param name="clock">The control clock, with which samples are stamped.</param>
     /// <param name="timing">Sampling interval and acquisition times.</param>
     /// <param name="seed">Seed of the acquisition times.</param>
     /// <param name="publishesPlan">Whether the cell also publishes the set-points of the next second, four times a second.</param>
-    /// <param name="work">The robots' tasks, whose objects and signals are published; null for one robot without objects and signals.</param>
-    internal SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan = false, CellWork work = null)
+    internal SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan = false)
     {
-        _work = work;
-        _robots = work == null ? [""] : [.. work.Robots.Select(robot => robot.Namespace)];
+        _work = motion as CellWork;
+        _robots = _work == null ? [""] : [.. _work.Robots.Select(robot => robot.Namespace)];
         Motion = motion;
         _clock = clock;
         _names = [.. motion.JointNames];
@@ -43,7 +42,7 @@ public sealed class SimulatedCell : IDisposable
     /// <summary>Control time at which the motion starts.</summary>
     public ControlTime Start { get; }
 
-    /// <summary>Gets the robot's true joint positions at a given time. Thread-safe; does not allocate.</summary>
+    /// <summary>Gets the robot's true joint positions at a given time. Thread-safe.</summary>
     /// <param name="positions">Receives one position per joint name of the motion, rad or m.</param>
     public void TruthAt(ControlTime time, Span<double> positions) => Motion.At(SecondsAt(time), positions);
 

@@ -51,18 +51,16 @@ static class PlantCommand
             var clock = server.Clock(parsed);
             await using var gateway = await GatewayServer.StartAsync(
                 options with { ControlClock = PlantClocks.Own }, clock, Announcement.Log, stop);
-            var work = WorkOf(robot, motion, plant.Robots(parsed));
+            // A recorded motion does not contain the moves in which the gripper closes and opens.
+            var work = motion is PickAndPlaceMotion moves ? new CellWork(robot, moves, plant.Robots(parsed)) : null;
             using var source = gateway.Hub.OpenSource();
             foreach (var name in work?.Robots.Select(each => each.Namespace) ?? [""]) source.Describe(urdf, name);
             if (server.Records(parsed)) gateway.Recorder.SwitchOn();
-            using var cell = new SimulatedCell(motion, clock, plant.Timing(parsed), plant.Seed(parsed), plant.PublishesPlan(parsed), work);
+            using var cell = new SimulatedCell(work ?? motion, clock, plant.Timing(parsed), plant.Seed(parsed), plant.PublishesPlan(parsed));
             cell.PublishInto(gateway.Hub);
             Announcement.Write(gateway, clock, server.SkewPpm(parsed), plant.Robot(parsed), cell);
             await Task.Delay(Timeout.Infinite, stop);
         });
         return command;
     }
-
-    // Returns null for a recorded motion, which does not contain the times at which the gripper grips.
-    static CellWork WorkOf(RobotModel robot, IMotion motion, int robots) => motion is IGrippingMotion gripping ? new CellWork(robot, gripping, robots) : null;
 }

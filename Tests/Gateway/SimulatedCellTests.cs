@@ -96,9 +96,8 @@ public class SimulatedCellTests
     public async Task PublishInto_CellWithWork_PublishesObjectsAndSignals()
     {
         var robot = RobotFiles.Load("youbot", out var urdf);
-        var motion = new PickAndPlaceMotion(robot);
-        var work = new CellWork(robot, motion);
-        using var cell = new SimulatedCell(motion, new LookedAtClock(), Timing, 1, false, work);
+        var work = new CellWork(robot, new PickAndPlaceMotion(robot));
+        using var cell = new SimulatedCell(work, new LookedAtClock(), Timing, 1);
         var frames = new ConcurrentQueue<HubMessage>();
         // Publishes into another hub first. The second hub represents a restarted gateway and must also receive the stationary frames and all
         // signals.
@@ -131,9 +130,8 @@ public class SimulatedCellTests
     public async Task PublishInto_TwoRobots_PublishesBothWithTheirBases()
     {
         var robot = RobotFiles.Load("youbot", out var urdf);
-        var motion = new PickAndPlaceMotion(robot);
-        var work = new CellWork(robot, motion, 2);
-        using var cell = new SimulatedCell(motion, new LookedAtClock(), Timing, 1, publishesPlan: true, work);
+        var work = new CellWork(robot, new PickAndPlaceMotion(robot), 2);
+        using var cell = new SimulatedCell(work, new LookedAtClock(), Timing, 1, publishesPlan: true);
         var messages = new ConcurrentQueue<HubMessage>();
         var hub = new MessageHub();
         using var description = hub.OpenSource();

@@ -28,8 +28,6 @@ static class PaperScenario
             Robot = swing.Robot,
             RobotText = urdf,
             Motion = new SwingMotion(swing),
-            // The swing moves no workpieces.
-            Work = null,
             MotionName = DemoTexts.PaperSwing,
             Predictor = Predictor,
             // In the paper, a new section replaces the previous one without a blend.

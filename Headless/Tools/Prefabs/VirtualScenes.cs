@@ -85,11 +85,10 @@ sealed class VirtualScenes
     // Makes the fingers move with the signal of the gripper instead of the finger joints.
     void FollowSignal(VirtualGripper gripper, string signal)
     {
-        IGrippingMotion motion = _motion;
         foreach (var (name, finger) in Fields.Get<List<GripperFinger>>(gripper, "_fingers").Select(each => (each.Joint, each.Finger)))
         {
             var index = _robot.IndexOfMovingJoint(name);
-            var (open, closed) = (PositionAt(index, motion.GripSeconds), PositionAt(index, motion.ReleaseSeconds));
+            var (open, closed) = (PositionAt(_motion.Task.Grip, 0, index), PositionAt(_motion.Task.Release, 0, index));
             var drive = new JointDrive(finger, _robot.MovingJoints[index], finger.localPosition, finger.localRotation);
             drive.Apply(closed);
             var end = finger.localPosition;
@@ -104,10 +103,10 @@ sealed class VirtualScenes
         TransformRounding.Apply(gripper.transform);
     }
 
-    double PositionAt(int joint, double seconds)
+    double PositionAt(int move, double seconds, int joint)
     {
         var positions = new double[_robot.MovingJoints.Count];
-        _motion.At(seconds, positions);
+        _motion.At(move, seconds, positions);
         return positions[joint];
     }
 
@@ -115,7 +114,7 @@ sealed class VirtualScenes
     float StrokeMs(int joint, double closed)
     {
         var ms = 0;
-        while (Math.Abs(PositionAt(joint, ((IGrippingMotion)_motion).GripSeconds + ms / 1000.0) - closed) > 1e-6) ms++;
+        while (Math.Abs(PositionAt(_motion.Task.Grip, ms / 1000.0, joint) - closed) > 1e-6) ms++;
         return ms;
     }
 

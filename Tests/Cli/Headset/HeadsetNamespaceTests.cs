@@ -106,12 +106,11 @@ public class HeadsetNamespaceTests
     static SimulatedCell SimulateTwo(GatewayServer gateway)
     {
         var robot = RobotFiles.Load("youbot", out var urdf);
-        var motion = new PickAndPlaceMotion(robot);
-        var work = new CellWork(robot, motion, 2);
+        var work = new CellWork(robot, new PickAndPlaceMotion(robot), 2);
         var source = gateway.Hub.OpenSource();
         foreach (var each in work.Robots) source.Describe(urdf, each.Namespace);
         var timing = new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(20), TimeSpan.FromMilliseconds(40));
-        var cell = new SimulatedCell(motion, gateway.Clock, timing, 1, false, work);
+        var cell = new SimulatedCell(work, gateway.Clock, timing, 1);
         cell.PublishInto(gateway.Hub);
         return cell;
     }

@@ -69,5 +69,5 @@ public class BodiesInDemoTests
 
     [Test]
     public void Result_CellWithoutObjects_HasNoObjectResults() => Assert.That(
-        new DemoScore(VirtualStage.Play(Settings(1) with { Work = null, Seconds = 6 }, hasScene: false)).Result().Bodies, Is.Null);
+        new DemoScore(VirtualStage.Play(VirtualDemo.Settings(6, "wifi", 1, hasWork: false), hasScene: false)).Result().Bodies, Is.Null);
 }

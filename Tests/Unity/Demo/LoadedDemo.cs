@@ -12,5 +12,5 @@ static class LoadedDemo
     /// <param name="vertices">Number of vertices of the load; null for no load.</param>
     /// <param name="profile">Latency profile of the runtime; null for the result of the demo's own calibration.</param>
     public static DemoRun Play(int? vertices, int seed, double seconds = 20, LatencyProfile profile = null) => VirtualStage.Play(
-        VirtualDemo.Settings(seconds, "wifi", seed, Predictors.Default) with { Work = null, Load = vertices, Profile = profile }, hasScene: true);
+        VirtualDemo.Settings(seconds, "wifi", seed, Predictors.Default, hasWork: false) with { Load = vertices, Profile = profile }, hasScene: true);
 }

@@ -52,7 +52,7 @@ public class SignalsInDemoTests
     [Test]
     public void Report_CellWithoutSignals_HasNone()
     {
-        var playback = PlaybackOf(VirtualStage.Play(Settings() with { Work = null, Seconds = 6 }, hasScene: false));
+        var playback = PlaybackOf(VirtualStage.Play(VirtualDemo.Settings(6, "wifi", 1, hasWork: false), hasScene: false));
 
         Assert.That(playback.GetProperty("signals").ValueKind, Is.EqualTo(JsonValueKind.Null));
     }

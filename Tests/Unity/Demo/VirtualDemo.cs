@@ -9,14 +9,16 @@ namespace Nowpose.Unity.Tests.Demo;
 /// <summary>Settings of the demo with its defaults, for runs in virtual time.</summary>
 static class VirtualDemo
 {
-    public static DemoSettings Settings(double seconds, string network, int seed, string predictor = "adaptive", string name = "youbot")
+    /// <param name="hasWork">Whether the robot moves workpieces.</param>
+    public static DemoSettings Settings(
+        double seconds, string network, int seed, string predictor = "adaptive", string name = "youbot", bool hasWork = true)
     {
         var robot = RobotFiles.Load(name, out var urdf);
         var motion = new PickAndPlaceMotion(robot);
         return new DemoSettings
         {
-            Seconds = seconds, Network = NetworkProfile.Named(network), Robot = robot, RobotText = urdf, Motion = motion,
-            Work = new CellWork(robot, motion), Predictor = predictor, SamplingMs = 50, Acquisition = new(55, 105), VisualisationMs = 40, Seed = seed,
+            Seconds = seconds, Network = NetworkProfile.Named(network), Robot = robot, RobotText = urdf,
+            Motion = hasWork ? new CellWork(robot, motion) : motion, Predictor = predictor, SamplingMs = 50, Acquisition = new(55, 105), VisualisationMs = 40, Seed = seed,
         };
     }
 }

@@ -54,11 +54,10 @@ static class PaperScene
     public static DemoSettings Given(int seed)
     {
         var robot = RobotFiles.Load("youbot");
-        var motion = new PickAndPlaceMotion(robot);
         return new()
         {
             Network = NetworkProfile.Wifi, Acquisition = new(55, 105), VisualisationMs = VisuMs, Seed = seed,
-            Robot = robot, Motion = motion, Work = new CellWork(robot, motion),
+            Robot = robot, Motion = new CellWork(robot, new PickAndPlaceMotion(robot)),
         };
     }
 

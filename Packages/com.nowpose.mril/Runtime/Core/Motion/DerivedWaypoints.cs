@@ -26,8 +26,11 @@ namespace Nowpose.Motion
             (1, -0.2), (1, -1), (1, -1), (1, -1), (1, -0.2),
         };
 
-        /// <summary>Indices of the waypoints at which a tool grips and releases: in the middle of the rest with the largest dip.</summary>
-        public const int Grip = 3, Release = 8;
+        /// <summary>
+        /// The gripper closes and opens in the middle of the rest with the largest dip. The robot waits for a workpiece at the beginning of this
+        /// rest, with an open gripper: from there on, the belt must be at rest, and earlier it would have to run faster.
+        /// </summary>
+        public static readonly TaskMoves Task = new TaskMoves(approach: 2, grip: 3, lower: 6, release: 8);
 
         /// <summary>
         /// Duration of the rest before a grip or release, and of the rest after it, s: about the time that the youBot's fingers take. The rest before
@@ -37,7 +40,8 @@ namespace Nowpose.Motion
         public const double RestSeconds = 0.35;
 
         /// <summary>Returns whether the robot rests in the move that begins at a waypoint.</summary>
-        public static bool IsRest(int waypoint) => waypoint is Grip - 1 or Grip or Release - 1 or Release;
+        public static bool IsRest(int waypoint) =>
+            waypoint == Task.Grip - 1 || waypoint == Task.Grip || waypoint == Task.Release - 1 || waypoint == Task.Release;
 
         public static double[][] Of(RobotModel robot) =>
             Cycle.Select(point => Positions(robot, point.Swing, point.Dip)).ToArray();

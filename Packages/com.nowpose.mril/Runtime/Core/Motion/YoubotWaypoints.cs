@@ -30,8 +30,8 @@ namespace Nowpose.Motion
             (AbovePlace, Closed), (Place, Closed), (Place, Open), (AbovePlace, Open),
         };
 
-        /// <summary>Indices of the waypoints at which the arm rests while the gripper closes and opens.</summary>
-        public const int Grip = 2, Release = 6;
+        /// <summary>The arm waits above the pick and above the place. Its fingers close and open at the waypoints between these.</summary>
+        public static readonly TaskMoves Task = new TaskMoves(approach: 1, grip: 2, lower: 5, release: 6);
 
         public static bool Fits(RobotModel robot) => Joints.All(name => robot.IndexOfMovingJoint(name) >= 0);
 

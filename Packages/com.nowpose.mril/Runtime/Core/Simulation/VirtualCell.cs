@@ -30,12 +30,21 @@ namespace Nowpose.Simulation
         /// <param name="seed">Seed of all delays and losses.</param>
         /// <param name="start">Start of the motion.</param>
         public VirtualCell(IMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start)
-            : this(motion, clock, settings, seed, start, null)
         {
+            var work = motion as CellWork;
+            _work = work == null ? null : new VirtualWork(work, clock, unchecked(seed * 100 + 90), start);
+            _motion = motion;
+            _start = start;
+            var robots = NamespacesOf(work);
+            _samples = new VirtualSamples(motion, robots, clock, unchecked(seed * 100), start);
+            _exchanges = new VirtualExchanges(clock, unchecked(seed * 100 + 50), start);
+            _plans = new VirtualPlans(motion, robots, clock, unchecked(seed * 100 + 70), start);
+            Settings = settings;
         }
 
         /// <summary>
-        /// Creates a cell with workpieces: a conveyor brings them, and the robot puts them on a fixture. The cell sends the frames
+        /// Creates a cell with workpieces: a conveyor brings them, and the robot puts them on a fixture. A control program with a cycle of 1 ms reads
+        /// light barrier, gripper, fixture and arm, and switches belt, gripper and moves. The cell sends the frames
         /// <c>conveyor</c>, <c>fixture</c> and <c>workpiece_1</c> to <c>workpiece_3</c>, and the signals <c>gripper_closed</c>,
         /// <c>belt_running</c> and <c>part_present</c>.
         /// </summary>
@@ -48,20 +57,7 @@ namespace Nowpose.Simulation
         public static VirtualCell WithWorkpieces(
             RobotModel robot, PickAndPlaceMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start,
             int robots = 1) =>
-            new VirtualCell(motion, clock, settings, seed, start, new CellWork(robot, motion, robots));
-
-        /// <param name="work">Workpieces and signals of the robot's task; null if the cell has none.</param>
-        internal VirtualCell(IMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start, CellWork work)
-        {
-            _work = work == null ? null : new VirtualWork(work, clock, unchecked(seed * 100 + 90), start);
-            _motion = motion;
-            _start = start;
-            var robots = NamespacesOf(work);
-            _samples = new VirtualSamples(motion, robots, clock, unchecked(seed * 100), start);
-            _exchanges = new VirtualExchanges(clock, unchecked(seed * 100 + 50), start);
-            _plans = new VirtualPlans(motion, robots, clock, unchecked(seed * 100 + 70), start);
-            Settings = settings;
-        }
+            new VirtualCell(new CellWork(robot, motion, robots), clock, settings, seed, start);
 
         public VirtualCellSettings Settings { get; set; }
 
@@ -80,7 +76,7 @@ namespace Nowpose.Simulation
             if (PlanLag.HasValue) _plans.Run(from, now, PlanLag.Value, Settings, session);
         }
 
-        /// <summary>Computes the true position of each robot; allocates nothing.</summary>
+        /// <summary>Computes the true position of each robot. Allocates only the changes of a cell with workpieces.</summary>
         /// <param name="joints">Receives one position per joint of the motion, rad or m.</param>
         public void TruthAt(HeadsetTime t, Span<double> joints) => _motion.At(ClockTicks.Seconds(t - _start), joints);
 

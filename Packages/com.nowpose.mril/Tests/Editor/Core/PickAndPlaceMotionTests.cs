@@ -142,7 +142,7 @@ namespace Nowpose.Tests.Core
             var arm = motion.JointNames.Count(joint => !joint.Contains("finger"));
             double[] rest = new double[motion.JointNames.Count], at = new double[motion.JointNames.Count];
 
-            foreach (var grip in new[] { ((IGrippingMotion)motion).GripSeconds, ((IGrippingMotion)motion).ReleaseSeconds })
+            foreach (var grip in new[] { motion.StartOf(motion.Task.Grip), motion.StartOf(motion.Task.Release) })
             {
                 motion.At(grip, rest);
                 for (var t = grip - beforeSeconds + Step; t < grip + afterSeconds - Step; t += Step)

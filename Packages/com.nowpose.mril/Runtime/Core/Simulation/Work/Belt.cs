@@ -6,7 +6,7 @@ namespace Nowpose.Simulation.Work
 {
     /// <summary>Conveyor belt that moves workpieces from the place where a robot puts them down to the place where a robot picks them up.</summary>
     /// <remarks>
-    /// The belt moves by one station per cycle of the robot, from rest to rest. On a ring around the world's origin, angle, radius and height change
+    /// The belt moves by one station per step, from rest to rest. On a ring around the world's origin, angle, radius and height change
     /// linearly along the belt, and workpieces rotate with the belt. On a straight belt, position and rotation change linearly.
     /// </remarks>
     sealed class Belt
@@ -39,14 +39,20 @@ namespace Nowpose.Simulation.Work
             _startRadius = RadiusOf(from);
             _radius = RadiusOf(to) - _startRadius;
             _turn = (UnitQuaternion.Of(from).Inverse * UnitQuaternion.Exp(new Vector3D(0, 0, -_angle)) * UnitQuaternion.Of(to)).Log();
-            _step = StepOf((isRing ? Math.Abs(_angle) * (_startRadius + _radius / 2) : _way.Length) / stations, maxSeconds);
+            var metres = (isRing ? Math.Abs(_angle) * (_startRadius + _radius / 2) : _way.Length) / stations;
+            _step = StepOf(metres, maxSeconds);
+            // On a belt that is shorter than its workpieces, they overlap, because they would otherwise never arrive.
+            QueueDistance = Math.Min(1, CellWork.Size / metres);
         }
 
         /// <summary>Duration of a step, s.</summary>
         public double StepSeconds => _step.Duration;
 
+        /// <summary>Distance between two workpieces that touch each other, in stations.</summary>
+        public double QueueDistance { get; }
+
         /// <summary>Returns the number of stations that the belt has moved since the start of a step, 0 to 1.</summary>
-        public double StepAt(double seconds) => StepSeconds == 0 ? 1 : _step.PositionAt(seconds);
+        public double StepAt(double seconds) => seconds > 0 && StepSeconds == 0 ? 1 : _step.PositionAt(seconds);
 
         /// <summary>Returns the pose of a workpiece in the world.</summary>
         /// <param name="station">Position on the belt in stations; 0 where workpieces are put down.</param>

@@ -3,16 +3,20 @@ using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Kinematics;
 using Nowpose.Motion;
-using Nowpose.Protocol;
 
 namespace Nowpose.Simulation.Work
 {
     /// <summary>
     /// The work of robots that pick and place: a conveyor brings workpieces, each gripper takes one per cycle and puts it on a fixture, from
-    /// which the conveyor brings it to the next robot. A function of time; immutable and thread-safe.
+    /// which the conveyor brings it to the next robot. A control program with a cycle of 1 ms controls belt, grippers and moves.
     /// </summary>
-    /// <remarks>All robots are of the same kind and move at the same time. The world frame is the first robot's base frame.</remarks>
-    sealed class CellWork
+    /// <remarks>
+    /// All robots are of the same kind and move at the same time. The world frame is the first robot's base frame. Times may be read in any order. A
+    /// read at a later time than all others first runs the program until then, at about 0.1 µs for each cycle, and allocates the states of the
+    /// changes. Only the changes of the last <see cref="KeptSeconds"/> are kept, in less than 5 MB; an earlier time gives the oldest kept state.
+    /// Deterministic and thread-safe.
+    /// </remarks>
+    sealed class CellWork : IMotion
     {
         /// <summary>
         /// Name of the conveyor's stationary frame. Its origin is on the z axis of the first robot's base frame, at the height of the belt's surface
@@ -29,70 +33,56 @@ namespace Nowpose.Simulation.Work
         /// <summary>Edge length of a workpiece, a cube whose frame is in its centre, m.</summary>
         public const double Size = 0.03;
 
-        /// <summary>Number of belt steps between two robots, and number of workpieces per robot.</summary>
-        const int Steps = 3;
+        /// <summary>Minimum time for which changes are kept, s: longer than a demo, whose frames are compared with the cell after its end.</summary>
+        const double KeptSeconds = 7200;
 
-        /// <summary>Distance between the bases of two robots, as a multiple of the distance from a base to its grip position.</summary>
-        const double RobotDistance = 3.2;
+        readonly CellLayout _layout;
+        readonly CellProgram _program;
+        // The states in the order of their cycles.
+        readonly List<CellState> _changes = new List<CellState>();
+        readonly double _keptSeconds;
+        long _cycle = -1;
 
-        /// <summary>
-        /// Time for which the belt waits after a workpiece was put down, so that the gripper can move away, as a fraction of the time from release to
-        /// the next grip.
-        /// </summary>
-        const double WaitShare = 0.25;
-
-        /// <summary>Maximum duration of a belt step, as a fraction of the time from release to the next grip.</summary>
-        const double StepShare = 0.65;
-
-        readonly IGrippingMotion _motion;
-        readonly WorkRobot[] _robots;
-        readonly RigidTransform _toConveyor;
-        readonly double _held, _wait;
-
+        /// <param name="motion">The moves of each robot.</param>
         /// <param name="robots">Number of robots, 1 to <see cref="MaxRobots"/>.</param>
-        public CellWork(RobotModel robot, IGrippingMotion motion, int robots = 1)
+        /// <param name="keptSeconds">Minimum time for which changes are kept, s.</param>
+        public CellWork(RobotModel robot, PickAndPlaceMotion motion, int robots = 1, double keptSeconds = KeptSeconds)
         {
-            _motion = motion;
-            _robots = Enumerable.Range(0, robots).Select(i => new WorkRobot(robot, motion, i, robots, RobotDistance)).ToArray();
-            _held = motion.ReleaseSeconds - motion.GripSeconds;
-            var between = motion.CycleSeconds - _held;
-            _wait = WaitShare * between;
-            for (var i = 0; i < robots; i++)
-                _robots[i].Belt = new Belt(_robots[i].Placed, _robots[(i + 1) % robots].Taken, Steps, StepShare * between, isRing: robots == 1);
-            ConveyorPose = RigidTransform.FromXyzRpy(0, 0, _robots[0].Taken.Z - Size / 2, 0, 0, 0);
-            _toConveyor = ConveyorPose.Inverse;
-            Names = Enumerable.Range(1, Steps * robots).Select(i => "workpiece_" + i).ToArray();
-            Signals = _robots.Select(each => each.GripperClosed).Append(BeltRunning).Concat(_robots.Select(each => each.PartPresent)).ToArray();
+            _keptSeconds = keptSeconds;
+            _layout = new CellLayout(robot, motion, robots);
+            Plant = new CellPlant(_layout);
+            _program = new CellProgram(motion.Task, motion.MoveCount);
+            CycleSeconds = CellState.CycleSeconds * Enumerable.Range(0, motion.MoveCount).Sum(move => CellPlant.CyclesOf(motion.SecondsOf(move)));
         }
+
+        public IReadOnlyList<string> JointNames => _layout.Motion.JointNames;
+
+        /// <summary>Period of the robots if nothing delays them, s. Each move starts in the first control cycle after the end of the last.</summary>
+        public double CycleSeconds { get; }
 
         /// <summary>Names of the workpieces' frames.</summary>
-        public IReadOnlyList<string> Names { get; }
+        public IReadOnlyList<string> Names => _layout.Names;
 
         /// <summary>Names of the signals, in the order of <see cref="SignalsAt"/>.</summary>
-        public IReadOnlyList<string> Signals { get; }
+        public IReadOnlyList<string> Signals => _layout.Signals;
 
-        public IReadOnlyList<WorkRobot> Robots => _robots;
+        public IReadOnlyList<WorkRobot> Robots => _layout.Robots;
 
         /// <summary>Pose of <see cref="Conveyor"/> in the world.</summary>
-        public RigidTransform ConveyorPose { get; }
+        public RigidTransform ConveyorPose => _layout.ConveyorPose;
+
+        /// <summary>The parts that the program controls. Disturb them only while no other thread reads; the past does not change.</summary>
+        public CellPlant Plant { get; }
+
+        public void At(double seconds, Span<double> positions) => StateAt(seconds).JointsAt(seconds, positions);
 
         /// <summary>Returns the pose of a workpiece in its parent, and the parent's name.</summary>
-        /// <param name="seconds">Time since the start of the robots' motion, s.</param>
-        public RigidTransform PoseOf(int workpiece, double seconds, out string parent)
-        {
-            var robot = _robots[RobotOf(workpiece, seconds, out var passed)];
-            parent = passed < _held ? robot.Tool : passed < _held + _wait / 2 ? robot.Fixture : Conveyor;
-            if (passed < _held) return robot.InTool;
-            return (parent == Conveyor ? _toConveyor : robot.FixturePose.Inverse) * OnBelt(robot, passed);
-        }
+        /// <param name="seconds">Time since the start, s.</param>
+        public RigidTransform PoseOf(int workpiece, double seconds, out string parent) => StateAt(seconds).PoseOf(workpiece, seconds, out parent);
 
         /// <summary>Returns the pose of a workpiece in the world.</summary>
         /// <inheritdoc cref="PoseOf"/>
-        public RigidTransform WorldOf(int workpiece, double seconds)
-        {
-            var robot = _robots[RobotOf(workpiece, seconds, out var passed)];
-            return passed < _held ? robot.Base * robot.ToolAt(seconds) * robot.InTool : OnBelt(robot, passed);
-        }
+        public RigidTransform WorldOf(int workpiece, double seconds) => StateAt(seconds).WorldOf(workpiece, seconds);
 
         /// <summary>Returns points on the upper side of the belt from a robot to the next robot, in the world.</summary>
         public IEnumerable<RigidTransform> BeltBehind(int robot)
@@ -100,47 +90,67 @@ namespace Nowpose.Simulation.Work
             const int points = 48;
             for (var i = 0; i <= points; i++)
             {
-                var pose = _robots[robot].Belt.At((double)i * Steps / points);
+                var pose = _layout.Robots[robot].Belt.At((double)i * CellLayout.Stations / points);
                 yield return RigidTransform.FromXyzRpy(pose.X, pose.Y, pose.Z - Size / 2, 0, 0, 0);
             }
         }
 
         /// <summary>Gets the values of all signals.</summary>
         /// <param name="values">Receives one value per element of <see cref="Signals"/>, 0 or 1.</param>
-        public void SignalsAt(double seconds, Span<double> values)
+        /// <inheritdoc cref="PoseOf"/>
+        public void SignalsAt(double seconds, Span<double> values) => StateAt(seconds).GetSignals(values);
+
+        /// <summary>Gets the state at a time.</summary>
+        /// <inheritdoc cref="PoseOf"/>
+        public CellState StateAt(double seconds)
         {
-            values.Clear();
-            for (var i = 0; i < Names.Count; i++)
+            var cycle = CycleAt(seconds);
+            lock (_changes)
             {
-                var robot = RobotOf(i, seconds, out var passed);
-                if (passed < _held) values[robot] = 1;
-                // At the end of the belt, the workpiece waits for the next robot.
-                if (StationAt(_robots[robot], passed) >= Steps) values[_robots.Length + 1 + (robot + 1) % _robots.Length] = 1;
-                var inStep = passed % _motion.CycleSeconds - _held - _wait;
-                if (inStep >= 0 && inStep < _robots[robot].Belt.StepSeconds) values[_robots.Length] = 1;
+                RunUntil(cycle);
+                return _changes[Math.Max(0, CountUntil(cycle) - 1)];
             }
         }
 
-        // Returns the robot that has the workpiece or last had it. A workpiece moves on to the next robot after three cycles. Before its first
-        // cycle, it is where earlier cycles would have left it.
-        int RobotOf(int workpiece, double seconds, out double sinceTaken)
+        /// <summary>Returns the first state after a state and not after a time; null if the cell has not changed in between.</summary>
+        /// <inheritdoc cref="PoseOf"/>
+        public CellState Next(CellState state, double seconds)
         {
-            var period = Names.Count * _motion.CycleSeconds;
-            var since = Math.Max(seconds, 0) - _motion.GripSeconds - workpiece * _motion.CycleSeconds;
-            since -= period * Math.Floor(since / period);
-            var robot = Math.Min((int)(since / (Steps * _motion.CycleSeconds)), _robots.Length - 1);
-            sinceTaken = since - robot * Steps * _motion.CycleSeconds;
-            return robot;
+            var cycle = CycleAt(seconds);
+            lock (_changes)
+            {
+                RunUntil(cycle);
+                var next = CountUntil(state.Cycle);
+                return next < _changes.Count && _changes[next].Cycle <= cycle ? _changes[next] : null;
+            }
         }
 
-        RigidTransform OnBelt(WorkRobot robot, double sinceTaken) => robot.Belt.At(StationAt(robot, sinceTaken));
+        // A time that is meant to be that of a cycle may be smaller because of rounding.
+        static long CycleAt(double seconds) => (long)Math.Floor(Math.Max(0, seconds) / CellState.CycleSeconds + 1e-6);
 
-        double StationAt(WorkRobot robot, double sinceTaken)
+        void RunUntil(long cycle)
         {
-            var onBelt = sinceTaken - _held - _wait;
-            if (onBelt < 0) return 0;
-            var steps = Math.Min(Math.Floor(onBelt / _motion.CycleSeconds), Steps - 1);
-            return steps + robot.Belt.StepAt(onBelt - steps * _motion.CycleSeconds);
+            while (_cycle < cycle)
+            {
+                Plant.Follow(_program.Run(Plant.Sense(++_cycle)));
+                if (_changes.Count == 0 || _changes[_changes.Count - 1] != Plant.State) _changes.Add(Plant.State);
+                // Removes one half at a time, so that a change seldom moves the list.
+                var half = _changes.Count / 2;
+                if ((_cycle - _changes[half].Cycle) * CellState.CycleSeconds > _keptSeconds) _changes.RemoveRange(0, half);
+            }
+        }
+
+        // Returns the number of states that are valid from this cycle or an earlier one.
+        int CountUntil(long cycle)
+        {
+            var (low, high) = (0, _changes.Count);
+            while (low < high)
+            {
+                var middle = (low + high) / 2;
+                if (_changes[middle].Cycle <= cycle) low = middle + 1;
+                else high = middle;
+            }
+            return low;
         }
     }
 }

@@ -7,14 +7,12 @@ using Nowpose.Protocol.Cell;
 namespace Nowpose.Simulation.Work
 {
     /// <summary>Messages of a cell's objects and signals, as its control system publishes them. Not thread-safe.</summary>
-    /// <remarks>Signals are evaluated in each control cycle; a message has the stamp of the cycle in which a signal changed.</remarks>
+    /// <remarks>A message of signals has the stamp of the control cycle in which they changed.</remarks>
     sealed class WorkMessages
     {
-        static readonly TimeSpan Cycle = new TimeSpan(TimeSpan.TicksPerMillisecond);
-
         readonly CellWork _work;
         readonly double[] _now, _sent;
-        ControlTime? _newest;
+        CellState _newest;
 
         public WorkMessages(CellWork work)
         {
@@ -52,18 +50,28 @@ namespace Nowpose.Simulation.Work
         /// <inheritdoc cref="FramesAt"/>
         public IEnumerable<SignalsMessage> ChangesUntil(ControlTime stamp, double seconds)
         {
-            var cycles = _newest.HasValue ? (stamp - _newest.Value).Ticks / Cycle.Ticks : 1;
-            var isFirst = !_newest.HasValue;
-            _newest = stamp;
-            for (var left = cycles - 1; left >= 0; left--)
+            if (_newest == null)
             {
-                _work.SignalsAt(seconds - left * ClockTicks.Seconds(Cycle), _now);
-                List<SignalValue> changed = null;
-                for (var i = 0; i < _now.Length; i++)
-                    if (isFirst || _now[i] != _sent[i]) (changed ??= new List<SignalValue>()).Add(new SignalValue(_work.Signals[i], _now[i]));
-                _now.CopyTo(_sent, 0);
-                if (changed != null) yield return new SignalsMessage(stamp - new TimeSpan(left * Cycle.Ticks), changed.ToArray());
+                _newest = _work.StateAt(seconds);
+                yield return MessageOf(_newest, stamp, isFirst: true);
             }
+            for (var next = _work.Next(_newest, seconds); next != null; next = _work.Next(next, seconds))
+            {
+                _newest = next;
+                var message = MessageOf(next, stamp - ClockTicks.Span(seconds - next.Cycle * CellState.CycleSeconds), isFirst: false);
+                if (message != null) yield return message;
+            }
+        }
+
+        // Returns null if no signal differs from its last value.
+        SignalsMessage MessageOf(CellState state, ControlTime stamp, bool isFirst)
+        {
+            state.GetSignals(_now);
+            List<SignalValue> changed = null;
+            for (var i = 0; i < _now.Length; i++)
+                if (isFirst || _now[i] != _sent[i]) (changed ??= new List<SignalValue>()).Add(new SignalValue(_work.Signals[i], _now[i]));
+            _now.CopyTo(_sent, 0);
+            return changed == null ? null : new SignalsMessage(stamp, changed.ToArray());
         }
     }
 }

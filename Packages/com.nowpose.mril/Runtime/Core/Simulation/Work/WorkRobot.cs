@@ -8,16 +8,14 @@ namespace Nowpose.Simulation.Work
     /// <summary>One robot of a <see cref="CellWork"/>, with its place in the cell, its fixture and the belt behind it.</summary>
     sealed class WorkRobot
     {
-        readonly IGrippingMotion _motion;
         readonly RobotModel _robot;
 
         /// <param name="index">Index of the robot in the cell, from 0.</param>
         /// <param name="count">Number of robots. A single robot has no namespace and stands at the origin; a second robot faces the first.</param>
         /// <param name="distance">Distance between the bases of two robots, as a multiple of the distance from a base to its grip position.</param>
-        public WorkRobot(RobotModel robot, IGrippingMotion motion, int index, int count, double distance)
+        public WorkRobot(RobotModel robot, PickAndPlaceMotion motion, int index, int count, double distance)
         {
             _robot = robot;
-            _motion = motion;
             var suffix = count == 1 ? "" : "_" + (index + 1);
             Namespace = count == 1 ? "" : "arm" + (index + 1);
             Tool = RobotTopic.Qualified(Namespace, robot.ToolLink.Name);
@@ -25,7 +23,7 @@ namespace Nowpose.Simulation.Work
             Fixture = "fixture" + suffix;
             GripperClosed = "gripper_closed" + suffix;
             PartPresent = "part_present" + suffix;
-            var (taken, released) = (ToolAt(motion.GripSeconds), ToolAt(motion.ReleaseSeconds));
+            var (taken, released) = (ToolAt(motion, motion.Task.Grip), ToolAt(motion, motion.Task.Release));
             var upright = RigidTransform.FromXyzRpy(taken.X, taken.Y, taken.Z, 0, 0, Math.Atan2(taken.Y, taken.X));
             var reach = Math.Sqrt(taken.X * taken.X + taken.Y * taken.Y);
             Base = RigidTransform.FromXyzRpy(index * distance * reach, 0, 0, 0, 0, index * Math.PI);
@@ -71,14 +69,20 @@ namespace Nowpose.Simulation.Work
         public Belt Belt { get; set; }
 
         /// <summary>Returns the pose of the tool's link in the robot's base frame.</summary>
-        /// <param name="seconds">Time since the start of the motion, s.</param>
-        public RigidTransform ToolAt(double seconds)
+        /// <param name="joints">Positions of the moving joints, rad or m.</param>
+        public RigidTransform ToolOf(double[] joints)
         {
-            var joints = new double[_robot.MovingJoints.Count];
-            _motion.At(seconds, joints);
             var poses = new RigidTransform[_robot.Links.Count];
             new ForwardKinematics(_robot).Compute(joints, poses);
             return poses[_robot.IndexOfLink(_robot.ToolLink.Name)];
+        }
+
+        // Returns the pose of the tool's link at the beginning of a move.
+        RigidTransform ToolAt(PickAndPlaceMotion motion, int move)
+        {
+            var joints = new double[_robot.MovingJoints.Count];
+            motion.At(move, 0, joints);
+            return ToolOf(joints);
         }
     }
 }

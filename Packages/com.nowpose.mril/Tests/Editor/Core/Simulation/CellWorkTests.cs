@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Simulation
     public class CellWorkTests
     {
         readonly RobotModel _robot;
-        readonly IGrippingMotion _motion;
+        readonly PickAndPlaceMotion _motion;
         readonly CellWork _work;
 
         public CellWorkTests(string urdf, int robots)
@@ -26,7 +26,38 @@ namespace Nowpose.Tests.Core.Simulation
             _work = new CellWork(_robot, _motion, robots);
         }
 
-        double Period => _work.Names.Count * _motion.CycleSeconds;
+        double Period => _work.Names.Count * _work.CycleSeconds;
+        double GripSeconds => StartOf(_motion.Task.Grip);
+        double ReleaseSeconds => StartOf(_motion.Task.Release);
+
+        [Test]
+        public void CycleSeconds_Undisturbed_ExceedsThatOfTheMovesByLessThanACyclePerMove() =>
+            Assert.That(_work.CycleSeconds - _motion.CycleSeconds, Is.InRange(0, 0.001 * _motion.MoveCount));
+
+        [Test]
+        public void At_Undisturbed_FollowsTheMovesWithoutWaiting()
+        {
+            double[] expected = new double[_motion.JointNames.Count], joints = new double[expected.Length];
+            for (var cycle = 0; cycle < 3; cycle++)
+                for (var move = 0; move < _motion.MoveCount; move++)
+                    for (var t = 0.0; t < _motion.SecondsOf(move); t += 0.05)
+                    {
+                        _motion.At(move, t, expected);
+                        _work.At(cycle * _work.CycleSeconds + StartOf(move) + t, joints);
+                        Assert.That(joints, Is.EqualTo(expected).Within(1e-9), $"{t} s after the start of move {move} of cycle {cycle}");
+                    }
+        }
+
+        [Test]
+        public void StateAt_TimesInAnyOrder_EqualsTheStateOfTimesInOrder()
+        {
+            var other = new CellWork(_robot, _motion, _work.Robots.Count);
+            var random = new Random(3);
+            var times = Enumerable.Range(0, 300).Select(_ => 2 * Period * random.NextDouble()).ToArray();
+            var inOrder = times.OrderBy(t => t).ToDictionary(t => t, t => Summary(other, t));
+
+            foreach (var t in times) Assert.That(Summary(_work, t), Is.EqualTo(inOrder[t]), t + " s");
+        }
 
         [Test]
         public void Workpieces_WholePeriod_MoveContinuously()
@@ -62,13 +93,26 @@ namespace Nowpose.Tests.Core.Simulation
         {
             for (var cycle = 0; cycle < 2 * _work.Names.Count; cycle++)
             {
-                var begin = cycle * _motion.CycleSeconds;
+                var begin = cycle * _work.CycleSeconds;
                 var inTurn = _work.Robots.Select((_, robot) => (cycle + _work.Names.Count - 3 * robot) % _work.Names.Count);
-                Assert.That(HeldAt(begin + _motion.GripSeconds - 0.001), Is.Empty);
-                Assert.That(HeldAt(begin + _motion.GripSeconds + 0.001), Is.EquivalentTo(inTurn));
-                Assert.That(HeldAt(begin + _motion.ReleaseSeconds - 0.001), Is.EquivalentTo(inTurn));
-                Assert.That(HeldAt(begin + _motion.ReleaseSeconds + 0.001), Is.Empty);
+                Assert.That(HeldAt(begin + GripSeconds - 0.001), Is.Empty);
+                Assert.That(HeldAt(begin + GripSeconds), Is.EquivalentTo(inTurn));
+                Assert.That(HeldAt(begin + ReleaseSeconds - 0.001), Is.EquivalentTo(inTurn));
+                Assert.That(HeldAt(begin + ReleaseSeconds), Is.Empty);
             }
+        }
+
+        [Test]
+        public void StateAt_OlderThanTheKeptTime_IsTheOldestKeptState()
+        {
+            var work = new CellWork(_robot, _motion, _work.Robots.Count, keptSeconds: 60);
+            var (early, kept) = (Summary(work, 9), Summary(work, 950));
+
+            work.StateAt(1000);
+
+            Assert.That(Summary(work, 950), Is.EqualTo(kept));
+            Assert.That(Summary(work, 9), Is.Not.EqualTo(early));
+            Assert.That(work.StateAt(9).Cycle, Is.InRange(1000_000 - 2 * 60_000 - 20_000, 1000_000 - 60_000), "ms; the list is shortened by halves");
         }
 
         [Test]
@@ -87,12 +131,12 @@ namespace Nowpose.Tests.Core.Simulation
         [Test]
         public void Belt_WhileAWorkpieceIsPickedUpOrPutDown_IsAtRest()
         {
-            foreach (var at in new[] { _motion.GripSeconds, _motion.ReleaseSeconds })
+            foreach (var at in new[] { GripSeconds, ReleaseSeconds })
                 for (var body = 0; body < _work.Names.Count; body++)
                     for (var t = at - 0.05; t < at + 0.05; t += 0.01)
-                        if (HeldAt(t + _motion.CycleSeconds).All(held => held != body))
+                        if (HeldAt(t + _work.CycleSeconds).All(held => held != body))
                             Assert.That(Distance(
-                                _work.WorldOf(body, _motion.CycleSeconds + t), _work.WorldOf(body, _motion.CycleSeconds + t + 0.001)), Is.LessThan(1e-7));
+                                _work.WorldOf(body, _work.CycleSeconds + t), _work.WorldOf(body, _work.CycleSeconds + t + 0.001)), Is.LessThan(1e-7));
         }
 
         [Test]
@@ -108,10 +152,10 @@ namespace Nowpose.Tests.Core.Simulation
                 if (isMoving) Assert.That(values[_work.Robots.Count], Is.EqualTo(1), "belt at " + t);
             }
             var robots = _work.Robots.Count;
-            _work.SignalsAt(_motion.CycleSeconds + _motion.GripSeconds - 0.001, values);
+            _work.SignalsAt(_work.CycleSeconds + GripSeconds - 0.001, values);
             Assert.That(values, Is.EqualTo(Enumerable.Repeat(0.0, robots + 1).Concat(Enumerable.Repeat(1.0, robots))),
                 "the workpieces wait for the grippers");
-            _work.SignalsAt(_motion.CycleSeconds + _motion.GripSeconds + 0.001, values);
+            _work.SignalsAt(_work.CycleSeconds + GripSeconds + 0.001, values);
             Assert.That(values, Is.EqualTo(Enumerable.Repeat(1.0, robots).Concat(Enumerable.Repeat(0.0, robots + 1))));
         }
 
@@ -121,14 +165,14 @@ namespace Nowpose.Tests.Core.Simulation
             var start = ControlTime.FromSeconds(100);
             var messages = new WorkMessages(_work);
             var closed = new List<(double At, double Value)>();
-            for (var i = 1; i * 0.05 < 2 * _motion.CycleSeconds; i++)
+            for (var i = 1; i * 0.05 < 2 * _work.CycleSeconds; i++)
                 foreach (var message in messages.ChangesUntil(start + Lengths.Ms(50 * i), 0.05 * i))
                     for (var k = 0; k < message.Count; k++)
                         if (message[k].Name == _work.Robots[0].GripperClosed) closed.Add((ClockTicks.Seconds(message.Stamp - start), message[k].Value));
 
             Assert.That(closed.Select(change => change.Value), Is.EqualTo(new[] { 0.0, 1, 0, 1, 0 }));
-            Assert.That(closed[1].At - _motion.GripSeconds, Is.InRange(0, 0.0011));
-            Assert.That(closed[2].At - _motion.ReleaseSeconds, Is.InRange(0, 0.0011));
+            Assert.That(closed[1].At, Is.EqualTo(GripSeconds).Within(1e-6));
+            Assert.That(closed[2].At, Is.EqualTo(ReleaseSeconds).Within(1e-6));
         }
 
         IEnumerable<int> HeldAt(double t)
@@ -140,10 +184,19 @@ namespace Nowpose.Tests.Core.Simulation
             }
         }
 
+        // Returns the time in the cycle at which an undisturbed move starts: each move starts in a control cycle.
+        double StartOf(int move) => 0.001 * Enumerable.Range(0, move).Sum(i => Math.Ceiling(1000 * _motion.SecondsOf(i) - 1e-6));
+
+        static string Summary(CellWork work, double t)
+        {
+            var poses = Enumerable.Range(0, work.Names.Count).Select(i => (Pose: work.PoseOf(i, t, out var parent), Parent: parent));
+            return work.StateAt(t).Cycle + " " + string.Join(" ", poses.Select(each => each.Parent + each.Pose.X + each.Pose.Y));
+        }
+
         RigidTransform ToolAt(double t)
         {
             var joints = new double[_robot.MovingJoints.Count];
-            _motion.At(t, joints);
+            _work.At(t, joints);
             var poses = new RigidTransform[_robot.Links.Count];
             new ForwardKinematics(_robot).Compute(joints, poses);
             return poses[_robot.IndexOfLink(_robot.ToolLink.Name)];

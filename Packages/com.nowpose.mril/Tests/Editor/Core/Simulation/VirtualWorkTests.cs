@@ -19,10 +19,9 @@ namespace Nowpose.Tests.Core.Simulation
         {
             var start = HeadsetTime.FromSeconds(500);
             var robot = UrdfFiles.Robot("youbot");
-            var motion = new PickAndPlaceMotion(robot);
-            var work = new CellWork(robot, motion);
+            var work = new CellWork(robot, new PickAndPlaceMotion(robot));
             var clock = new VirtualClock(start, TimeSpan.FromSeconds(1000), 0);
-            var cell = new VirtualCell(motion, clock, VirtualCellRun.Settings(), seed: 1, start, work);
+            var cell = new VirtualCell(work, clock, VirtualCellRun.Settings(), seed: 1, start);
             var sessions = new[] { NewSession(), NewSession() };
             var now = start;
             void Run(CompensationSession session, double seconds)

@@ -1,0 +1,29 @@
+namespace Nowpose.Motion
+{
+    /// <summary>The moves of a pick-and-place cycle that depend on the cell. Move i begins at waypoint i.</summary>
+    readonly struct TaskMoves
+    {
+        public TaskMoves(int approach, int grip, int lower, int release)
+        {
+            Approach = approach;
+            Grip = grip;
+            Lower = lower;
+            Release = release;
+        }
+
+        /// <summary>First move for which the workpiece must be at the pick place. Until its end, the gripper is open.</summary>
+        public int Approach { get; }
+
+        /// <summary>Move in which the gripper closes. The arm is at rest.</summary>
+        public int Grip { get; }
+
+        /// <summary>First move for which the fixture must be free.</summary>
+        public int Lower { get; }
+
+        /// <summary>Move in which the gripper opens. The arm is at rest.</summary>
+        public int Release { get; }
+
+        /// <summary>First move in which the gripper is away from the fixture.</summary>
+        public int Leave => Release + 2;
+    }
+}

@@ -1,0 +1,128 @@
+using System;
+using System.Linq;
+
+namespace Nowpose.Simulation.Work
+{
+    /// <summary>
+    /// The mechanical parts of a cell: robots, grippers, belt, fixtures and workpieces. They follow the outputs of the control program and give its
+    /// inputs.
+    /// </summary>
+    sealed class CellPlant
+    {
+        /// <summary>Maximum distance of a workpiece from the middle of the gripper that takes it, m.</summary>
+        const double Reach = CellWork.Size / 2;
+
+        readonly CellLayout _layout;
+        readonly long[] _moveCycles;
+        CellOutputs _outputs;
+        long _cycle;
+        // Cycle in which the clamps of the fixtures started to open; null while they are closed.
+        long? _opened;
+
+        public CellPlant(CellLayout layout)
+        {
+            _layout = layout;
+            State = new CellState(layout);
+            _outputs.Move = State.Move;
+            _moveCycles = Enumerable.Range(0, layout.Motion.MoveCount).Select(move => CyclesOf(layout.Motion.SecondsOf(move))).ToArray();
+        }
+
+        /// <summary>Returns the number of control cycles after which a process has ended.</summary>
+        /// <param name="seconds">Duration of the process, s. Rounding errors do not lengthen it.</param>
+        public static long CyclesOf(double seconds) => (long)Math.Ceiling(seconds / CellState.CycleSeconds - 1e-6);
+
+        /// <summary>The newest state. A change creates a new object.</summary>
+        public CellState State { get; private set; }
+
+        /// <summary>Whether the belt is blocked: it does not move while it is switched on. From the next cycle on.</summary>
+        public bool IsBeltBlocked { get; set; }
+
+        double Now => _cycle * CellState.CycleSeconds;
+
+        /// <summary>Moves a workpiece by hand, from the next cycle on.</summary>
+        public void Put(int workpiece, in WorkpiecePlace place) => (State = State.In(_cycle + 1)).Put(workpiece, place);
+
+        /// <summary>Reads the sensors at the beginning of a control cycle.</summary>
+        public CellInputs Sense(long cycle)
+        {
+            _cycle = cycle;
+            var present = PartsPresent();
+            if (present != State.PartsPresent) Changed().PartsPresent = present;
+            var hasEnded = cycle - State.MoveStart >= _moveCycles[State.Move];
+            return new CellInputs
+            {
+                ArePartsPresent = present == (1 << _layout.Robots.Length) - 1,
+                AreFixturesFree = AreFixturesFree(),
+                AreClampsOpen = cycle - _opened >= CyclesOf(CellLayout.ClampSeconds),
+                IsBeltAtStation = State.BeltSecondsAt(Now) >= _layout.BeltStepSeconds,
+                AreRobotsAtRest = hasEnded,
+                AreGrippersClosed = State.AreGrippersClosed && hasEnded,
+                AreGrippersOpen = !State.AreGrippersClosed && hasEnded,
+            };
+        }
+
+        /// <summary>Follows the outputs at the end of a control cycle.</summary>
+        public void Follow(in CellOutputs outputs)
+        {
+            if (outputs.Move != _outputs.Move) Changed().StartMove(outputs.Move);
+            if (outputs.ClosesGrippers != State.AreGrippersClosed) MoveGrippers(outputs.ClosesGrippers);
+            if (outputs.OpensClamps != _opened.HasValue) MoveClamps(outputs.OpensClamps);
+            var isMoving = outputs.RunsBelt && !IsBeltBlocked;
+            if (isMoving != State.IsBeltRunning) Changed().SwitchBelt(isMoving);
+            if (_outputs.RunsBelt && !outputs.RunsBelt) Changed().EndBeltStep();
+            _outputs = outputs;
+        }
+
+        CellState Changed() => State.Cycle == _cycle ? State : State = State.In(_cycle);
+
+        // The fingers of a robot are joints that move in its grip and its release. The fingers hold the workpiece from the start of the stroke on.
+        void MoveGrippers(bool close)
+        {
+            var state = Changed();
+            for (var i = 0; i < _layout.Names.Count; i++)
+                if (close) Grip(i, state);
+                else if (state.PlaceOf(i).Holder == Holder.Gripper) state.Put(i, new WorkpiecePlace(Holder.Fixture, state.PlaceOf(i).Robot));
+            state.AreGrippersClosed = close;
+            state.StartMove(close ? _layout.Motion.Task.Grip : _layout.Motion.Task.Release);
+        }
+
+        void Grip(int workpiece, CellState state)
+        {
+            var pose = state.WorldOf(workpiece, Now);
+            for (var i = 0; i < _layout.Robots.Length; i++)
+            {
+                var grasp = state.GraspOf(_layout.Robots[i], Now);
+                var (x, y, z) = (pose.X - grasp.X, pose.Y - grasp.Y, pose.Z - grasp.Z);
+                if (Math.Sqrt(x * x + y * y + z * z) < Reach) state.Put(workpiece, new WorkpiecePlace(Holder.Gripper, i));
+            }
+        }
+
+        // An open clamp leaves its workpiece on the start of the belt.
+        void MoveClamps(bool open)
+        {
+            _opened = open ? _cycle : (long?)null;
+            for (var i = 0; open && i < _layout.Names.Count; i++)
+                if (State.PlaceOf(i).Holder == Holder.Fixture) Changed().Put(i, new WorkpiecePlace(Holder.Belt, State.PlaceOf(i).Robot));
+        }
+
+        int PartsPresent()
+        {
+            var present = 0;
+            for (var i = 0; i < _layout.Names.Count; i++)
+                if (State.PlaceOf(i).Holder == Holder.Belt && State.StationOf(i, Now) >= CellLayout.Stations)
+                    present |= 1 << _layout.Next(State.PlaceOf(i).Robot);
+            return present;
+        }
+
+        bool AreFixturesFree()
+        {
+            for (var i = 0; i < _layout.Names.Count; i++)
+            {
+                var place = State.PlaceOf(i);
+                if (place.Holder == Holder.Fixture) return false;
+                if (place.Holder == Holder.Belt && State.StationOf(i, Now) < _layout.Robots[place.Robot].Belt.QueueDistance) return false;
+            }
+            return true;
+        }
+    }
+}

@@ -1,0 +1,188 @@
+using System;
+using System.Linq;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Simulation.Work
+{
+    /// <summary>Part of the cell that holds a workpiece.</summary>
+    enum Holder
+    {
+        Belt,
+        Gripper,
+        Fixture,
+    }
+
+    /// <summary>Place of a workpiece.</summary>
+    readonly struct WorkpiecePlace
+    {
+        public WorkpiecePlace(Holder holder, int robot, double station = 0)
+        {
+            Holder = holder;
+            Robot = robot;
+            Station = station;
+        }
+
+        public Holder Holder { get; }
+
+        /// <summary>Index of the robot that has the gripper or the fixture, or behind which the belt is.</summary>
+        public int Robot { get; }
+
+        /// <summary>Position on the belt when the belt was last at rest at a station; 0 at the fixture.</summary>
+        public double Station { get; }
+    }
+
+    /// <summary>
+    /// State of a cell from one control cycle until the next change. Computes joints and poses at the times in between. Only the plant changes it, in
+    /// the cycle of its creation.
+    /// </summary>
+    sealed class CellState
+    {
+        /// <summary>Duration of a control cycle, s.</summary>
+        public const double CycleSeconds = 0.001;
+
+        readonly CellLayout _layout;
+        readonly WorkpiecePlace[] _places;
+
+        /// <summary>Creates the state at the start: the robots are at their first waypoint, and each station of the belt has a workpiece.</summary>
+        public CellState(CellLayout layout)
+        {
+            _layout = layout;
+            Move = layout.Motion.MoveCount - 1;
+            MoveStart = -CellPlant.CyclesOf(layout.Motion.CycleSeconds);
+            // The first workpieces are at the pick place of the first robot, to which the belt behind the last robot leads.
+            var last = layout.Robots.Length - 1;
+            _places = Enumerable.Range(0, layout.Names.Count).Select(i => new WorkpiecePlace(
+                Holder.Belt, (last + i / CellLayout.Stations) % layout.Robots.Length, CellLayout.Stations - i % CellLayout.Stations)).ToArray();
+        }
+
+        CellState(CellState other, long cycle)
+        {
+            _layout = other._layout;
+            _places = (WorkpiecePlace[])other._places.Clone();
+            Cycle = cycle;
+            (Move, MoveStart) = (other.Move, other.MoveStart);
+            (IsBeltRunning, BeltStart, BeltSeconds) = (other.IsBeltRunning, other.BeltStart, other.BeltSeconds);
+            (AreGrippersClosed, PartsPresent) = (other.AreGrippersClosed, other.PartsPresent);
+        }
+
+        /// <summary>Number of the control cycle from which on this state is valid; cycle 0 is at the start.</summary>
+        public long Cycle { get; }
+
+        /// <summary>Move or stroke of the robots, and the cycle in which it started.</summary>
+        public int Move { get; private set; }
+
+        /// <inheritdoc cref="Move"/>
+        public long MoveStart { get; private set; }
+
+        /// <summary>Whether the belt moves, the cycle in which it started, and the time that it had moved in this step before, s.</summary>
+        public bool IsBeltRunning { get; private set; }
+
+        /// <inheritdoc cref="IsBeltRunning"/>
+        public long BeltStart { get; private set; }
+
+        /// <inheritdoc cref="IsBeltRunning"/>
+        public double BeltSeconds { get; private set; }
+
+        public bool AreGrippersClosed { get; set; }
+
+        /// <summary>Robots whose light barrier is interrupted: bit i for robot i.</summary>
+        public int PartsPresent { get; set; }
+
+        /// <summary>Returns a copy that becomes valid in a later cycle.</summary>
+        public CellState In(long cycle) => new CellState(this, cycle);
+
+        public WorkpiecePlace PlaceOf(int workpiece) => _places[workpiece];
+
+        public void Put(int workpiece, in WorkpiecePlace place) => _places[workpiece] = place;
+
+        public void StartMove(int move) => (Move, MoveStart) = (move, Cycle);
+
+        /// <summary>Starts or stops the belt, which continues its step later.</summary>
+        public void SwitchBelt(bool isOn) => (IsBeltRunning, BeltStart, BeltSeconds) = (isOn, Cycle, BeltSecondsAt(Cycle * CycleSeconds));
+
+        /// <summary>Ends a step of the belt: the next step starts from the present positions.</summary>
+        public void EndBeltStep()
+        {
+            var stations = Enumerable.Range(0, _places.Length).Select(i => StationOf(i, Cycle * CycleSeconds)).ToArray();
+            for (var i = 0; i < stations.Length; i++) _places[i] = new WorkpiecePlace(_places[i].Holder, _places[i].Robot, stations[i]);
+            (IsBeltRunning, BeltSeconds) = (false, 0);
+        }
+
+        /// <summary>Returns the time since the start of the move, s.</summary>
+        public double MoveSecondsAt(double seconds) => seconds - MoveStart * CycleSeconds;
+
+        /// <summary>Returns the time for which the belt has moved in its step, s.</summary>
+        public double BeltSecondsAt(double seconds) => BeltSeconds + (IsBeltRunning ? seconds - BeltStart * CycleSeconds : 0);
+
+        /// <summary>Computes the joints of each robot, rad or m.</summary>
+        /// <param name="seconds">Time since the start, s.</param>
+        public void JointsAt(double seconds, Span<double> positions) => _layout.Motion.At(Move, MoveSecondsAt(seconds), positions);
+
+        /// <summary>
+        /// Returns the position of a workpiece on the belt. The first workpiece that arrives is held by the stop at the end of the belt, and the others
+        /// queue behind it.
+        /// </summary>
+        /// <inheritdoc cref="JointsAt"/>
+        public double StationOf(int workpiece, double seconds)
+        {
+            var place = _places[workpiece];
+            if (place.Holder != Holder.Belt || BeltSecondsAt(seconds) == 0) return place.Station;
+            var ahead = 0;
+            for (var i = 0; i < _places.Length; i++)
+                if (_places[i].Holder == Holder.Belt && _places[i].Robot == place.Robot && _places[i].Station > place.Station) ahead++;
+            var belt = _layout.Robots[place.Robot].Belt;
+            var queue = Math.Max(place.Station, CellLayout.Stations - ahead * belt.QueueDistance);
+            return Math.Min(place.Station + belt.StepAt(BeltSecondsAt(seconds)), queue);
+        }
+
+        /// <summary>Returns the pose of a workpiece in its parent, and the parent's name.</summary>
+        /// <inheritdoc cref="JointsAt"/>
+        public RigidTransform PoseOf(int workpiece, double seconds, out string parent)
+        {
+            var place = _places[workpiece];
+            var robot = _layout.Robots[place.Robot];
+            switch (place.Holder)
+            {
+                case Holder.Gripper:
+                    parent = robot.Tool;
+                    return robot.InTool;
+                case Holder.Fixture:
+                    parent = robot.Fixture;
+                    return robot.FixturePose.Inverse * robot.Placed;
+                default:
+                    parent = CellWork.Conveyor;
+                    return _layout.ToConveyor * WorldOf(workpiece, seconds);
+            }
+        }
+
+        /// <summary>Returns the pose of a workpiece in the world.</summary>
+        /// <inheritdoc cref="JointsAt"/>
+        public RigidTransform WorldOf(int workpiece, double seconds)
+        {
+            var place = _places[workpiece];
+            var robot = _layout.Robots[place.Robot];
+            return place.Holder == Holder.Gripper ? GraspOf(robot, seconds) : robot.Belt.At(StationOf(workpiece, seconds));
+        }
+
+        /// <summary>Returns the pose in the world that a gripped workpiece has.</summary>
+        /// <inheritdoc cref="JointsAt"/>
+        public RigidTransform GraspOf(WorkRobot robot, double seconds)
+        {
+            var joints = new double[_layout.Motion.JointNames.Count];
+            JointsAt(seconds, joints);
+            return robot.Base * robot.ToolOf(joints) * robot.InTool;
+        }
+
+        /// <summary>Gets the values of all signals of the layout, 0 or 1.</summary>
+        public void GetSignals(Span<double> values)
+        {
+            var robots = _layout.Robots.Length;
+            for (var i = 0; i < robots; i++)
+            {
+                values[i] = AreGrippersClosed ? 1 : 0;
+                values[robots + 1 + i] = (PartsPresent >> i) & 1;
+            }
+            values[robots] = IsBeltRunning ? 1 : 0;
+        }
+    }
+}
