@@ -6,7 +6,7 @@ import { messages } from './messages.mjs';
 import { check } from './program.mjs';
 import { temporaryFile } from './temporary.mjs';
 
-const { configurationMessages, frameMessages, robotMessages } = messages;
+const { configurationMessages, fileMessages, frameMessages, robotMessages } = messages;
 
 const OPCUA = `plant:
   kind: opcua
@@ -119,6 +119,14 @@ describe('errors of a configuration', () => {
   ])
     it(`Check_${name}_NamesAll`, () => assert.deepEqual(entriesOf(text, changes), entries));
 
+  for (const [entry, changes, line, tag] of [
+    ['Robots', [['robots:\n  arm1: ur5e', `robots: !!binary ${BYTES}`]], 4, '!!binary'],
+    ['RobotsAsASet', [['robots:\n  arm1: ur5e', 'robots: !!set { arm1 }']], 4, '!!set'],
+    ['Frame', [['frame: table\n', 'frame: !!binary cGFydA\n']], 9, '!!binary'],
+    ['Node', [['node: i=6', 'node: !foo i=6']], 15, '!foo'],
+  ])
+    it(`Check_${entry}WithATag_IsOneError`, () => assert.deepEqual(linesOf(OPCUA, changes), [`line ${line}: ${fileMessages.tag(tag)}`]));
+
   for (const [name, text, changes, entries] of [
     ['TimeMisspelt', OPCUA, [['robots:', '  timestamp: variable\n  tiem: { node: i=9 }\nrobots:']], ['plant.tiem']],
     ['TimeAbbreviated', ADS, [['joints:', '  timestamp: variable\n  tim: { symbol: MAIN.t }\njoints:']], ['plant.tim']],
@@ -166,9 +174,6 @@ describe('errors of a configuration', () => {
     ['RtdeJointOfNoForm', RTDE, [['{ joint: shoulder_pan_joint }', '5'], ['elbow_joint', 'elbow_joint, index: 0']], ['joints[0]']],
     ['RtdeTooManyJoints', RTDE, [['joints:', `joints:${'abcd'.replace(/./g, '\n  - { joint: $& }')}`]], ['joints']],
     ['RobotOfACalibration', RTDE, [['  host:', '  calibration: true\n  host:'], ['joints:', 'rbot: ur5e\njoints:']], ['rbot']],
-    ['RobotsWithABinaryTag', OPCUA, [['robots:\n  arm1: ur5e', `robots: !!binary ${BYTES}`]], ['robots']],
-    ['RobotsWithASetTag', OPCUA, [['robots:\n  arm1: ur5e', 'robots: !!set { arm1 }']], ['robots.arm1']],
-    ['FrameWithABinaryTag', OPCUA, [['frame: table\n', `frame: !!binary ${BYTES}\n`]], ['frames[0].frame']],
     ['FileOfOneText', OPCUA, [[OPCUA, BYTES]], ['plant']],
     ['FileOfAList', OPCUA, [[OPCUA, '- plant\n- joints\n']], ['plant']],
     ['BrokerDirectionMisspelt', BROKER, [['publish', 'pulbish']], ['plant.direction']],

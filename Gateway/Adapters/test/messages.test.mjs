@@ -15,7 +15,7 @@ const samples = {
   policy: 'Basic256Sha256', port: 851, problem: 'the stream ended', problems: 'ns 7 is unknown', program: 'paused', publishingMs: 5, rateHz: 500,
   read: 'joints a, b', reason: 'the disk is full', recipe: 2, remedy: 'wss://', request: 'WriteRequest', required: 9.6, samplingMs: 10, scale: 2,
   scheme: 'ws', seconds: 2, service: '/rosapi/get_time', sha1: '0a', sha256: '1b', similar: ['MAIN.axis1'], size: 48, source: 'tool0', stamp: 'its stamp',
-  state: 'STOP', status: 'BadNodeIdUnknown', stepMs: 20, steps: 'its clock advances in steps', symbol: 'MAIN.axis1', text: 'a text', thumbprint: '0a',
+  state: 'STOP', status: 'BadNodeIdUnknown', stepMs: 20, steps: 'its clock advances in steps', symbol: 'MAIN.axis1', tag: '!pin', text: 'a text', thumbprint: '0a',
   timestamp: 'source', to: '2025', topic: 'plant/tf', type: 'LREAL', types: 8, uncertainty: 'nothing confirms it', unit: 'rad/s²', value: 'opcu',
   version: '0.3.0', world: 'world',
 };

@@ -27,18 +27,25 @@ export class YamlFile {
    * @throws ConfigurationError The file cannot be read, or is not valid YAML.
    */
   constructor(readonly path: string) {
-    this.#document = parseDocument(read(path), {
+    const text = read(path);
+    this.#document = parseDocument(text, {
       lineCounter: this.#lines,
       prettyErrors: false,
       uniqueKeys: true,
       logLevel: 'error',
-      // A value with a tag such as !!binary would be an object, and each of its bytes would be reported as an entry.
+      // No entry needs a tag such as !!binary, whose value would be an object. Every tag is then a warning.
       resolveKnownTags: false,
     });
     // Reports only the first error, because later errors are often its consequences and have wrong lines.
     const [error] = [...this.#document.errors].sort((a, b) => a.pos[0] - b.pos[0]);
     if (error !== undefined)
       throw new ConfigurationError(path, [{ line: this.#lines.linePos(error.pos[0]).line, text: inWords(error.code, error.message) }]);
+    const tags = this.#document.warnings.filter(warning => warning.code === 'TAG_RESOLVE_FAILED');
+    if (tags.length > 0)
+      throw new ConfigurationError(
+        path,
+        tags.map(({ pos }) => ({ line: this.#lines.linePos(pos[0]).line, text: fileMessages.tag(text.slice(...pos)) })),
+      );
     try {
       this.value = this.#document.toJS({ maxAliasCount: 100 });
       // JSON.stringify throws for a circular structure, which aliases can create.

@@ -96,6 +96,7 @@ export const fileMessages = {
   configurationNotReadable: (code: string | undefined) => `cannot be read (${code}); enter an existing file`,
   circular: 'an alias (*) is inside the entry that it refers to; remove the alias',
   tab: 'the line is indented with a tab; YAML allows only spaces, so replace the tab with spaces',
+  tag: (tag: string) => `the tag ${tag} is not allowed; enter the value without a tag`,
   keyTwice: 'this key occurs twice; remove one of the two entries',
   indent: (problem: string) => `${problem}; entries of the same level must start in the same column`,
   notYaml: (problem: string) => `not valid YAML: ${problem}`,
