@@ -78,6 +78,16 @@ describe('joints published in overlapping sets', () => {
     assert.ok(tracks.has('a') && !tracks.has('c'));
   });
 
+  it('keep their position while they are at rest', () => {
+    const rests = new Set(['a']);
+    const tracks = new JointTracks(5, joint => rests.has(joint));
+    tracks.add(1, ['a', 'b', 'c'], [1, 1, 1]);
+    tracks.add(11, ['a', 'b', 'c'], [2, 2, 1]);
+
+    assert.deepEqual(at(tracks.at(10.5)), { a: 1, c: 1 }, 'c has the same position before and after the gap');
+    assert.deepEqual(at(tracks.at(11)), { a: 2, b: 2, c: 1 });
+  });
+
   it('follow a source whose clock was set back', () => {
     const tracks = new JointTracks(5);
     for (let t = 95; t <= 103; t++) tracks.add(t, ['a'], [1]);

@@ -22,11 +22,13 @@ export class OtherRobots implements Beside {
   /**
    * @param keepS Length of the stored history, s.
    * @param sampled Called with the time stamp of each sample.
+   * @param isAtRest Returns whether a joint of the cell is at rest.
    */
   constructor(
     private readonly link: Rosbridge,
     private readonly keepS: number,
     private readonly sampled: (stamp: number) => void,
+    private readonly isAtRest: (joint: string) => boolean,
   ) {}
 
   /** Whether at least one robot is drawn. */
@@ -71,7 +73,7 @@ export class OtherRobots implements Beside {
   }
 
   private add(name: string): void {
-    const robot: Robot = { bodies: null, tracks: new JointTracks(this.keepS) };
+    const robot: Robot = { bodies: null, tracks: new JointTracks(this.keepS, joint => this.isAtRest(`${name}/${joint}`)) };
     this.robots.set(name, robot);
     const [description, states] = topicsOf(name);
     this.link.subscribe(description, 'std_msgs/msg/String', text => this.describe(robot, text));

@@ -32,7 +32,7 @@ export class RobotPanel {
   private readonly words = el('p', { class: 'apart' }, robotMessages.noDescription);
   private readonly unknown = el('p', { class: 'level warning', hidden: true });
   private readonly objects = el('p', { class: 'level warning', hidden: true });
-  private readonly truth = new JointTracks(KEEP_S);
+  private readonly truth = new JointTracks(KEEP_S, joint => this.rests.has(joint));
   private readonly displayed = new JointTracks(KEEP_S);
   /** Namespace of the robot that the selected headset displays; empty for the robot without a namespace. */
   private displayedRobot = '';
@@ -43,6 +43,8 @@ export class RobotPanel {
   private headset: Headset | null = null;
   /** Joints of the gateway's newest list whose position is current. */
   private current = new Set<string>();
+  /** Joints of this list that are at rest, so that their sources send no samples. */
+  private rests = new Set<string>();
   /** State of each other joint of this list. */
   private faults = new Map<string, string>();
   private shownAt = 0;
@@ -57,7 +59,7 @@ export class RobotPanel {
     link.subscribe('/tf', TRANSFORMS, text => this.frames.take(text, false));
     link.subscribe('/tf_static', TRANSFORMS, text => this.frames.take(text, true));
     this.view.add(this.frames);
-    this.others = new OtherRobots(link, KEEP_S, this.sampled);
+    this.others = new OtherRobots(link, KEEP_S, this.sampled, joint => this.rests.has(joint));
     this.view.add(this.others);
     // Has room for a message of each headset, because all headsets publish on this topic.
     link.subscribe('/nowpose/displayed', JOINT_STATE, text => this.shown(text), 0, 256);
@@ -79,6 +81,7 @@ export class RobotPanel {
   setJoints(joints: Joint[]): void {
     const isGood = (joint: Joint) => joint.state === 'live' || joint.state === 'rest';
     this.current = new Set(joints.filter(isGood).map(joint => joint.name));
+    this.rests = new Set(joints.filter(joint => joint.state === 'rest').map(joint => joint.name));
     this.faults = new Map(joints.filter(joint => !this.current.has(joint.name)).map(joint => [joint.name, joint.state]));
     this.others.setJoints(joints.map(joint => joint.name));
   }

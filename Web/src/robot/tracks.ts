@@ -3,8 +3,14 @@ import { type Place, Track } from './track';
 /** Maximum number of joints: twice the maximum in a message, so that the joints of a second robot fit, too. */
 const MAX_JOINTS = 512;
 
-/** Interval between two samples of a joint, in seconds, above which its position between them is unknown. The gateway's limit is the same. */
+/**
+ * Interval between two samples of a joint, in seconds, above which its position between them is unknown unless it rests. The gateway's limit is the
+ * same.
+ */
 const MAX_GAP = 1.8;
+
+/** Time for which a joint moves that is at rest until its next sample, in seconds. */
+const START = 0.001;
 
 /** Positions of all joints at one time. */
 export interface Pose {
@@ -16,8 +22,14 @@ export interface Pose {
 export class JointTracks {
   private readonly tracks = new Map<string, Track<number>>();
 
-  /** @param keep Length of the stored history in seconds. */
-  constructor(private readonly keep: number) {}
+  /**
+   * @param keep Length of the stored history in seconds.
+   * @param isAtRest Returns whether a joint without new samples is known to stay at its position.
+   */
+  constructor(
+    private readonly keep: number,
+    private readonly isAtRest: (joint: string) => boolean = () => false,
+  ) {}
 
   /** Time of the newest sample of any joint. */
   get last(): number | undefined {
@@ -28,7 +40,11 @@ export class JointTracks {
 
   add(time: number, names: string[], positions: ArrayLike<number>): void {
     names.forEach((name, i) => {
-      if (Number.isFinite(positions[i])) this.trackOf(name).add(time, positions[i]);
+      if (!Number.isFinite(positions[i])) return;
+      const track = this.trackOf(name);
+      const rest = track.at(Infinity);
+      if (rest && time - rest.toTime > MAX_GAP && this.isAtRest(name)) track.add(time - START, rest.to);
+      track.add(time, positions[i]);
     });
   }
 
@@ -43,7 +59,8 @@ export class JointTracks {
 
   /**
    * Interpolates between samples. After its last sample, a joint keeps its position, because the gateway reports when it is no longer current. Without
-   * the joints that have no data at this time: before their first sample, and in a gap between two samples. Null if no joint has data.
+   * the joints that have no data at this time: before their first sample, and in a gap between two samples with different positions. Null if no joint
+   * has data.
    */
   at(time: number): Pose | null {
     return this.pose(time, ({ from, to, share }) => from + share * (to - from));
@@ -70,7 +87,7 @@ export class JointTracks {
     const pose: Pose = { names: [], positions: [] };
     for (const [name, track] of this.tracks) {
       const place = track.at(time);
-      if (!place || (time > place.fromTime && place.toTime - place.fromTime > MAX_GAP)) continue;
+      if (!place || (time > place.fromTime && place.toTime - place.fromTime > MAX_GAP && place.from !== place.to)) continue;
       pose.names.push(name);
       pose.positions.push(of(place));
     }
