@@ -8,11 +8,11 @@ namespace Nowpose.Cli.Replay;
 /// <summary>The data of a session file that a replay needs, in the order in which the session processed them, in a compact form.</summary>
 sealed class RecordedSession
 {
-    /// <summary>Maximum number of stored values, about 400 MB. A session file of the default maximum size contains less than half of this number.</summary>
+    /// <summary>Maximum number of stored values, about 400 MB. A session file of the default maximum size contains fewer.</summary>
     const int MaxNumbers = 50_000_000;
 
-    /// <summary>Number of values per pose: position, quaternion and time stamp; and per displayed object: position and rotation matrix.</summary>
-    const int NumbersPerPose = 8, NumbersPerObject = 12;
+    /// <summary>Number of values per pose: position, quaternion and time stamp; and per displayed object: position, rotation matrix, name and event.</summary>
+    const int NumbersPerPose = 8, NumbersPerObject = 17;
 
     // Drop reasons of samples that reached no predictor in the session. The replay drops these samples, too.
     static readonly string[] NeverTaken = ["slow_reader", "stamp_in_future"];
@@ -116,7 +116,7 @@ sealed class RecordedSession
     {
         if (shown.Light is not { } light || _newest.PoseInParent(shown.Frame, shown.Pose) is not { } pose) return;
         _events.Add(new Event(EventKind.Object, light, true, _timeLine, _objects.Count, 1));
-        _objects.Add((shown.Frame, pose));
+        _objects.Add((string.Intern(shown.Frame), pose));
     }
 
     // A source repeats the current value for each new connection. A repeated value is not counted as a change.

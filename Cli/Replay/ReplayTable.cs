@@ -41,7 +41,8 @@ static class ReplayTable
         foreach (var heading in new[] { "uncompensated RMS", "compensated RMS", "P95", "max", "reduction" })
             table.AddColumn(new TableColumn(heading).RightAligned());
         List<(string Name, BodyReplayResult.ErrorSize Error)> rows = [("position, mm", result.Position), ("rotation, °", result.Rotation)];
-        if (result.Displayed is { } displayed) rows.AddRange([(ReplayTexts.DisplayedPosition, displayed.Position), (ReplayTexts.DisplayedRotation, displayed.Rotation)]);
+        if (result.Displayed is { } displayed)
+            rows.AddRange([(ReplayTexts.DisplayedPosition, displayed.Position), (ReplayTexts.DisplayedRotation, displayed.Rotation)]);
         foreach (var (name, error) in rows)
             table.AddRow(name, Number(error.RmsHold), Number(error.Rms), Number(error.P95), Number(error.Max), Percent(error.Reduction));
         table.Caption(ReplayTexts.Body);

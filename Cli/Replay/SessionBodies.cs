@@ -41,17 +41,20 @@ sealed class SessionBodies
     /// <param name="report">Receives the number of finished events; null if it is not needed.</param>
     public IReadOnlyList<BodyReplayResult> Run(Action<int> report = null, CancellationToken cancellation = default)
     {
+        RecordedSession.Event frame = default;
         for (var i = 0; i < _session.Events.Count && !cancellation.IsCancellationRequested; i++)
         {
             report?.Invoke(i);
             var next = _session.Events[i];
+            if (next.Kind == RecordedSession.EventKind.Frame) frame = next;
             if (next.Kind == RecordedSession.EventKind.Pose) _bodies[_session.PoseOf(next).Frame].Take(_settings.StampError * (2 * _stampErrors.Next() - 1));
             else if (next.Kind == RecordedSession.EventKind.Frame && next.IsTimed)
                 foreach (var body in _bodies.Values) body.Show(next.TimeLine, next.At, _settings.LatencyError);
-            else if (next.Kind == RecordedSession.EventKind.Object)
+            // The line of the frame is missing if the recording could not keep up.
+            else if (next.Kind == RecordedSession.EventKind.Object && frame.IsTimed && (frame.At, frame.TimeLine) == (next.At, next.TimeLine))
             {
-                var (frame, pose) = _session.ObjectOf(next);
-                if (_bodies.TryGetValue(frame, out var body)) body.AddDisplayed(pose);
+                var (name, pose) = _session.ObjectOf(next);
+                if (_bodies.TryGetValue(name, out var body)) body.AddDisplayed(pose);
             }
         }
         return [.. _bodies.Where(body => body.Value.Frames > 0).Select(body => body.Value.Result(body.Key, _settings.Predictor))];
