@@ -18,7 +18,8 @@ static class VirtualDemo
         return new DemoSettings
         {
             Seconds = seconds, Network = NetworkProfile.Named(network), Robot = robot, RobotText = urdf,
-            Motion = hasWork ? new CellWork(robot, motion) : motion, Predictor = predictor, SamplingMs = 50, Acquisition = new(55, 105), VisualisationMs = 40, Seed = seed,
+            Motion = hasWork ? new CellWork(robot, motion) : motion,
+            Predictor = predictor, SamplingMs = 50, Acquisition = new(55, 105), VisualisationMs = 40, Seed = seed,
         };
     }
 }

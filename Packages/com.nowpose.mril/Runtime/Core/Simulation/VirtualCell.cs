@@ -76,7 +76,10 @@ namespace Nowpose.Simulation
             if (PlanLag.HasValue) _plans.Run(from, now, PlanLag.Value, Settings, session);
         }
 
-        /// <summary>Computes the true position of each robot. Allocates only the changes of a cell with workpieces.</summary>
+        /// <summary>Computes the true position of each robot. Allocates nothing, except when a cell with workpieces changes.</summary>
+        /// <param name="t">
+        /// Time, at most seconds after the last one: a cell with workpieces is first simulated until then, in up to 1 s for each hour.
+        /// </param>
         /// <param name="joints">Receives one position per joint of the motion, rad or m.</param>
         public void TruthAt(HeadsetTime t, Span<double> joints) => _motion.At(ClockTicks.Seconds(t - _start), joints);
 

@@ -1,5 +1,7 @@
 using System;
 using System.Linq;
+using Nowpose.Anchoring;
+using Nowpose.Motion;
 
 namespace Nowpose.Simulation.Work
 {
@@ -24,12 +26,15 @@ namespace Nowpose.Simulation.Work
             _layout = layout;
             State = new CellState(layout);
             _outputs.Move = State.Move;
-            _moveCycles = Enumerable.Range(0, layout.Motion.MoveCount).Select(move => CyclesOf(layout.Motion.SecondsOf(move))).ToArray();
+            _moveCycles = Enumerable.Range(0, layout.Motion.MoveCount).Select(move => CyclesOfMove(layout.Motion, move)).ToArray();
         }
 
         /// <summary>Returns the number of control cycles after which a process has ended.</summary>
         /// <param name="seconds">Duration of the process, s. Rounding errors do not lengthen it.</param>
         public static long CyclesOf(double seconds) => (long)Math.Ceiling(seconds / CellState.CycleSeconds - 1e-6);
+
+        /// <summary>Returns the number of control cycles of a move. The program starts at most one move in a cycle.</summary>
+        public static long CyclesOfMove(PickAndPlaceMotion motion, int move) => Math.Max(1, CyclesOf(motion.SecondsOf(move)));
 
         /// <summary>The newest state. A change creates a new object.</summary>
         public CellState State { get; private set; }
@@ -40,7 +45,7 @@ namespace Nowpose.Simulation.Work
         double Now => _cycle * CellState.CycleSeconds;
 
         /// <summary>Moves a workpiece by hand, from the next cycle on.</summary>
-        public void Put(int workpiece, in WorkpiecePlace place) => (State = State.In(_cycle + 1)).Put(workpiece, place);
+        public void Put(int workpiece, in WorkpiecePlace place) => (State = State.CopyAt(_cycle + 1)).Put(workpiece, place);
 
         /// <summary>Reads the sensors at the beginning of a control cycle.</summary>
         public CellInputs Sense(long cycle)
@@ -56,8 +61,8 @@ namespace Nowpose.Simulation.Work
                 AreClampsOpen = cycle - _opened >= CyclesOf(CellLayout.ClampSeconds),
                 IsBeltAtStation = State.BeltSecondsAt(Now) >= _layout.BeltStepSeconds,
                 AreRobotsAtRest = hasEnded,
-                AreGrippersClosed = State.AreGrippersClosed && hasEnded,
-                AreGrippersOpen = !State.AreGrippersClosed && hasEnded,
+                AreGrippersClosed = State.ClosesGrippers && hasEnded,
+                AreGrippersOpen = !State.ClosesGrippers && hasEnded,
             };
         }
 
@@ -65,7 +70,7 @@ namespace Nowpose.Simulation.Work
         public void Follow(in CellOutputs outputs)
         {
             if (outputs.Move != _outputs.Move) Changed().StartMove(outputs.Move);
-            if (outputs.ClosesGrippers != State.AreGrippersClosed) MoveGrippers(outputs.ClosesGrippers);
+            if (outputs.ClosesGrippers != State.ClosesGrippers) MoveGrippers(outputs.ClosesGrippers);
             if (outputs.OpensClamps != _opened.HasValue) MoveClamps(outputs.OpensClamps);
             var isMoving = outputs.RunsBelt && !IsBeltBlocked;
             if (isMoving != State.IsBeltRunning) Changed().SwitchBelt(isMoving);
@@ -73,28 +78,24 @@ namespace Nowpose.Simulation.Work
             _outputs = outputs;
         }
 
-        CellState Changed() => State.Cycle == _cycle ? State : State = State.In(_cycle);
+        CellState Changed() => State.Cycle == _cycle ? State : State = State.CopyAt(_cycle);
 
         // The fingers of a robot are joints that move in its grip and its release. The fingers hold the workpiece from the start of the stroke on.
         void MoveGrippers(bool close)
         {
             var state = Changed();
-            for (var i = 0; i < _layout.Names.Count; i++)
-                if (close) Grip(i, state);
-                else if (state.PlaceOf(i).Holder == Holder.Gripper) state.Put(i, new WorkpiecePlace(Holder.Fixture, state.PlaceOf(i).Robot));
-            state.AreGrippersClosed = close;
+            for (var i = 0; close && i < _layout.Robots.Length; i++) Grip(i, state);
+            for (var i = 0; !close && i < _layout.Names.Count; i++)
+                if (state.PlaceOf(i).Holder == Holder.Gripper) state.Put(i, new WorkpiecePlace(Holder.Fixture, state.PlaceOf(i).Robot));
+            state.ClosesGrippers = close;
             state.StartMove(close ? _layout.Motion.Task.Grip : _layout.Motion.Task.Release);
         }
 
-        void Grip(int workpiece, CellState state)
+        void Grip(int robot, CellState state)
         {
-            var pose = state.WorldOf(workpiece, Now);
-            for (var i = 0; i < _layout.Robots.Length; i++)
-            {
-                var grasp = state.GraspOf(_layout.Robots[i], Now);
-                var (x, y, z) = (pose.X - grasp.X, pose.Y - grasp.Y, pose.Z - grasp.Z);
-                if (Math.Sqrt(x * x + y * y + z * z) < Reach) state.Put(workpiece, new WorkpiecePlace(Holder.Gripper, i));
-            }
+            var grasp = state.GraspOf(_layout.Robots[robot], Now);
+            for (var i = 0; i < _layout.Names.Count; i++)
+                if (state.WorldOf(i, Now).DistanceTo(grasp) < Reach) state.Put(i, new WorkpiecePlace(Holder.Gripper, robot));
         }
 
         // An open clamp leaves its workpiece on the start of the belt.

@@ -44,8 +44,8 @@ namespace Nowpose.Simulation.Work
     }
 
     /// <summary>
-    /// Control program of a cell: two sequences, one for the belt and one for the robots. It runs in each control cycle, and decides from its inputs
-    /// and its own step only. All robots do the same step; each step waits for all of them.
+    /// Control program of a cell: two sequences, one for the belt and one for the robots. It runs in each control cycle, and decides from its inputs,
+    /// its step and its last outputs only. All robots do the same step; each step waits for all of them.
     /// </summary>
     sealed class CellProgram
     {
@@ -71,7 +71,7 @@ namespace Nowpose.Simulation.Work
             return _outputs;
         }
 
-        // The belt moves by one station if a pick place is empty and the grippers are away from the belt.
+        // The belt moves by one station if a pick place is empty and the robots do a move during which it may start, see TaskMoves.
         void RunBelt(in CellInputs inputs)
         {
             if (_outputs.RunsBelt)

@@ -62,7 +62,7 @@ namespace Nowpose.Simulation.Work
             Cycle = cycle;
             (Move, MoveStart) = (other.Move, other.MoveStart);
             (IsBeltRunning, BeltStart, BeltSeconds) = (other.IsBeltRunning, other.BeltStart, other.BeltSeconds);
-            (AreGrippersClosed, PartsPresent) = (other.AreGrippersClosed, other.PartsPresent);
+            (ClosesGrippers, PartsPresent) = (other.ClosesGrippers, other.PartsPresent);
         }
 
         /// <summary>Number of the control cycle from which on this state is valid; cycle 0 is at the start.</summary>
@@ -83,13 +83,14 @@ namespace Nowpose.Simulation.Work
         /// <inheritdoc cref="IsBeltRunning"/>
         public double BeltSeconds { get; private set; }
 
-        public bool AreGrippersClosed { get; set; }
+        /// <summary>Whether the grippers close or have closed: the value of their signals, which changes at the start of a stroke.</summary>
+        public bool ClosesGrippers { get; set; }
 
         /// <summary>Robots whose light barrier is interrupted: bit i for robot i.</summary>
         public int PartsPresent { get; set; }
 
         /// <summary>Returns a copy that becomes valid in a later cycle.</summary>
-        public CellState In(long cycle) => new CellState(this, cycle);
+        public CellState CopyAt(long cycle) => new CellState(this, cycle);
 
         public WorkpiecePlace PlaceOf(int workpiece) => _places[workpiece];
 
@@ -179,7 +180,7 @@ namespace Nowpose.Simulation.Work
             var robots = _layout.Robots.Length;
             for (var i = 0; i < robots; i++)
             {
-                values[i] = AreGrippersClosed ? 1 : 0;
+                values[i] = ClosesGrippers ? 1 : 0;
                 values[robots + 1 + i] = (PartsPresent >> i) & 1;
             }
             values[robots] = IsBeltRunning ? 1 : 0;

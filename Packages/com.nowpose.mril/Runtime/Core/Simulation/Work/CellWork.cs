@@ -12,8 +12,8 @@ namespace Nowpose.Simulation.Work
     /// </summary>
     /// <remarks>
     /// All robots are of the same kind and move at the same time. The world frame is the first robot's base frame. Times may be read in any order. A
-    /// read at a later time than all others first runs the program until then, at about 0.1 µs for each cycle, and allocates the states of the
-    /// changes. Only the changes of the last <see cref="KeptSeconds"/> are kept, in less than 5 MB; an earlier time gives the oldest kept state.
+    /// read at a later time than all others first runs the program until then, at 0.1 to 0.2 µs for each cycle, and allocates the states of the
+    /// changes. Only the changes of the last <see cref="KeptSeconds"/> are kept, in about 5 MB; an earlier time gives the oldest kept state.
     /// Deterministic and thread-safe.
     /// </remarks>
     sealed class CellWork : IMotion
@@ -52,7 +52,7 @@ namespace Nowpose.Simulation.Work
             _layout = new CellLayout(robot, motion, robots);
             Plant = new CellPlant(_layout);
             _program = new CellProgram(motion.Task, motion.MoveCount);
-            CycleSeconds = CellState.CycleSeconds * Enumerable.Range(0, motion.MoveCount).Sum(move => CellPlant.CyclesOf(motion.SecondsOf(move)));
+            CycleSeconds = CellState.CycleSeconds * Enumerable.Range(0, motion.MoveCount).Sum(move => CellPlant.CyclesOfMove(motion, move));
         }
 
         public IReadOnlyList<string> JointNames => _layout.Motion.JointNames;

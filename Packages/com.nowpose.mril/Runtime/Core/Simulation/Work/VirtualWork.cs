@@ -32,7 +32,11 @@ namespace Nowpose.Simulation.Work
         /// <summary>Simulates the messages until now. No message is sent before <paramref name="from"/>.</summary>
         public void Run(HeadsetTime from, HeadsetTime now, in VirtualCellSettings settings, CompensationSession session)
         {
-            if (_lastTaken < from) _lastTaken = from;
+            if (_lastTaken < from)
+            {
+                _lastTaken = from;
+                _messages.Skip();
+            }
             if (_described != session) Describe(session, now);
             _described = session;
             while (_lastTaken + settings.SamplingInterval <= now) Take(_lastTaken += settings.SamplingInterval, settings);

@@ -13,6 +13,7 @@ namespace Nowpose.Simulation.Work
         readonly CellWork _work;
         readonly double[] _now, _sent;
         CellState _newest;
+        bool _hasSkipped;
 
         public WorkMessages(CellWork work)
         {
@@ -50,10 +51,12 @@ namespace Nowpose.Simulation.Work
         /// <inheritdoc cref="FramesAt"/>
         public IEnumerable<SignalsMessage> ChangesUntil(ControlTime stamp, double seconds)
         {
-            if (_newest == null)
+            var isFirst = _newest == null;
+            if (isFirst || _hasSkipped)
             {
-                _newest = _work.StateAt(seconds);
-                yield return MessageOf(_newest, stamp, isFirst: true);
+                (_newest, _hasSkipped) = (_work.StateAt(seconds), false);
+                var message = MessageOf(_newest, stamp, isFirst);
+                if (message != null) yield return message;
             }
             for (var next = _work.Next(_newest, seconds); next != null; next = _work.Next(next, seconds))
             {
@@ -62,6 +65,9 @@ namespace Nowpose.Simulation.Work
                 if (message != null) yield return message;
             }
         }
+
+        /// <summary>Skips the changes until the next call of <see cref="ChangesUntil"/>, which then returns the values that differ from those before.</summary>
+        public void Skip() => _hasSkipped = true;
 
         // Returns null if no signal differs from its last value.
         SignalsMessage MessageOf(CellState state, ControlTime stamp, bool isFirst)

@@ -44,7 +44,7 @@ namespace Nowpose.Simulation.Work
         /// <summary>Name of the stationary frame of the fixture, whose origin is the middle of the fixture's upper side.</summary>
         public string Fixture { get; }
 
-        /// <summary>Name of the signal that is 1 while the gripper is closed.</summary>
+        /// <summary>Name of the signal that is 1 from the start of closing the gripper until the start of opening it.</summary>
         public string GripperClosed { get; }
 
         /// <summary>Name of the signal that is 1 while a workpiece waits for this robot.</summary>

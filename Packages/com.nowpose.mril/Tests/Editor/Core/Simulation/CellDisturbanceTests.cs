@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Simulation
             Assert.That(HeldCount(), Is.Zero);
             Assert.That(Joints(), Is.EqualTo(Waypoint(_motion.Task.Approach)).Within(1e-9));
             _work.Plant.IsBeltBlocked = false;
-            var next = TimeOf(state => state.AreGrippersClosed);
+            var next = TimeOf(state => state.ClosesGrippers);
             Assert.That(next - (Grip + 20), Is.InRange(Grip - Approach, Grip - Approach + 5), "s after the end of the blockage");
             Assert.That(_work.StateAt(next).IsBeltRunning, Is.False);
             Assert.That(HeldCount(), Is.EqualTo(_robots));
@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Simulation
 
             Assert.That(Joints(), Is.EqualTo(Waypoint(_motion.Task.Approach)).Within(1e-9), "the robots wait");
             Assert.That(IsBeltRunning(), Is.True, "the belt brings the next workpiece");
-            var next = TimeOf(state => state.AreGrippersClosed);
+            var next = TimeOf(state => state.ClosesGrippers);
             Assert.That(next, Is.GreaterThan(Grip + 0.1));
             Assert.That(_work.StateAt(next).PlaceOf(waiting).Holder, Is.EqualTo(Holder.Belt));
             Assert.That(HeldCount(), Is.EqualTo(_robots));
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Simulation
 
             RunUntil(Grip + 10);
 
-            Assert.That(_work.StateAt(Now).AreGrippersClosed, Is.False);
+            Assert.That(_work.StateAt(Now).ClosesGrippers, Is.False);
             Assert.That(HeldCount(), Is.Zero);
             Assert.That(Joints(), Is.EqualTo(Waypoint(_motion.Task.Grip)).Within(1e-9));
             Assert.That(IsBeltRunning(), Is.False, "the gripper is in the way of the belt");
@@ -103,7 +103,7 @@ namespace Nowpose.Tests.Core.Simulation
             Assert.That(HeldCount(), Is.EqualTo(_robots));
             Assert.That(Joints(), Is.EqualTo(Waypoint(_motion.Task.Lower)).Within(1e-9));
             _work.Plant.Put(other, place);
-            var released = TimeOf(state => !state.AreGrippersClosed);
+            var released = TimeOf(state => !state.ClosesGrippers);
             Assert.That(released - (Lower + 10), Is.EqualTo(_motion.StartOf(_motion.Task.Release) - _motion.StartOf(_motion.Task.Lower)).Within(0.005));
         }
 
@@ -115,7 +115,7 @@ namespace Nowpose.Tests.Core.Simulation
 
             plant.Follow(new CellOutputs { Move = plant.State.Move, ClosesGrippers = true });
 
-            Assert.That(plant.State.AreGrippersClosed, Is.True);
+            Assert.That(plant.State.ClosesGrippers, Is.True);
             Assert.That(Enumerable.Range(0, _work.Names.Count).Select(i => plant.State.PlaceOf(i).Holder), Is.All.EqualTo(Holder.Belt));
         }
 

@@ -73,6 +73,21 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
+        public void Workpieces_WhenAGripperClosesOrOpens_StayWhereTheyAre()
+        {
+            var strokes = 0;
+            for (var (before, state) = (_work.StateAt(0), _work.StateAt(0)); state != null; (before, state) = (state, _work.Next(state, Period)))
+            {
+                if (state.ClosesGrippers == before.ClosesGrippers) continue;
+                var time = state.Cycle * CellState.CycleSeconds;
+                for (var body = 0; body < _work.Names.Count; body++)
+                    Assert.That(Distance(before.WorldOf(body, time), state.WorldOf(body, time)), Is.LessThan(1e-9), _work.Names[body] + " at " + time + " s");
+                strokes++;
+            }
+            Assert.That(strokes, Is.GreaterThanOrEqualTo(4));
+        }
+
+        [Test]
         public void PoseOf_EachParent_IsConsistentWithTheWorldPose()
         {
             var seen = new HashSet<string>();

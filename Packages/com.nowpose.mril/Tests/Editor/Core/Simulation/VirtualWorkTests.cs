@@ -1,8 +1,10 @@
 using System;
+using System.Linq;
 using Nowpose.Latency;
 using Nowpose.Motion;
 using Nowpose.Network;
 using Nowpose.Prediction;
+using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using Nowpose.Simulation;
 using Nowpose.Simulation.Work;
@@ -44,6 +46,32 @@ namespace Nowpose.Tests.Core.Simulation
                 Assert.That(signal?.IsKnown, Is.True, name);
                 Assert.That(signal.Since >= signals.Find(name).Since, Is.True, name);
             }
+        }
+
+        [Test]
+        public void Messages_AfterAPause_HaveOnlyTheValuesThatDiffer()
+        {
+            var robot = UrdfFiles.Robot("youbot");
+            var work = new CellWork(robot, new PickAndPlaceMotion(robot));
+            var messages = new WorkMessages(work);
+            ControlTime At(double seconds) => ControlTime.FromSeconds(1000 + seconds);
+            SignalsMessage[] Until(double seconds) => messages.ChangesUntil(At(seconds), seconds).ToArray();
+            Until(10);
+            messages.Skip();
+            var end = 3600.0;
+            while (ValueAt(work, end) == ValueAt(work, 10)) end += 0.1;
+
+            var sent = Until(end);
+
+            Assert.That(sent.Select(message => message.Stamp), Is.EqualTo(new[] { At(end) }));
+            Assert.That(Until(end + work.CycleSeconds), Is.Not.Empty, "changes after the pause");
+        }
+
+        static double ValueAt(CellWork work, double seconds)
+        {
+            var values = new double[work.Signals.Count];
+            work.SignalsAt(seconds, values);
+            return values[0];
         }
 
         static CompensationSession NewSession() => new CompensationSession(
