@@ -33,8 +33,8 @@ sealed class LatchedMessages(Func<HubMessage, Predicate<string>, HubMessage> onl
     public IEnumerable<HubMessage> Since(long sequence, Func<string, long> changesAfter)
     {
         bool IsFormer(HubMessage message, string name) => _former.GetValueOrDefault(name) == message && message.Sequence > changesAfter(name);
-        return _newest.Values.Concat(_former.Where(one => one.Value.Sequence > changesAfter(one.Key)).Select(one => one.Value)).Where(message => message.Sequence >= sequence)
-            .Distinct().OrderBy(message => message.Sequence)
+        var former = _former.Where(one => one.Value.Sequence > changesAfter(one.Key)).Select(one => one.Value);
+        return _newest.Values.Concat(former).Where(message => message.Sequence >= sequence).Distinct().OrderBy(message => message.Sequence)
             .Select(message => only(message, name => Of(name) == message || IsFormer(message, name))).ToArray();
     }
 }
