@@ -171,7 +171,7 @@ describe('ros', { concurrency: 4 }, () => {
   for (const [name, data, isStamped] of [['WithoutHeader', { data: [100, -200, 300, 90, 0, 90] }, false], ['WithHeader', { pose: [100, -200, 300, 90, 0, 90] }, true]])
     it(`Frame_ThreeAngles${name}_IsForwardedAsAQuaternionInItsParent`, async t => {
       const field = isStamped ? 'pose' : 'data';
-      const { robot, bridge, adapter } = await cell(t, {}, { rest: `frames:
+      const { robot, bridge, adapter } = await cell(t, { aheadMs: 3_600_000 }, { rest: `frames:
   - frame: rack
     topic: /rack/pose
     type: cell_msgs/Pose6
@@ -192,8 +192,8 @@ describe('ros', { concurrency: 4 }, () => {
       // 90° about z, then 90° about the turned x axis: Rz(90°) Rx(90°).
       for (const axis of ['x', 'y', 'z', 'w']) assert.ok(Math.abs(rotation[axis] - 0.5) < 1e-12, axis);
       if (isStamped) assert.equal(nanoseconds(header.stamp), stamp);
-      // The adapter's estimate of the robot's clock may be wrong by half of a round-trip time.
-      else assert.ok(Math.abs(Number(nanoseconds(header.stamp) - stamp)) < 1e9, 'the time of arrival');
+      // The adapter's estimate of the robot's clock may be wrong by half of a round-trip time, which a busy machine lengthens.
+      else assert.ok(Math.abs(Number(nanoseconds(header.stamp) - stamp)) < 60e9, 'the time of arrival on the clock of the robot');
       const [{ transforms: [stationary] }] = bridge.published('/tf_static');
       assert.deepEqual([stationary.child_frame_id, stationary.transform.translation], ['stand', { x: 1, y: 0, z: 0.5 }]);
     });
