@@ -14,6 +14,8 @@ namespace Nowpose.Simulation.Work
         /// <summary>Maximum distance of a workpiece from the middle of the gripper that takes it, m.</summary>
         const double Reach = CellWork.Size / 2;
 
+        static readonly long ClampCycles = CyclesOf(CellLayout.ClampSeconds);
+
         readonly CellLayout _layout;
         readonly long[] _moveCycles;
         CellOutputs _outputs;
@@ -51,14 +53,14 @@ namespace Nowpose.Simulation.Work
         public CellInputs Sense(long cycle)
         {
             _cycle = cycle;
-            var present = PartsPresent();
+            var (present, areFixturesFree) = Workpieces();
             if (present != State.PartsPresent) Changed().PartsPresent = present;
             var hasEnded = cycle - State.MoveStart >= _moveCycles[State.Move];
             return new CellInputs
             {
                 ArePartsPresent = present == (1 << _layout.Robots.Length) - 1,
-                AreFixturesFree = AreFixturesFree(),
-                AreClampsOpen = cycle - _opened >= CyclesOf(CellLayout.ClampSeconds),
+                AreFixturesFree = areFixturesFree,
+                AreClampsOpen = cycle - _opened >= ClampCycles,
                 IsBeltAtStation = State.BeltSecondsAt(Now) >= _layout.BeltStepSeconds,
                 AreRobotsAtRest = hasEnded,
                 AreGrippersClosed = State.ClosesGrippers && hasEnded,
@@ -84,9 +86,10 @@ namespace Nowpose.Simulation.Work
         void MoveGrippers(bool close)
         {
             var state = Changed();
-            for (var i = 0; close && i < _layout.Robots.Length; i++) Grip(i, state);
-            for (var i = 0; !close && i < _layout.Names.Count; i++)
-                if (state.PlaceOf(i).Holder == Holder.Gripper) state.Put(i, new WorkpiecePlace(Holder.Fixture, state.PlaceOf(i).Robot));
+            if (close)
+                for (var i = 0; i < _layout.Robots.Length; i++) Grip(i, state);
+            else
+                PassOn(Holder.Gripper, Holder.Fixture);
             state.ClosesGrippers = close;
             state.StartMove(close ? _layout.Motion.Task.Grip : _layout.Motion.Task.Release);
         }
@@ -102,28 +105,30 @@ namespace Nowpose.Simulation.Work
         void MoveClamps(bool open)
         {
             _opened = open ? _cycle : (long?)null;
-            for (var i = 0; open && i < _layout.Names.Count; i++)
-                if (State.PlaceOf(i).Holder == Holder.Fixture) Changed().Put(i, new WorkpiecePlace(Holder.Belt, State.PlaceOf(i).Robot));
+            if (open) PassOn(Holder.Fixture, Holder.Belt);
         }
 
-        int PartsPresent()
+        // Passes the workpieces from one part of the cell to another one of the same robot.
+        void PassOn(Holder from, Holder to)
         {
-            var present = 0;
             for (var i = 0; i < _layout.Names.Count; i++)
-                if (State.PlaceOf(i).Holder == Holder.Belt && State.StationOf(i, Now) >= CellLayout.Stations)
-                    present |= 1 << _layout.Next(State.PlaceOf(i).Robot);
-            return present;
+                if (State.PlaceOf(i).Holder == from) Changed().Put(i, new WorkpiecePlace(to, State.PlaceOf(i).Robot));
         }
 
-        bool AreFixturesFree()
+        // Returns the robots whose light barrier is interrupted, bit i for robot i, and whether all fixtures are free.
+        (int PartsPresent, bool AreFixturesFree) Workpieces()
         {
+            var (present, areFree) = (0, true);
             for (var i = 0; i < _layout.Names.Count; i++)
             {
                 var place = State.PlaceOf(i);
-                if (place.Holder == Holder.Fixture) return false;
-                if (place.Holder == Holder.Belt && State.StationOf(i, Now) < _layout.Robots[place.Robot].Belt.QueueDistance) return false;
+                if (place.Holder == Holder.Fixture) areFree = false;
+                if (place.Holder != Holder.Belt) continue;
+                var station = State.StationOf(i, Now);
+                if (station >= CellLayout.Stations) present |= 1 << _layout.Next(place.Robot);
+                if (station < _layout.Robots[place.Robot].Belt.QueueDistance) areFree = false;
             }
-            return true;
+            return (present, areFree);
         }
     }
 }
