@@ -43,7 +43,7 @@ namespace Nowpose.Editor.Inspectors
             return time.Length == 0 ? text : text + ", " + time;
         }
 
-        /// <summary>Formats a number.
+        /// <summary>Formats a number.</summary>
         /// <param name="format">Format string as for <see cref="double.ToString(string)"/>.</param>
         /// <param name="unit">Text after the number, including a space if one is needed.</param>
         public static string Number(double? value, string format, string unit) =>
