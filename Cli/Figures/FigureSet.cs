@@ -13,6 +13,7 @@ static class FigureSet
         ["4", "8", "10", "11a", "11b", "12", "13a", "13b", "13c", "13d", "14a", "14b", "14c", "14d", "16", "17", "18"];
 
     /// <summary>Creates the studies. Short studies come first, so that an interrupted run has a partial result.</summary>
-    public static IReadOnlyList<IFigureStudy> Studies(FigureSettings settings) =>
-        [new DisplayStudy(settings), new Figure12(settings), new SwingStudy(settings), new ClockAndFieldStudy(settings), .. SweepStudy.All(settings)];
+    /// <param name="cancel">Cancels work items that take long.</param>
+    public static IReadOnlyList<IFigureStudy> Studies(FigureSettings settings, CancellationToken cancel) =>
+        [new DisplayStudy(settings), new Figure12(settings), new SwingStudy(settings, cancel), new ClockAndFieldStudy(settings), .. SweepStudy.All(settings)];
 }

@@ -38,7 +38,7 @@ static class FiguresVerb
     internal static int Run(FigureSettings settings, string folder, string pictures, CancellationToken cancel, bool opens = false)
     {
         var output = FiguresOutput.At(folder, pictures);
-        var run = new FigureRun(FigureSet.Studies(settings));
+        var run = new FigureRun(FigureSet.Studies(settings, cancel));
         IReadOnlyList<Figure> figures = null;
         ConsoleProgress.Run("computing", "studies", run.Total, report => figures = run.Run(report, cancel));
         output.Write(figures, settings);

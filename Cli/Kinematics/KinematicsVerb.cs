@@ -28,9 +28,9 @@ static class KinematicsVerb
         var model = RobotFiles.Load(file);
         var values = new JointValues(model, joints ?? "");
         var positions = values.Complete();
+        var poses = Poses(model, positions);
         foreach (var note in values.OutOfLimits(positions))
             Console.Error.WriteLine(ConsoleMessages.Line(note));
-        var poses = Poses(model, positions);
         Console.Out.Write(json ? PoseOutput.Json(model, poses) : PoseOutput.Matrices(model, poses));
         return ExitStatus.Done;
     }

@@ -18,13 +18,15 @@ sealed class SwingRuns
     static readonly SwingScenario[] Scenarios = [SwingScenario.Standard, SwingScenario.Cold];
 
     readonly FigureSettings _settings;
+    readonly CancellationToken _cancel;
     readonly Lazy<LatencyProfile> _profile;
     readonly StudyFrame[,,][] _frames;
     readonly YoubotSwing[] _swings = [.. Scenarios.Select(scenario => scenario.SwingAfter(0))];
 
-    public SwingRuns(FigureSettings settings)
+    /// <param name="cancel">Ends the measurement of the display, which takes longer than the other work.</param>
+    public SwingRuns(FigureSettings settings, CancellationToken cancel)
     {
-        _settings = settings;
+        (_settings, _cancel) = (settings, cancel);
         _profile = new Lazy<LatencyProfile>(() => settings.Profile ?? Measure());
         _frames = new StudyFrame[Scenarios.Length, Predicted.Count, settings.Phases][];
         Work = [.. from s in Enumerable.Range(0, Scenarios.Length)
@@ -61,8 +63,12 @@ sealed class SwingRuns
         }
     }
 
-    LatencyProfile Measure() => PaperCalibration.Of(
-        PaperScenario.Of(Conditions with { Seed = _settings.Seed }, Swing), _settings.PicturesPerLoad, CancellationToken.None).Profile;
+    LatencyProfile Measure()
+    {
+        var calibration = PaperCalibration.Of(PaperScenario.Of(Conditions with { Seed = _settings.Seed }, Swing), _settings.PicturesPerLoad, _cancel);
+        _cancel.ThrowIfCancellationRequested();
+        return calibration.Profile;
+    }
 
     StudyFrame[] Play(int scenario, string predictor, int run)
     {

@@ -3,9 +3,9 @@ using Nowpose.Cli.Figures.Model;
 namespace Nowpose.Cli.Figures.Swing;
 
 /// <summary>Figs 16 to 18: the paper's proof of concept, a virtual gripper on a swinging robot.</summary>
-sealed class SwingStudy(FigureSettings settings) : IFigureStudy
+sealed class SwingStudy(FigureSettings settings, CancellationToken cancel) : IFigureStudy
 {
-    readonly SwingRuns _runs = new(settings);
+    readonly SwingRuns _runs = new(settings, cancel);
 
     public IReadOnlyList<Action> Work => _runs.Work;
 

@@ -112,7 +112,7 @@ public partial class FiguresVerbTests
         {
             Assert.That(settings.Ours, Is.EqualTo(new[] { "adaptive", "gp" }));
             Assert.That(settings.Phases, Is.GreaterThanOrEqualTo(8));
-            Assert.That(new FigureRun(FigureSet.Studies(settings)).Total, Is.GreaterThan(300));
+            Assert.That(new FigureRun(FigureSet.Studies(settings, default)).Total, Is.GreaterThan(300));
         }
     }
 

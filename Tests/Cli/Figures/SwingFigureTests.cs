@@ -18,7 +18,7 @@ public class SwingFigureTests
     [OneTimeSetUp]
     public static void Compute()
     {
-        s_runs = new SwingRuns(Settings);
+        s_runs = new SwingRuns(Settings, default);
         Parallel.ForEach(s_runs.Work, work => work());
         s_set = s_runs.Set;
     }
@@ -105,7 +105,7 @@ public class SwingFigureTests
     [Test]
     public void Runs_ProfileOfAnotherDisplay_ClaimDoesNotHold()
     {
-        var runs = new SwingRuns(Settings with { Phases = 2, Profile = SwingProfile.Of(75) });
+        var runs = new SwingRuns(Settings with { Phases = 2, Profile = SwingProfile.Of(75) }, default);
         foreach (var work in runs.Work) work();
         var figure = Figure18.Of(runs.Set);
 
@@ -117,12 +117,23 @@ public class SwingFigureTests
     [Test]
     public void Runs_NoProfile_MeasureAProfileFromPictures()
     {
-        var runs = new SwingRuns(Settings with { Phases = 1, Profile = null, PicturesPerLoad = 2 });
+        var runs = new SwingRuns(Settings with { Phases = 1, Profile = null, PicturesPerLoad = 2 }, default);
 
         runs.Work[0]();
 
         Assert.That(runs.Profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(40).Within(1.5));
         Assert.That(runs.Profile.Method, Is.EqualTo(CalibrationMethod.VisibleLight));
+    }
+
+    [Test]
+    public void Run_CancelledWhileTheDisplayIsMeasured_IsCancelled()
+    {
+        using var cancel = new CancellationTokenSource();
+        var runs = new SwingRuns(Settings with { Phases = 1, Profile = null, PicturesPerLoad = 2 }, cancel.Token);
+
+        cancel.Cancel();
+
+        Assert.Throws<OperationCanceledException>(() => runs.Work[0]());
     }
 
     [Test]
