@@ -42,6 +42,14 @@ public class CommandLineTests
         Assert.That(run.Errors.TrimEnd(), Is.EqualTo(ConsoleMessages.Line(PathMessages.NotFound("no-such-file.csv"))));
     }
 
+    [Test, Platform(Exclude = "Win")]
+    public async Task Run_ErrorOutputIsClosed_ExitsWith2()
+    {
+        using var program = PeerProcess.OfShell($"exec dotnet '{Path.Combine(AppContext.BaseDirectory, "Nowpose.Cli.dll")}' sync no-such-file.csv 2>&-");
+
+        Assert.That(await program.EndsAsync(), Is.EqualTo(2));
+    }
+
     [TestCase("--help")]
     [TestCase("sync", "--help")]
     public async Task Run_HelpOption_PrintsTheHelp(params string[] args)
