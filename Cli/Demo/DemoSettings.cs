@@ -22,8 +22,8 @@ sealed record DemoSettings
     /// <summary>The true motion of the robot.</summary>
     public IMotion Motion { get; init; }
 
-    /// <summary>The motion with objects and signals; null if the motion moves no objects.</summary>
-    public CellWork Work => Motion as CellWork;
+    /// <summary>The cell with objects and signals in which the robot has this motion; null if the robot moves no objects.</summary>
+    public CellWork Work { get; init; }
 
     /// <summary>Name of the motion in the report.</summary>
     public string MotionName { get; init; }

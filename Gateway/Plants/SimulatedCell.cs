@@ -12,37 +12,49 @@ public sealed class SimulatedCell : IDisposable
 {
     readonly IControlClock _clock;
     readonly SampleSchedule _schedule;
-    readonly string[] _names;
+    // The joints of each robot.
+    readonly string[][] _names;
     readonly ManualResetEventSlim _stop = new();
-    readonly SetPointsAhead _setPoints;
+    // The set-points of each robot; null if the cell publishes none.
+    readonly SetPointsAhead[] _setPoints;
     readonly CellWork _work;
-    readonly string[] _robots;
+    readonly IReadOnlyList<(string Namespace, IMotion Motion)> _robots;
     Thread _thread;
 
-    /// <summary>Creates a cell.</summary>
-    /// <param name="motion">The motion of the robot. A <see cref="CellWork"/> also has objects and signals, which are published, and several robots.</param>
+    /// <summary>Creates a cell with one robot.</summary>
+    /// <param name="motion">The motion of the robot.</param>
     /// <param name="clock">The control clock, with which samples are stamped.</param>
     /// <param name="timing">Sampling interval and acquisition times.</param>
     /// <param name="seed">Seed of the acquisition times.</param>
     /// <param name="publishesPlan">Whether the cell also publishes the set-points of the next second, four times a second.</param>
     internal SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan = false)
+        : this([("", motion)], clock, timing, seed, publishesPlan)
     {
-        _work = motion as CellWork;
-        _robots = _work == null ? [""] : [.. _work.Robots.Select(robot => robot.Namespace)];
-        Motion = motion;
+    }
+
+    /// <summary>Creates a cell whose objects and signals are also published.</summary>
+    /// <inheritdoc cref="SimulatedCell(IMotion, IControlClock, CellTiming, int, bool)"/>
+    internal SimulatedCell(CellWork work, IControlClock clock, CellTiming timing, int seed, bool publishesPlan = false)
+        : this(work.Motions, clock, timing, seed, publishesPlan) => _work = work;
+
+    SimulatedCell(
+        IReadOnlyList<(string Namespace, IMotion Motion)> robots, IControlClock clock, CellTiming timing, int seed, bool publishesPlan)
+    {
+        _robots = robots;
         _clock = clock;
-        _names = [.. motion.JointNames];
+        _names = [.. robots.Select(robot => robot.Motion.JointNames.ToArray())];
         Start = clock.Now;
-        _setPoints = publishesPlan ? new SetPointsAhead(motion) : null;
+        _setPoints = publishesPlan ? [.. robots.Select(robot => new SetPointsAhead(robot.Motion))] : null;
         _schedule = new SampleSchedule(Start, timing, seed);
     }
 
-    public IMotion Motion { get; }
+    /// <summary>The motion of the first robot.</summary>
+    public IMotion Motion => _robots[0].Motion;
 
     /// <summary>Control time at which the motion starts.</summary>
     public ControlTime Start { get; }
 
-    /// <summary>Gets the robot's true joint positions at a given time. Thread-safe.</summary>
+    /// <summary>Gets the first robot's true joint positions at a given time. Thread-safe.</summary>
     /// <param name="positions">Receives one position per joint name of the motion, rad or m.</param>
     public void TruthAt(ControlTime time, Span<double> positions) => Motion.At(SecondsAt(time), positions);
 
@@ -81,15 +93,20 @@ public sealed class SimulatedCell : IDisposable
             if (_setPoints != null && _schedule.Sent >= nextPlan)
             {
                 var now = _clock.Now;
-                foreach (var robot in _robots) source.Publish(_setPoints.At(now, (now - Start).TotalSeconds), robot: robot);
+                for (var i = 0; i < _robots.Count; i++)
+                    source.Publish(_setPoints[i].At(now, (now - Start).TotalSeconds), robot: _robots[i].Namespace);
                 nextPlan = now + SetPointsAhead.Interval;
             }
-            var positions = new double[_names.Length];
-            TruthAt(_schedule.Taken, positions);
-            var message = new JointStateMessage(_schedule.Taken, _names, positions);
-            foreach (var robot in _robots) source.Publish(message, robot: robot);
+            for (var i = 0; i < _robots.Count; i++) source.Publish(SampleOf(i), robot: _robots[i].Namespace);
             if (work != null) PublishWork(work, source, _schedule.Taken);
         }
+    }
+
+    JointStateMessage SampleOf(int robot)
+    {
+        var positions = new double[_names[robot].Length];
+        _robots[robot].Motion.At(SecondsAt(_schedule.Taken), positions);
+        return new JointStateMessage(_schedule.Taken, _names[robot], positions);
     }
 
     void PublishWork(WorkMessages work, HubSource source, ControlTime taken)

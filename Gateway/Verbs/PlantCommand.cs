@@ -56,7 +56,9 @@ static class PlantCommand
             using var source = gateway.Hub.OpenSource();
             foreach (var name in work?.Robots.Select(each => each.Namespace) ?? [""]) source.Describe(urdf, name);
             if (server.Records(parsed)) gateway.Recorder.SwitchOn();
-            using var cell = new SimulatedCell(work ?? motion, clock, plant.Timing(parsed), plant.Seed(parsed), plant.PublishesPlan(parsed));
+            var (timing, seed, publishesPlan) = (plant.Timing(parsed), plant.Seed(parsed), plant.PublishesPlan(parsed));
+            using var cell = work == null
+                ? new SimulatedCell(motion, clock, timing, seed, publishesPlan) : new SimulatedCell(work, clock, timing, seed, publishesPlan);
             cell.PublishInto(gateway.Hub);
             Announcement.Write(gateway, clock, server.SkewPpm(parsed), plant.Robot(parsed), cell);
             await Task.Delay(Timeout.Infinite, stop);

@@ -146,6 +146,17 @@ public class SimulatedCellTests
         await Soon.BecomesAsync(() => messages.Count >= 30, "some samples");
         Assert.That(Children(messages, RosTopics.TfStatic), Has.Member("arm2/arm_link_0").And.Member("fixture_2"));
         Assert.That(Children(messages, RosTopics.Tf).Distinct(), Is.EquivalentTo(work.Names));
+        foreach (var (name, motion) in work.Motions)
+        {
+            var samples = messages.Where(message => message.Topic == $"/{name}/joint_states").ToList();
+            var expected = new double[motion.JointNames.Count];
+            foreach (var sample in samples.Select(message => (JointStateMessage)message.Content))
+            {
+                motion.At((sample.Stamp - cell.Start).TotalSeconds, expected);
+                Assert.That(sample.Positions, Is.EqualTo(expected), name);
+            }
+            Assert.That(samples, Is.Not.Empty);
+        }
     }
 
     sealed class Subscriptions(IEnumerable<IDisposable> all) : IDisposable

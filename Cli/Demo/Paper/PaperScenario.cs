@@ -28,6 +28,7 @@ static class PaperScenario
             Robot = swing.Robot,
             RobotText = urdf,
             Motion = new SwingMotion(swing),
+            Work = null,
             MotionName = DemoTexts.PaperSwing,
             Predictor = Predictor,
             // In the paper, a new section replaces the previous one without a blend.

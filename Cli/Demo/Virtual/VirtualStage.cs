@@ -33,7 +33,7 @@ sealed class VirtualStage
         var control = new VirtualClock(Start, ControlAhead, ControlSkew);
         _truth = new VirtualTruth(settings.Motion, control, Start, ControlSkew);
         _conditions = new VirtualCellSettings(settings.SamplingMs, settings.Acquisition.Min, settings.Acquisition.Max, 0, 0, settings.Network);
-        _samples = new VirtualSamples(sampled ?? settings.Motion, [""], control, settings.Seed * 100, Start);
+        _samples = new VirtualSamples([("", sampled ?? settings.Motion)], control, settings.Seed * 100, Start);
         _exchanges = new VirtualExchanges(new VirtualClock(Start, ControlAhead + clockError, ControlSkew), settings.Seed * 100 + 50, Start);
         _work = settings.Work == null ? null : new VirtualWork(settings.Work, control, settings.Seed * 100 + 90, Start);
         var session = DemoStage.SessionOf(settings, new ConnectionSettings("127.0.0.1", 1, 1));

@@ -132,7 +132,9 @@ sealed class VirtualScenes
         real.name = name;
         var place = UnityPoses.ToWorld(robot.Base);
         real.transform.SetPositionAndRotation(place.position, place.rotation);
-        Fields.Set(real.gameObject.AddComponent<TruthRig>(), "_controlSystem", _control);
+        var truth = real.gameObject.AddComponent<TruthRig>();
+        Fields.Set(truth, "_controlSystem", _control);
+        Fields.Set(truth, "_isSecondRobot", robot != _work.Robots[0]);
         TransformRounding.Apply(real.transform);
         return real.gameObject;
     }

@@ -44,7 +44,7 @@ sealed class VirtualRecording
         var settings = new VirtualCellSettings(samplingMs, 55, 105, jitterMs, loss, NetworkProfile.Wifi);
         var motion = new PickAndPlaceMotion(robot);
         var work = hasWork ? new CellWork(robot, motion) : null;
-        var cell = new VirtualCell(work ?? (IMotion)motion, clock, settings, seed, Start);
+        var cell = work == null ? new VirtualCell(motion, clock, settings, seed, Start) : new VirtualCell(work, clock, settings, seed, Start);
         if (planLagMs.HasValue) cell.PlanLag = TimeSpan.FromMilliseconds(planLagMs.Value);
         using var session = new CompensationSession(
             new SessionSettings(

@@ -31,7 +31,7 @@ public class TwoArmsTests
         var second = GameObject.Find("Second Robot").transform;
         var (displayed, held) = (second.Find("Robot").GetComponent<RobotRig>(), second.Find("Ghost").GetComponent<RobotRig>());
         var truth = GameObject.Find("Real Robot 2").GetComponent<RobotRig>();
-        var (errors, holdErrors) = (new List<double>(), new List<double>());
+        var (errors, holdErrors, phases) = (new List<double>(), new List<double>(), new List<double>());
 
         sample.States.Clear();
         sample.Errors.Clear();
@@ -42,6 +42,7 @@ public class TwoArmsTests
             Assert.That(displayed.StateIn(sample.Session.Frame), Is.EqualTo(PoseState.Current), $"second arm in frame {frame}");
             errors.Add(Vector3.Distance(displayed.Tool.position, truth.Tool.position));
             holdErrors.Add(Vector3.Distance(held.Tool.position, truth.Tool.position));
+            phases.Add(Vector3.Distance(InBase(sample.Truth), InBase(truth)));
         }
 
         Assert.That(sample.States, Is.All.EqualTo(PoseState.Current));
@@ -51,7 +52,10 @@ public class TwoArmsTests
             Assert.That(1 - Rms(compensated) / Rms(uncompensated), Is.GreaterThan(0.85));
         }
         Assert.That(Vector3.Distance(sample.Truth.transform.position, truth.transform.position), Is.GreaterThan(0.5), "the arms stand apart");
+        Assert.That(phases.Max(), Is.GreaterThan(0.1), "m; each arm has its own program");
         Assert.That(Complaints(sample), Is.Empty);
+
+        static Vector3 InBase(RobotRig rig) => rig.transform.InverseTransformPoint(rig.Tool.position);
     }
 
     [Test]

@@ -54,10 +54,11 @@ static class PaperScene
     public static DemoSettings Given(int seed)
     {
         var robot = RobotFiles.Load("youbot");
+        var work = new CellWork(robot, new PickAndPlaceMotion(robot));
         return new()
         {
             Network = NetworkProfile.Wifi, Acquisition = new(55, 105), VisualisationMs = VisuMs, Seed = seed,
-            Robot = robot, Motion = new CellWork(robot, new PickAndPlaceMotion(robot)),
+            Robot = robot, Motion = work.Motions[0].Motion, Work = work,
         };
     }
 

@@ -17,6 +17,9 @@ namespace Nowpose.Motion
         /// <summary>Move in which the gripper closes. The arm is at rest.</summary>
         public int Grip { get; }
 
+        /// <summary>First move in which the gripper is away from the pick place. It carries the workpiece to the fixture.</summary>
+        public int Carry => Grip + 2;
+
         /// <summary>First move for which the fixture must be free.</summary>
         public int Lower { get; }
 
@@ -25,5 +28,11 @@ namespace Nowpose.Motion
 
         /// <summary>First move in which the gripper is away from the fixture.</summary>
         public int Leave => Release + 2;
+
+        /// <summary>Returns whether the gripper carries a workpiece between pick place and fixture.</summary>
+        public bool IsCarrying(int move) => move >= Carry && move < Lower;
+
+        /// <summary>Returns whether the gripper is at the pick place or at the fixture, where the belt must be at rest.</summary>
+        public bool IsAtBelt(int move) => move >= Approach && move < Leave && !IsCarrying(move);
     }
 }

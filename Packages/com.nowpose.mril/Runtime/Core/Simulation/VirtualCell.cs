@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Nowpose.Kinematics;
 using Nowpose.Motion;
 using Nowpose.Session;
@@ -19,7 +20,7 @@ namespace Nowpose.Simulation
         /// </summary>
         static readonly TimeSpan MaxPause = TimeSpan.FromSeconds(2);
 
-        readonly IMotion _motion;
+        readonly IReadOnlyList<(string Namespace, IMotion Motion)> _robots;
         readonly HeadsetTime _start;
         readonly VirtualSamples _samples;
         readonly VirtualExchanges _exchanges;
@@ -30,15 +31,23 @@ namespace Nowpose.Simulation
         /// <param name="seed">Seed of all delays and losses.</param>
         /// <param name="start">Start of the motion.</param>
         public VirtualCell(IMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start)
+            : this(new[] { ("", motion) }, clock, settings, seed, start)
         {
-            var work = motion as CellWork;
-            _work = work == null ? null : new VirtualWork(work, clock, unchecked(seed * 100 + 90), start);
-            _motion = motion;
+        }
+
+        /// <summary>Creates a cell whose robots move workpieces.</summary>
+        /// <inheritdoc cref="VirtualCell(IMotion, VirtualClock, VirtualCellSettings, int, HeadsetTime)"/>
+        internal VirtualCell(CellWork work, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start)
+            : this(work.Motions, clock, settings, seed, start) => _work = new VirtualWork(work, clock, unchecked(seed * 100 + 90), start);
+
+        VirtualCell(
+            IReadOnlyList<(string Namespace, IMotion Motion)> robots, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start)
+        {
+            _robots = robots;
             _start = start;
-            var robots = NamespacesOf(work);
-            _samples = new VirtualSamples(motion, robots, clock, unchecked(seed * 100), start);
+            _samples = new VirtualSamples(robots, clock, unchecked(seed * 100), start);
             _exchanges = new VirtualExchanges(clock, unchecked(seed * 100 + 50), start);
-            _plans = new VirtualPlans(motion, robots, clock, unchecked(seed * 100 + 70), start);
+            _plans = new VirtualPlans(robots, clock, unchecked(seed * 100 + 70), start);
             Settings = settings;
         }
 
@@ -50,9 +59,9 @@ namespace Nowpose.Simulation
         /// </summary>
         /// <inheritdoc cref="VirtualCell(IMotion, VirtualClock, VirtualCellSettings, int, HeadsetTime)"/>
         /// <param name="robots">
-        /// Number of robots, 1 or 2. Two robots share the conveyor and move at the same time. They have the namespaces <c>arm1</c> and <c>arm2</c>, a
-        /// frame for each base, the fixtures <c>fixture_1</c> and <c>fixture_2</c>, six workpieces, and the signals <c>gripper_closed_1</c>,
-        /// <c>gripper_closed_2</c>, <c>part_present_1</c> and <c>part_present_2</c>.
+        /// Number of robots, 1 or 2. Two robots share the conveyor, and each has its own control program. They have the namespaces <c>arm1</c> and
+        /// <c>arm2</c>, a frame for each base, the fixtures <c>fixture_1</c> and <c>fixture_2</c>, six workpieces, and the signals
+        /// <c>gripper_closed_1</c>, <c>gripper_closed_2</c>, <c>part_present_1</c> and <c>part_present_2</c>.
         /// </param>
         public static VirtualCell WithWorkpieces(
             RobotModel robot, PickAndPlaceMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start,
@@ -76,19 +85,12 @@ namespace Nowpose.Simulation
             if (PlanLag.HasValue) _plans.Run(from, now, PlanLag.Value, Settings, session);
         }
 
-        /// <summary>Computes the true position of each robot. Allocates nothing, except when a cell with workpieces changes.</summary>
+        /// <summary>Computes the true position of a robot. Allocates nothing, except when a cell with workpieces changes.</summary>
         /// <param name="t">
         /// Time, at most seconds after the last one: a cell with workpieces is first simulated until then, in up to 1 s for each hour.
         /// </param>
         /// <param name="joints">Receives one position per joint of the motion, rad or m.</param>
-        public void TruthAt(HeadsetTime t, Span<double> joints) => _motion.At(ClockTicks.Seconds(t - _start), joints);
-
-        static string[] NamespacesOf(CellWork work)
-        {
-            if (work == null) return new[] { "" };
-            var names = new string[work.Robots.Count];
-            for (var i = 0; i < names.Length; i++) names[i] = work.Robots[i].Namespace;
-            return names;
-        }
+        /// <param name="robot">Index of the robot, 0 for the first one.</param>
+        public void TruthAt(HeadsetTime t, Span<double> joints, int robot = 0) => _robots[robot].Motion.At(ClockTicks.Seconds(t - _start), joints);
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Nowpose.Motion;
 using Nowpose.Protocol;
 using Nowpose.Session;
@@ -9,22 +10,22 @@ namespace Nowpose.Simulation
     /// <summary>Sends the set-points of a <see cref="VirtualCell"/> in advance. Messages arrive in order. Not thread-safe.</summary>
     sealed class VirtualPlans
     {
-        readonly string[] _robots;
+        readonly IReadOnlyList<(string Namespace, IMotion Motion)> _robots;
         readonly VirtualClock _clock;
         readonly HeadsetTime _start;
-        readonly SetPointsAhead _setPoints;
+        readonly SetPointsAhead[] _setPoints;
         readonly VirtualPath _path;
-        readonly Queue<(JointTrajectoryMessage Message, HeadsetTime At)> _underway = new Queue<(JointTrajectoryMessage, HeadsetTime)>();
+        readonly Queue<(JointTrajectoryMessage[] Messages, HeadsetTime At)> _underway = new Queue<(JointTrajectoryMessage[], HeadsetTime)>();
         HeadsetTime _next;
         HeadsetTime _inOrder;
 
-        /// <param name="robots">Namespaces of the robots, which all have this motion.</param>
-        public VirtualPlans(IMotion motion, string[] robots, VirtualClock clock, int seed, HeadsetTime start)
+        /// <param name="robots">The robots, whose set-points are sent at the same times.</param>
+        public VirtualPlans(IReadOnlyList<(string Namespace, IMotion Motion)> robots, VirtualClock clock, int seed, HeadsetTime start)
         {
             _robots = robots;
             _clock = clock;
             _start = _next = _inOrder = start;
-            _setPoints = new SetPointsAhead(motion);
+            _setPoints = robots.Select(robot => new SetPointsAhead(robot.Motion)).ToArray();
             _path = new VirtualPath(network => network.Down(seed), seed + 1);
         }
 
@@ -35,8 +36,8 @@ namespace Nowpose.Simulation
             for (; _next <= now; _next += SetPointsAhead.Interval) Send(_next, lag, settings);
             while (_underway.Count > 0 && _underway.Peek().At <= now)
             {
-                var (message, at) = _underway.Dequeue();
-                foreach (var robot in _robots) session.Listener.Planned(message, at, robot);
+                var (messages, at) = _underway.Dequeue();
+                for (var i = 0; i < messages.Length; i++) session.Listener.Planned(messages[i], at, _robots[i].Namespace);
             }
         }
 
@@ -44,7 +45,8 @@ namespace Nowpose.Simulation
         {
             if (!_path.TrySend(settings, out var took, out var jitter)) return;
             if (at + settings.LatencyMin + took + jitter > _inOrder) _inOrder = at + settings.LatencyMin + took + jitter;
-            _underway.Enqueue((_setPoints.At(_clock.At(at), ClockTicks.Seconds(at + lag - _start)), _inOrder));
+            var (stamp, seconds) = (_clock.At(at), ClockTicks.Seconds(at + lag - _start));
+            _underway.Enqueue((Array.ConvertAll(_setPoints, each => each.At(stamp, seconds)), _inOrder));
         }
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Nowpose.Motion;
 using Nowpose.Protocol;
 using Nowpose.Session;
@@ -9,25 +10,25 @@ namespace Nowpose.Simulation
     /// <summary>Takes, sends and delivers the samples of a <see cref="VirtualCell"/>. Not thread-safe.</summary>
     sealed class VirtualSamples
     {
-        readonly IMotion _motion;
-        readonly string[] _robots;
+        readonly IReadOnlyList<(string Namespace, IMotion Motion)> _robots;
         readonly VirtualClock _clock;
-        readonly string[] _names;
+        // The joints of each robot.
+        readonly string[][] _names;
         readonly HeadsetTime _start;
         readonly VirtualPath _path;
         readonly Random _random;
         // Sorted by arrival.
-        readonly List<Arrival<JointStateMessage>> _underway = new List<Arrival<JointStateMessage>>(1000);
+        readonly List<Arrival<JointStateMessage[]>> _underway = new List<Arrival<JointStateMessage[]>>(1000);
         HeadsetTime _lastTaken;
         HeadsetTime _inOrder;
 
-        /// <param name="robots">Namespaces of the robots, which all have this motion.</param>
-        public VirtualSamples(IMotion motion, string[] robots, VirtualClock clock, int seed, HeadsetTime start)
+        /// <param name="robots">The robots, which are sampled at the same times.</param>
+        public VirtualSamples(
+            IReadOnlyList<(string Namespace, IMotion Motion)> robots, VirtualClock clock, int seed, HeadsetTime start)
         {
             _robots = robots;
-            _motion = motion;
             _clock = clock;
-            _names = new List<string>(motion.JointNames).ToArray();
+            _names = robots.Select(robot => robot.Motion.JointNames.ToArray()).ToArray();
             _start = _lastTaken = _inOrder = start;
             _path = new VirtualPath(network => network.Down(seed), seed + 1);
             _random = new Random(seed + 2);
@@ -40,7 +41,8 @@ namespace Nowpose.Simulation
             while (_lastTaken + settings.SamplingInterval <= now) Take(_lastTaken += settings.SamplingInterval, settings);
             var arrived = 0;
             for (; arrived < _underway.Count && _underway[arrived].At <= now; arrived++)
-                foreach (var robot in _robots) session.Listener.Received(_underway[arrived].Message, _underway[arrived].At, robot);
+                for (var i = 0; i < _robots.Count; i++)
+                    session.Listener.Received(_underway[arrived].Message[i], _underway[arrived].At, _robots[i].Namespace);
             _underway.RemoveRange(0, arrived);
         }
 
@@ -51,12 +53,19 @@ namespace Nowpose.Simulation
             if (!_path.TrySend(settings, out var took, out var jitter)) return;
             // On a stream, a sample does not arrive before the previous sample.
             if (sent + took > _inOrder) _inOrder = sent + took;
-            var positions = new double[_names.Length];
-            _motion.At(ClockTicks.Seconds(at - _start), positions);
-            Enqueue(new Arrival<JointStateMessage>(new JointStateMessage(_clock.At(at), _names, positions), _inOrder + jitter));
+            var messages = new JointStateMessage[_robots.Count];
+            for (var i = 0; i < messages.Length; i++) messages[i] = Sample(i, at);
+            Enqueue(new Arrival<JointStateMessage[]>(messages, _inOrder + jitter));
         }
 
-        void Enqueue(in Arrival<JointStateMessage> arrival)
+        JointStateMessage Sample(int robot, HeadsetTime at)
+        {
+            var positions = new double[_names[robot].Length];
+            _robots[robot].Motion.At(ClockTicks.Seconds(at - _start), positions);
+            return new JointStateMessage(_clock.At(at), _names[robot], positions);
+        }
+
+        void Enqueue(in Arrival<JointStateMessage[]> arrival)
         {
             var place = _underway.Count;
             while (place > 0 && _underway[place - 1].At > arrival.At) place--;

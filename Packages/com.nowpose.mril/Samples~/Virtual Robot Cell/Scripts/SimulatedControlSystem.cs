@@ -79,6 +79,7 @@ namespace Nowpose.Samples
         VirtualClock _clock;
         VirtualCell _cell;
         CompensationSession _described;
+        int _robots;
 
         /// <summary>The session that receives the data.</summary>
         public MrilSession Session => _session;
@@ -86,13 +87,14 @@ namespace Nowpose.Samples
         /// <summary>The simulated robot; null while this component is not enabled.</summary>
         public RobotModel Robot { get; private set; }
 
-        /// <summary>Gets the true joint positions of the robot at a given time.</summary>
+        /// <summary>Gets the true joint positions of a robot at a given time.</summary>
         /// <param name="joints">Receives one position per moving joint of the robot, in rad or m.</param>
+        /// <param name="isSecond">Whether the robot is the second one. Without a second robot, this has no effect.</param>
         /// <returns>False if the simulation has not started.</returns>
-        public bool TryGetTruth(HeadsetTime at, Span<double> joints)
+        public bool TryGetTruth(HeadsetTime at, Span<double> joints, bool isSecond = false)
         {
             if (_cell == null) return false;
-            _cell.TruthAt(at, joints);
+            _cell.TruthAt(at, joints, isSecond ? _robots - 1 : 0);
             return true;
         }
 
@@ -135,7 +137,8 @@ namespace Nowpose.Samples
         {
             _time = _session.HeadsetClock;
             _clock = new VirtualClock(now, ClockAhead, _skewPpm * 1e-6);
-            _cell = VirtualCell.WithWorkpieces(Robot, new PickAndPlaceMotion(Robot), _clock, Knobs(), _seed, now, _hasSecondRobot ? 2 : 1);
+            _robots = _hasSecondRobot ? 2 : 1;
+            _cell = VirtualCell.WithWorkpieces(Robot, new PickAndPlaceMotion(Robot), _clock, Knobs(), _seed, now, _robots);
             var (used, needed) = (_session.Settings.RobotNamespace, _hasSecondRobot ? "arm1" : "");
             if (used != needed)
                 Debug.LogError("[Nowpose] control system '" + name + "' needs the Robot Namespace '" + needed + "' in the settings of its session, "

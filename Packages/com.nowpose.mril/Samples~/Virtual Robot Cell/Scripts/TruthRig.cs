@@ -18,6 +18,9 @@ namespace Nowpose.Samples
         [SerializeField, Tooltip("The control system that moves the robot.")]
         SimulatedControlSystem _controlSystem = null;
 
+        [SerializeField, Tooltip("This is the second robot, arm2. It needs Has Second Robot of the control system.")]
+        bool _isSecondRobot = false;
+
         [SerializeField, Range(0, 200), Tooltip("True time from the start of a frame until its light appears, ms. It equals Visualisation Ms in "
             + "the session's settings if the display is calibrated. Set another value to see the effect of a calibration error.")]
         float _displayMs = 40;
@@ -53,7 +56,7 @@ namespace Nowpose.Samples
         {
             FollowRobot();
             var displayTime = frame.Start + TimeSpan.FromTicks((long)(_displayMs * TimeSpan.TicksPerMillisecond));
-            if (_controlSystem.TryGetTruth(displayTime, _joints)) _rig.Apply(_joints);
+            if (_controlSystem.TryGetTruth(displayTime, _joints, _isSecondRobot)) _rig.Apply(_joints);
         }
 
         void FollowRobot()

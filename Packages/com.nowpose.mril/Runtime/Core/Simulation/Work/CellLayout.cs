@@ -29,9 +29,11 @@ namespace Nowpose.Simulation.Work
         {
             Motion = motion;
             Robots = Enumerable.Range(0, robots).Select(i => new WorkRobot(robot, motion, i, robots, RobotDistance)).ToArray();
-            // The belt is fast enough that the robots do not wait for it.
+            // The belt is fast enough that the robots do not wait for it. With several robots, it also runs while one of them carries its workpiece.
             var whileAway = motion.CycleSeconds - motion.StartOf(motion.Task.Leave) + motion.StartOf(motion.Task.Approach);
-            var maxSeconds = Math.Max(PermittedSeconds, whileAway - ClampSeconds - CycleMargin);
+            var whileCarrying = motion.StartOf(motion.Task.Lower) - motion.StartOf(motion.Task.Carry);
+            var clearSeconds = robots == 1 ? whileAway : Math.Min(whileAway, whileCarrying);
+            var maxSeconds = Math.Max(PermittedSeconds, clearSeconds - ClampSeconds - CycleMargin);
             for (var i = 0; i < robots; i++)
                 Robots[i].Belt = new Belt(Robots[i].Placed, Robots[Next(i)].Taken, Stations, maxSeconds, isRing: robots == 1);
             BeltStepSeconds = Robots.Max(each => each.Belt.StepSeconds);

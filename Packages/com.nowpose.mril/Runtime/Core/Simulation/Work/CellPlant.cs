@@ -18,7 +18,10 @@ namespace Nowpose.Simulation.Work
 
         readonly CellLayout _layout;
         readonly long[] _moveCycles;
-        CellOutputs _outputs;
+        CellInputs _inputs;
+        // The last outputs.
+        readonly int[] _moves;
+        bool _runsBelt;
         long _cycle;
         // Cycle in which the clamps of the fixtures started to open; null while they are closed.
         long? _opened;
@@ -27,7 +30,8 @@ namespace Nowpose.Simulation.Work
         {
             _layout = layout;
             State = new CellState(layout);
-            _outputs.Move = State.Move;
+            _inputs.Arms = new ArmInputs[layout.Robots.Length];
+            _moves = Enumerable.Range(0, layout.Robots.Length).Select(i => State.ArmOf(i).Move).ToArray();
             _moveCycles = Enumerable.Range(0, layout.Motion.MoveCount).Select(move => CyclesOfMove(layout.Motion, move)).ToArray();
         }
 
@@ -49,54 +53,61 @@ namespace Nowpose.Simulation.Work
         /// <summary>Moves a workpiece by hand, from the next cycle on.</summary>
         public void Put(int workpiece, in WorkpiecePlace place) => (State = State.CopyAt(_cycle + 1)).Put(workpiece, place);
 
-        /// <summary>Reads the sensors at the beginning of a control cycle.</summary>
+        /// <summary>Reads the sensors at the beginning of a control cycle. The next call changes the result.</summary>
         public CellInputs Sense(long cycle)
         {
             _cycle = cycle;
-            var (present, areFixturesFree) = Workpieces();
+            var (present, occupied) = Workpieces();
             if (present != State.PartsPresent) Changed().PartsPresent = present;
-            var hasEnded = cycle - State.MoveStart >= _moveCycles[State.Move];
-            return new CellInputs
+            for (var i = 0; i < _inputs.Arms.Length; i++)
             {
-                ArePartsPresent = present == (1 << _layout.Robots.Length) - 1,
-                AreFixturesFree = areFixturesFree,
-                AreClampsOpen = cycle - _opened >= ClampCycles,
-                IsBeltAtStation = State.BeltSecondsAt(Now) >= _layout.BeltStepSeconds,
-                AreRobotsAtRest = hasEnded,
-                AreGrippersClosed = State.ClosesGrippers && hasEnded,
-                AreGrippersOpen = !State.ClosesGrippers && hasEnded,
-            };
+                var arm = State.ArmOf(i);
+                var hasEnded = cycle - arm.Start >= _moveCycles[arm.Move];
+                _inputs.Arms[i] = new ArmInputs
+                {
+                    IsPartPresent = (present >> i & 1) != 0,
+                    IsFixtureFree = (occupied >> i & 1) == 0,
+                    IsAtRest = hasEnded,
+                    IsGripperClosed = arm.ClosesGripper && hasEnded,
+                    IsGripperOpen = !arm.ClosesGripper && hasEnded,
+                };
+            }
+            _inputs.AreClampsOpen = cycle - _opened >= ClampCycles;
+            _inputs.IsBeltAtStation = State.BeltSecondsAt(Now) >= _layout.BeltStepSeconds;
+            return _inputs;
         }
 
         /// <summary>Follows the outputs at the end of a control cycle.</summary>
         public void Follow(in CellOutputs outputs)
         {
-            if (outputs.Move != _outputs.Move) Changed().StartMove(outputs.Move);
-            if (outputs.ClosesGrippers != State.ClosesGrippers) MoveGrippers(outputs.ClosesGrippers);
+            for (var i = 0; i < outputs.Arms.Length; i++) Follow(i, outputs.Arms[i]);
             if (outputs.OpensClamps != _opened.HasValue) MoveClamps(outputs.OpensClamps);
             var isMoving = outputs.RunsBelt && !IsBeltBlocked;
             if (isMoving != State.IsBeltRunning) Changed().SwitchBelt(isMoving);
-            if (_outputs.RunsBelt && !outputs.RunsBelt) Changed().EndBeltStep();
-            _outputs = outputs;
+            if (_runsBelt && !outputs.RunsBelt) Changed().EndBeltStep();
+            _runsBelt = outputs.RunsBelt;
+        }
+
+        // The fingers of a robot are joints that move in its grip and its release. The fingers hold the workpiece from the start of the stroke on.
+        void Follow(int robot, in ArmOutputs outputs)
+        {
+            var closes = outputs.ClosesGripper;
+            if (closes != State.ArmOf(robot).ClosesGripper)
+            {
+                if (closes) Grip(robot);
+                else PassOn(Holder.Gripper, Holder.Fixture, robot);
+                Changed().StartMove(robot, closes ? _layout.Motion.Task.Grip : _layout.Motion.Task.Release, closes);
+            }
+            else if (outputs.Move != _moves[robot]) Changed().StartMove(robot, outputs.Move, closes);
+            _moves[robot] = outputs.Move;
         }
 
         CellState Changed() => State.Cycle == _cycle ? State : State = State.CopyAt(_cycle);
 
-        // The fingers of a robot are joints that move in its grip and its release. The fingers hold the workpiece from the start of the stroke on.
-        void MoveGrippers(bool close)
+        void Grip(int robot)
         {
             var state = Changed();
-            if (close)
-                for (var i = 0; i < _layout.Robots.Length; i++) Grip(i, state);
-            else
-                PassOn(Holder.Gripper, Holder.Fixture);
-            state.ClosesGrippers = close;
-            state.StartMove(close ? _layout.Motion.Task.Grip : _layout.Motion.Task.Release);
-        }
-
-        void Grip(int robot, CellState state)
-        {
-            var grasp = state.GraspOf(_layout.Robots[robot], Now);
+            var grasp = state.GraspOf(robot, Now);
             for (var i = 0; i < _layout.Names.Count; i++)
                 if (state.WorldOf(i, Now).DistanceTo(grasp) < Reach) state.Put(i, new WorkpiecePlace(Holder.Gripper, robot));
         }
@@ -105,30 +116,30 @@ namespace Nowpose.Simulation.Work
         void MoveClamps(bool open)
         {
             _opened = open ? _cycle : (long?)null;
-            if (open) PassOn(Holder.Fixture, Holder.Belt);
+            for (var i = 0; open && i < _layout.Robots.Length; i++) PassOn(Holder.Fixture, Holder.Belt, i);
         }
 
         // Passes the workpieces from one part of the cell to another one of the same robot.
-        void PassOn(Holder from, Holder to)
+        void PassOn(Holder from, Holder to, int robot)
         {
             for (var i = 0; i < _layout.Names.Count; i++)
-                if (State.PlaceOf(i).Holder == from) Changed().Put(i, new WorkpiecePlace(to, State.PlaceOf(i).Robot));
+                if (State.PlaceOf(i) is var place && place.Holder == from && place.Robot == robot) Changed().Put(i, new WorkpiecePlace(to, robot));
         }
 
-        // Returns the robots whose light barrier is interrupted, bit i for robot i, and whether all fixtures are free.
-        (int PartsPresent, bool AreFixturesFree) Workpieces()
+        // Returns the robots whose light barrier is interrupted, and the robots whose fixture is occupied: bit i for robot i.
+        (int PartsPresent, int Occupied) Workpieces()
         {
-            var (present, areFree) = (0, true);
+            var (present, occupied) = (0, 0);
             for (var i = 0; i < _layout.Names.Count; i++)
             {
                 var place = State.PlaceOf(i);
-                if (place.Holder == Holder.Fixture) areFree = false;
+                if (place.Holder == Holder.Fixture) occupied |= 1 << place.Robot;
                 if (place.Holder != Holder.Belt) continue;
                 var station = State.StationOf(i, Now);
                 if (station >= CellLayout.Stations) present |= 1 << _layout.Next(place.Robot);
-                if (station < _layout.Robots[place.Robot].Belt.QueueDistance) areFree = false;
+                if (station < _layout.Robots[place.Robot].Belt.QueueDistance) occupied |= 1 << place.Robot;
             }
-            return (present, areFree);
+            return (present, occupied);
         }
     }
 }

@@ -31,6 +31,26 @@ namespace Nowpose.Simulation.Work
         public double Station { get; }
     }
 
+    /// <summary>State of a robot and its gripper.</summary>
+    readonly struct ArmState
+    {
+        public ArmState(int move, long start, bool closesGripper)
+        {
+            Move = move;
+            Start = start;
+            ClosesGripper = closesGripper;
+        }
+
+        /// <summary>Move or stroke of the robot, and the cycle in which it started.</summary>
+        public int Move { get; }
+
+        /// <inheritdoc cref="Move"/>
+        public long Start { get; }
+
+        /// <summary>Whether the gripper closes or has closed: the value of its signal, which changes at the start of a stroke.</summary>
+        public bool ClosesGripper { get; }
+    }
+
     /// <summary>
     /// State of a cell from one control cycle until the next change. Computes joints and poses at the times in between. Only the plant changes it, in
     /// the cycle of its creation.
@@ -41,38 +61,37 @@ namespace Nowpose.Simulation.Work
         public const double CycleSeconds = 0.001;
 
         readonly CellLayout _layout;
+        readonly ArmState[] _arms;
         readonly WorkpiecePlace[] _places;
 
-        /// <summary>Creates the state at the start: the robots are at their first waypoint, and each station of the belt has a workpiece.</summary>
+        /// <summary>
+        /// Creates the state at the start: the robots are at their first waypoint, and the stations of the belt have workpieces, from the pick place
+        /// of the first robot backwards.
+        /// </summary>
+        /// <remarks>
+        /// The first workpiece for a second robot has two stations to go. Thus the second robot starts later, and the robots do not go to the
+        /// belt at the same time: it moves while one of them carries its workpiece.
+        /// </remarks>
         public CellState(CellLayout layout)
         {
             _layout = layout;
-            Move = layout.Motion.MoveCount - 1;
-            MoveStart = -CellPlant.CyclesOf(layout.Motion.CycleSeconds);
-            // The first workpieces are at the pick place of the first robot, to which the belt behind the last robot leads.
-            var last = layout.Robots.Length - 1;
-            _places = Enumerable.Range(0, layout.Names.Count).Select(i => new WorkpiecePlace(
-                Holder.Belt, (last + i / CellLayout.Stations) % layout.Robots.Length, CellLayout.Stations - i % CellLayout.Stations)).ToArray();
+            var arm = new ArmState(layout.Motion.MoveCount - 1, -CellPlant.CyclesOf(layout.Motion.CycleSeconds), closesGripper: false);
+            _arms = Enumerable.Repeat(arm, layout.Robots.Length).ToArray();
+            _places = Enumerable.Range(0, layout.Names.Count).Select(i => PlaceAtStart(i, layout.Robots.Length)).ToArray();
         }
 
         CellState(CellState other, long cycle)
         {
             _layout = other._layout;
+            _arms = (ArmState[])other._arms.Clone();
             _places = (WorkpiecePlace[])other._places.Clone();
             Cycle = cycle;
-            (Move, MoveStart) = (other.Move, other.MoveStart);
             (IsBeltRunning, BeltStart, BeltSeconds) = (other.IsBeltRunning, other.BeltStart, other.BeltSeconds);
-            (ClosesGrippers, PartsPresent) = (other.ClosesGrippers, other.PartsPresent);
+            PartsPresent = other.PartsPresent;
         }
 
         /// <summary>Number of the control cycle from which on this state is valid; cycle 0 is at the start.</summary>
         public long Cycle { get; }
-
-        /// <summary>Move or stroke of the robots, and the cycle in which it started.</summary>
-        public int Move { get; private set; }
-
-        /// <inheritdoc cref="Move"/>
-        public long MoveStart { get; private set; }
 
         /// <summary>Whether the belt moves, the cycle in which it started, and the time that it had moved in this step before, s.</summary>
         public bool IsBeltRunning { get; private set; }
@@ -83,20 +102,20 @@ namespace Nowpose.Simulation.Work
         /// <inheritdoc cref="IsBeltRunning"/>
         public double BeltSeconds { get; private set; }
 
-        /// <summary>Whether the grippers close or have closed: the value of their signals, which changes at the start of a stroke.</summary>
-        public bool ClosesGrippers { get; set; }
-
         /// <summary>Robots whose light barrier is interrupted: bit i for robot i.</summary>
         public int PartsPresent { get; set; }
 
         /// <summary>Returns a copy that becomes valid in a later cycle.</summary>
         public CellState CopyAt(long cycle) => new CellState(this, cycle);
 
+        public ArmState ArmOf(int robot) => _arms[robot];
+
         public WorkpiecePlace PlaceOf(int workpiece) => _places[workpiece];
 
         public void Put(int workpiece, in WorkpiecePlace place) => _places[workpiece] = place;
 
-        public void StartMove(int move) => (Move, MoveStart) = (move, Cycle);
+        /// <summary>Starts a move, or the stroke of the gripper, of a robot.</summary>
+        public void StartMove(int robot, int move, bool closesGripper) => _arms[robot] = new ArmState(move, Cycle, closesGripper);
 
         /// <summary>Starts or stops the belt, which continues its step later.</summary>
         public void SwitchBelt(bool isOn) => (IsBeltRunning, BeltStart, BeltSeconds) = (isOn, Cycle, BeltSecondsAt(Cycle * CycleSeconds));
@@ -109,15 +128,13 @@ namespace Nowpose.Simulation.Work
             (IsBeltRunning, BeltSeconds) = (false, 0);
         }
 
-        /// <summary>Returns the time since the start of the move, s.</summary>
-        public double MoveSecondsAt(double seconds) => seconds - MoveStart * CycleSeconds;
-
         /// <summary>Returns the time for which the belt has moved in its step, s.</summary>
         public double BeltSecondsAt(double seconds) => BeltSeconds + (IsBeltRunning ? seconds - BeltStart * CycleSeconds : 0);
 
-        /// <summary>Computes the joints of each robot, rad or m.</summary>
+        /// <summary>Computes the joints of a robot, rad or m.</summary>
         /// <param name="seconds">Time since the start, s.</param>
-        public void JointsAt(double seconds, Span<double> positions) => _layout.Motion.At(Move, MoveSecondsAt(seconds), positions);
+        public void JointsAt(int robot, double seconds, Span<double> positions) =>
+            _layout.Motion.At(_arms[robot].Move, seconds - _arms[robot].Start * CycleSeconds, positions);
 
         /// <summary>
         /// Returns the position of a workpiece on the belt. The first workpiece that arrives is held by the stop at the end of the belt, and the others
@@ -162,16 +179,17 @@ namespace Nowpose.Simulation.Work
         {
             var place = _places[workpiece];
             var robot = _layout.Robots[place.Robot];
-            return place.Holder == Holder.Gripper ? GraspOf(robot, seconds) : robot.Belt.At(StationOf(workpiece, seconds));
+            return place.Holder == Holder.Gripper ? GraspOf(place.Robot, seconds) : robot.Belt.At(StationOf(workpiece, seconds));
         }
 
         /// <summary>Returns the pose in the world that a gripped workpiece has.</summary>
         /// <inheritdoc cref="JointsAt"/>
-        public RigidTransform GraspOf(WorkRobot robot, double seconds)
+        public RigidTransform GraspOf(int robot, double seconds)
         {
             var joints = new double[_layout.Motion.JointNames.Count];
-            JointsAt(seconds, joints);
-            return robot.Base * robot.ToolOf(joints) * robot.InTool;
+            JointsAt(robot, seconds, joints);
+            var own = _layout.Robots[robot];
+            return own.Base * own.ToolOf(joints) * own.InTool;
         }
 
         /// <summary>Gets the values of all signals of the layout, 0 or 1.</summary>
@@ -180,10 +198,18 @@ namespace Nowpose.Simulation.Work
             var robots = _layout.Robots.Length;
             for (var i = 0; i < robots; i++)
             {
-                values[i] = ClosesGrippers ? 1 : 0;
+                values[i] = _arms[i].ClosesGripper ? 1 : 0;
                 values[robots + 1 + i] = (PartsPresent >> i) & 1;
             }
             values[robots] = IsBeltRunning ? 1 : 0;
+        }
+
+        // The belt behind the last robot leads to the first robot. The next belt has no workpieces at its last two stations.
+        static WorkpiecePlace PlaceAtStart(int workpiece, int robots)
+        {
+            const int places = CellLayout.Stations + 1, free = 2;
+            var place = workpiece < places ? workpiece : workpiece + free;
+            return new WorkpiecePlace(Holder.Belt, (robots - 1 + place / places) % robots, CellLayout.Stations - place % places);
         }
     }
 }

@@ -11,12 +11,12 @@ namespace Nowpose.Simulation.Work
     /// which the conveyor brings it to the next robot. A control program with a cycle of 1 ms controls belt, grippers and moves.
     /// </summary>
     /// <remarks>
-    /// All robots are of the same kind and move at the same time. The world frame is the first robot's base frame. Times may be read in any order. A
+    /// All robots are of the same kind; each has its own program. The world frame is the first robot's base frame. Times may be read in any order. A
     /// read at a later time than all others first runs the program until then, at 0.1 to 0.2 µs for each cycle, and allocates the states of the
-    /// changes. Only the changes of the last <see cref="KeptSeconds"/> are kept, in about 5 MB; an earlier time gives the oldest kept state.
-    /// Deterministic and thread-safe.
+    /// changes. Only the changes of the last <see cref="KeptSeconds"/> are kept, in about 5 MB for each robot; an earlier time gives the oldest kept
+    /// state. Deterministic and thread-safe.
     /// </remarks>
-    sealed class CellWork : IMotion
+    sealed class CellWork
     {
         /// <summary>
         /// Name of the conveyor's stationary frame. Its origin is on the z axis of the first robot's base frame, at the height of the belt's surface
@@ -51,11 +51,13 @@ namespace Nowpose.Simulation.Work
             _keptSeconds = keptSeconds;
             _layout = new CellLayout(robot, motion, robots);
             Plant = new CellPlant(_layout);
-            _program = new CellProgram(motion.Task, motion.MoveCount);
+            _program = new CellProgram(motion.Task, motion.MoveCount, robots);
+            Motions = Robots.Select((robot, i) => (robot.Namespace, (IMotion)new RobotMotion(this, i))).ToArray();
             CycleSeconds = CellState.CycleSeconds * Enumerable.Range(0, motion.MoveCount).Sum(move => CellPlant.CyclesOfMove(motion, move));
         }
 
-        public IReadOnlyList<string> JointNames => _layout.Motion.JointNames;
+        /// <summary>The true motion of each robot, with the robot's namespace.</summary>
+        public IReadOnlyList<(string Namespace, IMotion Motion)> Motions { get; }
 
         /// <summary>Period of the robots if nothing delays them, s. Each move starts in the first control cycle after the end of the last.</summary>
         public double CycleSeconds { get; }
@@ -73,8 +75,6 @@ namespace Nowpose.Simulation.Work
 
         /// <summary>The parts that the program controls. Disturb them only while no other thread reads; the past does not change.</summary>
         public CellPlant Plant { get; }
-
-        public void At(double seconds, Span<double> positions) => StateAt(seconds).JointsAt(seconds, positions);
 
         /// <summary>Returns the pose of a workpiece in its parent, and the parent's name.</summary>
         /// <param name="seconds">Time since the start, s.</param>
@@ -151,6 +151,22 @@ namespace Nowpose.Simulation.Work
                 else high = middle;
             }
             return low;
+        }
+
+        sealed class RobotMotion : IMotion
+        {
+            readonly CellWork _work;
+            readonly int _robot;
+
+            public RobotMotion(CellWork work, int robot)
+            {
+                _work = work;
+                _robot = robot;
+            }
+
+            public IReadOnlyList<string> JointNames => _work._layout.Motion.JointNames;
+            public double CycleSeconds => _work.CycleSeconds;
+            public void At(double seconds, Span<double> positions) => _work.StateAt(seconds).JointsAt(_robot, seconds, positions);
         }
     }
 }
