@@ -23,6 +23,8 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
     readonly FrameParents _parents = new(links.RootOf);
     // The newest poses of stationary frames that were refused because the frame belongs to another source.
     readonly RefusedValues<TransformsMessage> _refused = new(value => value[0].Stamp);
+    // The newest invalid poses of stationary frames that belong to another source. They are reported as dropped when the other source ends.
+    readonly Dictionary<(HubSource Source, string Name), LeftOut> _invalid = [];
     // Whether a new frame has replaced one, for which a refused pose may wait.
     bool _hasReplaced;
 
@@ -50,6 +52,9 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
         return isAny;
     }
 
+    /// <summary>Keeps an invalid pose of a stationary frame that belongs to another source.</summary>
+    public void KeepInvalid(HubSource source, LeftOut pose) => _invalid[(source, pose.Name)] = pose;
+
     bool PublishAccepted(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
     {
         var accepted = Accept(source, message, isStationary, leftOut, receivedAt);
@@ -73,7 +78,18 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
             PublishAccepted(source, message, isStationary: true, leftOut, Stopwatch.GetTimestamp());
             foreach (var part in leftOut) drop(source, RosTopics.TfStatic, part);
         });
+        ReportInvalid();
         _hasReplaced = false;
+    }
+
+    // Reports the invalid poses of frames that no longer belong to another source.
+    void ReportInvalid()
+    {
+        foreach (var ((source, name), pose) in _invalid.Where(one => Owners.OtherThan(one.Key.Source, one.Key.Name) == null).ToArray())
+        {
+            _invalid.Remove((source, name));
+            drop(source, RosTopics.TfStatic, pose);
+        }
     }
 
     // Adds or updates the frames of a message. Returns the message itself if all its transforms were accepted in their order; otherwise a message with the
@@ -98,6 +114,7 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
 
             if (isStationary) _refused.Keep(source, child, new TransformsMessage(message[index]));
             else _refused.Remove(source, child);
+            _invalid.Remove((source, child));
             leftOut.Add(new LeftOut(
                 DropReason.FrameTaken, child, CellMessageFaults.Of(CellMessageFaults.Named(CellKinds.Frame, child), DropReason.FrameTaken), owner));
             return false;
@@ -130,7 +147,12 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
     /// <param name="topic">The topic on which the source ends; null for all topics.</param>
     public void Release(HubSource source, string topic)
     {
-        if (topic is null or RosTopics.TfStatic) _refused.Remove(source);
+        if (topic is null or RosTopics.TfStatic)
+        {
+            _refused.Remove(source);
+            foreach (var pose in _invalid.Keys.Where(pose => pose.Source == source).ToArray()) _invalid.Remove(pose);
+        }
+
         foreach (var child in Owners.Release(source, child => topic == null || topic == (IsStationary(child) ? RosTopics.TfStatic : RosTopics.Tf)))
             if (!IsStationary(child)) Remove(child, Ended);
         PublishRefused();

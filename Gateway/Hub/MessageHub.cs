@@ -242,7 +242,11 @@ public sealed class MessageHub
     {
         lock (_lock)
         {
-            if ((part.Owner ?? OtherOwner(source, CellKinds.Of(topic), part.Name)) is { } owner) Refused?.Invoke(source, topic, part.Name, owner);
+            if ((part.Owner ?? OtherOwner(source, CellKinds.Of(topic), part.Name)) is { } owner)
+            {
+                if (topic == RosTopics.TfStatic && part.Owner == null) Frames.KeepInvalid(source, part);
+                Refused?.Invoke(source, topic, part.Name, owner);
+            }
             else PartDropped?.Invoke(source, topic, part);
         }
     }

@@ -205,4 +205,45 @@ public class CellFaultTests
         var names = state.GetProperty("frames").EnumerateArray().Concat(state.GetProperty("signals").EnumerateArray()).Select(one => one.GetProperty("name").GetString());
         Assert.That(string.Join(", ", names), Is.EqualTo(kept));
     }
+
+    // A stationary frame is sent only once, so the invalid pose of the second source may have been its new place.
+    [TestCase("ends")]
+    [TestCase("unadvertises")]
+    public async Task StationaryFrame_InvalidPoseOfASecondSource_IsRefusedAfterTheFirstSourceHasLeft(string end)
+    {
+        using var first = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
+        await first.SendAsync(RosbridgeWriter.Advertise(RosTopics.TfStatic, RosTopics.TransformsType));
+        await first.SendAsync(TfStatic(Frame("fixture")));
+        await first.RoundTripAsync();
+        using var second = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
+        await second.SendAsync(TfStatic(Frame("fixture", x: 123.5)).Replace("123.5", "null", StringComparison.Ordinal));
+        await second.ExpectErrorAsync(nameof(DropReason.NotFinite));
+        await _gateway.BeginsAsync("source", "rosbridge 127.0.0.1 of frame fixture");
+        Assert.That((await FrameAsync("fixture")).State, Is.EqualTo("stationary"), "it still has the valid pose of its source");
+
+        if (end == "ends") first.Dispose();
+        else await first.SendAsync("{\"op\":\"unadvertise\",\"topic\":\"/tf_static\"}");
+
+        await _gateway.BeginsAsync("frame", "fixture (rosbridge 127.0.0.1)");
+        Assert.That((await FrameAsync("fixture")).State, Is.EqualTo("refused"));
+
+        await second.SendAsync(TfStatic(Frame("fixture", x: 0.5)));
+        await _gateway.EndsAsync("frame", "fixture (rosbridge 127.0.0.1)");
+    }
+
+    [Test]
+    public async Task StationaryFrame_InvalidPoseOfASecondSourceThatHasCorrectedIt_IsNotRefused()
+    {
+        using var first = _gateway.Server.Hub.OpenSource();
+        first.Publish(new TransformsMessage([Frame("fixture")]), isStationary: true, []);
+        using var second = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
+        await second.SendAsync(TfStatic(Frame("fixture", x: 123.5)).Replace("123.5", "null", StringComparison.Ordinal));
+        await second.ExpectErrorAsync(nameof(DropReason.NotFinite));
+        await second.SendAsync(TfStatic(Frame("fixture", x: 0.5)));
+        await second.ExpectErrorAsync(nameof(DropReason.FrameTaken));
+
+        first.Dispose();
+
+        Assert.That((await FrameAsync("fixture")).State, Is.EqualTo("stationary"));
+    }
 }
