@@ -17,8 +17,8 @@ static class Precautions
             yield return PrecautionMessages.Root;
         if (options.Certificate == null && !options.IsLoopback)
             yield return PrecautionMessages.InsecureLan;
-        foreach (var (where, bits) in options.Tokens.Weak)
-            yield return PrecautionMessages.WeakToken(where, Math.Floor(bits), TokenStrength.MinBits);
+        foreach (var warning in OfTokens(options.Tokens))
+            yield return warning;
         if (OperatingSystem.IsWindows()) yield break;
         foreach (var path in options.SecretFiles.Where(File.Exists).Where(path => !IsBelow(credentials, path)))
         {
@@ -30,6 +30,10 @@ static class Precautions
                 yield return PrecautionMessages.ReadableFile(path, Convert.ToString((int)mode, 8));
         }
     }
+
+    /// <summary>Gets the warnings about tokens that are too easy to guess.</summary>
+    public static IEnumerable<string> OfTokens(TokenList tokens) =>
+        tokens.Weak.Select(weak => PrecautionMessages.WeakToken(weak.Where, Math.Floor(weak.Bits), TokenStrength.MinBits));
 
     static bool IsBelow(string folder, string path) =>
         !string.IsNullOrEmpty(folder) && Path.GetFullPath(path).StartsWith(folder.TrimEnd('/') + "/", StringComparison.Ordinal);

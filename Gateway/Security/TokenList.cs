@@ -16,27 +16,31 @@ public sealed class TokenList
     // Minimum age of a change before the file is read again. An editor that truncates the file first has then written the new content.
     internal static readonly TimeSpan Settles = TimeSpan.FromMilliseconds(250);
 
-    readonly Func<(byte[] Hash, Role Role)[]> _current;
+    readonly Func<Content> _current;
     readonly Func<string> _fault = () => null;
+    readonly Action<string> _log = _ => { };
 
-    IReadOnlyList<(string Where, double Bits)> _weak = [];
+    // The content whose weak tokens have been reported.
+    volatile Content _reported;
 
     public TokenList(IEnumerable<(string Token, Role Role)> tokens)
     {
-        var entries = Hashed(tokens);
-        _current = () => entries;
-        IsEmpty = entries.Length == 0;
+        _reported = new Content(Hashed(tokens), []);
+        _current = () => _reported;
+        IsEmpty = _reported.Entries.Length == 0;
     }
 
-    TokenList(FollowedFile<(byte[] Hash, Role Role)[]> file, string path)
+    TokenList(FollowedFile<Content> file, string path, Action<string> log)
     {
+        _reported = file.Current;
         _current = () => file.Current;
         _fault = () => file.Fault;
+        _log = log ?? _log;
         Path = path;
     }
 
     /// <summary>File and line of each token that is too easy to guess, with its strength in bits.</summary>
-    internal IReadOnlyList<(string Where, double Bits)> Weak => _weak;
+    internal IReadOnlyList<(string Where, double Bits)> Weak => _current().Weak;
 
     /// <summary>Path of the file; null for a list that was not read from a file.</summary>
     internal string Path { get; }
@@ -60,14 +64,15 @@ public sealed class TokenList
     /// </exception>
     public static TokenList Read(string path, Action<string> log = null)
     {
-        var tokens = new FollowedFile<(byte[] Hash, Role Role)[]>([path], (out string fault) =>
+        var tokens = new FollowedFile<Content>([path], (out string fault) =>
         {
             fault = null;
-            return Hashed(Entries(path));
+            var lines = LinesOf(path);
+            return new Content(Hashed(Entries(lines, path)), [.. WeakEntries(lines, path)]);
         }, Settles, log);
-        if (tokens.Current.Length == 0)
+        if (tokens.Current.Entries.Length == 0)
             throw new InputException(TokenFileMessages.NoToken(path));
-        return new TokenList(tokens, path) { _weak = [.. WeakEntries(path)] };
+        return new TokenList(tokens, path, log);
     }
 
     /// <summary>Gets the role of a token; null if the token is unknown. The duration is the same for all tokens.</summary>
@@ -75,7 +80,7 @@ public sealed class TokenList
     public Role? RoleOf(byte[] hash)
     {
         var role = default(Role?);
-        foreach (var known in _current())
+        foreach (var known in _current().Entries)
         {
             // Compares every token completely, so that the duration does not reveal which token matches, or how many of its characters.
             if (CryptographicOperations.FixedTimeEquals(known.Hash, hash))
@@ -88,18 +93,24 @@ public sealed class TokenList
     /// <summary>Gets the hash of a token, SHA-256 of its UTF-8 bytes. Only this hash is stored and compared.</summary>
     public static byte[] HashOf(string token) => SHA256.HashData(Encoding.UTF8.GetBytes(token));
 
-    /// <summary>Reads the file again if it has changed.</summary>
-    internal void Follow() => _current();
+    /// <summary>Reads the file again if it has changed, and logs its weak tokens. Those of the start are warnings of the gateway.</summary>
+    internal void Follow()
+    {
+        var content = _current();
+        if (content == _reported) return;
+        _reported = content;
+        foreach (var line in Precautions.OfTokens(this)) _log(line);
+    }
 
     static (byte[] Hash, Role Role)[] Hashed(IEnumerable<(string Token, Role Role)> tokens) =>
         [.. tokens.Select(entry => (HashOf(entry.Token), entry.Role))];
 
-    static IEnumerable<(string Token, Role Role)> Entries(string path) => LinesOf(path)
+    static IEnumerable<(string Token, Role Role)> Entries(string[] lines, string path) => lines
         .Select((line, index) => (Text: line.Trim(), Number: index + 1))
         .Where(line => line.Text.Length > 0 && line.Text[0] != '#')
         .Select(line => Entry(line.Text, $"{path}, line {line.Number}"));
 
-    static IEnumerable<(string Where, double Bits)> WeakEntries(string path) => LinesOf(path)
+    static IEnumerable<(string Where, double Bits)> WeakEntries(string[] lines, string path) => lines
         .Select((line, index) => (Words: line.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries), Where: $"{path}, line {index + 1}"))
         .Where(line => line.Words.Length == 2 && line.Words[0][0] != '#')
         .Select(line => (line.Where, Bits: TokenStrength.BitsOf(line.Words[1])))
@@ -125,5 +136,12 @@ public sealed class TokenList
         if (Encoding.UTF8.GetByteCount(words[1]) > ProtocolLimits.TokenBytes)
             throw new InputException(TokenFileMessages.TooLong(where, ProtocolLimits.TokenBytes));
         return (words[1], role);
+    }
+
+    // The tokens of a file, and its lines with weak tokens.
+    sealed class Content((byte[] Hash, Role Role)[] entries, IReadOnlyList<(string Where, double Bits)> weak)
+    {
+        public (byte[] Hash, Role Role)[] Entries => entries;
+        public IReadOnlyList<(string Where, double Bits)> Weak => weak;
     }
 }

@@ -54,4 +54,31 @@ public class TokenStrengthTests
         Assert.That(warning, Does.Contain($"{path}, line 4").And.Contain("36 bits").And.Contain("128 bits").And.Contain("openssl"));
         Assert.That(warning, Does.Not.Contain("hunter2"));
     }
+
+    [Test]
+    public void Follow_FileGetsAWeakToken_LogsTheWarningOnceForEachChange()
+    {
+        using var folder = new TemporaryFolder();
+        var path = Path.Combine(folder.Path, "tokens.txt");
+        var strong = Convert.ToHexString(RandomNumberGenerator.GetBytes(16));
+        File.WriteAllText(path, $"source {strong}\n");
+        var log = new List<string>();
+        var tokens = TokenList.Read(path, log.Add);
+
+        // A change is read when it is older than some milliseconds, so that a program can finish writing the file.
+        File.WriteAllText(path, $"source {strong}\nobserver hunter2\n");
+        File.SetLastWriteTimeUtc(path, DateTime.UtcNow.AddSeconds(-10));
+        tokens.Follow();
+        tokens.Follow();
+
+        Assert.That(log.Single(), Does.Contain($"{path}, line 2").And.Contain("36 bits").And.Not.Contain("hunter2"));
+        Assert.That(tokens.Weak.Select(one => one.Where), Is.EqualTo(new[] { $"{path}, line 2" }));
+
+        File.WriteAllText(path, $"source {strong}\n");
+        File.SetLastWriteTimeUtc(path, DateTime.UtcNow.AddSeconds(-5));
+        tokens.Follow();
+
+        Assert.That(tokens.Weak, Is.Empty);
+        Assert.That(log, Has.Count.EqualTo(1));
+    }
 }
