@@ -153,29 +153,48 @@ public sealed record GatewayOptions
     /// <exception cref="InputException">
     /// A setting is out of range, two settings contradict each other, or tokens or joint positions would be sent unencrypted.
     /// </exception>
-    internal void Check() => Check(Headsets != null);
-
-    /// <inheritdoc cref="Check()"/>
-    internal void Check(bool pairsHeadsets)
+    internal void Check()
     {
-        if (Certificate == null && !IsLoopback && !Tokens.IsEmpty)
-            throw new InputException(AddressOptionMessages.TokensWithoutTls(Bind));
-        if (Certificate == null && !IsLoopback && pairsHeadsets)
-            throw new InputException(AddressOptionMessages.PairingWithoutCertificate(Bind));
-        if (Certificate == null && !IsLoopback && !AllowInsecureLan)
-            throw new InputException(AddressOptionMessages.PlainBind(Bind));
+        CheckEncryption(Certificate != null, !Tokens.IsEmpty, Headsets != null);
         if (Certificate is { HasPrivateKey: false })
             throw new InputException(AddressOptionMessages.NoPrivateKey);
         CheckPort("--sync-port", SyncPort);
         CheckPort("--ws-port", WebSocketPort);
-        if (SyncPort == WebSocketPort && SyncPort != 0)
-            throw new InputException(AddressOptionMessages.SamePorts(OptionOfTheSamePort, SyncPort));
-        if (MaxConnections < 1)
-            throw new InputException(AddressOptionMessages.MaxConnections(MaxConnections));
-        DescriptorLimit.Check(MaxConnections);
+        CheckPorts();
+        CheckConnections();
         CheckRate(nameof(SourceMessagesPerSecond), SourceMessagesPerSecond);
         CheckRate(nameof(ObserverMessagesPerSecond), ObserverMessagesPerSecond);
         CheckRate(nameof(SyncRequestsPerSecond), SyncRequestsPerSecond);
+    }
+
+    /// <summary>Checks that other machines connect with TLS, or may connect without it.</summary>
+    /// <exception cref="InputException">Tokens or joint positions would be sent unencrypted.</exception>
+    internal void CheckEncryption(bool encrypts, bool hasTokens, bool pairsHeadsets)
+    {
+        if (encrypts || IsLoopback) return;
+        if (hasTokens)
+            throw new InputException(AddressOptionMessages.TokensWithoutTls(Bind));
+        if (pairsHeadsets)
+            throw new InputException(AddressOptionMessages.PairingWithoutCertificate(Bind));
+        if (!AllowInsecureLan)
+            throw new InputException(AddressOptionMessages.PlainBind(Bind));
+    }
+
+    /// <summary>Checks that the two ports differ.</summary>
+    /// <exception cref="InputException">The ports are equal.</exception>
+    internal void CheckPorts()
+    {
+        if (SyncPort == WebSocketPort && SyncPort != 0)
+            throw new InputException(AddressOptionMessages.SamePorts(OptionOfTheSamePort, SyncPort));
+    }
+
+    /// <summary>Checks the maximum number of connections.</summary>
+    /// <exception cref="InputException">The number is too small, or the system allows too few file descriptors.</exception>
+    internal void CheckConnections()
+    {
+        if (MaxConnections < 1)
+            throw new InputException(AddressOptionMessages.MaxConnections(MaxConnections));
+        DescriptorLimit.Check(MaxConnections);
     }
 
     // The limit bounds the memory use: each connection stores the times of the messages of the last second.

@@ -12,12 +12,12 @@ static class ConfigurationFile
 {
     const int MaxBytes = 64 * 1024;
 
-    /// <param name="wrong">Receives one line for each error in the file.</param>
+    /// <param name="wrong">Receives the errors in the file.</param>
     /// <exception cref="InputException">The file cannot be read.</exception>
-    public static IReadOnlyList<ConfigurationEntry> Read(string path, List<string> wrong) => Parse(Load(path), path, wrong);
+    public static IReadOnlyList<ConfigurationEntry> Read(string path, InvalidEntries wrong) => Parse(Load(path), path, wrong);
 
     /// <param name="path">Path used in messages.</param>
-    internal static IReadOnlyList<ConfigurationEntry> Parse(string text, string path, List<string> wrong)
+    internal static IReadOnlyList<ConfigurationEntry> Parse(string text, string path, InvalidEntries wrong)
     {
         var entries = new List<ConfigurationEntry>();
         var parser = new Parser(new StringReader(text));
@@ -25,16 +25,16 @@ static class ConfigurationFile
         {
             parser.Consume<StreamStart>();
             if (parser.TryConsume<DocumentStart>(out _) && TryReadDocument(parser, path, entries, wrong) && !parser.Accept<StreamEnd>(out _))
-                wrong.Add(ConfigurationMessages.SecondDocument(PlaceOf(path, parser.Current)));
+                wrong.AddUnknown(ConfigurationMessages.SecondDocument(PlaceOf(path, parser.Current)));
         }
         catch (YamlException broken)
         {
-            wrong.Add($"{path}:{broken.Start.Line}: not valid YAML: {(broken.InnerException ?? broken).Message.ReplaceLineEndings(" ")}");
+            wrong.AddUnknown($"{path}:{broken.Start.Line}: not valid YAML: {(broken.InnerException ?? broken).Message.ReplaceLineEndings(" ")}");
         }
         // YamlDotNet's parser also throws these for some invalid input, for example for a plain word in an unclosed flow mapping.
         catch (Exception broken) when (broken is InvalidOperationException or ArgumentException or IndexOutOfRangeException or EndOfStreamException)
         {
-            wrong.Add(ConfigurationMessages.NotYaml(PlaceOf(path, parser.Current)));
+            wrong.AddUnknown(ConfigurationMessages.NotYaml(PlaceOf(path, parser.Current)));
         }
 
         return entries;
@@ -55,7 +55,7 @@ static class ConfigurationFile
         }
     }
 
-    static bool TryReadDocument(Parser parser, string path, List<ConfigurationEntry> entries, List<string> wrong)
+    static bool TryReadDocument(Parser parser, string path, List<ConfigurationEntry> entries, InvalidEntries wrong)
     {
         // A file with only comments is one empty scalar. It sets no option.
         if (parser.Accept<Scalar>(out var only) && only.Value.Length == 0)
@@ -64,7 +64,7 @@ static class ConfigurationFile
         }
         else if (!IsBare(parser.Current) || !parser.TryConsume<MappingStart>(out _))
         {
-            wrong.Add(ConfigurationMessages.NoEntry(PlaceOf(path, parser.Current)));
+            wrong.AddUnknown(ConfigurationMessages.NoEntry(PlaceOf(path, parser.Current)));
             return false;
         }
         else
@@ -76,12 +76,12 @@ static class ConfigurationFile
         return true;
     }
 
-    static void ReadEntry(Parser parser, string path, List<ConfigurationEntry> entries, List<string> wrong)
+    static void ReadEntry(Parser parser, string path, List<ConfigurationEntry> entries, InvalidEntries wrong)
     {
         var place = PlaceOf(path, parser.Current);
         if (!TryReadWord(parser, out var key))
         {
-            wrong.Add(ConfigurationMessages.KeyNotAWord(place));
+            wrong.AddUnknown(ConfigurationMessages.KeyNotAWord(place));
             Skip(parser);
             Skip(parser);
             return;
@@ -89,8 +89,8 @@ static class ConfigurationFile
 
         var entry = ReadValue(parser, key, place);
         var earlier = entries.FirstOrDefault(other => other.Key == key);
-        if (earlier != null) wrong.Add(ConfigurationMessages.KeyTwice(place, key, earlier.Place));
-        else if (entry == null) wrong.Add(ConfigurationMessages.ValueNotAWord(place, key));
+        if (earlier != null) wrong.Add(key, ConfigurationMessages.KeyTwice(place, key, earlier.Place));
+        else if (entry == null) wrong.Add(key, ConfigurationMessages.ValueNotAWord(place, key));
         else entries.Add(entry);
     }
 

@@ -12,7 +12,7 @@ sealed class ConfiguredArguments
     public const string Option = "--config", Check = "--check";
 
     readonly ConfiguredPlaces _places = new();
-    readonly List<string> _wrong = [];
+    readonly InvalidEntries _wrong = new();
 
     /// <summary>Maps the key of a list to the option that each element of the list sets.</summary>
     static readonly Dictionary<string, string> Plurals = new() { ["plants"] = "plant" };
@@ -24,7 +24,15 @@ sealed class ConfiguredArguments
     static readonly string[] Paths = ["FILE", "FOLDER"];
 
     /// <summary>The errors in the file, one line each. Not empty only with <see cref="Check"/>, which reports them together with its own.</summary>
-    public IReadOnlyList<string> Wrong => _wrong;
+    public IReadOnlyList<string> Wrong => _wrong.Lines;
+
+    /// <summary>Whether no error in the file concerns these options, so that a rule about them can be checked.</summary>
+    public bool AreKnown(params ReadOnlySpan<Option> options)
+    {
+        foreach (var option in options)
+            if (!_wrong.Allow(KeyOf(option))) return false;
+        return true;
+    }
 
     /// <summary>Inserts the entries of the file that <see cref="Option"/> names; with <see cref="Check"/>, only the valid ones.</summary>
     /// <returns>The combined arguments; the typed arguments if no file is given.</returns>
@@ -39,9 +47,9 @@ sealed class ConfiguredArguments
             || typed.GetResult(config) is not { Tokens.Count: 1 } named) return args;
         var path = named.Tokens[0].Value;
         var added = new List<string>();
-        foreach (var entry in ConfigurationFile.Read(path, _wrong)) Add(root, typed, entry, path, added, _wrong);
+        foreach (var entry in ConfigurationFile.Read(path, _wrong)) Add(root, typed, entry, path, added);
         var isCheck = verb.Options.OfType<Option<bool>>().Any(option => option.Name == Check && typed.GetValue(option));
-        if (_wrong.Count > 0 && !(isCheck && typed.Errors.Count == 0)) throw new WrongEntriesException(_wrong);
+        if (Wrong.Count > 0 && !(isCheck && typed.Errors.Count == 0)) throw new WrongEntriesException(Wrong);
         // The file's arguments come first, because the typed arguments may end with values that belong to no option.
         var place = Array.IndexOf(args, verb.Name) + 1;
         return [.. args[..place], .. added, .. args[place..]];
@@ -50,14 +58,15 @@ sealed class ConfiguredArguments
     /// <summary>Adds file and line to a message about an option that the file sets.</summary>
     public string Place(string complaint) => _places.Place(complaint);
 
-    void Add(Command root, ParseResult typed, ConfigurationEntry entry, string path, List<string> added, List<string> wrong)
+    void Add(Command root, ParseResult typed, ConfigurationEntry entry, string path, List<string> added)
     {
         var verb = typed.CommandResult.Command;
         var name = "--" + (Plurals.TryGetValue(entry.Key, out var singular) ? singular : entry.Key);
         var option = verb.Options.FirstOrDefault(option => option.Name == name);
         if (option == null || NotInAFile.Contains(name))
         {
-            wrong.Add(entry.Wrong(ConfigurationMessages.UnknownEntry(verb.Name, Allowed(entry.Key, verb))));
+            var (near, allowed) = Allowed(entry.Key, verb);
+            _wrong.Add(near, entry.Wrong(ConfigurationMessages.UnknownEntry(verb.Name, allowed)));
             return;
         }
 
@@ -70,7 +79,7 @@ sealed class ConfiguredArguments
             fault = root.Parse([verb.Name, .. arguments]).Errors.FirstOrDefault(error => IsOf(error, option))?.Message;
         }
 
-        if (fault != null) wrong.Add(entry.Wrong(fault.StartsWith(name + ": ", StringComparison.Ordinal) ? fault[(name.Length + 2)..] : fault));
+        if (fault != null) _wrong.Add(entry.Key, entry.Wrong(fault.StartsWith(name + ": ", StringComparison.Ordinal) ? fault[(name.Length + 2)..] : fault));
         else if (typed.GetResult(option) is null or { Implicit: true })
         {
             added.AddRange(arguments);
@@ -99,10 +108,13 @@ sealed class ConfiguredArguments
     static bool IsPath(string value, Option option) =>
         Paths.Contains(option.HelpName) || (option.HelpName == "ROBOT" && !RobotFiles.IsIncluded(value));
 
-    static string Allowed(string key, Command verb)
+    // Returns the key that was probably meant, null if there is none, and the allowed keys for the message.
+    static (string Near, string Text) Allowed(string key, Command verb)
     {
-        var keys = verb.Options.Where(option => !NotInAFile.Contains(option.Name)).Select(option => option.Name[2..])
-            .Select(name => Plurals.FirstOrDefault(plural => plural.Value == name).Key ?? name).ToArray();
-        return Nearest.Of(key, keys) is { } near ? $"did you mean '{near}'?" : $"allowed: {string.Join(", ", keys.Order(StringComparer.Ordinal))}";
+        var keys = verb.Options.Where(option => !NotInAFile.Contains(option.Name)).Select(KeyOf).ToArray();
+        var near = Nearest.Of(key, keys);
+        return (near, near != null ? $"did you mean '{near}'?" : $"allowed: {string.Join(", ", keys.Order(StringComparer.Ordinal))}");
     }
+
+    static string KeyOf(Option option) => Plurals.FirstOrDefault(plural => plural.Value == option.Name[2..]).Key ?? option.Name[2..];
 }

@@ -19,14 +19,19 @@ sealed class AdapterProcesses : IAsyncDisposable
         _processes = [.. plants.Zip(_logs, (plant, log) => new AdapterProcess(plant, access, gateway.Time, log.Write))];
     }
 
-    /// <summary>Checks all plant configurations.</summary>
-    /// <param name="options">Options of the gateway that the adapters will connect to.</param>
-    /// <exception cref="InputException">A configuration has invalid entries. The message lists the invalid entries of all files.</exception>
-    public static async Task<IReadOnlyList<PlantFile>> CheckAsync(
-        IReadOnlyCollection<string> files, GatewayOptions options, CancellationToken stop)
+    /// <summary>Checks that adapters can connect to the address of the gateway.</summary>
+    /// <param name="encrypts">Whether the gateway uses TLS.</param>
+    /// <exception cref="InputException">There are adapters, and they would have to connect to another address than loopback without TLS.</exception>
+    public static void CheckAddress(IReadOnlyCollection<string> files, GatewayOptions options, bool encrypts)
     {
-        if (files.Count > 0 && options.Certificate == null && !options.IsLoopback && !IsAny(options.Bind))
+        if (files.Count > 0 && !encrypts && !options.IsLoopback && !IsAny(options.Bind))
             throw new InputException(AdapterMessages.NoTls(options.Bind));
+    }
+
+    /// <summary>Checks all plant configurations.</summary>
+    /// <exception cref="InputException">A configuration has invalid entries. The message lists the invalid entries of all files.</exception>
+    public static async Task<IReadOnlyList<PlantFile>> CheckAsync(IReadOnlyCollection<string> files, CancellationToken stop)
+    {
         var good = new List<PlantFile>();
         var bad = new List<string>();
         foreach (var file in files)

@@ -66,7 +66,8 @@ static class ServeVerb
                     name == null ? null : Describe(name), frames == null ? null : StationaryFrames.Load(frames),
                     server.Options(parsed) with { ControlClock = parsed.GetValue(controlClock) }),
                 stop);
-            var read = await AdapterProcesses.CheckAsync(files, options, stop);
+            AdapterProcesses.CheckAddress(files, options, options.Certificate != null);
+            var read = await AdapterProcesses.CheckAsync(files, stop);
             options = options with { ExpectsSources = PlantFile.ExpectsJoints(read, description) };
             foreach (var one in read) Announcement.Log(one.Summary);
             foreach (var warning in PlantFile.WarningsOf(read)) Announcement.Log(DryRunMessages.WarningLog(warning));
@@ -90,20 +91,21 @@ static class ServeVerb
         Findings findings, ServerArguments server, ParseResult parsed, bool isSystemClock, string robot, string[] plants, string stationary,
         CancellationToken stop)
     {
-        var (options, description, placed) = await Invocation.ReadAsync(
+        var (description, placed) = await Invocation.ReadAsync(
             () =>
             {
-                var checkedOptions = server.Check(parsed, findings);
+                var options = server.Check(parsed, findings);
+                if (server.IsEncryptionKnown) findings.Try(() => AdapterProcesses.CheckAddress(plants, options, server.Encrypts(parsed)));
                 findings.Try(() => server.Clock(parsed, isSystemClock));
                 var text = robot == null ? null : findings.Try(() => Describe(robot));
                 findings.Good("robot", robot);
-                return (checkedOptions, text, stationary == null ? null : findings.Try(() => StationaryFrames.Load(stationary)));
+                return (text, stationary == null ? null : findings.Try(() => StationaryFrames.Load(stationary)));
             },
             stop);
         if (placed != null) findings.Good("stationary", $"{stationary} ({placed.Count} frames)");
         try
         {
-            var read = await AdapterProcesses.CheckAsync(plants, options, stop);
+            var read = await AdapterProcesses.CheckAsync(plants, stop);
             foreach (var good in read) findings.Good("plant", good.Summary);
             foreach (var warning in PlantFile.WarningsOf(read)) findings.Good("warning", warning);
             // Not an error, because another client may publish the missing joints.

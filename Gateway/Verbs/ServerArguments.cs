@@ -113,28 +113,34 @@ sealed class ServerArguments(ConfiguredArguments configured)
     {
         var (tokens, certificate) = (parsed.GetValue(_tokens), parsed.GetValue(_certificate));
         var (pairing, recordings) = (parsed.GetValue(_pairing), parsed.GetValue(_recordings));
-        // If an entry of the file is invalid, an option may be missing, and a comparison of options would report consequences of this error.
-        var areComparable = configured.Wrong.Count == 0;
         var options = new GatewayOptions
         {
             Bind = parsed.GetValue(_bind),
             SyncPort = parsed.GetValue(_syncPort),
             WebSocketPort = parsed.GetValue(_webSocketPort),
-            Certificate = findings.Try(() => certificate != null
-                ? DryRun.Certificate(certificate, parsed.GetValue(_key), findings) : areComparable ? Certificate(parsed) : null),
+            Certificate = !configured.AreKnown(_certificate, _key) ? null : findings.Try(() => certificate != null
+                ? DryRun.Certificate(certificate, parsed.GetValue(_key), findings) : Certificate(parsed)),
             Tokens = tokens == null ? TokenList.None : findings.Try(() => DryRun.Tokens(tokens, findings)) ?? TokenList.None,
-            AllowInsecureLan = parsed.GetValue(_insecureLan),
+            AllowInsecureLan = parsed.GetValue(_insecureLan) || !configured.AreKnown(_insecureLan),
             MaxConnections = parsed.GetValue(_maxConnections),
         };
-        if (areComparable) findings.Try(() => CheckPairing(parsed));
         if (pairing != null) findings.Try(() => DryRun.Pairing(pairing, findings));
         if (recordings != null) findings.Try(() => DryRun.Recordings(recordings, findings));
-        else if (Records(parsed) && areComparable) findings.Try(() => Recordings(parsed));
-        // Skips the check if the certificate is invalid, because the check would also report the certificate as missing.
-        if (areComparable && (certificate == null || options.Certificate != null)) findings.Try(() => options.Check(pairsHeadsets: pairing != null));
+        // Skips the rules about options whose entries in the file are invalid, because the rules would report consequences of these errors.
+        else if (Records(parsed) && configured.AreKnown(_recordings)) findings.Try(() => Recordings(parsed));
+        if (configured.AreKnown(_certificate)) findings.Try(() => CheckPairing(parsed));
+        if (IsEncryptionKnown) findings.Try(() => options.CheckEncryption(Encrypts(parsed), tokens != null, pairing != null));
+        if (configured.AreKnown(_syncPort, _webSocketPort)) findings.Try(options.CheckPorts);
+        if (configured.AreKnown(_maxConnections)) findings.Try(options.CheckConnections);
         DryRun.Ports(options, findings);
         return options;
     }
+
+    /// <summary>Whether no error in the configuration file concerns the address and the encryption of connections.</summary>
+    public bool IsEncryptionKnown => configured.AreKnown(_bind, _tls, _certificate);
+
+    /// <summary>Whether the arguments select encrypted connections, also if the certificate is invalid.</summary>
+    public bool Encrypts(ParseResult parsed) => parsed.GetValue(_tls) || parsed.GetValue(_certificate) != null;
 
     /// <summary>Gets the options of the gateway. Reads the files, and creates missing files and folders.</summary>
     /// <exception cref="InputException">A file is invalid.</exception>
@@ -203,11 +209,14 @@ sealed class ServerArguments(ConfiguredArguments configured)
     public IControlClock Clock(ParseResult parsed, bool isSystem)
     {
         if (!isSystem) return Clock(parsed);
-        if (parsed.GetValue(_clockStart) != null)
-            throw new InputException(AddressOptionMessages.ClockStart);
-        if (SkewPpm(parsed) != 0)
-            throw new InputException(AddressOptionMessages.Skew);
-        return new SystemControlClock();
+        var faults = SystemClockFaults(parsed).ToArray();
+        return faults.Length == 0 ? new SystemControlClock() : throw new WrongEntriesException(faults);
+    }
+
+    IEnumerable<string> SystemClockFaults(ParseResult parsed)
+    {
+        if (parsed.GetValue(_clockStart) != null) yield return AddressOptionMessages.ClockStart;
+        if (SkewPpm(parsed) != 0) yield return AddressOptionMessages.Skew;
     }
 
     public double SkewPpm(ParseResult parsed) => parsed.GetValue(_skew);

@@ -115,12 +115,12 @@ public class ReaderFuzzTests
     {
         var accepted = new FuzzRun("configurations", 9, Configurations).Feed<string>(() => new TextMutator(Seeds.Configurations).Next, () => text =>
         {
-            var wrong = new List<string>();
+            var wrong = new InvalidEntries();
             ConfigurationFile.Parse(text, "fuzz", wrong);
-            foreach (var line in wrong)
+            foreach (var line in wrong.Lines)
                 if (!line.StartsWith("fuzz:",
                     StringComparison.Ordinal) || !char.IsAsciiDigit(line[5])) throw new FuzzException("a fault without its line: " + line);
-            return wrong.Count == 0;
+            return wrong.Lines.Count == 0;
         });
 
         Assert.That(accepted, Is.InRange(1, Configurations - 1), "the messages include valid and invalid ones");

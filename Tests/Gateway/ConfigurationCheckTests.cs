@@ -65,6 +65,64 @@ public class ConfigurationCheckTests : ConfigurationFixture
         Assert.That(errors, Has.One.Contains("gateway.yaml:4: certificate: ").And.One.Contains("gateway.yaml:7: recordings: "));
     }
 
+    // The invalid entries do not concern the other rules.
+    [Test]
+    public async Task Check_InvalidEntryAndOptionsThatContradictEachOther_ReportsAll()
+    {
+        var (_, _, errors) = await CheckAsync(
+            "ws-port: 47010\nmax-connections: many\nbind: any\nrecord: true\ncertificate-key: key.pem\nown-clock: system\nclock-start-s: 5\n"
+            + "skew-ppm: 3\nspeed: 1\n");
+
+        var expected = new[]
+        {
+            "gateway.yaml:2: max-connections: ", "gateway.yaml:9: speed: ",
+            "gateway.yaml:1: " + AddressOptionMessages.SamePorts("ws-port", 47010), "gateway.yaml:3: " + AddressOptionMessages.PlainBind(IPAddress.Any)["--".Length..],
+            "gateway.yaml:4: " + RecorderMessages.RecordWithoutFolder["--".Length..], "gateway.yaml:5: " + AddressOptionMessages.KeyWithoutCertificate["--".Length..],
+            "gateway.yaml:7: " + AddressOptionMessages.ClockStart["--".Length..], "gateway.yaml:8: " + AddressOptionMessages.Skew["--".Length..],
+        };
+        foreach (var part in expected) Assert.That(errors, Has.One.Contains(part), string.Join(" | ", errors));
+        Assert.That(errors, Has.Length.EqualTo(expected.Length), string.Join(" | ", errors));
+    }
+
+    [TestCase("sync-port: x\nws-port: 47010", 1)]
+    [TestCase("bind: nowhere\ntokens: tokens.txt\npairing: headsets.txt", 1)]
+    [TestCase("bind: any\ntls: maybe\ntokens: tokens.txt", 1)]
+    [TestCase("bind: any\ninsecure-lam: true", 1)]
+    [TestCase("record: true\nrecordngs: films", 1)]
+    [TestCase("tls: true\ncertificate: [a]\npairing: headsets.txt", 1)]
+    [TestCase("bind: 127.0.0.1\ncertificate: a.pem\ncertificate-key: [a]", 1)]
+    [TestCase("bind: 192.0.2.1\ntls: maybe\nplants: [none.yaml]", 3)]
+    public async Task Check_InvalidEntryThatARuleNeeds_SkipsTheRule(string text, int count)
+    {
+        Save("observer 0123456789abcdef0123456789abcdef\n", "tokens.txt");
+        Save("no certificate", "a.pem");
+
+        var (status, _, errors) = await CheckAsync(text + "\n", text.Contains("port") ? [] : ["--ws-port", "0", "--sync-port", "0"]);
+
+        Assert.That(status, Is.EqualTo(2));
+        Assert.That(errors, Has.Length.EqualTo(count), string.Join(" | ", errors));
+    }
+
+    // No entry after the error can be read.
+    [Test]
+    public async Task Check_FileIsNotYaml_SkipsAllRules()
+    {
+        var (_, _, errors) = await CheckAsync("bind: any\nws-port: 0\nsync-port: 0\nrecord: true\n]\n");
+
+        Assert.That(errors, Has.Length.EqualTo(1), string.Join(" | ", errors));
+    }
+
+    [Test]
+    public async Task Check_InvalidTokenFileWithoutTls_ReportsBoth()
+    {
+        Save("observer\n", "tokens.txt");
+
+        var (_, _, errors) = await CheckAsync("ws-port: 0\nsync-port: 0\nbind: any\ninsecure-lan: true\ntokens: tokens.txt\n");
+
+        Assert.That(errors, Has.One.Contains("tokens.txt, line 1"));
+        Assert.That(errors, Has.One.EndsWith("gateway.yaml:5: " + AddressOptionMessages.TokensWithoutTls(IPAddress.Any)["--".Length..]), string.Join(" | ", errors));
+    }
+
     [Test]
     public async Task Check_PortsInUse_ReportsThemAndSucceeds()
     {

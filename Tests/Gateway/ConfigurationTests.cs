@@ -172,9 +172,9 @@ public class ConfigurationTests : ConfigurationFixture
     {
         foreach (var text in new[] { new string('[', 20_000), string.Concat(Enumerable.Repeat("a: {", 5_000)), string.Concat(Enumerable.Repeat("? ", 10_000)) })
         {
-            var wrong = new List<string>();
+            var wrong = new InvalidEntries();
             ConfigurationFile.Parse(text, "x.yaml", wrong);
-            Assert.That(wrong, Is.Not.Empty);
+            Assert.That(wrong.Lines, Is.Not.Empty);
         }
     }
 

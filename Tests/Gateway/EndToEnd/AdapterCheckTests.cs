@@ -14,7 +14,7 @@ public class AdapterCheckTests : PlantFileFixture
         var first = Write(Good.Replace("kind: opcua", "kind: opcua\n  sampling_msec: 10"), "first.yaml");
         var second = Write(Good.Replace("node:", "nod:"), "second.yaml");
 
-        var wrong = Assert.ThrowsAsync<WrongEntriesException>(() => AdapterProcesses.CheckAsync([first, second], Gateways.Options(), default));
+        var wrong = Assert.ThrowsAsync<WrongEntriesException>(() => AdapterProcesses.CheckAsync([first, second], default));
 
         Assert.That(wrong.Lines, Has.Some.Contains($"{first}, line 3").And.Some.Contains("sampling_ms"));
         Assert.That(wrong.Lines, Has.Some.Contains($"{second}, line 7"));
@@ -25,7 +25,7 @@ public class AdapterCheckTests : PlantFileFixture
     {
         var (first, second) = (Write(Good, "first.yaml"), Write(Good, "second.yaml"));
 
-        var wrong = Assert.ThrowsAsync<WrongEntriesException>(() => AdapterProcesses.CheckAsync([first, second], Gateways.Options(), default));
+        var wrong = Assert.ThrowsAsync<WrongEntriesException>(() => AdapterProcesses.CheckAsync([first, second], default));
 
         Assert.That(wrong.Lines, Is.EqualTo(new[]
         {
@@ -58,7 +58,7 @@ public class AdapterCheckTests : PlantFileFixture
     {
         var path = Write(Good.Replace("joint: a", "joint: shoulder_pan_joint") + "\nrobot: ur5\n");
 
-        var plants = await AdapterProcesses.CheckAsync([path], Gateways.Options(), default);
+        var plants = await AdapterProcesses.CheckAsync([path], default);
 
         Assert.That(PlantFile.MissingJoints(plants, null), Is.EquivalentTo(
             new[] { "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", "wrist_3_joint" }));
@@ -69,7 +69,7 @@ public class AdapterCheckTests : PlantFileFixture
     {
         var path = Write(Good.Replace("joint: a", "joint: arm1/shoulder_pan_joint") + "\nrobots: { arm1: ur5e, arm2: ur5e }\n");
 
-        var plants = await AdapterProcesses.CheckAsync([path], Gateways.Options(), default);
+        var plants = await AdapterProcesses.CheckAsync([path], default);
 
         Assert.That(plants.Single().Robots.Keys, Is.EquivalentTo(new[] { "arm1", "arm2" }));
         Assert.That(PlantFile.MissingJoints(plants, null), Is.EquivalentTo(
@@ -178,7 +178,7 @@ public class AdapterCheckTests : PlantFileFixture
         Write(urdf, "long.urdf");
         var path = Write(Good.Replace("joint: a", "joint: arm_joint_1") + "\nrobot: long.urdf\n");
 
-        var plants = await AdapterProcesses.CheckAsync([path], Gateways.Options(), default);
+        var plants = await AdapterProcesses.CheckAsync([path], default);
 
         Assert.That(plants.Single().Robot, Has.Length.EqualTo(urdf.Length));
     }
@@ -190,7 +190,7 @@ public class AdapterCheckTests : PlantFileFixture
     {
         var path = Write($"plant: {{ kind: mqtt, endpoint: mqtt://127.0.0.1 }}\n{entries}\n");
 
-        var plants = await AdapterProcesses.CheckAsync([path], Gateways.Options(), default);
+        var plants = await AdapterProcesses.CheckAsync([path], default);
 
         Assert.That(plants.Single().HasObjects);
         Assert.That(PlantFile.ExpectsJoints(plants, null), Is.EqualTo(expectsJoints));
@@ -210,7 +210,7 @@ public class AdapterCheckTests : PlantFileFixture
     {
         var options = Gateways.Options() with { Bind = System.Net.IPAddress.Parse("192.168.1.5"), AllowInsecureLan = true };
 
-        var wrong = Assert.ThrowsAsync<InputException>(() => AdapterProcesses.CheckAsync([Write(Good)], options, default));
+        var wrong = Assert.Throws<InputException>(() => AdapterProcesses.CheckAddress([Write(Good)], options, encrypts: false));
 
         Assert.That(wrong.Message, Is.EqualTo(AdapterMessages.NoTls(options.Bind)));
     }
