@@ -6,14 +6,12 @@ namespace Nowpose.Gateway.Hub;
 static class CellKinds
 {
     public const string Joint = "joint";
-    public const string PlannedJoint = "planned joint";
     public const string Frame = "frame";
     public const string Signal = "signal";
 
-    /// <param name="topic">/joint_trajectory, /tf, /tf_static or /signals; any other topic is a topic of joints.</param>
+    /// <param name="topic">/tf, /tf_static or /signals; any other topic is a topic of joints.</param>
     public static string Of(string topic) => topic switch
     {
-        RosTopics.JointTrajectory => PlannedJoint,
         RosTopics.Signals => Signal,
         RosTopics.Tf or RosTopics.TfStatic => Frame,
         _ => Joint,

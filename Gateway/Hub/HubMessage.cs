@@ -57,10 +57,10 @@ public sealed class HubMessage
         };
     }
 
-    internal static HubMessage Of(JointTrajectoryMessage message, long receivedAt, string robot = "")
+    internal static HubMessage Of(JointTrajectoryMessage message, long receivedAt, string robot = "", HubSource source = null)
     {
         var topic = RobotTopic.NameOf(robot, RosTopics.JointTrajectory);
-        return new HubMessage(topic, message, receivedAt, form => RosbridgeWriter.PublishJointTrajectory(topic, message, form))
+        return new HubMessage(topic, message, receivedAt, form => RosbridgeWriter.PublishJointTrajectory(topic, message, form), source)
         {
             Kind = RosTopics.JointTrajectory, Robot = robot,
         };

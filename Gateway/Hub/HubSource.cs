@@ -63,7 +63,7 @@ public sealed class HubSource : IDisposable
     /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
     internal Refusal? Publish(JointTrajectoryMessage message, long? receivedAt = null, string robot = "")
     {
-        var published = HubMessage.Of(message, receivedAt ?? Stopwatch.GetTimestamp(), robot);
+        var published = HubMessage.Of(message, receivedAt ?? Stopwatch.GetTimestamp(), robot, this);
         // The message may be longer than the received one, because numbers get more digits.
         if (published.IsTooLong) return new Refusal(DropReason.TooLarge, DropMessages.AsWritten);
         var refusal = _hub.Claim(this, robot, RosTopics.JointTrajectory, message.Names);
@@ -142,6 +142,11 @@ public sealed class HubSource : IDisposable
     /// <param name="names">The joints named in the sample, as far as they can be read.</param>
     internal void ReportDropped(string robot, string[] names, string reason, DropReason code) =>
         _hub.ReportDropped(this, robot, names, reason, code);
+
+    /// <summary>Reports set-points that were refused for another reason than their owner, which the hub reports itself.</summary>
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
+    /// <param name="joint">The first joint of the message; empty if no name can be read.</param>
+    internal void ReportRefused(string robot, string joint, Refusal refusal) => _hub.ReportRefused(this, robot, joint, refusal);
 
     /// <summary>Reports a frame or a signal that was left out of a message.</summary>
     /// <param name="topic">Topic of the message.</param>

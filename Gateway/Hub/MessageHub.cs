@@ -41,10 +41,16 @@ public sealed class MessageHub
     public ForwardingTimes Forwarding { get; } = new();
 
     /// <summary>
-    /// Raised when a joint, planned joint, frame or signal of a source is refused because another source owns it, with the source, the topic, the name
-    /// and the owner. Called under the hub's lock.
+    /// Raised when a joint, frame or signal of a source is refused because another source owns it, with the source, the topic, the name and the owner.
+    /// Called under the hub's lock.
     /// </summary>
     internal event Action<HubSource, string, string, HubSource> Refused;
+
+    /// <summary>
+    /// Raised when set-points are refused, with their source, the namespace of the robot, and the joint that is refused or the first one of the message,
+    /// empty if no name can be read.
+    /// </summary>
+    internal event Action<HubSource, string, string, Refusal> SetPointsRefused;
 
     /// <summary>
     /// Raised when a frame or signal is left out of a message for another reason than its owner, with its source and topic. Called under the hub's lock.
@@ -197,7 +203,8 @@ public sealed class MessageHub
             if (_owners.FindTaken(source, topic, names) is { } taken)
             {
                 // A description that was refused is published later, see HubSource.TryDescribe.
-                if (kind != RosTopics.RobotDescription) Refused?.Invoke(source, kind, RobotTopic.Qualified(robot, taken.What), taken.Owner);
+                if (kind == RosTopics.JointTrajectory) ReportRefused(source, robot, taken.What, taken);
+                else if (kind != RosTopics.RobotDescription) Refused?.Invoke(source, kind, RobotTopic.Qualified(robot, taken.What), taken.Owner);
                 return taken;
             }
 
@@ -237,6 +244,8 @@ public sealed class MessageHub
 
         SampleDropped?.Invoke(source, HubSource.InCell(robot, names), reason, code);
     }
+
+    internal void ReportRefused(HubSource source, string robot, string joint, Refusal refusal) => SetPointsRefused?.Invoke(source, robot, joint, refusal);
 
     internal void ReportDropped(HubSource source, string topic, LeftOut part)
     {

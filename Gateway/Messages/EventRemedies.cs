@@ -18,7 +18,9 @@ static class EventRemedies
     public const string HeadsetNetwork = "Check the network between the headset and the gateway.";
     public const string LateSamples = "Check that samples reach the headset in time.";
     public const string StatusPanel = "Look at the status panel of the headset.";
+    public const string SetPoints = "Correct this, then send the set-points again.";
     public const string TwoSources = "Stop one of the two sources.";
+
 
     public static string Limits(string unit, string other) =>
         $"Check that the description belongs to this robot and that the source sends {unit}, not {other}.";

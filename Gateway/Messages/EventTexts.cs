@@ -72,6 +72,11 @@ static class EventTexts
 
     public static string MissingJoints(string pose, string joints) => $"the pose is {pose}; missing joints: {joints}";
     public static string Taken(string owner, string kind) => $"the source {owner} already publishes this {kind}";
+    public static string SetPointsTaken(string owner, string joint) => $"the source {owner} already publishes set-points of joint {joint}";
+
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
+    public static string SetPointsOf(string robot) => robot.Length == 0 ? "the set-points" : $"the set-points of robot {robot}";
+
     public static string SourceRefused(string source, string what) => $"source {source} is refused for {what}";
 
     public static string BeyondLimits(double position, string unit, double lower, double upper) =>

@@ -5,7 +5,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Reads the joint names of an invalid joint state, and finds the joint with an invalid position.</summary>
+/// <summary>Reads the joint names of invalid joint states and set-points, and finds the joint with an invalid position.</summary>
 static class InvalidJointState
 {
     // Only positions are checked, because a velocity or an effort may be absent, null or NaN.
@@ -18,14 +18,23 @@ static class InvalidJointState
     /// <param name="utf8">The complete message.</param>
     public static (string[] Names, string Trouble) Read(ReadOnlySpan<byte> utf8)
     {
+        var state = BodyOf(utf8);
+        return state?["name"] is JArray names ? (NamesIn(names), TroubleIn(names, state[Field] as JArray)) : ([], null);
+    }
+
+    /// <summary>Returns the names of the joints in a message with set-points.</summary>
+    /// <param name="utf8">The complete message.</param>
+    public static string[] ReadPlannedNames(ReadOnlySpan<byte> utf8) => BodyOf(utf8)?["joint_names"] is JArray names ? NamesIn(names) : [];
+
+    static JObject BodyOf(ReadOnlySpan<byte> utf8)
+    {
         try
         {
-            if (JObject.Parse(Encoding.UTF8.GetString(utf8))["msg"] is not JObject state || state["name"] is not JArray names) return ([], null);
-            return (NamesIn(names), TroubleIn(names, state[Field] as JArray));
+            return JObject.Parse(Encoding.UTF8.GetString(utf8))["msg"] as JObject;
         }
         catch (JsonException)
         {
-            return ([], null);
+            return null;
         }
     }
 

@@ -57,8 +57,12 @@ sealed class StatusReplies(HubSource source, DropCounters drops, Action<string> 
             ? RequestMessages.UnknownOperation(Short(message.OpName), KnownOperations)
             : $"{Subject(message)}dropped: {rule} ({reason})";
         // Excludes joints of other sources, which the hub reports itself.
-        if (message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true, Kind: RosTopics.JointStates } topic } && reason != DropReason.JointTaken)
-            ReportDropped(topic.Robot, message.JointState, rule, reason);
+        if (message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true } topic } && reason != DropReason.JointTaken)
+        {
+            if (topic.Kind == RosTopics.JointStates) ReportDropped(topic.Robot, message.JointState, rule, reason);
+            else if (topic.Kind == RosTopics.JointTrajectory) ReportRefused(topic.Robot, message.JointTrajectory, rule, reason);
+        }
+
         // Replies last, so that a client that has received the reply finds the drop in the gateway's status.
         if (Level != "none")
             reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
@@ -68,5 +72,11 @@ sealed class StatusReplies(HubSource source, DropCounters drops, Action<string> 
     {
         var (names, trouble) = valid == null ? InvalidJointState.Read(Received.Span) : (valid.Names, null);
         source.ReportDropped(robot, names, RequestMessages.Dropped(source.Title, trouble ?? rule, reason), reason);
+    }
+
+    void ReportRefused(string robot, JointTrajectoryMessage valid, string rule, DropReason reason)
+    {
+        var names = valid?.Names ?? InvalidJointState.ReadPlannedNames(Received.Span);
+        source.ReportRefused(robot, names.FirstOrDefault() ?? "", new Refusal(reason, robot, Rule: rule));
     }
 }

@@ -40,7 +40,7 @@ sealed class GatewayStatus : IDisposable
     readonly DiagnosticsBoard _diagnostics;
     readonly JointBoard _joints;
     readonly CellBoard _cell;
-    readonly RecentRefusals _refusals;
+    readonly RefusalConditions _refusals;
     readonly Conditions _conditions;
     readonly StatusWatch _watch;
     readonly CellReports _cellReports;
@@ -67,11 +67,10 @@ sealed class GatewayStatus : IDisposable
         _joints = new JointBoard(options.Time, () => limits.Robots, log);
         _cellReports = new CellReports(options.Time, log);
         _cell = new CellBoard(options.Time, _cellReports, hub.Links.RootOf, hub.Links.JointsOf);
-        _refusals = new RecentRefusals(options.Time);
+        _refusals = new RefusalConditions(hub, options.Time);
         Events = events;
         _conditions = new Conditions(options, clock, _diagnostics, _refusals, _cellReports, _cell, limits, recorder);
         hub.Refused += Refuse;
-        hub.TopicReleased += _refusals.Remove;
         hub.PartDropped += _cell.Refuse;
         hub.Left += _diagnostics.Remove;
         hub.SampleDropped += _joints.Refuse;
@@ -111,7 +110,7 @@ sealed class GatewayStatus : IDisposable
         _signals.Dispose();
         _version.Dispose();
         _hub.Refused -= Refuse;
-        _hub.TopicReleased -= _refusals.Remove;
+        _refusals.Dispose();
         _hub.PartDropped -= _cell.Refuse;
         _hub.Left -= _diagnostics.Remove;
         _hub.SampleDropped -= _joints.Refuse;
@@ -162,6 +161,7 @@ sealed class GatewayStatus : IDisposable
             _sources.Add(message.Joints, message.ReceivedAt, age);
             _joints.Add(message.Source, message.Joints, state.Stamp, age);
         }
+        else if (message.Content is JointTrajectoryMessage) _refusals.Accept(message);
         else if (message.Content is TransformsMessage frames)
             _cell.Add(message.Source, frames, message.Topic == RosTopics.TfStatic, _clock.AtReceived(message.ReceivedAt));
         else if (message.Content is SignalsMessage signals) _cell.Add(message.Source, signals);
@@ -187,7 +187,6 @@ sealed class GatewayStatus : IDisposable
     void Refuse(HubSource source, string topic, string name, HubSource owner)
     {
         if (topic == RosTopics.JointStates) _joints.Refuse(source, name, owner);
-        _refusals.Add(source, topic, name, owner);
     }
 
     void Leave(HubSource source, string topic)

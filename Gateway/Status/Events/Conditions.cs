@@ -11,8 +11,8 @@ namespace Nowpose.Gateway.Status.Events;
 
 /// <summary>Finds all present faults. Thread-safe.</summary>
 sealed class Conditions(
-    GatewayOptions options, ServedClock clock, DiagnosticsBoard diagnostics, RecentRefusals refusals, CellReports cell, CellBoard board,
-    LimitAlarm limits, Recorder recorder)
+    GatewayOptions options, ServedClock clock, DiagnosticsBoard diagnostics, RefusalConditions refusals,
+    CellReports cell, CellBoard board, LimitAlarm limits, Recorder recorder)
 {
     /// <summary>
     /// Time for which a frame must be an orphan. In this time, the sources of a cell can start one after the other, and the gateway can read the description
@@ -38,7 +38,7 @@ sealed class Conditions(
             .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(reports)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfUncertainRests(joints))
                 .Concat(OfCell("frame", AdapterReport.FramePrefix)).Concat(OfCell("signal", AdapterReport.SignalPrefix))
                 .Concat(OfFrames(joints)).Concat(OfSignals())
-                .Concat(reports.SelectMany(Of)).Concat(OfRefusals()).Concat(OfLimits(joints)).Concat(OfRecording())
+                .Concat(reports.SelectMany(Of)).Concat(refusals.Read()).Concat(OfLimits(joints)).Concat(OfRecording())
                 .Concat(AccessConditions.Of(options))
                 .DistinctBy(condition => condition.Key).OrderByDescending(condition => condition.Level),
         ];
@@ -233,14 +233,6 @@ sealed class Conditions(
 
     static string ReasonOf(string pose, string missing) =>
         string.IsNullOrEmpty(missing) ? EventTexts.Pose(pose) : EventTexts.MissingJoints(pose, missing);
-
-    IEnumerable<Condition> OfRefusals() => refusals.Read().Select(
-        one => new Condition(
-            "source", EventTexts.SourceOf(one.Source, $"{one.Kind} {one.Name}"), EventTexts.IsRefused, EventTexts.Taken(one.Owner, one.Kind), Level.Warning)
-        {
-            Headline = EventTexts.SourceRefused(one.Source, $"{one.Kind} {one.Name}"),
-            Remedy = EventRemedies.TwoSources,
-        });
 
     // The position of a joint without current data is not known, and the joint has a condition of its own unless its source has ended normally.
     IEnumerable<Condition> OfLimits(IReadOnlyList<JointSnapshot> joints) =>

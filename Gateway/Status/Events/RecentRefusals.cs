@@ -2,7 +2,7 @@ using Nowpose.Gateway.Hub;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Joints, planned joints, frames and signals that are refused because another source publishes them. Thread-safe; bounded.</summary>
+/// <summary>Joints, frames and signals that are refused because another source publishes them. Thread-safe; bounded.</summary>
 /// <remarks>
 /// A refusal on a topic with regular messages ends soon after the last refused message. Stationary frames and signals are sent only once, so their refusals
 /// last until the source ends or unadvertises the topic, or no other source owns the name.

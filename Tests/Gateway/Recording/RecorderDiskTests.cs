@@ -113,9 +113,9 @@ public class RecorderDiskTests
         });
         using var limits = new LimitAlarm(_cell.Hub, _ => { });
         var (time, reports) = (TimeProvider.System, new CellReports(TimeProvider.System));
+        using var refusals = new RefusalConditions(_cell.Hub, time);
         var conditions = new Conditions(
-            new GatewayOptions(), _cell.Clock, new DiagnosticsBoard(time), new RecentRefusals(time), reports, new CellBoard(time, reports), limits,
-            recorder);
+            new GatewayOptions(), _cell.Clock, new DiagnosticsBoard(time), refusals, reports, new CellBoard(time, reports), limits, recorder);
         Condition[] Present() => [.. conditions.Read([]).Where(one => one.Kind == "recording")];
         recorder.SwitchOn();
         var before = Present();

@@ -109,23 +109,6 @@ public class SourceFaultTests
         await _gateway.EndsAsync("source", "copy of joint a");
     }
 
-    [TestCase("", "a")]
-    [TestCase("arm1", "arm1/a")]
-    public async Task SecondSource_OfSetPoints_AddsAnEventUntilTheRefusalsStop(string robot, string joint)
-    {
-        await _gateway.StartAsync();
-        using HubSource first = _gateway.Server.Hub.OpenSource(), second = _gateway.Server.Hub.OpenSource();
-        second.Name = "copy";
-        var plan = new JointTrajectoryMessage(Gateways.Start, ["a"], [new JointTrajectoryPoint(TimeSpan.Zero, [1.0])]);
-
-        Assert.That(first.Publish(plan, robot: robot), Is.Null);
-        Assert.That(second.Publish(plan, robot: robot)?.What, Is.EqualTo("a"));
-
-        await _gateway.BeginsAsync("source", $"copy of planned joint {joint}");
-        _gateway.Time.Advance(TimeSpan.FromSeconds(6));
-        await _gateway.EndsAsync("source", $"copy of planned joint {joint}");
-    }
-
     // Stationary frames and signals are sent only once, so a refusal must stay visible although no further message is refused.
     [TestCase("signal grip", "first ends")]
     [TestCase("signal grip", "second ends")]

@@ -1,0 +1,58 @@
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Status.Events;
+
+/// <summary>Finds the sources whose messages the gateway refuses. Thread-safe.</summary>
+sealed class RefusalConditions : IDisposable
+{
+    readonly MessageHub _hub;
+    readonly RecentRefusals _owned;
+    readonly RefusedSetPoints _setPoints;
+
+    public RefusalConditions(MessageHub hub, TimeProvider time)
+    {
+        (_hub, _owned, _setPoints) = (hub, new RecentRefusals(time), new RefusedSetPoints(time));
+        hub.Refused += _owned.Add;
+        hub.TopicReleased += _owned.Remove;
+        hub.SetPointsRefused += _setPoints.Refuse;
+        hub.TopicReleased += _setPoints.Release;
+    }
+
+    /// <summary>Ends the refusals of the joints in a message with accepted set-points.</summary>
+    /// <param name="message">A message on /joint_trajectory of any robot.</param>
+    public void Accept(HubMessage message) => _setPoints.Accept(message.Source, message.Robot, ((JointTrajectoryMessage)message.Content).Names);
+
+    public IEnumerable<Condition> Read() => _owned.Read().Select(OfOwned).Concat(_setPoints.Read().Select(OfSetPoints));
+
+    public void Dispose()
+    {
+        _hub.Refused -= _owned.Add;
+        _hub.TopicReleased -= _owned.Remove;
+        _hub.SetPointsRefused -= _setPoints.Refuse;
+        _hub.TopicReleased -= _setPoints.Release;
+    }
+
+    static Condition OfOwned((string Source, string Kind, string Name, string Owner) one) =>
+        OfSource(one.Source, $"{one.Kind} {one.Name}", EventTexts.Taken(one.Owner, one.Kind), EventRemedies.TwoSources);
+
+    static Condition OfSetPoints((string Source, string Robot, string Joint, Refusal Refusal) one)
+    {
+        var (what, refusal) = (EventTexts.SetPointsOf(one.Robot), one.Refusal);
+        return refusal.Owner is { } owner
+            ? OfSource(one.Source, what, EventTexts.SetPointsTaken(owner.Title, one.Joint), EventRemedies.TwoSources)
+            : OfSource(one.Source, what, $"{refusal.Rule} ({refusal.Reason})", EventRemedies.SetPoints) with
+            {
+                // The clock of the source may not be measured yet.
+                IsNormalAtStart = refusal.Reason == DropReason.Unsynchronised,
+            };
+    }
+
+    static Condition OfSource(string source, string what, string reason, string remedy) =>
+        new("source", EventTexts.SourceOf(source, what), EventTexts.IsRefused, reason, Level.Warning)
+        {
+            Headline = EventTexts.SourceRefused(source, what),
+            Remedy = remedy,
+        };
+}
