@@ -63,6 +63,9 @@ public sealed class MessageHub
     /// </summary>
     internal event Action<HubSource, string[], string, DropReason> SampleDropped;
 
+    /// <summary>Raised when the report of a client is refused because another client uses the name in it.</summary>
+    internal event Action<HubSource, string> NameRefused;
+
     /// <summary>Raised with the name of a client that has closed its connection normally.</summary>
     internal event Action<string> Left;
 
@@ -225,6 +228,8 @@ public sealed class MessageHub
     {
         lock (_lock) return (kind == CellKinds.Signal ? _signals.Owners : Frames.Owners).OtherThan(source, name);
     }
+
+    internal void ReportNameRefused(HubSource source, string name) => NameRefused?.Invoke(source, name);
 
     internal void ReportLeft(string name) => Left?.Invoke(name);
 

@@ -21,6 +21,8 @@ static class EventRemedies
     public const string SetPoints = "Correct this, then send the set-points again.";
     public const string TwoSources = "Stop one of the two sources.";
 
+    public const string AdapterNames = "Set another plant.name for one of the two adapters, or stop one.";
+    public const string HeadsetNames = "Set another Headset Name in the session settings of one of the two headsets.";
 
     public static string Limits(string unit, string other) =>
         $"Check that the description belongs to this robot and that the source sends {unit}, not {other}.";

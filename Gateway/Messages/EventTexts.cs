@@ -72,6 +72,9 @@ static class EventTexts
 
     public static string MissingJoints(string pose, string joints) => $"the pose is {pose}; missing joints: {joints}";
     public static string Taken(string owner, string kind) => $"the source {owner} already publishes this {kind}";
+    public const string HasUsedName = "has the same name as another client";
+    public static string NameUsed(string client) => $"the reports of {client} are refused, because another client uses this name";
+
     public static string SetPointsTaken(string owner, string joint) => $"the source {owner} already publishes set-points of joint {joint}";
 
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>

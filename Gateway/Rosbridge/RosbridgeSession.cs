@@ -210,14 +210,19 @@ sealed class RosbridgeSession : IDisposable
             return;
         }
 
-        var refusal = name == null || _names.TryUse(name, this)
-            ? _publisher.Publish(message, stamp, _receivedAt) : new Refusal(DropReason.JointTaken, $"the name {Short(name)}");
+        var refusal = name == null || _names.TryUse(name, this) ? _publisher.Publish(message, stamp, _receivedAt) : RefuseName(name);
         if (refusal != null)
             _replies.Drop(message, refusal.Value);
         else
             _publisher.AddStamp(message, stamp, false);
         if (Unsupported.MayBeIn(_text.Span, message)) Warn(message);
         _replies.DropParts(message, _publisher.LeftOut);
+    }
+
+    Refusal RefuseName(string name)
+    {
+        _hub.ReportNameRefused(_source, name);
+        return new Refusal(DropReason.JointTaken, $"the name {Short(name)}");
     }
 
     // Publishes the valid transforms or signals of a message that also contains invalid ones.

@@ -4,27 +4,29 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Finds the sources whose messages the gateway refuses. Thread-safe.</summary>
+/// <summary>Finds the sources and clients whose messages the gateway refuses. Thread-safe.</summary>
 sealed class RefusalConditions : IDisposable
 {
     readonly MessageHub _hub;
     readonly RecentRefusals _owned;
     readonly RefusedSetPoints _setPoints;
+    readonly RefusedNames _names;
 
     public RefusalConditions(MessageHub hub, TimeProvider time)
     {
-        (_hub, _owned, _setPoints) = (hub, new RecentRefusals(time), new RefusedSetPoints(time));
+        (_hub, _owned, _setPoints, _names) = (hub, new RecentRefusals(time), new RefusedSetPoints(time), new RefusedNames(time));
         hub.Refused += _owned.Add;
         hub.TopicReleased += _owned.Remove;
         hub.SetPointsRefused += _setPoints.Refuse;
         hub.TopicReleased += _setPoints.Release;
+        hub.NameRefused += _names.Add;
     }
 
     /// <summary>Ends the refusals of the joints in a message with accepted set-points.</summary>
     /// <param name="message">A message on /joint_trajectory of any robot.</param>
     public void Accept(HubMessage message) => _setPoints.Accept(message.Source, message.Robot, ((JointTrajectoryMessage)message.Content).Names);
 
-    public IEnumerable<Condition> Read() => _owned.Read().Select(OfOwned).Concat(_setPoints.Read().Select(OfSetPoints));
+    public IEnumerable<Condition> Read() => _owned.Read().Select(OfOwned).Concat(_setPoints.Read().Select(OfSetPoints)).Concat(_names.Read().Select(OfName));
 
     public void Dispose()
     {
@@ -32,6 +34,7 @@ sealed class RefusalConditions : IDisposable
         _hub.TopicReleased -= _owned.Remove;
         _hub.SetPointsRefused -= _setPoints.Refuse;
         _hub.TopicReleased -= _setPoints.Release;
+        _hub.NameRefused -= _names.Add;
     }
 
     static Condition OfOwned((string Source, string Kind, string Name, string Owner) one) =>
@@ -55,4 +58,15 @@ sealed class RefusalConditions : IDisposable
             Headline = EventTexts.SourceRefused(source, what),
             Remedy = remedy,
         };
+
+    static Condition OfName((string Name, string Client) one)
+    {
+        var isAdapter = StatusObjects.IsAdapter(one.Name);
+        return new Condition(
+            isAdapter ? "adapter" : "headset", isAdapter ? StatusObjects.AdapterName(one.Name) : one.Name, EventTexts.HasUsedName,
+            EventTexts.NameUsed(one.Client), Level.Warning)
+        {
+            Remedy = isAdapter ? EventRemedies.AdapterNames : EventRemedies.HeadsetNames,
+        };
+    }
 }
