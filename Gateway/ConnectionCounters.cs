@@ -6,9 +6,14 @@ public sealed class ConnectionCounters
     readonly long[] _closures = new long[Enum.GetValues<Closure>().Length];
     int _open;
     long _accepted;
+    long _refused;
 
     public int Open => Volatile.Read(ref _open);
     public long Accepted => Interlocked.Read(ref _accepted);
+
+    /// <summary>Number of new connections that were refused because of the limit.</summary>
+    internal long Refused => Interlocked.Read(ref _refused);
+
     public long this[Closure closure] => Interlocked.Read(ref _closures[(int)closure]);
 
     /// <summary>
@@ -25,7 +30,12 @@ public sealed class ConnectionCounters
         }
 
         Interlocked.Decrement(ref _open);
-        if (isFinal) Count(Closure.ConnectionLimit);
+        if (isFinal)
+        {
+            Interlocked.Increment(ref _refused);
+            Count(Closure.ConnectionLimit);
+        }
+
         return false;
     }
 

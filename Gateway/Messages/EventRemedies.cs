@@ -23,6 +23,7 @@ static class EventRemedies
 
     public const string AdapterNames = "Set another plant.name for one of the two adapters, or stop one.";
     public const string HeadsetNames = "Set another Headset Name in the session settings of one of the two headsets.";
+    public const string Connections = "Close clients that are not needed, or increase max-connections and start the gateway again.";
 
     public static string Limits(string unit, string other) =>
         $"Check that the description belongs to this robot and that the source sends {unit}, not {other}.";

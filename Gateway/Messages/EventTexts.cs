@@ -75,6 +75,14 @@ static class EventTexts
     public const string HasUsedName = "has the same name as another client";
     public static string NameUsed(string client) => $"the reports of {client} are refused, because another client uses this name";
 
+    public const string LimitReached = "has reached the maximum number of connections";
+
+    /// <param name="port">sync or websocket.</param>
+    public static string PortLimitReached(string port) => $"the {port} port {LimitReached}";
+
+    public static string Connections(int max, long refused) => FormattableString.Invariant(
+        $"the maximum is {max}; connections refused since the start of the gateway: {refused}");
+
     public static string SetPointsTaken(string owner, string joint) => $"the source {owner} already publishes set-points of joint {joint}";
 
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>

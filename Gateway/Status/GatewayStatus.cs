@@ -69,7 +69,9 @@ sealed class GatewayStatus : IDisposable
         _cell = new CellBoard(options.Time, _cellReports, hub.Links.RootOf, hub.Links.JointsOf);
         _refusals = new RefusalConditions(hub, options.Time);
         Events = events;
-        _conditions = new Conditions(options, clock, _diagnostics, _refusals, _cellReports, _cell, limits, recorder);
+        _conditions = new Conditions(
+            options, clock, _diagnostics, _refusals, new ConnectionLimits(_connections, options.MaxConnections, options.Time),
+            _cellReports, _cell, limits, recorder);
         hub.Refused += Refuse;
         hub.PartDropped += _cell.Refuse;
         hub.Left += _diagnostics.Remove;

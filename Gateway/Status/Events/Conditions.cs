@@ -12,7 +12,7 @@ namespace Nowpose.Gateway.Status.Events;
 /// <summary>Finds all present faults. Thread-safe.</summary>
 sealed class Conditions(
     GatewayOptions options, ServedClock clock, DiagnosticsBoard diagnostics, RefusalConditions refusals,
-    CellReports cell, CellBoard board, LimitAlarm limits, Recorder recorder)
+    ConnectionLimits connections, CellReports cell, CellBoard board, LimitAlarm limits, Recorder recorder)
 {
     /// <summary>
     /// Time for which a frame must be an orphan. In this time, the sources of a cell can start one after the other, and the gateway can read the description
@@ -39,7 +39,7 @@ sealed class Conditions(
                 .Concat(OfCell("frame", AdapterReport.FramePrefix)).Concat(OfCell("signal", AdapterReport.SignalPrefix))
                 .Concat(OfFrames(joints)).Concat(OfSignals())
                 .Concat(reports.SelectMany(Of)).Concat(refusals.Read()).Concat(OfLimits(joints)).Concat(OfRecording())
-                .Concat(AccessConditions.Of(options))
+                .Concat(connections.Read()).Concat(AccessConditions.Of(options))
                 .DistinctBy(condition => condition.Key).OrderByDescending(condition => condition.Level),
         ];
     }

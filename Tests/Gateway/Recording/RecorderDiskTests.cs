@@ -115,7 +115,8 @@ public class RecorderDiskTests
         var (time, reports) = (TimeProvider.System, new CellReports(TimeProvider.System));
         using var refusals = new RefusalConditions(_cell.Hub, time);
         var conditions = new Conditions(
-            new GatewayOptions(), _cell.Clock, new DiagnosticsBoard(time), refusals, reports, new CellBoard(time, reports), limits, recorder);
+            new GatewayOptions(), _cell.Clock, new DiagnosticsBoard(time), refusals, new ConnectionLimits([], 1, time),
+            reports, new CellBoard(time, reports), limits, recorder);
         Condition[] Present() => [.. conditions.Read([]).Where(one => one.Kind == "recording")];
         recorder.SwitchOn();
         var before = Present();

@@ -1,9 +1,12 @@
+using System.Net.WebSockets;
+using System.Text.Json;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
 
-/// <summary>Tests how the event list reports a second client with a used name, whose reports the gateway refuses.</summary>
+/// <summary>Tests how the event list reports clients that the gateway refuses: a second client with a used name, and connections beyond the limit.</summary>
 public class ClientFaultTests
 {
     MonitoredGateway _gateway;
@@ -67,6 +70,52 @@ public class ClientFaultTests
         Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Not.Contain("HoloLens"));
         Assert.That(state.GetProperty("events").GetArrayLength(), Is.Zero);
     }
+
+    [TestCase("websocket")]
+    [TestCase("sync")]
+    public async Task Connections_AtTheMaximum_AreAnEventUntilThereIsRoom(string server)
+    {
+        await _gateway.StartAsync(options => options with { MaxConnections = 1 });
+
+        using (await OpenAsync(server))
+        {
+            await _gateway.BeginsAsync("connection", server);
+            var full = await _gateway.EventAsync("connection", server);
+            Assert.That(full.GetProperty("text").GetString(), Does.Contain("max-connections"));
+            Assert.That(full.GetProperty("level").GetString(), Is.EqualTo("warning"));
+        }
+
+        await _gateway.EndsAsync("connection", server);
+    }
+
+    [Test]
+    public async Task Connections_RefusedRepeatedlyAtTheMaximum_AreOneEventWithTheirNumber()
+    {
+        await _gateway.StartAsync(options => options with { MaxConnections = 1 });
+        for (var i = 0; i < 2; i++)
+        {
+            using (await RawRosbridgeClient.ConnectAsync(_gateway.Server))
+            {
+                await _gateway.BeginsAsync("connection", "websocket");
+                Assert.ThrowsAsync<WebSocketException>(() => RawRosbridgeClient.ConnectAsync(_gateway.Server));
+            }
+
+            await Soon.BecomesAsync(() => _gateway.Server.WebSocketConnections.Open == 0, "the connection has ended");
+            // The refused client connects again after a moment, so the limit counts as reached in the meantime.
+            var full = await _gateway.EventAsync("connection", "websocket");
+            Assert.That(full.TryGetProperty("until_utc", out _), Is.False);
+        }
+
+        // The gateway updates the event several times per second.
+        string Reason() => _gateway.EventAsync("connection", "websocket").Result.GetProperty("reason").GetString();
+        await Soon.BecomesAsync(() => Reason() == EventTexts.Connections(1, 2), () => Reason());
+        Assert.That((await _gateway.StateAsync()).GetProperty("events").GetArrayLength(), Is.EqualTo(1));
+        _gateway.Time.Advance(TimeSpan.FromSeconds(6));
+        await _gateway.EndsAsync("connection", "websocket");
+    }
+
+    async Task<IDisposable> OpenAsync(string server) =>
+        server == "sync" ? await RawSyncClient.ConnectAsync(_gateway.Server) : await RawRosbridgeClient.ConnectAsync(_gateway.Server);
 
     static Task ReportAsync(RawRosbridgeClient client, string hardwareId) => client.SendAsync(RosbridgeWriter.PublishDiagnostics(
         RosTopics.Diagnostics, new DiagnosticsMessage(Gateways.Start, hardwareId, [KeyValuePair.Create("state", "connected"), KeyValuePair.Create("pose", "current")]), RosTimeForm.Sec));

@@ -1,0 +1,36 @@
+using Nowpose.Gateway.Messages;
+
+namespace Nowpose.Gateway.Status.Events;
+
+/// <summary>Finds the ports whose maximum number of connections is reached. Thread-safe.</summary>
+/// <param name="servers">The servers with their names in the state.</param>
+/// <param name="max">Maximum number of connections of each server.</param>
+sealed class ConnectionLimits((string Name, ConnectionCounters Counters)[] servers, int max, TimeProvider time)
+{
+    /// <summary>Time for which the maximum counts as reached after a refusal. A refused headset connects again sooner.</summary>
+    static readonly TimeSpan Span = TimeSpan.FromSeconds(5);
+
+    readonly Lock _lock = new();
+    // For each server, the number of refusals at the last check and the time at which it had increased.
+    readonly (long Refused, long At)[] _last = new (long, long)[servers.Length];
+
+    public IReadOnlyList<Condition> Read()
+    {
+        lock (_lock) return [.. Enumerable.Range(0, servers.Length).Where(IsReached).Select(server => Of(servers[server]))];
+    }
+
+    bool IsReached(int server)
+    {
+        var counters = servers[server].Counters;
+        var refused = counters.Refused;
+        if (refused > _last[server].Refused) _last[server] = (refused, time.GetTimestamp());
+        return counters.Open >= max || (refused > 0 && time.GetElapsedTime(_last[server].At) < Span);
+    }
+
+    Condition Of((string Name, ConnectionCounters Counters) server) => new(
+        "connection", server.Name, EventTexts.LimitReached, EventTexts.Connections(max, server.Counters.Refused), Level.Warning)
+    {
+        Headline = EventTexts.PortLimitReached(server.Name),
+        Remedy = EventRemedies.Connections,
+    };
+}
