@@ -46,6 +46,34 @@ describe('word for the reason of a joint', () => {
     assert.deepEqual([...live, cell.stateOf('a'), wordOf(cell)], ['live', undefined, 'rest', undefined]);
   });
 
+  it('Joint_WithoutAValueSinceTheReconnection_DoesNotSeemDisconnected', () => {
+    const cell = plant();
+    [0, 1].forEach(joint => cell.value(joint, 1));
+    cell.status.enter('waiting', 'the broker closed the connection');
+    const since = cell.status.values()['joint/a'].split(' ')[1];
+    cell.time.ms = 5000;
+
+    cell.status.enter('connected');
+    cell.value(1, 1);
+
+    const reason = messages.stateMessages.noValueAgain('the broker closed the connection');
+    assert.equal(cell.status.values()['joint/a'], `fault ${since} ${reason}`);
+    assert.equal(wordOf(cell), 'not-connected');
+    assert.equal(cell.status.message, `a fault: ${reason}`);
+    assert.equal(cell.stateOf('b'), 'live');
+  });
+
+  it('Joint_ConnectionLostTwiceWithoutAValue_HasTheFirstReason', () => {
+    const cell = plant();
+    cell.value(0, 1);
+    for (const reason of ['the broker closed the connection', 'the broker does not answer']) {
+      cell.status.enter('waiting', reason);
+      cell.status.enter('connected');
+    }
+
+    assert.ok(cell.status.values()['joint/a'].endsWith(messages.stateMessages.noValueAgain('the broker closed the connection')));
+  });
+
   it('FrameAndSignal_InFault_HaveNoKeyThatAJointOfTheSameNameHas', () => {
     const { status } = plant();
     for (const conditions of [status.frames, status.signals]) conditions.fault('other', { reason: 'node-gone', text: 'gone' });

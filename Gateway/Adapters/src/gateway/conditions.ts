@@ -37,6 +37,9 @@ export const byImportance = (a: Report, b: Report): number => a.rank - b.rank ||
 /** Two reports with start times that differ by less than this describe the same state. The transmission time causes the difference. */
 const SAME_SINCE_MS = 2000;
 
+/** The word for a fault because of the connection to the control system. */
+const NOT_CONNECTED = 'not-connected';
+
 const isGood = ({ state }: Condition): boolean => state === 'live' || state === 'rest';
 
 /** Shortens a text, but not to an empty one, which would have another meaning. */
@@ -45,6 +48,8 @@ const shortened = (text: string, longest: number): string => (text.length <= lon
 /** The states of all joints, frames or signals, with their reasons. Logs the start and the end of each fault once. */
 export class Conditions {
   readonly #known = new Map<string, Condition>();
+  /** Names whose values stopped with the connection that was lost last. */
+  readonly #lost = new Set<string>();
 
   /**
    * @param changed Called after each change of a state or a reason.
@@ -143,8 +148,20 @@ export class Conditions {
 
   /** Reports the end of the connection to the source. The states live, rest and refused become fault, because no values arrive. */
   disconnected(reason: string): void {
-    for (const [name, condition] of this.#known)
-      if (isGood(condition) || condition.state === 'refused') this.#enter(name, 'fault', reason, 'not-connected', this.now());
+    for (const [name, condition] of this.#known) {
+      if (!isGood(condition) && condition.state !== 'refused') continue;
+      this.#enter(name, 'fault', reason, NOT_CONNECTED, this.now());
+      this.#lost.add(name);
+    }
+  }
+
+  /** Reports a new connection to the source. The names without a value keep their fault, and its reason states that the connection exists again. */
+  reconnected(): void {
+    for (const name of this.#lost) {
+      const known = this.#known.get(name);
+      if (known?.word === NOT_CONNECTED) this.#enter(name, known.state, stateMessages.noValueAgain(known.reason), known.word, known.since);
+    }
+    this.#lost.clear();
   }
 
   get size(): number {

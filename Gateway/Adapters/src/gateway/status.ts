@@ -61,6 +61,7 @@ export class AdapterStatus {
       for (const each of this.#all) each.disconnected(this.#failure);
     } else if (state === 'connected') {
       this.#failure = '';
+      for (const each of this.#all) each.reconnected();
     }
     const isChanged = this.#state !== state || this.#reason !== clean;
     this.#state = state;
