@@ -74,6 +74,14 @@ describe('word for the reason of a joint', () => {
     assert.ok(cell.status.values()['joint/a'].endsWith(messages.stateMessages.noValueAgain('the broker closed the connection')));
   });
 
+  it('Joint_StampOfAClockThatStandsStill_IsReportedAsTheSame', () => {
+    const cell = plant();
+
+    [1, 2].forEach(position => cell.value(0, position));
+
+    assert.ok(cell.status.values()['joint/a'].endsWith(messages.refusalMessages.sameStamp), cell.status.values()['joint/a']);
+  });
+
   it('FrameAndSignal_InFault_HaveNoKeyThatAJointOfTheSameNameHas', () => {
     const { status } = plant();
     for (const conditions of [status.frames, status.signals]) conditions.fault('other', { reason: 'node-gone', text: 'gone' });

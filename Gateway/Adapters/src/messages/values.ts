@@ -4,6 +4,7 @@ import { shown } from '../configuration/problem';
 export const refusalMessages = {
   noStamp: 'the value has no time stamp; choose another timestamp in the configuration',
   before1970: 'the time stamp is before 1970; set the clock of the control system',
+  sameStamp: 'the time stamp is the same as that of the previous value; check that the clock of the control system runs',
   notNewer: (apartMs: number) => `the time stamp is not newer than that of the previous value (${apartMs.toFixed(1)} ms older)`,
   ahead: (apartMs: number, maxMs: number) =>
     `the time stamp is ${apartMs.toFixed(1)} ms ahead of the control clock; the maximum is ${maxMs.toFixed(1)} ms`,

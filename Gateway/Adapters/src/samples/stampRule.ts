@@ -41,7 +41,10 @@ export class StampRule {
     // After the clock was set back, the previous newest stamp is in the future. It is then ignored, so that new stamps are accepted.
     const isStepped = newest !== null && now !== null && newest > now + FUTURE;
     if (newest !== null && stamp <= newest && !isStepped)
-      return { reason: 'stamp-not-newer', text: refusalMessages.notNewer(toMilliseconds(newest - stamp)) };
+      return {
+        reason: 'stamp-not-newer',
+        text: stamp === newest ? refusalMessages.sameStamp : refusalMessages.notNewer(toMilliseconds(newest - stamp)),
+      };
     this.#newest[joint] = stamp;
     return null;
   }
