@@ -13,6 +13,7 @@ export const brokerMessages = {
   notSecure:
     'the connection to the broker is neither encrypted nor authenticated (plain: true): anyone with access to its network can impersonate the plant',
   closed: 'the broker closed the connection',
+  silent: (endpoint: string) => `${endpoint} does not respond; check the broker and the network`,
   subscriptionRefused: (topic: string, reason: string) =>
     `the broker refuses the subscription to ${topic}: ${reason}; check the user's rights on the broker`,
   notReadable: (topic: string) =>
@@ -33,6 +34,7 @@ export const mqttMessages = {
   nothingRead: 'no value is read; add joints, frames or signals',
   arrivalTime: 'the time of arrival',
   retained: 'only a retained message of unknown age has arrived; the value is used after the next message',
+  empty: (topic: string) => `the message on ${topic} is empty, as when a retained message is deleted; publish a value`,
   notJson: (topic: string) => `the message on ${topic} is not valid JSON; publish an object, a list, a number, true or false`,
   noTime: (topic: string, unit: string, field: string) => `the message on ${topic} has no time with the unit ${unit} in the field ${field}`,
 };

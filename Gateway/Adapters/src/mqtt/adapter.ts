@@ -57,7 +57,8 @@ export async function run(context: AdapterContext): Promise<void> {
 function valuesIn(values: TopicValues, topic: string, payload: Buffer, arrival: Nanoseconds | null, time: TimeField | null): PlantValue[] {
   const refused = (refusal: Refusal): PlantValue[] => values.indicesOf(topic).map(index => ({ index, value: null, stamp: null, refusal }));
   const message = parsed(payload);
-  if (message === undefined) return refused({ reason: 'malformed', text: mqttMessages.notJson(topic) });
+  if (message === undefined)
+    return refused({ reason: 'malformed', text: payload.length === 0 ? mqttMessages.empty(topic) : mqttMessages.notJson(topic) });
   // A message that is a number or a Boolean has no field with a time, so the time of its arrival is used.
   if (time === null || typeof message !== 'object') return values.in(topic, message, arrival);
   const stamp = stampIn(fieldIn(message, time.field.split('.')), time.unit);

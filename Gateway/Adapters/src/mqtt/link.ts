@@ -122,6 +122,7 @@ export class MqttLink {
 
 function inWords(error: Error & { code?: unknown }, endpoint: string): string {
   if (error.code === 'ECONNREFUSED') return brokerMessages.refuses(endpoint);
+  if (/^(keepalive|connack) timeout$/i.test(error.message)) return brokerMessages.silent(endpoint);
   if (error.code === 134 || error.code === 135 || error.code === 4 || error.code === 5) return brokerMessages.loginRefused(endpoint);
   if (String(error.code).includes('CERT') || String(error.code).includes('UNABLE_TO') || String(error.code).includes('SELF_SIGNED'))
     return brokerMessages.notTrusted(String(error.code));

@@ -168,6 +168,16 @@ frames:
     assert.equal(bridge.state.reconnects, '1');
   });
 
+  it('Adapter_BrokerFrozen_StatesWhatDoesNotRespond', async t => {
+    const { broker, adapter } = await cell(t, { rest: REST });
+
+    broker.stall();
+    t.after(() => broker.resume());
+
+    await adapter.said(`waiting: ${brokerMessages.silent(broker.url)}`);
+    assert.doesNotMatch(adapter.err, /timeout/i);
+  });
+
   for (const [name, plant, state, reasons] of [
     ['Rest', '', 'rest', [silenceMessages.unconfirmed, silenceMessages.allUnconfirmed]],
     ['Fault', '  silence: { fault_after_s: 0.5 }\n', 'fault', [silenceMessages.tooLong(500)]],

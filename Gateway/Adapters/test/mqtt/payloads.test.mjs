@@ -4,7 +4,10 @@ import { describe, it } from 'node:test';
 import { missing } from '../broker/mosquitto.mjs';
 import { parts } from '../parts.mjs';
 import { until } from '../program.mjs';
+import { messages } from '../messages.mjs';
 import { cell, changes, poses } from './cell.mjs';
+
+const { mqttMessages } = messages;
 
 const { stampIn, TopicValues } = await parts('mqtt/stamps', 'samples/topicValues');
 
@@ -44,6 +47,16 @@ describe('mqtt payloads', { skip: missing, concurrency: 3 }, () => {
       for (const entry of ['axis', 'part', 'closed'])
         assert.equal(adapter.err.split('\n').filter(line => line.includes(`${entry} refused (${reason})`)).length, 1, adapter.err);
     });
+
+  it('RetainedMessage_Deleted_ItsValueIsRefusedAsEmpty', async t => {
+    const { bridge, send } = await cell(t, { rest: REST, prepare: ({ send }) => send('cell', good, { retain: true }) });
+    await until(() => bridge.state?.['signal/closed']?.startsWith('live'), () => JSON.stringify(bridge.state));
+
+    await send('cell', '', { retain: true });
+
+    await until(() => bridge.state['signal/closed'].startsWith('refused') && bridge.state['signal/closed'].endsWith(mqttMessages.empty('cell')),
+      () => JSON.stringify(bridge.state));
+  });
 
   it('Quaternion_NotOfUnitLength_IsRefusedAndOtherValuesAreRead', async t => {
     const { bridge, send } = await cell(t, { rest: REST });
