@@ -1,7 +1,7 @@
 // Tests the word for the reason why a joint has no current data.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { moveAndStop, plant } from './outputInVirtualTime.mjs';
+import { moveAndStop, plant, T } from './outputInVirtualTime.mjs';
 import { parts } from './parts.mjs';
 import { messages } from './messages.mjs';
 
@@ -80,6 +80,54 @@ describe('word for the reason of a joint', () => {
     [1, 2].forEach(position => cell.value(0, position));
 
     assert.ok(cell.status.values()['joint/a'].endsWith(messages.refusalMessages.sameStamp), cell.status.values()['joint/a']);
+  });
+
+  it('Joint_RefusedForAnotherReason_KeepsTheStartOfItsState', () => {
+    const cell = plant(), state = () => cell.status.values()['joint/a'].split(' ').slice(0, 2), { '0': missing, '1': start } = state();
+    cell.time.ms = 1000;
+    cell.value(0, NaN);
+    assert.deepEqual(state(), [missing, start]);
+    cell.output.lose(0, { reason: 'node-gone', text: 'the node is gone' });
+    assert.deepEqual(state(), [missing, start]);
+    cell.value(0, 1);
+    cell.time.ms = 2000;
+    cell.value(0, NaN);
+    const refused = state();
+    cell.time.ms = 5000;
+
+    cell.value(0, 'text');
+
+    assert.deepEqual([refused[0], state()], ['refused', refused]);
+    assert.equal(wordOf(cell), 'type');
+  });
+
+  it('Adapter_ConnectsAgainAfterARefusal_StillHasTheReason', () => {
+    const { status } = plant();
+
+    status.enter('refused', "the server's certificate is not trusted");
+    status.enter('connecting');
+
+    assert.deepEqual([status.values().state, status.values().reason], ['connecting', "the server's certificate is not trusted"]);
+    status.enter('connected');
+    assert.equal(status.values().reason, undefined);
+  });
+
+  it('Joint_StampInAnotherUnit_IsReportedWithItsTimeAndTheUnit', () => {
+    const cell = plant();
+
+    cell.output.publish([{ joint: 0, value: 1, stamp: T / 1000n }]);
+
+    assert.ok(cell.status.values()['joint/a'].endsWith(messages.refusalMessages.farApart('1970-01-20')), cell.status.values()['joint/a']);
+    assert.equal(wordOf(cell), 'stamp-old');
+  });
+
+  it('Joint_StampBeyondAllDates_IsReportedWithoutADate', () => {
+    const cell = plant();
+
+    cell.output.publish([{ joint: 0, value: 1, stamp: 1_000_000n * T }]);
+
+    assert.ok(cell.status.values()['joint/a'].endsWith(messages.refusalMessages.farApart(null)), cell.status.values()['joint/a']);
+    assert.equal(wordOf(cell), 'stamp-future');
   });
 
   it('FrameAndSignal_InFault_HaveNoKeyThatAJointOfTheSameNameHas', () => {

@@ -187,11 +187,12 @@ export class Conditions {
 
   #trouble(name: string, state: State, { reason: word, text }: Refusal, since: number, isLogged: boolean): void {
     const reason = this.log.clean(text);
-    const { state: before, reason: previous } = this.#known.get(name) ?? {};
+    const { state: before, reason: previous, since: began } = this.#known.get(name) ?? {};
     // The state stays 'missing' until the first valid value arrives. Until then, the reason describes the newest invalid value.
     const entered = before === 'missing' ? 'missing' : state;
     if (before === entered && previous === reason) return;
-    this.#enter(name, entered, reason, word, since);
+    // A further reason for the same state is not a new start. For a fault, the caller knows the start.
+    this.#enter(name, entered, reason, word, before === entered && entered !== 'fault' ? began! : since);
     if (isLogged) this.log.change(`${this.kind} ${name}`, `${entered} ${reason}`, `${name} ${entered}: ${reason}`);
   }
 

@@ -190,16 +190,18 @@ export class AdapterStatus {
    */
   values(longest = Infinity, count = Infinity): Record<string, string> {
     const refused = [...this.#refused];
+    // During an attempt, the reason of the last one still applies.
+    const reason = this.#state === 'connecting' && this.#reason === '' ? this.#failure : this.#reason;
     // Joints come first, because the gateway takes one that is not reported for one that the adapter no longer has.
     const [joints, ...others] = this.#all.map(each => each.reports(longest));
     const reports = [...joints.sort(byImportance), ...others.flat().sort(byImportance)];
     return {
       ...this.#details,
       state: this.#state,
-      ...(this.#reason === '' ? {} : { reason: this.#reason }),
+      ...(reason === '' ? {} : { reason }),
       samples: String(this.#samples),
       refused: String(refused.reduce((sum, [, count]) => sum + count, 0)),
-      ...Object.fromEntries(refused.map(([reason, count]) => [`refused/${reason}`, String(count)])),
+      ...Object.fromEntries(refused.map(([word, count]) => [`refused/${word}`, String(count)])),
       reconnects: String(this.#reconnects),
       ...Object.fromEntries(reports.slice(0, count).flatMap(({ values }) => values)),
     };

@@ -10,6 +10,9 @@ export const refusalMessages = {
     `the time stamp is ${apartMs.toFixed(1)} ms ahead of the control clock; the maximum is ${maxMs.toFixed(1)} ms`,
   behind: (apartMs: number, maxMs: number) =>
     `the time stamp is ${apartMs.toFixed(1)} ms behind the control clock; the maximum is ${maxMs.toFixed(1)} ms`,
+  /** @param day Date of the time stamp; null if it is beyond the range of dates. */
+  farApart: (day: string | null) =>
+    `the time stamp is ${day ?? 'beyond the year 275760'}, more than a day away from the control clock; check the unit of the time and the clock that stamps the value`,
   noField: (topic: string, field: string) => `the message on ${topic} has no field ${field}`,
   notNumber: (value: unknown) => `value ${shown(value)} is not a number; use a numeric variable`,
   notPosition: (text: string) => `value ${text} is not a finite number`,

@@ -3,6 +3,9 @@ import { refusalMessages } from '../messages/values';
 
 const FUTURE: Nanoseconds = NS_PER_S;
 
+/** Difference from the control clock above which the text states the date of the stamp, which shows a wrong unit better than a number of ms. */
+const FAR: Nanoseconds = 86_400n * NS_PER_S;
+
 /** The reason why a value is not forwarded. `reason` is the name of the counter, and `text` is the explanation for a user. */
 export interface Refusal {
   reason: string;
@@ -50,9 +53,17 @@ export class StampRule {
   }
 
   #against(now: Nanoseconds, stamp: Nanoseconds): Refusal | null {
-    const { ahead, behind } = refusalMessages;
-    if (stamp > now + FUTURE) return { reason: 'stamp-future', text: ahead(toMilliseconds(stamp - now), toMilliseconds(FUTURE)) };
-    if (stamp < now - this.oldest) return { reason: 'stamp-old', text: behind(toMilliseconds(now - stamp), toMilliseconds(this.oldest)) };
+    const { ahead, behind, farApart } = refusalMessages;
+    const isFar = stamp > now + FAR || stamp < now - FAR;
+    const inWords = (text: string): string => (isFar ? farApart(dayOf(stamp)) : text);
+    if (stamp > now + FUTURE) return { reason: 'stamp-future', text: inWords(ahead(toMilliseconds(stamp - now), toMilliseconds(FUTURE))) };
+    if (stamp < now - this.oldest) return { reason: 'stamp-old', text: inWords(behind(toMilliseconds(now - stamp), toMilliseconds(this.oldest))) };
     return null;
   }
+}
+
+/** Gets the date of a stamp, such as 2026-11-29; null if a Date cannot contain it. */
+function dayOf(stamp: Nanoseconds): string | null {
+  const date = new Date(toMilliseconds(stamp));
+  return Number.isNaN(date.getTime()) ? null : date.toISOString().split('T')[0];
 }
