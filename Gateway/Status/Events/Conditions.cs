@@ -52,7 +52,7 @@ sealed class Conditions(
             Remedy = row.State switch
             {
                 JointDataState.Stale => EventRemedies.Source,
-                JointDataState.Missing => EventRemedies.MissingJoint,
+                JointDataState.Missing => JointFaultReasons.IsOfValue(row.ReasonWord) ? EventRemedies.Values : EventRemedies.MissingJoint,
                 JointDataState.Refused => EventRemedies.Values,
                 JointDataState.Fault => EventRemedies.Plant,
                 _ => "",

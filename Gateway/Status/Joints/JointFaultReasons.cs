@@ -39,13 +39,22 @@ static class JointFaultReasons
     static readonly string[] OfAdapters =
     [
         "never-received", "not-connected", "node-gone", "not-monitored", "not-readable", "ended-in-motion", "silent-too-long", "not-confirmed",
-        "retained", "plc-stopped", "other-gateway", "status-bad", "status-uncertain", "type", "index", "field", "malformed", "not-finite",
-        "stamp-missing", "stamp-zero", StampNotNewer, "stamp-future", StampOld, "time-unmatched",
+        "retained", "plc-stopped", "other-gateway",
+    ];
+
+    // The words of the adapters for a value that has arrived and cannot be used.
+    static readonly HashSet<string> OfValues =
+    [
+        "status-bad", "status-uncertain", "type", "index", "field", "malformed", "not-finite", "stamp-missing", "stamp-zero", StampNotNewer, "stamp-future",
+        StampOld, "time-unmatched",
     ];
 
     /// <summary>All words.</summary>
     public static readonly IReadOnlySet<string> All =
-        new HashSet<string>([.. OfAdapters, Taken, NoSample, SamplesStopped, AdapterSilent, NotPublished, InvalidMessage, Other]);
+        new HashSet<string>([.. OfAdapters, .. OfValues, Taken, NoSample, SamplesStopped, AdapterSilent, NotPublished, InvalidMessage, Other]);
+
+    /// <summary>Whether a word means that a value has arrived and cannot be used.</summary>
+    public static bool IsOfValue(string word) => word != null && OfValues.Contains(word);
 
     /// <summary>Gets the word itself if it is one of the set, and <see cref="Other"/> otherwise.</summary>
     /// <param name="word">The word of a client; null if it sends none.</param>

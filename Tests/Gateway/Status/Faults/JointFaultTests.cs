@@ -84,6 +84,18 @@ public class JointFaultTests
         Assert.That(adapter.TryGetProperty("reason/a", out _), Is.False, "the word belongs to the joint");
     }
 
+    [TestCase("never-received", EventRemedies.MissingJoint)]
+    [TestCase("stamp-old", EventRemedies.Values)]
+    [TestCase("type", EventRemedies.Values)]
+    public async Task Joint_MissingBecauseOfItsValues_HasTheRemedyForTheValues(string reason, string remedy)
+    {
+        await _gateway.StartAsync(options => options with { ExpectsSources = true });
+
+        _gateway.Report("adapter/press", ("state", "connected"), ("joint/a", $"missing {_gateway.Since(90)} why"), ("reason/a", reason));
+
+        Assert.That((await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable))[1], Does.EndWith(remedy));
+    }
+
     [Test]
     public async Task Ready_JointAtRest_IsReady()
     {
