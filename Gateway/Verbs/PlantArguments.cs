@@ -40,6 +40,9 @@ sealed class PlantArguments
             command.Options.Add(option);
     }
 
+    /// <summary>The option that names the robot.</summary>
+    public Option RobotOption => _robot;
+
     public string Robot(ParseResult parsed) => parsed.GetValue(_robot);
     public int Robots(ParseResult parsed) => Math.Max(1, parsed.GetValue(_robots));
     public bool PublishesPlan(ParseResult parsed) => parsed.GetValue(_trajectory);

@@ -32,7 +32,8 @@ static class PlantCommand
                     {
                         var found = new Findings(configured.Wrong);
                         server.Check(parsed, found);
-                        found.Try(() => motionOf(parsed, RobotFiles.Load(plant.Robot(parsed))));
+                        // Otherwise, the motion would be compared with the default robot.
+                        if (configured.AreKnown(plant.RobotOption)) found.Try(() => motionOf(parsed, RobotFiles.Load(plant.Robot(parsed))));
                         return found;
                     },
                     stop);

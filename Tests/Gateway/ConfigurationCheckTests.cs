@@ -103,6 +103,19 @@ public class ConfigurationCheckTests : ConfigurationFixture
         Assert.That(errors, Has.Length.EqualTo(count), string.Join(" | ", errors));
     }
 
+    // The columns are joints of the ur5, and the default robot is the youBot.
+    [Test]
+    public async Task Check_InvalidRobotOfARecording_DoesNotCompareTheRecordingWithTheDefaultRobot()
+    {
+        var recording = Save("t_s,shoulder_pan_joint,elbow_joint\n0,0,0\n1,0.1,0.1\n2,0.2,0.2\n", "motion.csv");
+        var configuration = Save("robot: [ur5]\nws-port: 0\nsync-port: 0\n");
+
+        var (_, _, errors) = await CapturedConsole.OfAsync(
+            () => Nowpose.Gateway.CommandLine.RunAsync(["replay", recording, "--config", configuration, "--check"]).Bounded());
+
+        Assert.That(CapturedConsole.Lines(errors), Has.Length.EqualTo(1).And.One.Contains("gateway.yaml:1: robot: "), errors);
+    }
+
     // No entry after the error can be read.
     [Test]
     public async Task Check_FileIsNotYaml_SkipsAllRules()
