@@ -32,7 +32,7 @@ namespace Nowpose.Motion
         /// <summary>Returns whether the gripper carries a workpiece between pick place and fixture.</summary>
         public bool IsCarrying(int move) => move >= Carry && move < Lower;
 
-        /// <summary>Returns whether the gripper is at the pick place or at the fixture, where the belt must be at rest.</summary>
+        /// <summary>Returns whether the belt must be at rest during a move, because the gripper is at the pick place or at the fixture.</summary>
         public bool IsAtBelt(int move) => move >= Approach && move < Leave && !IsCarrying(move);
     }
 }

@@ -90,7 +90,12 @@ namespace Nowpose.Simulation
         /// Time, at most seconds after the last one: a cell with workpieces is first simulated until then, in up to 1 s for each hour.
         /// </param>
         /// <param name="joints">Receives one position per joint of the motion, rad or m.</param>
-        /// <param name="robot">Index of the robot, 0 for the first one.</param>
-        public void TruthAt(HeadsetTime t, Span<double> joints, int robot = 0) => _robots[robot].Motion.At(ClockTicks.Seconds(t - _start), joints);
+        /// <param name="robot">Index of the robot, 0 for the first one and 1 for the second one.</param>
+        /// <exception cref="ArgumentOutOfRangeException">The cell has no robot with this index.</exception>
+        public void TruthAt(HeadsetTime t, Span<double> joints, int robot = 0)
+        {
+            if (robot < 0 || robot >= _robots.Count) throw new ArgumentOutOfRangeException(nameof(robot), robot, null);
+            _robots[robot].Motion.At(ClockTicks.Seconds(t - _start), joints);
+        }
     }
 }

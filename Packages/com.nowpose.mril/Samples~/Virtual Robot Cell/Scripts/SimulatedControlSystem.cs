@@ -89,12 +89,12 @@ namespace Nowpose.Samples
 
         /// <summary>Gets the true joint positions of a robot at a given time.</summary>
         /// <param name="joints">Receives one position per moving joint of the robot, in rad or m.</param>
-        /// <param name="isSecond">Whether the robot is the second one. Without a second robot, this has no effect.</param>
-        /// <returns>False if the simulation has not started.</returns>
+        /// <param name="isSecond">Whether the robot is the second one.</param>
+        /// <returns>False if the simulation has not started, or if there is no second robot.</returns>
         public bool TryGetTruth(HeadsetTime at, Span<double> joints, bool isSecond = false)
         {
-            if (_cell == null) return false;
-            _cell.TruthAt(at, joints, isSecond ? _robots - 1 : 0);
+            if (_cell == null || (isSecond && _robots == 1)) return false;
+            _cell.TruthAt(at, joints, isSecond ? 1 : 0);
             return true;
         }
 

@@ -50,11 +50,14 @@ namespace Nowpose.Simulation.Work
             _step = _outputs.Move = moves - 1;
         }
 
-        /// <summary>Whether the gripper is at the pick place or at the fixture. The belt must not start.</summary>
-        public bool IsAtBelt => _task.IsAtBelt(_step);
-
         /// <summary>Whether the gripper carries a workpiece between pick place and fixture.</summary>
         public bool IsCarrying => _task.IsCarrying(_step);
+
+        /// <summary>
+        /// Whether the belt must not start: the gripper is at the pick place or at the fixture, or on its way to a workpiece that is present, for which it
+        /// would otherwise have to wait.
+        /// </summary>
+        public bool BlocksBelt(in ArmInputs inputs) => _task.IsAtBelt(_step) || (_step < _task.Approach && inputs.IsPartPresent);
 
         /// <summary>Runs one control cycle.</summary>
         /// <param name="isBeltAtRest">Whether the belt is at rest and the clamps are closed.</param>

@@ -30,8 +30,8 @@ namespace Nowpose.Simulation.Work
     }
 
     /// <summary>
-    /// Control program of a cell: one sequence for each robot, and one for the conveyor that they share. It runs in each control cycle. The conveyor
-    /// does not start while a robot is at the belt, and the robots do not go to the belt before the conveyor is at rest.
+    /// Control program of a cell: one sequence for each robot, and one for the conveyor that they share. It runs in each control cycle. The belt
+    /// does not start while a gripper is at it, and the robots do not pick up or put down workpieces before it is at rest.
     /// </summary>
     sealed class CellProgram
     {
@@ -54,7 +54,6 @@ namespace Nowpose.Simulation.Work
             return _outputs;
         }
 
-        // The belt moves by one station if a robot needs it.
         void RunBelt(in CellInputs inputs)
         {
             if (_outputs.RunsBelt)
@@ -65,12 +64,14 @@ namespace Nowpose.Simulation.Work
             else _outputs.OpensClamps = MayStartBelt(inputs);
         }
 
+        // The belt brings the next workpiece while another robot still carries one, so that neither has to wait for it. If all robots carry workpieces, it
+        // only moves to free a fixture: otherwise it would move again before they have put them down.
         bool MayStartBelt(in CellInputs inputs)
         {
             var (isAway, isPartMissing, isFixtureNeeded) = (false, false, false);
             for (var i = 0; i < _arms.Length; i++)
             {
-                if (_arms[i].IsAtBelt) return false;
+                if (_arms[i].BlocksBelt(inputs.Arms[i])) return false;
                 isAway |= !_arms[i].IsCarrying;
                 isPartMissing |= !inputs.Arms[i].IsPartPresent;
                 isFixtureNeeded |= _arms[i].IsCarrying && !inputs.Arms[i].IsFixtureFree;

@@ -69,8 +69,8 @@ namespace Nowpose.Simulation.Work
         /// of the first robot backwards.
         /// </summary>
         /// <remarks>
-        /// The first workpiece for a second robot has two stations to go. Thus the second robot starts later, and the robots do not go to the
-        /// belt at the same time: it moves while one of them carries its workpiece.
+        /// The first workpiece for a second robot has two stations to go. Thus the second robot picks later, and the robots do not go to the
+        /// belt at the same time: the belt moves while one of them carries its workpiece.
         /// </remarks>
         public CellState(CellLayout layout)
         {

@@ -81,7 +81,7 @@ namespace Nowpose.Tests.Core.Simulation
             Assert.That(_work.StateAt(Now).ArmOf(0).ClosesGripper, Is.True);
             Assert.That(HeldCount(), Is.Zero);
             RunUntil(Lower);
-            Assert.That(IsBeltRunning(), Is.False, "the robot has not put down its workpiece");
+            Assert.That(IsBeltRunning(), Is.False, "the gripper is on its way to the fixture");
             AssertGripsOncePerCycle(Grip);
         }
 

@@ -137,15 +137,14 @@ namespace Nowpose.Tests.Core.Simulation
             Assert.That(_outputs.Arms[1].Move, Is.EqualTo(Task.Grip + 1));
         }
 
-        // The first robot is in its first move towards the belt, or in the last move at the belt.
-        [TestCase(0, false)]
-        [TestCase(1, true)]
-        [TestCase(3, true)]
-        [TestCase(4, false)]
-        [TestCase(5, true)]
-        [TestCase(7, true)]
-        [TestCase(8, false)]
-        public void Run_SecondRobotNeedsAPart_BeltStartsUnlessTheFirstRobotIsAtIt(int move, bool isAtBelt)
+        [TestCase(0, true)] // to a workpiece
+        [TestCase(1, true)] // first move at the pick place
+        [TestCase(3, true)] // last move at the pick place
+        [TestCase(4, false)] // to the fixture
+        [TestCase(5, true)] // first move at the fixture
+        [TestCase(7, true)] // last move at the fixture
+        [TestCase(8, false)] // back
+        public void Run_SecondRobotNeedsAPart_BeltStartsUnlessTheFirstRobotBlocksIt(int move, bool isBlocked)
         {
             _program = new CellProgram(Task, Moves, 2);
             var absent = new ArmInputs { IsPartPresent = true, IsFixtureFree = true };
@@ -153,7 +152,7 @@ namespace Nowpose.Tests.Core.Simulation
 
             Run(100, Moving, default);
 
-            Assert.That(_outputs.OpensClamps, Is.EqualTo(!isAtBelt));
+            Assert.That(_outputs.OpensClamps, Is.EqualTo(!isBlocked));
         }
 
         [TestCase(1)]
@@ -162,7 +161,7 @@ namespace Nowpose.Tests.Core.Simulation
         {
             _program = new CellProgram(Task, Moves, 2);
             Run(move, Ready, Moving);
-            Run(1, Moving, default);
+            Run(1, new ArmInputs { IsFixtureFree = true }, default);
             Assert.That(_outputs.OpensClamps, Is.True);
 
             Run(100, Ready, default);

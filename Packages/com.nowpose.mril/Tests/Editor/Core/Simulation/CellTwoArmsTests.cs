@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using Nowpose.Motion;
 using Nowpose.Simulation.Work;
@@ -11,6 +12,7 @@ namespace Nowpose.Tests.Core.Simulation
 {
     /// <summary>Tests that two robots at one conveyor work independently of each other.</summary>
     [TestFixture("youbot")]
+    [TestFixture("ur5")]
     public class CellTwoArmsTests
     {
         const int First = 0, Second = 1;
@@ -45,18 +47,51 @@ namespace Nowpose.Tests.Core.Simulation
             Assert.That(phase - Math.Floor(phase), Is.InRange(0.3, 0.7), "of a cycle");
         }
 
+        // A UR5 waits with its open gripper at the pick place.
         [Test]
         public void Belt_WholeRun_MovesOnlyWhileNoGripperIsAtIt()
         {
-            var belt = 0;
-            for (var state = _work.StateAt(0); state != null; state = _work.Next(state, 200))
+            var running = 0;
+            for (var t = 0.0; t < 100; t += 0.01)
             {
+                var state = _work.StateAt(t);
                 if (!state.IsBeltRunning) continue;
-                belt++;
+                running++;
                 for (var i = 0; i < 2; i++)
-                    Assert.That(_motion.Task.IsAtBelt(state.ArmOf(i).Move), Is.False, $"robot {i + 1} in cycle {state.Cycle}");
+                {
+                    var (robot, grasp) = (_work.Robots[i], state.GraspOf(i, t));
+                    var waits = _motion.Task.Approach > 1 && !state.ArmOf(i).ClosesGripper;
+                    Assert.That(grasp.DistanceTo(robot.Placed), Is.GreaterThan(CellWork.Size), $"robot {i + 1} at the fixture, {t} s");
+                    Assert.That(waits || grasp.DistanceTo(robot.Taken) > CellWork.Size, Is.True, $"robot {i + 1} at the pick place, {t} s");
+                }
             }
-            Assert.That(belt, Is.GreaterThan(20));
+            Assert.That(running, Is.GreaterThan(1000));
+        }
+
+        [Test]
+        public void Signals_EachRobot_AreThoseOfItsOwnGripperAndLightBarrier()
+        {
+            var values = new double[_work.Signals.Count];
+            var (closed, present) = (IndicesOf(robot => robot.GripperClosed), IndicesOf(robot => robot.PartPresent));
+            int grippersDiffer = 0, barriersDiffer = 0;
+            for (var state = _work.StateAt(0); state != null; state = _work.Next(state, 60))
+            {
+                _work.SignalsAt(TimeOf(state), values);
+                var places = Enumerable.Range(0, _work.Names.Count).Select(state.PlaceOf).ToArray();
+                for (var i = 0; i < 2; i++)
+                {
+                    var isHolding = places.Any(place => place.Holder == Holder.Gripper && place.Robot == i);
+                    Assert.That(values[closed[i]], Is.EqualTo(isHolding ? 1 : 0), $"gripper {i + 1} in cycle {state.Cycle}");
+                    if (isHolding && state.Cycle == state.ArmOf(i).Start && state.ArmOf(i).Move == _motion.Task.Carry)
+                        Assert.That(values[present[i]], Is.Zero, $"light barrier {i + 1} in cycle {state.Cycle}");
+                }
+                if (values[closed[First]] != values[closed[Second]]) grippersDiffer++;
+                if (values[present[First]] != values[present[Second]]) barriersDiffer++;
+            }
+            Assert.That(grippersDiffer, Is.Positive);
+            Assert.That(barriersDiffer, Is.Positive);
+
+            int[] IndicesOf(Func<WorkRobot, string> nameOf) => _work.Robots.Select(robot => _work.Signals.ToList().IndexOf(nameOf(robot))).ToArray();
         }
 
         [Test]
@@ -111,10 +146,12 @@ namespace Nowpose.Tests.Core.Simulation
         {
             int before;
             Now = Math.Max(Now, Running);
+            var end = Now + 60;
             do
             {
                 before = _work.StateAt(Now).ArmOf(robot).Move;
                 Now += CellState.CycleSeconds;
+                Assert.That(Now, Is.LessThan(end), "the move has not started within 60 s");
             }
             while (before == move || _work.StateAt(Now).ArmOf(robot).Move != move);
         }
