@@ -10,9 +10,6 @@ static class ConsoleProgress
 {
     static readonly TimeSpan LineEvery = TimeSpan.FromSeconds(3), LabelEvery = TimeSpan.FromSeconds(0.5);
 
-    // Whether this flow of control is part of a run whose progress is shown. A run within it shows none, because its counts are of other items.
-    static readonly AsyncLocal<bool> s_isPart = new();
-
     /// <summary>Receives the finished part of the work, from any thread.</summary>
     /// <param name="line">Creates a line for an output without a bar.</param>
     /// <param name="label">Creates a new label of the bar; null if the label does not change.</param>
@@ -41,22 +38,8 @@ static class ConsoleProgress
 
     static void Run(string what, double? total, Action<Report> work)
     {
-        if (s_isPart.Value)
-        {
-            work((_, _, _) => { });
-            return;
-        }
-
-        s_isPart.Value = true;
-        try
-        {
-            if (Console.IsErrorRedirected) Lines(work);
-            else Bar(what, total, work);
-        }
-        finally
-        {
-            s_isPart.Value = false;
-        }
+        if (Console.IsErrorRedirected) Lines(work);
+        else Bar(what, total, work);
     }
 
     static void Lines(Action<Report> work)

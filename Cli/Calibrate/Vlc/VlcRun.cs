@@ -4,7 +4,8 @@ using Nowpose.Vision;
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>Finds and reads the codes in all pictures.</summary>
-sealed class VlcRun(PictureReader reader)
+/// <param name="showsProgress">False if this is a part of work whose progress is shown.</param>
+sealed class VlcRun(PictureReader reader, bool showsProgress = true)
 {
     readonly SortedDictionary<int, (PictureResult Picture, (int Width, int Height) Size)> _results = [];
 
@@ -23,15 +24,18 @@ sealed class VlcRun(PictureReader reader)
     public VlcResult Run(IEnumerable<PictureRequest> requests, int? count, Func<int, string> nameOf, CancellationToken cancellation)
     {
         using var pool = new VisionPool();
-        ConsoleProgress.Run("reading pictures", "pictures", count, report => pool.Look(
+        if (showsProgress) ConsoleProgress.Run("reading pictures", "pictures", count, Read);
+        else Read(_ => { });
+        return new VlcResult(Outliers.Rejected(OfOneSize()));
+
+        void Read(Action<int> report) => pool.Look(
             requests,
             (place, seen) =>
             {
                 _results[place] = (reader.Read(nameOf(place), seen), (seen.Width, seen.Height));
                 report(_results.Count);
             },
-            cancellation));
-        return new VlcResult(Outliers.Rejected(OfOneSize()));
+            cancellation);
     }
 
     /// <summary>Rejects the pictures that do not have the most frequent size, because they come from another camera or series.</summary>

@@ -23,9 +23,10 @@ sealed record PaperCalibration(LatencyProfile Profile, CalibrationPageData Page)
 
     /// <param name="settings">The settings, including the error that is added to L_visu.</param>
     /// <param name="picturesPerLoad">Number of pictures at each of the 11 loads.</param>
+    /// <param name="showsProgress">False if this is a part of work whose progress is shown.</param>
     /// <returns>If the user cancels, the evaluation of the pictures so far; null if none could be read.</returns>
     /// <exception cref="DemoFailedException">L_visu cannot be determined from the pictures.</exception>
-    public static PaperCalibration Of(DemoSettings settings, int picturesPerLoad, CancellationToken cancel)
+    public static PaperCalibration Of(DemoSettings settings, int picturesPerLoad, CancellationToken cancel, bool showsProgress = true)
     {
         var count = picturesPerLoad * (LoadSteps + 1);
         var simulation = new SimulationSettings
@@ -35,7 +36,8 @@ sealed record PaperCalibration(LatencyProfile Profile, CalibrationPageData Page)
         var sweep = new SimulatedSweep(simulation);
         var camera = new SimulatedCamera(simulation, sweep);
         var pictures = Enumerable.Range(0, count).Select(i => PictureRequest.Made(camera.Take(i, out _)));
-        var result = new VlcRun(new PictureReader(0, 0)).Run(pictures, count, place => FormattableString.Invariant($"picture {place + 1}"), cancel);
+        var result = new VlcRun(new PictureReader(0, 0), showsProgress).Run(
+            pictures, count, place => FormattableString.Invariant($"picture {place + 1}"), cancel);
         return Of(result, sweep.Rows, count, settings.VisualisationErrorMs, cancel.IsCancellationRequested);
     }
 

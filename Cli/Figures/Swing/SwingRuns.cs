@@ -65,7 +65,8 @@ sealed class SwingRuns
 
     LatencyProfile Measure()
     {
-        var calibration = PaperCalibration.Of(PaperScenario.Of(Conditions with { Seed = _settings.Seed }, Swing), _settings.PicturesPerLoad, _cancel);
+        var calibration = PaperCalibration.Of(
+            PaperScenario.Of(Conditions with { Seed = _settings.Seed }, Swing), _settings.PicturesPerLoad, _cancel, showsProgress: false);
         _cancel.ThrowIfCancellationRequested();
         return calibration.Profile;
     }
