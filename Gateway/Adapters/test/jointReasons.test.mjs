@@ -64,14 +64,14 @@ describe('word for the reason of a joint', () => {
   });
 
   it('Joint_ConnectionLostTwiceWithoutAValue_HasTheFirstReason', () => {
-    const cell = plant();
+    const cell = plant(), first = 'the broker closed the connection';
     cell.value(0, 1);
-    for (const reason of ['the broker closed the connection', 'the broker does not answer']) {
+    for (const reason of [first, 'the broker does not answer']) {
       cell.status.enter('waiting', reason);
+      assert.ok(cell.status.values()['joint/a'].endsWith(` ${first}`), cell.status.values()['joint/a']);
       cell.status.enter('connected');
+      assert.ok(cell.status.values()['joint/a'].endsWith(messages.stateMessages.noValueAgain(first)), cell.status.values()['joint/a']);
     }
-
-    assert.ok(cell.status.values()['joint/a'].endsWith(messages.stateMessages.noValueAgain('the broker closed the connection')));
   });
 
   it('Joint_StampOfAClockThatStandsStill_IsReportedAsTheSame', () => {

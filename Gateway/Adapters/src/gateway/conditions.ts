@@ -48,8 +48,8 @@ const shortened = (text: string, longest: number): string => (text.length <= lon
 /** The states of all joints, frames or signals, with their reasons. Logs the start and the end of each fault once. */
 export class Conditions {
   readonly #known = new Map<string, Condition>();
-  /** Names whose values stopped with the connection that was lost last. */
-  readonly #lost = new Set<string>();
+  /** Names that have had no value since a connection was lost, with the reason of this loss. */
+  readonly #lost = new Map<string, string>();
 
   /**
    * @param changed Called after each change of a state or a reason.
@@ -142,6 +142,7 @@ export class Conditions {
   /** Removes a name that is no longer expected. */
   forget(name: string): void {
     if (!this.#known.delete(name)) return;
+    this.#lost.delete(name);
     this.log.resume(`${this.kind} ${name}`, stateMessages.notExpected(name));
     this.changed();
   }
@@ -149,19 +150,22 @@ export class Conditions {
   /** Reports the end of the connection to the source. The states live, rest and refused become fault, because no values arrive. */
   disconnected(reason: string): void {
     for (const [name, condition] of this.#known) {
-      if (!isGood(condition) && condition.state !== 'refused') continue;
-      this.#enter(name, 'fault', reason, NOT_CONNECTED, this.now());
-      this.#lost.add(name);
+      const first = condition.word === NOT_CONNECTED ? this.#lost.get(name) : undefined;
+      if (first !== undefined) this.#enter(name, condition.state, first, condition.word, condition.since);
+      else if (isGood(condition) || condition.state === 'refused') {
+        this.#enter(name, 'fault', reason, NOT_CONNECTED, this.now());
+        this.#lost.set(name, reason);
+      }
     }
   }
 
   /** Reports a new connection to the source. The names without a value keep their fault, and its reason states that the connection exists again. */
   reconnected(): void {
-    for (const name of this.#lost) {
+    for (const [name, reason] of this.#lost) {
       const known = this.#known.get(name);
-      if (known?.word === NOT_CONNECTED) this.#enter(name, known.state, stateMessages.noValueAgain(known.reason), known.word, known.since);
+      if (known?.word === NOT_CONNECTED) this.#enter(name, known.state, stateMessages.noValueAgain(reason), known.word, known.since);
+      else this.#lost.delete(name);
     }
-    this.#lost.clear();
   }
 
   get size(): number {

@@ -26,7 +26,7 @@ export const refusalMessages = {
 export const stateMessages = {
   noValueYet: 'no value has arrived since the start',
   disconnected: 'the plant is not connected',
-  noValueAgain: (reason: string) => `connected again, but no value has arrived since; the connection was lost: ${reason}`,
+  noValueAgain: (reason: string) => `no value has arrived since the plant became available again; before: ${reason}`,
   /**
    * @param knowledge The reason why the joint is assumed to be at rest.
    * @param uncertainty The reason why the joint may not be at rest; an empty string if there is none.
