@@ -17,7 +17,7 @@ static class Precautions
             yield return PrecautionMessages.Root;
         if (options.Certificate == null && !options.IsLoopback)
             yield return PrecautionMessages.InsecureLan;
-        foreach (var warning in OfTokens(options.Tokens))
+        foreach (var warning in OfTokens(options.Tokens.Weak))
             yield return warning;
         if (OperatingSystem.IsWindows()) yield break;
         foreach (var path in options.SecretFiles.Where(File.Exists).Where(path => !IsBelow(credentials, path)))
@@ -32,8 +32,9 @@ static class Precautions
     }
 
     /// <summary>Gets the warnings about tokens that are too easy to guess.</summary>
-    public static IEnumerable<string> OfTokens(TokenList tokens) =>
-        tokens.Weak.Select(weak => PrecautionMessages.WeakToken(weak.Where, Math.Floor(weak.Bits), TokenStrength.MinBits));
+    /// <param name="weak">File and line of each of these tokens, with its strength in bits.</param>
+    public static IEnumerable<string> OfTokens(IEnumerable<(string Where, double Bits)> weak) =>
+        weak.Select(one => PrecautionMessages.WeakToken(one.Where, Math.Floor(one.Bits), TokenStrength.MinBits));
 
     static bool IsBelow(string folder, string path) =>
         !string.IsNullOrEmpty(folder) && Path.GetFullPath(path).StartsWith(folder.TrimEnd('/') + "/", StringComparison.Ordinal);

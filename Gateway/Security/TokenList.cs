@@ -99,7 +99,7 @@ public sealed class TokenList
         var content = _current();
         if (content == _reported) return;
         _reported = content;
-        foreach (var line in Precautions.OfTokens(this)) _log(line);
+        foreach (var line in Precautions.OfTokens(content.Weak)) _log(line);
     }
 
     static (byte[] Hash, Role Role)[] Hashed(IEnumerable<(string Token, Role Role)> tokens) =>
