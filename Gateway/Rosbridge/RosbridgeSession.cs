@@ -45,7 +45,7 @@ sealed class RosbridgeSession : IDisposable
         _reply = reply;
         _subscriptions = new SubscriptionSet(hub, queueLength, drops, start);
         _offers = new PlantTimeOffers(plant, reply);
-        _replies = new StatusReplies(_source, drops, Reply);
+        _replies = new StatusReplies(_source, drops, _rights, Reply);
         _publisher = new MessagePublisher(_source, clock, _offers);
     }
 

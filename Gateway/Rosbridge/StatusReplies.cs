@@ -1,5 +1,6 @@
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 using static Nowpose.Gateway.Rosbridge.RequestText;
 
@@ -7,8 +8,9 @@ namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>Counts what a client sends in vain, reports it to the hub, and sends the client a status message. Not thread-safe.</summary>
 /// <param name="source">The client as a source of the hub.</param>
+/// <param name="rights">What the client may publish.</param>
 /// <param name="reply">Sends a message to the client.</param>
-sealed class StatusReplies(HubSource source, DropCounters drops, Action<string> reply)
+sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights rights, Action<string> reply)
 {
     /// <summary>Level from which the client wants to receive status messages: warning, error or none; null for all.</summary>
     public string Level { get; set; }
@@ -60,7 +62,7 @@ sealed class StatusReplies(HubSource source, DropCounters drops, Action<string> 
         if (message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true } topic } && reason != DropReason.JointTaken)
         {
             if (topic.Kind == RosTopics.JointStates) ReportDropped(topic.Robot, message.JointState, rule, reason);
-            else if (topic.Kind == RosTopics.JointTrajectory) ReportRefused(topic.Robot, message.JointTrajectory, rule, reason);
+            else if (topic.Kind == RosTopics.JointTrajectory) ReportRefused(topic, message.JointTrajectory, rule, reason);
         }
 
         // Replies last, so that a client that has received the reply finds the drop in the gateway's status.
@@ -74,9 +76,11 @@ sealed class StatusReplies(HubSource source, DropCounters drops, Action<string> 
         source.ReportDropped(robot, names, RequestMessages.Dropped(source.Title, trouble ?? rule, reason), reason);
     }
 
-    void ReportRefused(string robot, JointTrajectoryMessage valid, string rule, DropReason reason)
+    void ReportRefused(RobotTopic topic, JointTrajectoryMessage valid, string rule, DropReason reason)
     {
+        // The content is read before the role of the client is checked, but a correct message of this client would be refused too.
+        if (rights.On(topic) == DropReason.NotAllowed) (reason, rule) = (DropReason.NotAllowed, DropMessages.Of(DropReason.NotAllowed));
         var names = valid?.Names ?? InvalidJointState.ReadPlannedNames(Received.Span);
-        source.ReportRefused(robot, names.FirstOrDefault() ?? "", new Refusal(reason, robot, Rule: rule));
+        source.ReportRefused(topic.Robot, names.FirstOrDefault() ?? "", new Refusal(reason, topic.Robot, Rule: rule));
     }
 }

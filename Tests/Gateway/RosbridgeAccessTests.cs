@@ -51,6 +51,23 @@ public class RosbridgeAccessTests
         await observer.RoundTripAsync(); // no message has arrived
     }
 
+    // The reader finds the invalid content before the gateway checks the role.
+    [TestCase("1.5")]
+    [TestCase("null")]
+    public async Task Observer_PublishesSetPoints_AreRefusedForItsRoleWhateverTheirContent(string position)
+    {
+        await using var gateway = await Gateways.StartAsync(WithTokens);
+        var refusals = new List<DropReason>();
+        gateway.Hub.SetPointsRefused += (_, _, _, refusal) => refusals.Add(refusal.Reason);
+        using var observer = await RawRosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
+
+        await observer.SendAsync("{\"op\":\"publish\",\"topic\":\"/joint_trajectory\",\"msg\":{\"header\":{\"stamp\":{\"sec\":5000,\"nanosec\":0}},"
+            + "\"joint_names\":[\"a\"],\"points\":[{\"positions\":[" + position + "],\"time_from_start\":{\"sec\":0,\"nanosec\":0}}]}}");
+        await observer.ExpectErrorAsync("dropped");
+
+        Assert.That(refusals, Is.EqualTo(new[] { DropReason.NotAllowed }));
+    }
+
     [Test]
     public async Task Source_Publishes_ObserverReceivesTheMessage()
     {

@@ -6,14 +6,18 @@ namespace Nowpose.Gateway.Status.Events;
 /// <summary>Set-points that are refused because of their content, or because another source publishes the joint. Thread-safe; bounded.</summary>
 /// <remarks>
 /// A source may send set-points only once per motion, so a refusal lasts until set-points of the same joint are accepted, or until one of the two sources
-/// ends or unadvertises the topic.
+/// ends or unadvertises the topic. The refusals of clients that may not publish set-points end soon after the last message and give way to
+/// others, because these clients could otherwise hide the refusals of sources.
 /// </remarks>
 sealed class RefusedSetPoints(TimeProvider time)
 {
     /// <summary>Maximum number of refusals, in total and of one source.</summary>
     const int MaxRefusals = 64, MaxOfSource = 16;
 
-    /// <summary>Minimum time for which a refusal lasts after the end of a source, because a source may connect for each message.</summary>
+    /// <summary>
+    /// Minimum time for which a refusal lasts after the end of a source, because a source may connect for each message; and time for which
+    /// the refusal of a client that may not publish lasts.
+    /// </summary>
     static readonly TimeSpan Span = TimeSpan.FromSeconds(5);
 
     readonly Lock _lock = new();
@@ -26,8 +30,9 @@ sealed class RefusedSetPoints(TimeProvider time)
     {
         lock (_lock)
         {
+            RemoveOld();
             var key = (source, robot, joint);
-            if (_refusals.ContainsKey(key) || (_refusals.Count < MaxRefusals && _refusals.Keys.Count(known => known.Source == source) < MaxOfSource))
+            if (_refusals.ContainsKey(key) || (_refusals.Keys.Count(known => known.Source == source) < MaxOfSource && MakeRoom(refusal)))
                 _refusals[key] = (refusal, time.GetTimestamp());
         }
     }
@@ -51,10 +56,24 @@ sealed class RefusedSetPoints(TimeProvider time)
     {
         lock (_lock)
         {
-            Remove(known => (known.Source.IsEnded || _refusals[known].Refusal.Owner?.IsEnded == true) && time.GetElapsedTime(_refusals[known].At) > Span);
+            RemoveOld();
             return [.. _refusals.Select(one => (one.Key.Source.Title, one.Key.Robot, one.Key.Joint, one.Value.Refusal))];
         }
     }
+
+    // At the maximum, a refusal replaces one of a client that may not publish. Returns whether there is room.
+    bool MakeRoom(Refusal refusal)
+    {
+        if (_refusals.Count < MaxRefusals) return true;
+        if (refusal.Reason == DropReason.NotAllowed) return false;
+        foreach (var (key, known) in _refusals)
+            if (known.Refusal.Reason == DropReason.NotAllowed) return _refusals.Remove(key);
+        return false;
+    }
+
+    void RemoveOld() => Remove(known =>
+        _refusals[known] is var (refusal, at) && (refusal.Reason == DropReason.NotAllowed || known.Source.IsEnded || refusal.Owner?.IsEnded == true)
+            && time.GetElapsedTime(at) > Span);
 
     void Remove(Func<(HubSource Source, string Robot, string Joint), bool> isOver)
     {
