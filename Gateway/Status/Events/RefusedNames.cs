@@ -5,19 +5,19 @@ namespace Nowpose.Gateway.Status.Events;
 
 /// <summary>Names of adapters and headsets whose reports are refused because another client uses the name. Thread-safe; bounded.</summary>
 /// <remarks>
-/// A client that reconnects is refused until the name of its former connection is free. A name therefore counts as refused only if the refusals continue for
-/// longer than <see cref="NamesInUse.FreeAfter"/>.
+/// A client that reconnects is refused until the name of its former connection is free. A name therefore counts as refused only if the refusals of
+/// one connection continue for longer than <see cref="NamesInUse.FreeAfter"/>.
 /// </remarks>
 sealed class RefusedNames(TimeProvider time)
 {
-    /// <summary>Maximum number of names.</summary>
-    const int MaxNames = 64;
+    /// <summary>Maximum number of names of clients.</summary>
+    const int MaxRefusals = 64;
 
     /// <summary>Time for which a name counts as refused after the last refusal. Clients report once per second.</summary>
     static readonly TimeSpan Span = TimeSpan.FromSeconds(5);
 
     readonly Lock _lock = new();
-    readonly Dictionary<string, (HubSource Client, long First, long Last)> _names = [];
+    readonly Dictionary<(string Name, HubSource Client), (long First, long Last)> _refusals = [];
 
     /// <summary>Adds a refusal, or repeats it.</summary>
     /// <param name="client">The client that was refused.</param>
@@ -27,9 +27,9 @@ sealed class RefusedNames(TimeProvider time)
         lock (_lock)
         {
             RemoveOld();
-            var now = time.GetTimestamp();
-            if (_names.TryGetValue(name, out var known)) _names[name] = (client, known.First, now);
-            else if (_names.Count < MaxNames) _names.Add(name, (client, now, now));
+            var (key, now) = ((name, client), time.GetTimestamp());
+            if (_refusals.TryGetValue(key, out var known)) _refusals[key] = (known.First, now);
+            else if (_refusals.Count < MaxRefusals) _refusals.Add(key, (now, now));
         }
     }
 
@@ -39,13 +39,17 @@ sealed class RefusedNames(TimeProvider time)
         lock (_lock)
         {
             RemoveOld();
-            return [.. _names.Where(one => time.GetElapsedTime(one.Value.First, one.Value.Last) > NamesInUse.FreeAfter).Select(one => (one.Key, one.Value.Client.Title))];
+            return [.. _refusals.Where(one => Lasts(one.Value)).OrderByDescending(one => one.Value.Last)
+                .DistinctBy(one => one.Key.Name).Select(one => (one.Key.Name, one.Key.Client.Title))];
         }
     }
 
     void RemoveOld()
     {
-        foreach (var (name, refused) in _names)
-            if (time.GetElapsedTime(refused.Last) > Span) _names.Remove(name);
+        // The refusals of a closed connection do not continue.
+        foreach (var (key, refused) in _refusals)
+            if (time.GetElapsedTime(refused.Last) > Span || (key.Client.IsEnded && !Lasts(refused))) _refusals.Remove(key);
     }
+
+    bool Lasts((long First, long Last) refused) => time.GetElapsedTime(refused.First, refused.Last) > NamesInUse.FreeAfter;
 }

@@ -62,6 +62,20 @@ public class RefusalConditionsTests
         Assert.That(Which(), Has.Length.EqualTo(64).And.None.Contains("observer"));
     }
 
+    [Test]
+    public void Name_OfTwoClientsThatAreRefusedInTurn_IsOneCondition()
+    {
+        HubSource second = Source("second"), third = Source("third");
+        for (var i = 0; i < 5; i++)
+        {
+            _hub.ReportNameRefused(second, "goggles");
+            _hub.ReportNameRefused(third, "goggles");
+            _time.Advance(TimeSpan.FromSeconds(1));
+        }
+
+        Assert.That(Which(), Is.EqualTo(new[] { "goggles" }));
+    }
+
     static void Refuse(HubSource source, string robot, DropReason reason) =>
         source.ReportRefused(robot, "a", new Refusal(reason, robot, Rule: DropMessages.Of(reason)));
 }
