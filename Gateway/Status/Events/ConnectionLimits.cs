@@ -7,12 +7,14 @@ namespace Nowpose.Gateway.Status.Events;
 /// <param name="max">Maximum number of connections of each server.</param>
 sealed class ConnectionLimits((string Name, ConnectionCounters Counters)[] servers, int max, TimeProvider time)
 {
-    /// <summary>Time for which the maximum counts as reached after a refusal. A refused headset connects again sooner.</summary>
+    /// <summary>
+    /// Time for which the maximum counts as reached after it was reached or a connection was refused. A refused headset connects again sooner.
+    /// </summary>
     static readonly TimeSpan Span = TimeSpan.FromSeconds(5);
 
     readonly Lock _lock = new();
-    // For each server, the number of refusals at the last check and the time at which it had increased.
-    readonly (long Refused, long At)[] _last = new (long, long)[servers.Length];
+    // For each server, the number of refusals and the time at the last check that found the maximum or a new refusal; null before.
+    readonly (long Refused, long? At)[] _last = new (long, long?)[servers.Length];
 
     public IReadOnlyList<Condition> Read()
     {
@@ -23,8 +25,8 @@ sealed class ConnectionLimits((string Name, ConnectionCounters Counters)[] serve
     {
         var counters = servers[server].Counters;
         var refused = counters.Refused;
-        if (refused > _last[server].Refused) _last[server] = (refused, time.GetTimestamp());
-        return counters.Open >= max || (refused > 0 && time.GetElapsedTime(_last[server].At) < Span);
+        if (counters.Open >= max || refused > _last[server].Refused) _last[server] = (refused, time.GetTimestamp());
+        return _last[server].At is { } at && time.GetElapsedTime(at) < Span;
     }
 
     Condition Of((string Name, ConnectionCounters Counters) server) => new(

@@ -76,6 +76,9 @@ public class ClientFaultTests
             Assert.That(full.GetProperty("level").GetString(), Is.EqualTo("warning"));
         }
 
+        var counters = server == "sync" ? _gateway.Server.SyncConnections : _gateway.Server.WebSocketConnections;
+        await Soon.BecomesAsync(() => counters.Open == 0, "the connection has ended");
+        _gateway.Time.Advance(TimeSpan.FromSeconds(6));
         await _gateway.EndsAsync("connection", server);
     }
 

@@ -1,0 +1,33 @@
+using Nowpose.Gateway;
+using Nowpose.Gateway.Status.Events;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Status;
+
+public class ConnectionLimitsTests
+{
+    // The system may have run for longer or shorter than the time for which the maximum counts as reached.
+    [TestCase(0)]
+    [TestCase(60)]
+    public void Read_ConnectionsAlternateAtTheMaximum_CountsAsReachedUntilFiveSecondsAfterTheLastOne(double uptimeSeconds)
+    {
+        const int Max = 2;
+        var (time, counters) = (new SteppedTime(), new ConnectionCounters());
+        time.Advance(TimeSpan.FromSeconds(uptimeSeconds));
+        var limits = new ConnectionLimits([("websocket", counters)], Max, time);
+        counters.TryEnter(Max);
+        Assert.That(limits.Read(), Is.Empty);
+
+        for (var i = 0; i < 3; i++)
+        {
+            counters.TryEnter(Max);
+            Assert.That(limits.Read(), Has.Count.EqualTo(1));
+            counters.Leave(Closure.ByPeer);
+            time.Advance(TimeSpan.FromSeconds(4));
+            Assert.That(limits.Read(), Has.Count.EqualTo(1));
+        }
+
+        time.Advance(TimeSpan.FromSeconds(2));
+        Assert.That(limits.Read(), Is.Empty);
+    }
+}
