@@ -3,6 +3,7 @@ using System.Security.Cryptography;
 using System.Security.Cryptography.X509Certificates;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
@@ -172,12 +173,16 @@ public sealed record GatewayOptions
     internal void CheckEncryption(bool encrypts, bool hasTokens, bool pairsHeadsets)
     {
         if (encrypts || IsLoopback) return;
-        if (hasTokens)
-            throw new InputException(AddressOptionMessages.TokensWithoutTls(Bind));
-        if (pairsHeadsets)
-            throw new InputException(AddressOptionMessages.PairingWithoutCertificate(Bind));
-        if (!AllowInsecureLan)
-            throw new InputException(AddressOptionMessages.PlainBind(Bind));
+        var faults = EncryptionFaults(hasTokens, pairsHeadsets).ToArray();
+        if (faults.Length > 0) throw new WrongEntriesException(faults);
+    }
+
+    IEnumerable<string> EncryptionFaults(bool hasTokens, bool pairsHeadsets)
+    {
+        if (hasTokens) yield return AddressOptionMessages.TokensWithoutTls(Bind);
+        if (pairsHeadsets) yield return AddressOptionMessages.PairingWithoutCertificate(Bind);
+        // Tokens and pairing need encryption also on a trusted network.
+        if (!hasTokens && !pairsHeadsets && !AllowInsecureLan) yield return AddressOptionMessages.PlainBind(Bind);
     }
 
     /// <summary>Checks that the two ports differ.</summary>

@@ -121,7 +121,8 @@ sealed class ServerArguments(ConfiguredArguments configured)
             Certificate = !configured.AreKnown(_certificate, _key) ? null : findings.Try(() => certificate != null
                 ? DryRun.Certificate(certificate, parsed.GetValue(_key), findings) : Certificate(parsed)),
             Tokens = tokens == null ? TokenList.None : findings.Try(() => DryRun.Tokens(tokens, findings)) ?? TokenList.None,
-            AllowInsecureLan = parsed.GetValue(_insecureLan) || !configured.AreKnown(_insecureLan),
+            // The rules about tokens and pairing take precedence.
+            AllowInsecureLan = parsed.GetValue(_insecureLan) || !configured.AreKnown(_insecureLan, _tokens, _pairing),
             MaxConnections = parsed.GetValue(_maxConnections),
         };
         if (pairing != null) findings.Try(() => DryRun.Pairing(pairing, findings));
