@@ -14,10 +14,10 @@ static class PlantCommand
 {
     /// <summary>Completes a command: adds its options and its action.</summary>
     /// <param name="configured">The entries of the configuration file.</param>
-    /// <param name="motionOf">Creates the motion of the robots.</param>
+    /// <param name="motionOf">Reads the motion that the arguments select, and returns the function that creates it for a robot.</param>
     /// <param name="mayHaveSeveral">Whether the command can serve several robots.</param>
     public static Command Complete(
-        ConfiguredArguments configured, Command command, Func<ParseResult, RobotModel, IMotion> motionOf, bool mayHaveSeveral = false)
+        ConfiguredArguments configured, Command command, Func<ParseResult, Func<RobotModel, IMotion>> motionOf, bool mayHaveSeveral = false)
     {
         var server = new ServerArguments(configured);
         var plant = new PlantArguments();
@@ -32,8 +32,10 @@ static class PlantCommand
                     {
                         var found = new Findings(configured.Wrong);
                         server.Check(parsed, found);
-                        // Otherwise, the motion would be compared with the default robot.
-                        if (configured.AreKnown(plant.RobotOption)) found.Try(() => motionOf(parsed, RobotFiles.Load(plant.Robot(parsed))));
+                        var motionFor = found.Try(() => motionOf(parsed));
+                        // If the entry is invalid, the motion would be compared with the default robot.
+                        var model = configured.AreKnown(plant.RobotOption) ? found.Try(() => RobotFiles.Load(plant.Robot(parsed))) : null;
+                        if (motionFor != null && model != null) found.Try(() => motionFor(model));
                         return found;
                     },
                     stop);
@@ -46,7 +48,7 @@ static class PlantCommand
                 () =>
                 {
                     var model = RobotFiles.Load(plant.Robot(parsed), out var text);
-                    return (model, text, motionOf(parsed, model), server.Options(parsed));
+                    return (model, text, motionOf(parsed)(model), server.Options(parsed));
                 },
                 stop);
             var clock = server.Clock(parsed);

@@ -13,6 +13,10 @@ static class ReplayVerb
         var file = new Argument<string>("FILE") { Description = "Recorded motion, .csv or .csv.gz: the time in s and one column for each joint" };
         var command = new Command("replay", "Serve a recorded motion, played forward and backward");
         command.Arguments.Add(file);
-        return PlantCommand.Complete(configured, command, (parsed, robot) => new RecordedMotion(MotionRecording.Read(parsed.GetValue(file)), robot));
+        return PlantCommand.Complete(configured, command, parsed =>
+        {
+            var recording = MotionRecording.Read(parsed.GetValue(file));
+            return robot => new RecordedMotion(recording, robot);
+        });
     }
 }

@@ -8,5 +8,5 @@ namespace Nowpose.Gateway.Verbs;
 static class SimulateVerb
 {
     public static Command Create(ConfiguredArguments configured) => PlantCommand.Complete(
-        configured, new Command("simulate", "Serve a simulated robot that picks and places"), (_, robot) => new PickAndPlaceMotion(robot), mayHaveSeveral: true);
+        configured, new Command("simulate", "Serve a simulated robot that picks and places"), _ => robot => new PickAndPlaceMotion(robot), mayHaveSeveral: true);
 }

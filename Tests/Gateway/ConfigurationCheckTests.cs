@@ -107,16 +107,35 @@ public class ConfigurationCheckTests : ConfigurationFixture
     }
 
     // The columns are joints of the ur5, and the default robot is the youBot.
-    [Test]
-    public async Task Check_InvalidRobotOfARecording_DoesNotCompareTheRecordingWithTheDefaultRobot()
+    [TestCase("robot: [ur5]")]
+    [TestCase("robot: none.urdf")]
+    public async Task Check_InvalidRobotOfARecording_DoesNotCompareTheRecordingWithTheDefaultRobot(string robot)
     {
-        var recording = Save("t_s,shoulder_pan_joint,elbow_joint\n0,0,0\n1,0.1,0.1\n2,0.2,0.2\n", "motion.csv");
-        var configuration = Save("robot: [ur5]\nws-port: 0\nsync-port: 0\n");
+        Save("t_s,shoulder_pan_joint,elbow_joint\n0,0,0\n1,0.1,0.1\n2,0.2,0.2\n", "motion.csv");
 
-        var (_, _, errors) = await CapturedConsole.OfAsync(
-            () => Nowpose.Gateway.CommandLine.RunAsync(["replay", recording, "--config", configuration, "--check"]).Bounded());
+        var errors = await CheckReplayAsync(robot);
 
-        Assert.That(CapturedConsole.Lines(errors), Has.Length.EqualTo(1).And.One.Contains("gateway.yaml:1: robot: "), errors);
+        Assert.That(errors, Has.Length.EqualTo(1).And.One.Contains("gateway.yaml:1: robot: "), string.Join(" | ", errors));
+    }
+
+    [TestCase("robot: [ur5]")]
+    [TestCase("robot: none.urdf")]
+    public async Task Check_InvalidRobotOfAnInvalidRecording_ReportsBoth(string robot)
+    {
+        Save("no recording\n", "motion.csv");
+
+        var errors = await CheckReplayAsync(robot);
+
+        Assert.That(errors, Has.Length.EqualTo(2), string.Join(" | ", errors));
+        Assert.That(errors, Has.One.Contains("gateway.yaml:1: robot: ").And.One.Contains("motion.csv"), string.Join(" | ", errors));
+    }
+
+    async Task<string[]> CheckReplayAsync(string robot)
+    {
+        var configuration = Save(robot + "\nws-port: 0\nsync-port: 0\n");
+        var (_, _, errors) = await CapturedConsole.OfAsync(() => Nowpose.Gateway.CommandLine.RunAsync(
+            ["replay", Path.Combine(_folder, "motion.csv"), "--config", configuration, "--check"]).Bounded());
+        return CapturedConsole.Lines(errors);
     }
 
     // No entry after the error can be read.
