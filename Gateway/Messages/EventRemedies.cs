@@ -1,3 +1,5 @@
+using Nowpose.Protocol;
+
 namespace Nowpose.Gateway.Messages;
 
 /// <summary>Remedies for the events on the operations page.</summary>
@@ -18,12 +20,19 @@ static class EventRemedies
     public const string HeadsetNetwork = "Check the network between the headset and the gateway.";
     public const string LateSamples = "Check that samples reach the headset in time.";
     public const string StatusPanel = "Look at the status panel of the headset.";
-    public const string SetPoints = "Correct this, then send the set-points again.";
     public const string TwoSources = "Stop one of the two sources.";
 
     public const string AdapterNames = "Set another plant.name for one of the two adapters, or stop one.";
     public const string HeadsetNames = "Set another Headset Name in the session settings of one of the two headsets.";
     public const string Connections = "Close clients that are not needed, or increase max-connections and start the gateway again.";
+
+    /// <summary>Gets the remedy for refused set-points; empty if the text of the reason contains it.</summary>
+    public static string SetPoints(DropReason reason) => reason switch
+    {
+        DropReason.NotAllowed => "",
+        DropReason.Unsynchronised => "Send the set-points again.",
+        _ => "Correct this, then send the set-points again.",
+    };
 
     public static string Limits(string unit, string other) =>
         $"Check that the description belongs to this robot and that the source sends {unit}, not {other}.";

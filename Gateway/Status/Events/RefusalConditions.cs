@@ -45,7 +45,7 @@ sealed class RefusalConditions : IDisposable
         var (what, refusal) = (EventTexts.SetPointsOf(one.Robot), one.Refusal);
         return refusal.Owner is { } owner
             ? OfSource(one.Source, what, EventTexts.SetPointsTaken(owner.Title, one.Joint), EventRemedies.TwoSources)
-            : OfSource(one.Source, what, $"{refusal.Rule} ({refusal.Reason})", EventRemedies.SetPoints) with
+            : OfSource(one.Source, what, $"{refusal.Rule} ({refusal.Reason})", EventRemedies.SetPoints(refusal.Reason)) with
             {
                 // The clock of the source may not be measured yet.
                 IsNormalAtStart = refusal.Reason == DropReason.Unsynchronised,

@@ -62,6 +62,16 @@ public class RefusalConditionsTests
         Assert.That(Which(), Has.Length.EqualTo(64).And.None.Contains("observer"));
     }
 
+    [TestCase(DropReason.NotFinite, "Correct this, then send the set-points again.")]
+    [TestCase(DropReason.Unsynchronised, "Send the set-points again.")]
+    [TestCase(DropReason.NotAllowed, "")]
+    public void SetPoints_Refused_RemedyDoesNotRepeatTheReason(DropReason reason, string remedy)
+    {
+        Refuse(Source("client"), "arm1", reason);
+
+        Assert.That(_conditions.Read().Single().Remedy, Is.EqualTo(remedy));
+    }
+
     [Test]
     public void Name_OfTwoClientsThatAreRefusedInTurn_IsOneCondition()
     {
