@@ -48,7 +48,7 @@ public sealed class MessageHub
 
     /// <summary>
     /// Raised when set-points are refused, with their source, the namespace of the robot, and the joint that is refused or the first one of the message,
-    /// empty if no name can be read.
+    /// empty if no name can be read. May be called under the hub's lock; must not wait.
     /// </summary>
     internal event Action<HubSource, string, string, Refusal> SetPointsRefused;
 
