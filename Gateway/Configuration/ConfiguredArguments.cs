@@ -48,6 +48,7 @@ sealed class ConfiguredArguments
         var path = named.Tokens[0].Value;
         var added = new List<string>();
         foreach (var entry in ConfigurationFile.Read(path, _wrong)) Add(root, typed, entry, path, added);
+        _wrong.Correct(KeysOf(verb));
         var isCheck = verb.Options.OfType<Option<bool>>().Any(option => option.Name == Check && typed.GetValue(option));
         if (Wrong.Count > 0 && !(isCheck && typed.Errors.Count == 0)) throw new WrongEntriesException(Wrong);
         // The file's arguments come first, because the typed arguments may end with values that belong to no option.
@@ -65,8 +66,7 @@ sealed class ConfiguredArguments
         var option = verb.Options.FirstOrDefault(option => option.Name == name);
         if (option == null || NotInAFile.Contains(name))
         {
-            var (near, allowed) = Allowed(entry.Key, verb);
-            _wrong.Add(near, entry.Wrong(ConfigurationMessages.UnknownEntry(verb.Name, allowed)));
+            _wrong.Add(entry.Key, entry.Wrong(ConfigurationMessages.UnknownEntry(verb.Name, Allowed(entry.Key, verb))));
             return;
         }
 
@@ -108,13 +108,14 @@ sealed class ConfiguredArguments
     static bool IsPath(string value, Option option) =>
         Paths.Contains(option.HelpName) || (option.HelpName == "ROBOT" && !RobotFiles.IsIncluded(value));
 
-    // Returns the key that was probably meant, null if there is none, and the allowed keys for the message.
-    static (string Near, string Text) Allowed(string key, Command verb)
+    // Returns the key that was probably meant, or the allowed keys, for the message.
+    static string Allowed(string key, Command verb)
     {
-        var keys = verb.Options.Where(option => !NotInAFile.Contains(option.Name)).Select(KeyOf).ToArray();
-        var near = Nearest.Of(key, keys);
-        return (near, near != null ? $"did you mean '{near}'?" : $"allowed: {string.Join(", ", keys.Order(StringComparer.Ordinal))}");
+        var keys = KeysOf(verb);
+        return Nearest.Of(key, keys) is { } near ? $"did you mean '{near}'?" : $"allowed: {string.Join(", ", keys.Order(StringComparer.Ordinal))}";
     }
+
+    static string[] KeysOf(Command verb) => [.. verb.Options.Where(option => !NotInAFile.Contains(option.Name)).Select(KeyOf)];
 
     static string KeyOf(Option option) => Plurals.FirstOrDefault(plural => plural.Value == option.Name[2..]).Key ?? option.Name[2..];
 }

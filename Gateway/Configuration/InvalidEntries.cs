@@ -4,7 +4,7 @@ namespace Nowpose.Gateway.Configuration;
 sealed class InvalidEntries
 {
     readonly List<string> _lines = [];
-    readonly HashSet<string> _keys = new(StringComparer.Ordinal);
+    HashSet<string> _keys = new(StringComparer.Ordinal);
     bool _isAnyUnknown;
 
     /// <summary>The errors, one line each.</summary>
@@ -13,12 +13,17 @@ sealed class InvalidEntries
     /// <summary>Whether the file has no error that concerns a key.</summary>
     public bool Allow(string key) => !_isAnyUnknown && !_keys.Contains(key);
 
-    /// <param name="key">The key whose value is not known; null if the entry sets none.</param>
+    /// <param name="key">The key as written in the file, whose value is not known.</param>
+    /// <param name="line">The error.</param>
     public void Add(string key, string line)
     {
         _lines.Add(line);
-        if (key != null) _keys.Add(key);
+        _keys.Add(key);
     }
+
+    /// <summary>Replaces each key by the known key that it probably means, if any.</summary>
+    public void Correct(IReadOnlyCollection<string> known) =>
+        _keys = _keys.Select(key => Nearest.Of(key, known)).Where(key => key != null).ToHashSet(StringComparer.Ordinal);
 
     /// <summary>Adds an error that may concern any key, because a part of the file cannot be read.</summary>
     public void AddUnknown(string line)

@@ -88,6 +88,7 @@ public class ConfigurationCheckTests : ConfigurationFixture
     [TestCase("bind: nowhere\ntokens: tokens.txt\npairing: headsets.txt", 1)]
     [TestCase("bind: any\ntls: maybe\ntokens: tokens.txt", 1)]
     [TestCase("bind: any\ninsecure-lam: true", 1)]
+    [TestCase("bind: any\ninsecure-lam: {a: b}", 1)]
     [TestCase("bind: any\ntokens: [a, b]", 1)]
     [TestCase("bind: any\npairing: [a, b]", 1)]
     [TestCase("bind: any\ntokens: tokens.txt\npairing: headsets.txt", 2)]
