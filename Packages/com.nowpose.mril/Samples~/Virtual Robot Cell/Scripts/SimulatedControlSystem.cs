@@ -90,7 +90,7 @@ namespace Nowpose.Samples
         /// <summary>Gets the true joint positions of a robot at a given time.</summary>
         /// <param name="joints">Receives one position per moving joint of the robot, in rad or m.</param>
         /// <param name="isSecond">Whether the robot is the second one.</param>
-        /// <returns>False if the simulation has not started, or if there is no second robot.</returns>
+        /// <returns>False if the simulation has not started, or if the cell has only one robot.</returns>
         public bool TryGetTruth(HeadsetTime at, Span<double> joints, bool isSecond = false)
         {
             if (_cell == null || (isSecond && _robots == 1)) return false;
