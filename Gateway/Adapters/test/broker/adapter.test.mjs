@@ -78,22 +78,27 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await until(() => far.published('/robot_description').length > 0, 'the description');
 
     await broker.stop();
-    await Promise.all([publisher.said('waiting: '), subscriber.said('waiting: ')]);
+    await Promise.all([publisher.said(brokerMessages.closed), subscriber.said(brokerMessages.closed)]);
+    await until(() => far.state?.state === 'waiting', 'the diagnostics');
     await broker.run();
 
     await until(() => far.state?.state === 'connected', () => subscriber.err);
     // The broker has lost its retained messages, so the bridge must send them again.
     const client = await connectAsync(broker.url, { protocolVersion: 5 });
     t.after(() => client.endAsync(true));
-    const kept = new Promise(resolve => client.on('message', (topic, payload) => resolve(JSON.parse(payload))));
-    await client.subscribeAsync(`${TOPIC}/robot_description`);
+    let passed = 0;
+    const kept = new Promise(resolve => client.on('message', (topic, payload) => {
+      if (topic.endsWith('/robot_description')) resolve(JSON.parse(payload));
+      else passed++;
+    }));
+    await client.subscribeAsync([`${TOPIC}/robot_description`, `${TOPIC}/joint_states`]);
     assert.deepEqual(await kept, { data: '<robot name="kept"/>' });
     const count = far.jointStates.length;
     // Joint states may be lost until both bridges have reconnected.
     await until(() => {
       publish(near, '/joint_states', state(sync.now()));
       return far.jointStates.length > count;
-    }, () => `joint states; ${publisher.err}${subscriber.err}`);
+    }, () => `joint states, ${passed} at the broker; ${JSON.stringify([near.state, far.state])}; ${subscriber.err}${publisher.err}`);
   });
 
   it('Publisher_Connected_AnnouncesItAfterItsRetainedMessages', async t => {
