@@ -112,9 +112,9 @@ export class MqttLink {
     this.#client = client;
     // With nl (no local), the broker does not return this client's own messages.
     for (const topic of this.topics)
-      client.subscribe(topic, { qos: 1, nl: true }, error => {
-        // Ignores the error of a subscription that failed because the connection has ended.
-        if (error && client.connected) this.events.refused(topic, brokerMessages.subscriptionRefused(topic, error.message));
+      client.subscribe(topic, { qos: 1, nl: true }, (error, _, response) => {
+        // Ignores the error of a subscription without a response, which fails because the connection ends.
+        if (error && response !== undefined) this.events.refused(topic, brokerMessages.subscriptionRefused(topic, error.message));
       });
     this.events.opened();
   }
@@ -122,6 +122,7 @@ export class MqttLink {
 
 function inWords(error: Error & { code?: unknown }, endpoint: string): string {
   if (error.code === 'ECONNREFUSED') return brokerMessages.refuses(endpoint);
+  if (/^(read|write) (ECONNRESET|EPIPE)$/.test(error.message)) return brokerMessages.closed;
   if (/^(keepalive|connack) timeout$/i.test(error.message)) return brokerMessages.silent(endpoint);
   if (error.code === 134 || error.code === 135 || error.code === 4 || error.code === 5) return brokerMessages.loginRefused(endpoint);
   if (String(error.code).includes('CERT') || String(error.code).includes('UNABLE_TO') || String(error.code).includes('SELF_SIGNED'))

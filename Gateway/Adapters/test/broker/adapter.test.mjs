@@ -78,8 +78,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await until(() => far.published('/robot_description').length > 0, 'the description');
 
     await broker.stop();
-    await Promise.all([publisher.said(brokerMessages.closed), subscriber.said(brokerMessages.closed)]);
-    await until(() => far.state?.state === 'waiting', 'the diagnostics');
+    await until(() => near.state?.state === 'waiting' && far.state?.state === 'waiting', 'the diagnostics');
     await broker.run();
 
     await until(() => far.state?.state === 'connected', () => subscriber.err);

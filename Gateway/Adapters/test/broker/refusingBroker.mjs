@@ -1,10 +1,14 @@
-// A broker that accepts each connection and refuses each subscription.
+// A broker that accepts each connection and refuses subscriptions.
 import { createServer } from 'node:net';
 
-const CONNECT = 1, SUBSCRIBE = 8, NOT_AUTHORISED = 0x87;
+const CONNECT = 1, SUBSCRIBE = 8, NOT_AUTHORISED = 0x87, CONNACK = Buffer.of(0x20, 3, 0, 0, 0);
 
 export class RefusingBroker {
   refusals = 0;
+  /** Returns whether the subscription to a topic is refused; null for no response. */
+  refuses = () => true;
+  /** Called with the topic and the connection after the response to a subscription. */
+  answered = () => {};
 
   static async start(test) {
     const broker = new RefusingBroker(), sockets = new Set();
@@ -30,11 +34,28 @@ export class RefusingBroker {
       while (received.length >= 2 && received.length >= 2 + received[1]) {
         const type = received[0] >> 4, body = received.subarray(2, 2 + received[1]);
         received = received.subarray(2 + received[1]);
-        if (type === CONNECT) socket.write(Buffer.of(0x20, 3, 0, 0, 0));
-        if (type !== SUBSCRIBE) continue;
-        socket.write(Buffer.of(0x90, 4, body[0], body[1], 0, NOT_AUTHORISED));
-        this.refusals++;
+        if (type === CONNECT) socket.write(CONNACK);
+        if (type === SUBSCRIBE) this.#answer(socket, body.subarray(0, 2), body.subarray(5, 5 + body.readUInt16BE(3)).toString());
       }
     });
+  }
+
+  #answer(socket, id, topic) {
+    const isRefused = this.refuses(topic);
+    if (isRefused === null) return void this.answered(topic, socket);
+    socket.write(Buffer.of(0x90, 4, ...id, 0, isRefused ? NOT_AUTHORISED : 0));
+    if (isRefused) this.refusals++;
+    this.answered(topic, socket);
+  }
+
+  /** Sends a message of up to 100 bytes. */
+  static publish(socket, topic, payload) {
+    const body = Buffer.concat([Buffer.of(0, topic.length), Buffer.from(topic), Buffer.of(0), Buffer.from(payload)]);
+    socket.write(Buffer.concat([Buffer.of(0x30, body.length), body]));
+  }
+
+  /** Sends a second CONNACK, after which a client ends the connection at once. */
+  static violate(socket) {
+    socket.write(CONNACK);
   }
 }

@@ -1,4 +1,4 @@
-// Tests what a bridge reports if the broker refuses its subscriptions. No installed broker is needed.
+// Tests what a bridge reports if the broker does not accept its subscriptions. No installed broker is needed.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
@@ -8,7 +8,7 @@ import { RefusingBroker } from './refusingBroker.mjs';
 import { messages } from '../messages.mjs';
 
 const { brokerMessages } = messages;
-const { AdapterStatus, Log, publish } = await parts('gateway/status', 'log', 'broker/publish');
+const { AdapterStatus, Log, MqttLink, publish } = await parts('gateway/status', 'log', 'mqtt/link', 'broker/publish');
 
 describe('rights on a broker', () => {
   it('Publisher_MayNotRead_IsConnectedWithANoticeThatIsLoggedOnce', async t => {
@@ -24,4 +24,21 @@ describe('rights on a broker', () => {
     await until(() => broker.refusals === 3 && status.level === 1 && status.values().notice === notice, () => JSON.stringify(status.values()));
     assert.deepEqual([status.state, lines.filter(line => line.includes(notice)).length], ['connected', 1]);
   });
+
+  for (const [name, end] of [['IsReset', socket => socket.resetAndDestroy()], ['IsEndedByTheClient', RefusingBroker.violate]])
+    it(`Subscription_Connection${name}BeforeTheResponse_IsNotReportedAsRefused`, async t => {
+      const broker = await RefusingBroker.start(t), ending = new AbortController(), refusals = [], reasons = [];
+      broker.refuses = () => null;
+      broker.answered = (_, socket) => end(socket);
+      t.after(() => ending.abort());
+      const link = new MqttLink({ endpoint: broker.url, user: null, authority: null }, 'hall', ['a'], {
+        opened: () => {}, away: reason => reasons.push(reason), refused: topic => refusals.push(topic), heard: () => {}, malformed: () => {},
+      });
+
+      void link.run(ending.signal);
+
+      await until(() => reasons.length > 0, 'the end of the connection');
+      assert.deepEqual(refusals, []);
+      if (name === 'IsReset') assert.equal(reasons[0], brokerMessages.closed);
+    });
 });
