@@ -47,15 +47,23 @@ export async function subscribe(
   // Uses the kind of a topic as the subject, because a broker may have any number of names, and the log stores each subject.
   const malformed = (name: string, problem: string): void =>
     status.refuse('malformed', take.has(name) ? name : kindOf(name), `${name.slice(0, MAX_NAME)}: ${problem}`);
+  /** The reason why the broker refuses a subscription of the present connection; null if it refuses none. */
+  let refusal: string | null = null;
   const away = (reason: string): void => {
     leave();
     if (status.state === 'connected') status.reconnected();
     status.enter('waiting', reason);
   };
   const broker = new BrokerLink(settings, configuration.plant.name, [...take.keys(), ...objects.topics, ALIVE], {
-    opened: () => status.enter('waiting', brokerMessages.noPublisher(settings.topic)),
+    opened: () => {
+      refusal = null;
+      status.enter('waiting', brokerMessages.noPublisher(settings.topic));
+    },
     away,
-    refused: away,
+    refused: reason => {
+      refusal = reason;
+      away(reason);
+    },
     heard: (name, payload) => {
       if (name === ALIVE) return enter(payload.toString());
       const known = take.get(name);
@@ -69,6 +77,8 @@ export async function subscribe(
   });
 
   function enter(presence: string): void {
+    // Some messages of the other bridge do not arrive.
+    if (refusal !== null) return;
     if (presence === ('true' satisfies Presence)) {
       status.enter('connected');
       reported.enter();

@@ -3,9 +3,11 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
 import { until } from '../program.mjs';
-import { TOPIC } from './halls.mjs';
+import { RosbridgeDouble } from '../rosbridge.mjs';
+import { bridge, clockOf, TOPIC } from './halls.mjs';
 import { RefusingBroker } from './refusingBroker.mjs';
-import { messages } from '../messages.mjs';
+import { SyncServer } from './syncServer.mjs';
+import { ANY, like, messages } from '../messages.mjs';
 
 const { brokerMessages } = messages;
 const { AdapterStatus, Log, MqttLink, publish } = await parts('gateway/status', 'log', 'mqtt/link', 'broker/publish');
@@ -23,6 +25,25 @@ describe('rights on a broker', () => {
     const notice = brokerMessages.notReadable(TOPIC);
     await until(() => broker.refusals === 3 && status.level === 1 && status.values().notice === notice, () => JSON.stringify(status.values()));
     assert.deepEqual([status.state, lines.filter(line => line.includes(notice)).length], ['connected', 1]);
+  });
+
+  it('Subscriber_MayNotReadJointStates_IsNotConnectedAlthoughThePublisherIsPresent', async t => {
+    const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RefusingBroker.start(t), SyncServer.start(t)]);
+    broker.refuses = topic => topic === `${TOPIC}/joint_states`;
+    const answered = new Promise(resolve => {
+      broker.answered = (topic, socket) => topic === `${TOPIC}/alive` && resolve(socket);
+    });
+
+    const refusal = like(brokerMessages.subscriptionRefused(`${TOPIC}/joint_states`, ANY));
+    await bridge(t, 'subscribe', far, broker, clockOf(sync)).said(refusal);
+    const socket = await answered;
+    RefusingBroker.publish(socket, `${TOPIC}/alive`, 'true');
+    // Shows that the presence before it was processed.
+    RefusingBroker.publish(socket, `${TOPIC}/joint_status`, 'x');
+
+    await until(() => far.state?.['refused/malformed'] !== undefined, () => JSON.stringify(far.state));
+    assert.equal(far.state.state, 'waiting');
+    assert.match(far.state.reason, refusal);
   });
 
   for (const [name, end] of [['IsReset', socket => socket.resetAndDestroy()], ['IsEndedByTheClient', RefusingBroker.violate]])
