@@ -1,6 +1,7 @@
 import { SendQueue } from '../gateway/sendQueue';
 import { MqttLink } from '../mqtt/link';
 import type { BrokerSettings } from './settings';
+import { brokerMessages } from '../messages/broker';
 
 /**
  * MQTT topics below the plant's topic: topics with ROS names, prefixed with the robot's namespace; the list of joints that are not live; and the
@@ -23,6 +24,11 @@ interface BrokerEvents {
   away(reason: string): void;
   /** Called if the broker refuses the subscription to a topic. */
   refused(reason: string): void;
+  /**
+   * Called if the broker refuses the first retained message, with the reason, and if it has accepted the newest one of each topic afterwards, with
+   * null. Only for a publishing bridge.
+   */
+  rejected?(reason: string | null): void;
   /** @param isRetained Whether the broker had the message before the subscription. */
   heard(topic: string, payload: Buffer, isRetained: boolean): void;
   /** Called when `heard` has thrown an exception for a message on this topic. */
@@ -37,6 +43,8 @@ interface BrokerEvents {
 export class BrokerLink {
   readonly #queue = new SendQueue<{ topic: string; payload: string }>();
   readonly #retained = new Map<string, string>();
+  /** Topics whose newest retained message the broker has refused. */
+  readonly #rejected = new Set<string>();
   readonly #link: MqttLink;
   #presence: Presence = 'no gateway';
 
@@ -117,6 +125,7 @@ export class BrokerLink {
   }
 
   #open(): void {
+    this.#rejected.clear();
     this.#announce();
     this.events.opened();
     this.#pump();
@@ -134,7 +143,16 @@ export class BrokerLink {
   }
 
   #keep(name: string, payload: string): void {
-    this.#link.client?.publish(this.#at(name), payload, { qos: 1, retain: true });
+    this.#link.client?.publish(this.#at(name), payload, { qos: 1, retain: true }, (error, response) => {
+      // Without a response, the connection has ended.
+      if (response === undefined) return;
+      if (error) {
+        if (this.#rejected.size === 0) this.events.rejected?.(brokerMessages.publicationRefused(this.#at(name), error.message));
+        this.#rejected.add(name);
+      } else if (this.#rejected.delete(name) && this.#rejected.size === 0) {
+        this.events.rejected?.(null);
+      }
+    });
   }
 
   #pump(): void {

@@ -16,6 +16,7 @@ export async function publish({ configuration, gateway, status, stopping }: Adap
     },
     // Without the right to read its topics, the bridge can publish, but cannot find the obsolete messages.
     refused: () => status.notice(brokerMessages.notReadable(settings.topic)),
+    rejected: reason => (reason === null ? status.enter('connected') : status.enter('waiting', reason)),
     heard: (topic, _, isRetained) => objects.heard(topic, isRetained),
     malformed: (name, problem) => status.refuse('malformed', name, problem),
   });

@@ -16,6 +16,8 @@ export const brokerMessages = {
   silent: (endpoint: string) => `${endpoint} does not respond; check the broker and the network`,
   subscriptionRefused: (topic: string, reason: string) =>
     `the broker refuses the subscription to ${topic}: ${reason}; check the user's rights on the broker`,
+  publicationRefused: (topic: string, reason: string) =>
+    `the broker refuses the messages on ${topic}: ${reason}; check the user's rights on the broker`,
   notReadable: (topic: string) =>
     `the broker refuses to let this bridge read ${topic}/…, so signals and objects of an earlier run may stay there; give its user the right to read`,
   refuses: (endpoint: string) => `${endpoint} refuses the connection; check that the broker is running, and check the port in plant.endpoint`,

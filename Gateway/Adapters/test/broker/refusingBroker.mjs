@@ -1,12 +1,14 @@
-// A broker that accepts each connection and refuses subscriptions.
+// A broker that accepts each connection and refuses subscriptions or messages.
 import { createServer } from 'node:net';
 
-const CONNECT = 1, SUBSCRIBE = 8, NOT_AUTHORISED = 0x87, CONNACK = Buffer.of(0x20, 3, 0, 0, 0);
+const CONNECT = 1, PUBLISH = 3, SUBSCRIBE = 8, NOT_AUTHORISED = 0x87, CONNACK = Buffer.of(0x20, 3, 0, 0, 0);
 
 export class RefusingBroker {
   refusals = 0;
   /** Returns whether the subscription to a topic is refused; null for no response. */
   refuses = () => true;
+  /** Returns whether a message on a topic is refused. */
+  refusesMessage = () => false;
   /** Called with the topic and the connection after the response to a subscription. */
   answered = () => {};
 
@@ -35,6 +37,10 @@ export class RefusingBroker {
         const type = received[0] >> 4, body = received.subarray(2, 2 + received[1]);
         received = received.subarray(2 + received[1]);
         if (type === CONNECT) socket.write(CONNACK);
+        if (type === PUBLISH) {
+          const end = 2 + body.readUInt16BE(0);
+          socket.write(Buffer.of(0x40, 3, body[end], body[end + 1], this.refusesMessage(body.subarray(2, end).toString()) ? NOT_AUTHORISED : 0));
+        }
         if (type === SUBSCRIBE) this.#answer(socket, body.subarray(0, 2), body.subarray(5, 5 + body.readUInt16BE(3)).toString());
       }
     });

@@ -27,6 +27,26 @@ describe('rights on a broker', () => {
     assert.deepEqual([status.state, lines.filter(line => line.includes(notice)).length], ['connected', 1]);
   });
 
+  it('Publisher_MayNotPublish_IsWaitingWithTheReasonUntilItsMessagesAreAccepted', async t => {
+    const broker = await RefusingBroker.start(t), ending = new AbortController(), listeners = {};
+    const status = new AdapterStatus('broker', new Log('plant/hall', [], () => {}, () => {}));
+    t.after(() => ending.abort());
+    const settings = { broker: { endpoint: broker.url, user: null, authority: null }, topic: TOPIC, direction: 'publish', namespaces: [''] };
+    const gateway = { isOpen: true, watch: () => {}, subscribe: (topic, listen) => { listeners[topic] = listen; } };
+    broker.refuses = () => false;
+    broker.refusesMessage = topic => topic === `${TOPIC}/robot_description`;
+
+    void publish({ configuration: { plant: { name: 'hall' } }, gateway, status, stopping: ending.signal }, settings);
+
+    await until(() => status.state === 'connected', () => JSON.stringify(status.values()));
+    listeners['/robot_description']({ data: '<robot/>' });
+    await until(() => status.state === 'waiting', () => JSON.stringify(status.values()));
+    assert.match(status.values().reason, like(brokerMessages.publicationRefused(`${TOPIC}/robot_description`, ANY)));
+    broker.refusesMessage = () => false;
+    listeners['/robot_description']({ data: '<robot/>' });
+    await until(() => status.state === 'connected', () => JSON.stringify(status.values()));
+  });
+
   it('Subscriber_MayNotReadJointStates_IsNotConnectedAlthoughThePublisherIsPresent', async t => {
     const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RefusingBroker.start(t), SyncServer.start(t)]);
     broker.refuses = topic => topic === `${TOPIC}/joint_states`;
