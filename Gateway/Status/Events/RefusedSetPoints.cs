@@ -6,8 +6,9 @@ namespace Nowpose.Gateway.Status.Events;
 /// <summary>Set-points that are refused because of their content, or because another source publishes the joint. Thread-safe; bounded.</summary>
 /// <remarks>
 /// A source may send set-points only once per motion, so a refusal lasts until set-points of the same joint are accepted, or until one of the two sources
-/// ends or unadvertises the topic. The refusals of clients that may not publish set-points end soon after the last message and give way to
-/// others, because these clients could otherwise hide the refusals of sources.
+/// ends or unadvertises the topic. It also ends if the source sends set-points of other joints or robots and does not repeat the refused ones for a
+/// while, because the source may have changed to these joints. The refusals of clients that may not publish set-points end soon after the last message
+/// and give way to others, because these clients could otherwise hide the refusals of sources.
 /// </remarks>
 sealed class RefusedSetPoints(TimeProvider time)
 {
@@ -20,8 +21,15 @@ sealed class RefusedSetPoints(TimeProvider time)
     /// </summary>
     static readonly TimeSpan Span = TimeSpan.FromSeconds(5);
 
+    /// <summary>
+    /// Time without repetition after which a refusal ends if other set-points of the source are accepted. Longer than the cycle of most machines, so that
+    /// set-points that are refused once per cycle are one event.
+    /// </summary>
+    static readonly TimeSpan MaxCycle = TimeSpan.FromMinutes(2);
+
     readonly Lock _lock = new();
-    readonly Dictionary<(HubSource Source, string Robot, string Joint), (Refusal Refusal, long At)> _refusals = [];
+    // IsFollowed: whether other set-points of the source have been accepted since.
+    readonly Dictionary<(HubSource Source, string Robot, string Joint), (Refusal Refusal, long At, bool IsFollowed)> _refusals = [];
 
     /// <summary>Adds a refusal, or replaces the earlier one of the same joint.</summary>
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
@@ -33,14 +41,19 @@ sealed class RefusedSetPoints(TimeProvider time)
             RemoveOld();
             var key = (source, robot, joint);
             if (_refusals.ContainsKey(key) || (_refusals.Keys.Count(known => known.Source == source) < MaxOfSource && MakeRoom(refusal)))
-                _refusals[key] = (refusal, time.GetTimestamp());
+                _refusals[key] = (refusal, time.GetTimestamp(), false);
         }
     }
 
-    /// <summary>Removes the refusals of joints whose set-points are accepted now.</summary>
+    /// <summary>Removes the refusals of joints whose set-points are accepted now, and marks the other refusals of the source.</summary>
     public void Accept(HubSource source, string robot, string[] joints)
     {
-        lock (_lock) Remove(known => known.Source == source && known.Robot == robot && (known.Joint.Length == 0 || joints.Contains(known.Joint)));
+        lock (_lock)
+        {
+            Remove(known => known.Source == source && known.Robot == robot && (known.Joint.Length == 0 || joints.Contains(known.Joint)));
+            foreach (var other in _refusals.Keys.Where(known => known.Source == source).ToList())
+                _refusals[other] = _refusals[other] with { IsFollowed = true };
+        }
     }
 
     /// <summary>Removes the refusals of a source on a topic that it no longer publishes, and those because of this source.</summary>
@@ -72,8 +85,11 @@ sealed class RefusedSetPoints(TimeProvider time)
     }
 
     void RemoveOld() => Remove(known =>
-        _refusals[known] is var (refusal, at) && (refusal.Reason == DropReason.NotAllowed || known.Source.IsEnded || refusal.Owner?.IsEnded == true)
-            && time.GetElapsedTime(at) > Span);
+    {
+        var (refusal, at, isFollowed) = _refusals[known];
+        var isOver = refusal.Reason == DropReason.NotAllowed || known.Source.IsEnded || refusal.Owner?.IsEnded == true;
+        return (isOver && time.GetElapsedTime(at) > Span) || (isFollowed && time.GetElapsedTime(at) > MaxCycle);
+    });
 
     void Remove(Func<(HubSource Source, string Robot, string Joint), bool> isOver)
     {

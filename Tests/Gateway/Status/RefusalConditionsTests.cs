@@ -9,12 +9,18 @@ namespace Nowpose.Headless.Tests.Gateway.Status;
 /// <summary>Tests which refusals are conditions, and for how long.</summary>
 public class RefusalConditionsTests
 {
-    readonly MessageHub _hub = new();
-    readonly SteppedTime _time = new();
+    MessageHub _hub;
+    SteppedTime _time;
     RefusalConditions _conditions;
 
     [SetUp]
-    public void SetUp() => _conditions = new RefusalConditions(_hub, _time);
+    public void SetUp()
+    {
+        (_hub, _time) = (new MessageHub(), new SteppedTime());
+        _conditions = new RefusalConditions(_hub, _time);
+        _hub.Subscribe(RosTopics.JointTrajectory, _conditions.Accept);
+        _hub.SubscribeToRobots(RosTopics.JointTrajectory, _conditions.Accept);
+    }
 
     [TearDown]
     public void TearDown() => _conditions.Dispose();
@@ -38,9 +44,8 @@ public class RefusalConditionsTests
         }
 
         Assert.That(Which(), Has.Length.EqualTo(64));
-        var plan = new JointTrajectoryMessage(Gateways.Start, ["a"], [new JointTrajectoryPoint(TimeSpan.Zero, [1.0])]);
-        Source("first").Publish(plan, robot: "arm1");
-        Source("copy").Publish(plan, robot: "arm1");
+        Source("first").Publish(Plan("a"), robot: "arm1");
+        Source("copy").Publish(Plan("a"), robot: "arm1");
 
         var conflict = EventTexts.SourceOf("copy", EventTexts.SetPointsOf("arm1"));
         Assert.That(Which(), Has.Length.EqualTo(64).And.Contains(conflict));
@@ -72,6 +77,52 @@ public class RefusalConditionsTests
         Assert.That(_conditions.Read().Single().Remedy, Is.EqualTo(remedy));
     }
 
+    // A source may send set-points only once per motion.
+    [Test]
+    public void SetPoints_RefusedSourceIsSilent_AreStillRefused()
+    {
+        Refuse(Source("client"), "arm1", DropReason.NotFinite);
+        _time.Advance(TimeSpan.FromHours(1));
+
+        Assert.That(Which(), Has.Length.EqualTo(1));
+    }
+
+    [TestCase("arm2", "a")]
+    [TestCase("arm1", "b")]
+    [TestCase("", "b")]
+    public void SetPoints_SourceChangesToAnotherJointOrRobot_AreRefusedForTwoMoreMinutes(string robot, string joint)
+    {
+        HubSource owner = Source("owner"), client = Source("client");
+        owner.Publish(Plan("c"), robot: "arm1");
+        client.Publish(Plan("c"), robot: "arm1");
+        Refuse(client, "arm1", DropReason.NotFinite);
+        Refuse(Source("other"), "arm1", DropReason.NotFinite);
+
+        client.Publish(Plan(joint), robot: robot);
+        _time.Advance(TimeSpan.FromMinutes(2) - TimeSpan.FromSeconds(1));
+        Assert.That(Which(), Has.Length.EqualTo(3));
+        _time.Advance(TimeSpan.FromSeconds(2));
+
+        Assert.That(Which(), Is.EqualTo(new[] { EventTexts.SourceOf("other", EventTexts.SetPointsOf("arm1")) }));
+    }
+
+    // An arm and its gripper often have plans of their own.
+    [Test]
+    public void SetPoints_OfOneJointAreRefusedInEachCycle_AreOneConditionWithoutInterruption()
+    {
+        var client = Source("client");
+        for (var cycle = 0; cycle < 5; cycle++)
+        {
+            Refuse(client, "arm1", DropReason.NotFinite);
+            for (var motion = 0; motion < 3; motion++)
+            {
+                client.Publish(Plan("b"), robot: "arm1");
+                _time.Advance(TimeSpan.FromSeconds(30));
+                Assert.That(Which(), Has.Length.EqualTo(1));
+            }
+        }
+    }
+
     [Test]
     public void Name_OfTwoClientsThatAreRefusedInTurn_IsOneCondition()
     {
@@ -85,6 +136,8 @@ public class RefusalConditionsTests
 
         Assert.That(Which(), Is.EqualTo(new[] { "goggles" }));
     }
+
+    static JointTrajectoryMessage Plan(string joint) => new(Gateways.Start, [joint], [new JointTrajectoryPoint(TimeSpan.Zero, [1.0])]);
 
     static void Refuse(HubSource source, string robot, DropReason reason) =>
         source.ReportRefused(robot, "a", new Refusal(reason, robot, Rule: DropMessages.Of(reason)));
