@@ -48,12 +48,17 @@ static class DryRun
         findings.Good("recordings", Directory.Exists(folder) ? folder : $"{folder} (would be created)");
     }
 
-    public static void Ports(GatewayOptions options, Findings findings)
+    public static void SyncPort(GatewayOptions options, Findings findings)
     {
-        var (bind, scheme) = (options.Bind, options.Certificate == null ? "ws" : "wss");
-        var (sync, webSocket) = (new IPEndPoint(bind, options.SyncPort), new IPEndPoint(bind, options.WebSocketPort));
-        findings.Try(() => findings.Good("sync", sync + Remark("--sync-port", sync)));
-        findings.Try(() => findings.Good("websocket", $"{scheme}://{webSocket}/{Remark("--ws-port", webSocket)}"));
+        var at = new IPEndPoint(options.Bind, options.SyncPort);
+        findings.Good("sync", at + Remark("--sync-port", at));
+    }
+
+    /// <param name="encrypts">Whether the connections are encrypted, also if the certificate is invalid.</param>
+    public static void WebSocketPort(GatewayOptions options, bool encrypts, Findings findings)
+    {
+        var at = new IPEndPoint(options.Bind, options.WebSocketPort);
+        findings.Good("websocket", $"{(encrypts ? "wss" : "ws")}://{at}/{Remark("--ws-port", at)}");
     }
 
     // A port in use is not a configuration error, because the gateway to be replaced may be using it.

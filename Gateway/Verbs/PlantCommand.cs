@@ -36,10 +36,10 @@ static class PlantCommand
                         // If the entry is invalid, the motion would be compared with the default robot.
                         var model = configured.AreKnown(plant.RobotOption) ? found.Try(() => RobotFiles.Load(plant.Robot(parsed))) : null;
                         if (motionFor != null && model != null) found.Try(() => motionFor(model));
+                        if (model != null) found.Good("robot", plant.Robot(parsed));
                         return found;
                     },
                     stop);
-                findings.Good("robot", plant.Robot(parsed));
                 findings.Conclude();
                 return;
             }

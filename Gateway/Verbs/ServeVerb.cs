@@ -5,6 +5,7 @@ using Nowpose.Gateway.Configuration;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Verbs;
 
@@ -56,7 +57,9 @@ static class ServeVerb
             var frames = parsed.GetValue(stationary);
             if (server.IsCheck(parsed))
             {
-                await CheckAsync(new Findings(configured.Wrong), server, parsed, parsed.GetValue(ownClock) == System, name, files, frames, stop);
+                await CheckAsync(
+                    new Findings(configured.Wrong), server, parsed, parsed.GetValue(ownClock) == System, name, files, frames,
+                    configured.AreKnown(robot, stationary, plants), stop);
                 return;
             }
 
@@ -87,9 +90,10 @@ static class ServeVerb
         return command;
     }
 
+    // isCellKnown: whether no error in the configuration file concerns the robot, the plants and the stationary objects.
     static async Task CheckAsync(
         Findings findings, ServerArguments server, ParseResult parsed, bool isSystemClock, string robot, string[] plants, string stationary,
-        CancellationToken stop)
+        bool isCellKnown, CancellationToken stop)
     {
         var (description, placed) = await Invocation.ReadAsync(
             () =>
@@ -98,7 +102,7 @@ static class ServeVerb
                 if (server.IsEncryptionKnown) findings.Try(() => AdapterProcesses.CheckAddress(plants, options, server.Encrypts(parsed)));
                 findings.Try(() => server.Clock(parsed, isSystemClock));
                 var text = robot == null ? null : findings.Try(() => Describe(robot));
-                findings.Good("robot", robot);
+                if (text != null) findings.Good("robot", robot);
                 return (text, stationary == null ? null : findings.Try(() => StationaryFrames.Load(stationary)));
             },
             stop);
@@ -108,11 +112,9 @@ static class ServeVerb
             var read = await AdapterProcesses.CheckAsync(plants, stop);
             foreach (var good in read) findings.Good("plant", good.Summary);
             foreach (var warning in PlantFile.WarningsOf(read)) findings.Good("warning", warning);
-            // Not an error, because another client may publish the missing joints.
-            if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) findings.Good("missing_joints", DryRunMessages.MissingJoints(missing));
-            // Not an error, because another client may publish the missing frames and robot descriptions.
-            if (PlantFile.MissingParents(read, description, placed) is { Count: > 0 } parents)
-                findings.Good("missing_parents", DryRunMessages.MissingParents(parents));
+            // Otherwise, the robot or object that is not known may have the joint, frame or link.
+            if (isCellKnown && (robot == null || description != null) && (stationary == null || placed != null))
+                FindMissing(findings, read, description, placed);
         }
         catch (InputException wrong)
         {
@@ -120,6 +122,14 @@ static class ServeVerb
         }
 
         findings.Conclude();
+    }
+
+    // What is missing is not an error, because another client may publish it.
+    static void FindMissing(Findings findings, IReadOnlyCollection<PlantFile> plants, string robot, TransformsMessage stationary)
+    {
+        if (PlantFile.MissingJoints(plants, robot) is { Count: > 0 } joints) findings.Good("missing_joints", DryRunMessages.MissingJoints(joints));
+        if (PlantFile.MissingParents(plants, robot, stationary) is { Count: > 0 } parents)
+            findings.Good("missing_parents", DryRunMessages.MissingParents(parents));
     }
 
     static void CheckClock(OptionResult result)

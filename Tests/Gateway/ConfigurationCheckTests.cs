@@ -1,7 +1,10 @@
 using System.Net;
+using Nowpose.Frames;
 using Nowpose.Gateway.Messages;
 using NUnit.Framework;
 using Nowpose.Gateway.Security;
+using Nowpose.Headless.Tests.Gateway.Cell;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
@@ -107,6 +110,51 @@ public class ConfigurationCheckTests : ConfigurationFixture
         Assert.That(errors, Has.Length.EqualTo(count), string.Join(" | ", errors));
     }
 
+    // A line would contain the default.
+    [TestCase("bind: nowhere", "websocket, sync")]
+    [TestCase("sync-port: x", "sync")]
+    [TestCase("ws-port: x", "websocket")]
+    [TestCase("ws-prot: 80", "websocket")]
+    [TestCase("tls: maybe", "websocket")]
+    [TestCase("certificate: [a, b]", "websocket")]
+    [TestCase("robot: none.urdf", "robot")]
+    [TestCase("]", "websocket, sync")]
+    public async Task Check_InvalidEntry_PrintsNoLineAboutIt(string entry, string omitted)
+    {
+        var others = string.Concat(new[] { "robot: ur5", "ws-port: 0", "sync-port: 0" }.Where(other => other[..3] != entry[..Math.Min(3, entry.Length)]).Select(other => other + "\n"));
+
+        var (status, output, _) = await CheckAsync(others + entry + "\n");
+
+        Assert.That(status, Is.EqualTo(2));
+        string[] all = ["robot", "sync", "websocket"];
+        Assert.That(output.Select(line => line.Split(' ')[0]).Order(), Is.EqualTo(all.Except(omitted.Split(", "))), string.Join(" | ", output));
+    }
+
+    // The parent may be a link of the robot or a frame of the plant.
+    [TestCase("robot: none.urdf")]
+    [TestCase("robot: [ur5]")]
+    [TestCase("plants: {}")]
+    [TestCase("rabot: ur5")]
+    public async Task Check_InvalidRobotOrPlants_DoesNotReportMissingParents(string entry)
+    {
+        StationaryFrameFile.Save(Path.Combine(_folder, "objects.json"), new TransformsMessage([CellTexts.Frame("fixture", "flange")]));
+
+        var (status, output, _) = await CheckAsync("ws-port: 0\nsync-port: 0\nstationary: objects.json\n" + entry + "\n");
+
+        Assert.That(status, Is.EqualTo(2));
+        Assert.That(output, Has.None.StartsWith("missing_parents "), string.Join(" | ", output));
+    }
+
+    [Test]
+    public async Task Check_InvalidCertificateFile_PrintsTheAddressOfEncryptedConnections()
+    {
+        Save("no certificate", "a.pem");
+
+        var (_, output, _) = await CheckAsync("ws-port: 0\nsync-port: 0\ncertificate: a.pem\n");
+
+        Assert.That(output, Does.Contain("websocket wss://127.0.0.1:0/"));
+    }
+
     // The columns are joints of the ur5, and the default robot is the youBot.
     [TestCase("robot: [ur5]")]
     [TestCase("robot: none.urdf")]
@@ -114,9 +162,10 @@ public class ConfigurationCheckTests : ConfigurationFixture
     {
         Save("t_s,shoulder_pan_joint,elbow_joint\n0,0,0\n1,0.1,0.1\n2,0.2,0.2\n", "motion.csv");
 
-        var errors = await CheckReplayAsync(robot);
+        var (output, errors) = await CheckReplayAsync(robot);
 
         Assert.That(errors, Has.Length.EqualTo(1).And.One.Contains("gateway.yaml:1: robot: "), string.Join(" | ", errors));
+        Assert.That(output, Has.None.StartsWith("robot "), string.Join(" | ", output));
     }
 
     [TestCase("robot: [ur5]")]
@@ -125,18 +174,18 @@ public class ConfigurationCheckTests : ConfigurationFixture
     {
         Save("no recording\n", "motion.csv");
 
-        var errors = await CheckReplayAsync(robot);
+        var (_, errors) = await CheckReplayAsync(robot);
 
         Assert.That(errors, Has.Length.EqualTo(2), string.Join(" | ", errors));
         Assert.That(errors, Has.One.Contains("gateway.yaml:1: robot: ").And.One.Contains("motion.csv"), string.Join(" | ", errors));
     }
 
-    async Task<string[]> CheckReplayAsync(string robot)
+    async Task<(string[] Output, string[] Errors)> CheckReplayAsync(string robot)
     {
         var configuration = Save(robot + "\nws-port: 0\nsync-port: 0\n");
-        var (_, _, errors) = await CapturedConsole.OfAsync(() => Nowpose.Gateway.CommandLine.RunAsync(
+        var (_, output, errors) = await CapturedConsole.OfAsync(() => Nowpose.Gateway.CommandLine.RunAsync(
             ["replay", Path.Combine(_folder, "motion.csv"), "--config", configuration, "--check"]).Bounded());
-        return CapturedConsole.Lines(errors);
+        return (CapturedConsole.Lines(output), CapturedConsole.Lines(errors));
     }
 
     // No entry after the error can be read.
