@@ -53,13 +53,16 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
     /// <param name="rule">The fault as one clause; null for the text of the reason.</param>
     public void Drop(RosbridgeMessage message, DropReason reason, string what = null, string rule = null)
     {
+        var topic = message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true } published } ? published : null;
+        // The content is read before the role of the client is checked, but a correct message of this client would be refused too.
+        if (topic != null && rights.On(topic) == DropReason.NotAllowed) (reason, what, rule) = (DropReason.NotAllowed, null, null);
         drops.Count(reason);
         rule ??= what == null ? DropMessages.Of(reason) : $"{what} {DropMessages.Of(reason)}";
         var text = reason == DropReason.UnknownOp
             ? RequestMessages.UnknownOperation(Short(message.OpName), KnownOperations)
             : $"{Subject(message)}dropped: {rule} ({reason})";
         // Excludes joints of other sources, which the hub reports itself.
-        if (message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true } topic } && reason != DropReason.JointTaken)
+        if (topic != null && reason != DropReason.JointTaken)
         {
             if (topic.Kind == RosTopics.JointStates) ReportDropped(topic.Robot, message.JointState, rule, reason);
             else if (topic.Kind == RosTopics.JointTrajectory) ReportRefused(topic, message.JointTrajectory, rule, reason);
@@ -73,13 +76,12 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
     void ReportDropped(string robot, JointStateMessage valid, string rule, DropReason reason)
     {
         var (names, trouble) = valid == null ? InvalidJointState.Read(Received.Span) : (valid.Names, null);
-        source.ReportDropped(robot, names, RequestMessages.Dropped(source.Title, trouble ?? rule, reason), reason);
+        var text = reason == DropReason.NotAllowed ? rule : trouble ?? rule;
+        source.ReportDropped(robot, names, RequestMessages.Dropped(source.Title, text, reason), reason);
     }
 
     void ReportRefused(RobotTopic topic, JointTrajectoryMessage valid, string rule, DropReason reason)
     {
-        // The content is read before the role of the client is checked, but a correct message of this client would be refused too.
-        if (rights.On(topic) == DropReason.NotAllowed) (reason, rule) = (DropReason.NotAllowed, DropMessages.Of(DropReason.NotAllowed));
         var names = valid?.Names ?? InvalidJointState.ReadPlannedNames(Received.Span);
         source.ReportRefused(topic.Robot, names.FirstOrDefault() ?? "", new Refusal(reason, topic.Robot, Rule: rule));
     }

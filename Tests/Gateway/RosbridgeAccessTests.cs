@@ -4,6 +4,7 @@ using System.Security.Authentication;
 using System.Security.Cryptography.X509Certificates;
 using NUnit.Framework;
 using Nowpose.Gateway;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 
@@ -54,18 +55,24 @@ public class RosbridgeAccessTests
     // The reader finds the invalid content before the gateway checks the role.
     [TestCase("1.5")]
     [TestCase("null")]
-    public async Task Observer_PublishesSetPoints_AreRefusedForItsRoleWhateverTheirContent(string position)
+    public async Task Observer_PublishesJointStatesAndSetPoints_AreRefusedForItsRoleWhateverTheirContent(string position)
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
-        var refusals = new List<DropReason>();
-        gateway.Hub.SetPointsRefused += (_, _, _, refusal) => refusals.Add(refusal.Reason);
+        var refusals = new List<(DropReason Reason, string Text)>();
+        gateway.Hub.SetPointsRefused += (_, _, _, refusal) => refusals.Add((refusal.Reason, refusal.Rule));
+        gateway.Hub.SampleDropped += (_, _, text, reason) => refusals.Add((reason, text));
         using var observer = await RawRosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
+        const string Publish = "{\"op\":\"publish\",\"topic\":\"/joint_", Header = "\",\"msg\":{\"header\":{\"stamp\":{\"sec\":5000,\"nanosec\":0}},";
 
-        await observer.SendAsync("{\"op\":\"publish\",\"topic\":\"/joint_trajectory\",\"msg\":{\"header\":{\"stamp\":{\"sec\":5000,\"nanosec\":0}},"
-            + "\"joint_names\":[\"a\"],\"points\":[{\"positions\":[" + position + "],\"time_from_start\":{\"sec\":0,\"nanosec\":0}}]}}");
-        await observer.ExpectErrorAsync("dropped");
+        await observer.SendAsync(Publish + "trajectory" + Header + "\"joint_names\":[\"a\"],\"points\":[{\"positions\":[" + position
+            + "],\"time_from_start\":{\"sec\":0,\"nanosec\":0}}]}}");
+        await observer.ExpectErrorAsync(nameof(DropReason.NotAllowed));
+        await observer.SendAsync(Publish + "states" + Header + "\"name\":[\"a\"],\"position\":[" + position + "]}}");
+        await observer.ExpectErrorAsync(nameof(DropReason.NotAllowed));
 
-        Assert.That(refusals, Is.EqualTo(new[] { DropReason.NotAllowed }));
+        Assert.That(refusals, Has.Count.EqualTo(2).And.All.Matches<(DropReason Reason, string Text)>(
+            refusal => refusal.Reason == DropReason.NotAllowed && refusal.Text.Contains(DropMessages.Of(DropReason.NotAllowed))));
+        Assert.That(gateway.Drops[DropReason.NotAllowed], Is.EqualTo(2));
     }
 
     [Test]
