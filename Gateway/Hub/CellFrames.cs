@@ -22,9 +22,7 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
     readonly Dictionary<string, (HubSource Source, bool IsStationary, long ReceivedAt)> _frames = [];
     readonly FrameParents _parents = new(links.RootOf);
     // The newest poses of stationary frames that were refused because the frame belongs to another source.
-    readonly RefusedValues<TransformsMessage> _refused = new(value => value[0].Stamp);
-    // The newest invalid poses of stationary frames that belong to another source. They are reported as dropped when the other source ends.
-    readonly Dictionary<(HubSource Source, string Name), LeftOut> _invalid = [];
+    readonly RefusedValues<RefusedPose> _refused = new(pose => pose.Stamp);
     // Whether a new frame has replaced one, for which a refused pose may wait.
     bool _hasReplaced;
 
@@ -52,8 +50,8 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
         return isAny;
     }
 
-    /// <summary>Keeps an invalid pose of a stationary frame that belongs to another source.</summary>
-    public void KeepInvalid(HubSource source, LeftOut pose) => _invalid[(source, pose.Name)] = pose;
+    /// <summary>Keeps an invalid pose of a stationary frame that belongs to another source. It is reported as dropped when the other source ends.</summary>
+    public void KeepInvalid(HubSource source, LeftOut pose) => _refused[source, pose.Name] = _refused[source, pose.Name] with { Invalid = pose };
 
     bool PublishAccepted(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
     {
@@ -74,22 +72,11 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
         _refused.PublishFree(Owners, (source, poses) =>
         {
             var leftOut = new List<LeftOut>();
-            var message = new TransformsMessage([.. poses.Select(pose => pose[0])]);
+            var message = new TransformsMessage([.. poses.Where(pose => pose.Valid != null).Select(pose => pose.Valid[0])]);
             PublishAccepted(source, message, isStationary: true, leftOut, Stopwatch.GetTimestamp());
-            foreach (var part in leftOut) drop(source, RosTopics.TfStatic, part);
+            foreach (var part in leftOut.Concat(poses.Select(pose => pose.Invalid).OfType<LeftOut>())) drop(source, RosTopics.TfStatic, part);
         });
-        ReportInvalid();
         _hasReplaced = false;
-    }
-
-    // Reports the invalid poses of frames that no longer belong to another source.
-    void ReportInvalid()
-    {
-        foreach (var ((source, name), pose) in _invalid.Where(one => Owners.OtherThan(one.Key.Source, one.Key.Name) == null).ToArray())
-        {
-            _invalid.Remove((source, name));
-            drop(source, RosTopics.TfStatic, pose);
-        }
     }
 
     // Adds or updates the frames of a message. Returns the message itself if all its transforms were accepted in their order; otherwise a message with the
@@ -112,9 +99,8 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
                 return reason == DropReason.None;
             }
 
-            if (isStationary) _refused.Keep(source, child, new TransformsMessage(message[index]));
+            if (isStationary) _refused.Keep(source, child, new RefusedPose(new TransformsMessage(message[index]), null));
             else _refused.Remove(source, child);
-            _invalid.Remove((source, child));
             leftOut.Add(new LeftOut(
                 DropReason.FrameTaken, child, CellMessageFaults.Of(CellMessageFaults.Named(CellKinds.Frame, child), DropReason.FrameTaken), owner));
             return false;
@@ -147,12 +133,7 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
     /// <param name="topic">The topic on which the source ends; null for all topics.</param>
     public void Release(HubSource source, string topic)
     {
-        if (topic is null or RosTopics.TfStatic)
-        {
-            _refused.Remove(source);
-            foreach (var pose in _invalid.Keys.Where(pose => pose.Source == source).ToArray()) _invalid.Remove(pose);
-        }
-
+        if (topic is null or RosTopics.TfStatic) _refused.Remove(source);
         foreach (var child in Owners.Release(source, child => topic == null || topic == (IsStationary(child) ? RosTopics.TfStatic : RosTopics.Tf)))
             if (!IsStationary(child)) Remove(child, Ended);
         PublishRefused();
@@ -241,4 +222,11 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
 
     static HubMessage Of(HubMessage message, TransformsMessage part) =>
         HubMessage.Of(message.Topic, part, message.ReceivedAt, message.Source).With(message.Sequence);
+
+    // The newest valid pose of a source, null if there is none, and a later invalid pose.
+    readonly record struct RefusedPose(TransformsMessage Valid, LeftOut? Invalid)
+    {
+        // A source with a valid pose precedes those that have only an invalid one.
+        public ControlTime Stamp => Valid?[0].Stamp ?? new ControlTime(TimeSpan.MinValue);
+    }
 }

@@ -6,19 +6,26 @@ namespace Nowpose.Gateway.Hub;
 /// The newest values of frames or signals that were refused because another source owns them. Such a value is sent only once, so it is published
 /// when the other source ends. Not thread-safe.
 /// </summary>
-/// <typeparam name="TMessage">A message with one stationary frame or one signal.</typeparam>
+/// <typeparam name="TValue">A signal, or the refused poses of a stationary frame.</typeparam>
 /// <param name="stampOf">Returns the time stamp of a value. A stationary frame without a time stamp is older than one that has a time stamp.</param>
-sealed class RefusedValues<TMessage>(Func<TMessage, ControlTime> stampOf)
+sealed class RefusedValues<TValue>(Func<TValue, ControlTime> stampOf)
 {
     // In the order of the refusals.
-    readonly OrderedDictionary<(string Name, HubSource Source), TMessage> _newest = [];
+    readonly OrderedDictionary<(string Name, HubSource Source), TValue> _newest = [];
 
     /// <summary>Keeps a value instead of an earlier one of the same source, unless newer ones have overtaken the value on the network.</summary>
-    public void Keep(HubSource source, string name, TMessage value)
+    public void Keep(HubSource source, string name, TValue value)
     {
         if (_newest.TryGetValue((name, source), out var kept) && LateValues.IsOvertaken(stampOf(value), stampOf(kept))) return;
         Remove(source, name);
         _newest.Add((name, source), value);
+    }
+
+    /// <summary>The value of a source, which keeps its place in the order of the refusals; <c>default</c> if there is none.</summary>
+    public TValue this[HubSource source, string name]
+    {
+        get => _newest.GetValueOrDefault((name, source));
+        set => _newest[(name, source)] = value;
     }
 
     /// <summary>Removes the value of a source that has sent another value since, which replaces it.</summary>
@@ -33,7 +40,7 @@ sealed class RefusedValues<TMessage>(Func<TMessage, ControlTime> stampOf)
     /// </summary>
     /// <param name="owners">The sources of the frames or signals.</param>
     /// <param name="publish">Publishes the values of a source, in the order of their time stamps.</param>
-    public void PublishFree(NameOwners<string> owners, Action<HubSource, IEnumerable<TMessage>> publish)
+    public void PublishFree(NameOwners<string> owners, Action<HubSource, IEnumerable<TValue>> publish)
     {
         while (_newest.Count > 0)
         {

@@ -210,6 +210,49 @@ public class RefusedValuesTests
         Assert.That(Kept(isSignal: false), Is.Empty);
     }
 
+    static void SendInvalid(HubSource source, string name) =>
+        source.ReportDropped(RosTopics.TfStatic, new LeftOut(DropReason.NotFinite, name, "is wrong"));
+
+    List<(HubSource Source, string Name)> Dropped()
+    {
+        var dropped = new List<(HubSource, string)>();
+        _hub.PartDropped += (source, _, part) => dropped.Add((source, part.Name));
+        return dropped;
+    }
+
+    [Test]
+    public void Dispose_RefusedPosesAndLaterInvalidOnes_PublishesThePoseThatArrivedLastAndReportsTheInvalidOnes()
+    {
+        var former = _hub.OpenSource();
+        using var second = _hub.OpenSource();
+        using var third = _hub.OpenSource();
+        using var fourth = _hub.OpenSource();
+        former.Publish(new TransformsMessage(Frame("a"), Frame("b")), isStationary: false, []);
+        foreach (var (source, value) in new[] { (second, 2.0), (third, 3.0) }) SendAt(source, 0, value, isSignal: false);
+        foreach (var source in new[] { third, second, fourth }) SendInvalid(source, "a");
+        SendInvalid(fourth, "b");
+        var dropped = Dropped();
+
+        former.Dispose();
+
+        Assert.That(Kept(isSignal: false), Is.EqualTo(new[] { "a=3" }));
+        Assert.That(dropped, Is.EquivalentTo(new[] { (third, "a"), (fourth, "b") }), "the frame a belongs to the third source");
+    }
+
+    [Test]
+    public void Publish_ValidPoseAfterAnInvalidOneThatWasKept_ReportsNoInvalidPose()
+    {
+        using var owner = _hub.OpenSource();
+        using var refused = _hub.OpenSource();
+        Fill(owner);
+        SendInvalid(refused, "part0");
+        var dropped = Dropped();
+
+        PublishMoving(refused, seconds: 20, "new", "part0");
+
+        Assert.That(dropped, Is.Empty);
+    }
+
     static void Fill(HubSource owner)
     {
         for (var i = 0; i < ProtocolLimits.Frames; i++) PublishMoving(owner, seconds: 0, "part" + i);
