@@ -9,6 +9,9 @@ public enum Closure
     /// <summary>The gateway had reached its connection limit.</summary>
     ConnectionLimit,
 
+    /// <summary>Too few file descriptors were left for the connection.</summary>
+    DescriptorLimit,
+
     TlsHandshake,
 
     /// <summary>The token was missing or unknown.</summary>

@@ -45,5 +45,11 @@ public sealed class ConnectionCounters
         Interlocked.Decrement(ref _open);
     }
 
+    /// <summary>Counts a connection that could not be accepted, if the reason is the number of file descriptors.</summary>
+    internal void CountFailure(Exception e)
+    {
+        if (DescriptorLimit.IsReached(e)) Count(Closure.DescriptorLimit);
+    }
+
     internal void Count(Closure why) => Interlocked.Increment(ref _closures[(int)why]);
 }

@@ -27,7 +27,7 @@ static class DescriptorLimit
 
     /// <summary>Refuses a connection that uses one of the last descriptors.</summary>
     /// <remarks>The .NET runtime needs descriptors to start a thread, and ends the process if it cannot start one.</remarks>
-    /// <exception cref="IOException">Too few descriptors are left. The connection is closed.</exception>
+    /// <exception cref="SocketException">Too few descriptors are left. The connection is closed.</exception>
     public static void Guard(Socket accepted)
     {
         // The system assigns the lowest free number, so a high number means that few are left.
@@ -35,8 +35,11 @@ static class DescriptorLimit
         var allowed = Allowed();
         if (OperatingSystem.IsWindows() || number + Spare < allowed) return;
         accepted.Dispose();
-        throw new IOException(LimitMessages.NoDescriptor(number, allowed, Spare));
+        throw new SocketException((int)SocketError.TooManyOpenSockets, LimitMessages.NoDescriptor(number, allowed, Spare));
     }
+
+    /// <summary>Whether a connection could not be accepted because too few descriptors are left in the process or in the system.</summary>
+    public static bool IsReached(Exception e) => e is SocketException { SocketErrorCode: SocketError.TooManyOpenSockets };
 
     /// <returns>The message about a limit that is too low; null if the limit is high enough.</returns>
     internal static string Problem(int maxConnections, ulong allowed)

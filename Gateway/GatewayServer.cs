@@ -67,7 +67,7 @@ public sealed class GatewayServer : IAsyncDisposable
         RecordingsWatch = new RecordingsWatch(Recorder, recordings, events, Log);
         _webPending = new PendingConnections(options.MaxPendingConnections, options.MaxPendingInAll);
         _web = GatewayWeb.Build(
-            options, new PendingWebConnections(_webPending, WebSocketConnections, Log), Log, _rosbridge.ServeAsync,
+            options, new PendingWebConnections(_webPending, WebSocketConnections, Log), WebSocketConnections, Log, _rosbridge.ServeAsync,
             _page.ServeAsync,
             _pairing.ServeAsync,
             new StatusRoutes(_status, accessControl).ServeAsync,

@@ -20,13 +20,14 @@ static class GatewayWeb
     static readonly TimeSpan AnswerGrace = TimeSpan.FromSeconds(5);
 
     /// <param name="pending">Limits the connections before authentication.</param>
+    /// <param name="counters">Counters of the connections to the port.</param>
     /// <param name="log">Receives short lines without secrets, on any thread.</param>
     /// <param name="rosbridge">Serves WebSockets.</param>
     /// <param name="before">
     /// Handlers called before <paramref name="rosbridge"/>, in this order. Each serves a request or calls the next handler.
     /// </param>
     public static WebApplication Build(
-        GatewayOptions options, PendingWebConnections pending, Action<string> log, RequestDelegate rosbridge,
+        GatewayOptions options, PendingWebConnections pending, ConnectionCounters counters, Action<string> log, RequestDelegate rosbridge,
         params Func<HttpContext, RequestDelegate, Task>[] before)
     {
         // Uses the empty builder, so that settings in the working folder or the environment do not change the gateway's behaviour.
@@ -41,7 +42,7 @@ static class GatewayWeb
         });
         builder.WebHost.ConfigureKestrel(kestrel => Configure(kestrel, options, pending));
         builder.Services.AddSingleton<IConnectionListenerFactory>(
-            services => new ResilientListenerFactory(services.GetRequiredService<IOptions<SocketTransportOptions>>(), log));
+            services => new ResilientListenerFactory(services.GetRequiredService<IOptions<SocketTransportOptions>>(), counters, log));
         var web = builder.Build();
         web.Use(next => context => PendingWebConnections.CompleteHandshakeAsync(context, next));
         web.Use(next => context => SecurityHeaders.AddAsync(context, next));

@@ -10,7 +10,8 @@ namespace Nowpose.Gateway;
 /// Kestrel closes a port permanently at the first exception of its listener. This listener keeps the last file descriptors free, because without a
 /// free descriptor, Kestrel's own listener would fully load a processor core.
 /// </remarks>
-sealed class ResilientListener(IConnectionListener inner, Action<string> log) : IConnectionListener
+/// <param name="counters">Counts the connections that are refused because of the number of file descriptors.</param>
+sealed class ResilientListener(IConnectionListener inner, ConnectionCounters counters, Action<string> log) : IConnectionListener
 {
     internal static readonly TimeSpan PauseAfterFailure = TimeSpan.FromMilliseconds(50);
 
@@ -34,6 +35,7 @@ sealed class ResilientListener(IConnectionListener inner, Action<string> log) : 
             catch (Exception e) when (!_stop.IsCancellationRequested && !cancellationToken.IsCancellationRequested)
             {
                 if (accepted != null) await accepted.DisposeAsync();
+                counters.CountFailure(e);
                 log(RequestMessages.NotAccepted(e.GetType().Name, e.Message));
                 await Task.Delay(PauseAfterFailure, _stop.Token).ContinueWith(_ => { }, TaskScheduler.Default);
             }

@@ -7,10 +7,11 @@ using Microsoft.Extensions.Options;
 namespace Nowpose.Gateway;
 
 /// <summary>Creates the <see cref="ResilientListener"/> on the web server's port.</summary>
-sealed class ResilientListenerFactory(IOptions<SocketTransportOptions> options, Action<string> log) : IConnectionListenerFactory
+sealed class ResilientListenerFactory(IOptions<SocketTransportOptions> options, ConnectionCounters counters, Action<string> log)
+    : IConnectionListenerFactory
 {
     readonly SocketTransportFactory _sockets = new(options, NullLoggerFactory.Instance);
 
     public async ValueTask<IConnectionListener> BindAsync(EndPoint endpoint, CancellationToken cancellationToken = default) =>
-        new ResilientListener(await _sockets.BindAsync(endpoint, cancellationToken), log);
+        new ResilientListener(await _sockets.BindAsync(endpoint, cancellationToken), counters, log);
 }

@@ -26,6 +26,9 @@ static class EventRemedies
     public const string HeadsetNames = "Set another Headset Name in the session settings of one of the two headsets.";
     public const string Connections = "Close clients that are not needed, or increase max-connections and start the gateway again.";
 
+    public const string Descriptors = "Close clients that are not needed, or raise the limit on open files (ulimit -n, LimitNOFILE= of the systemd unit, "
+        + "--ulimit nofile= of the container) and start the gateway again.";
+
     /// <summary>Gets the remedy for refused set-points; empty if the text of the reason contains it.</summary>
     public static string SetPoints(DropReason reason) => reason switch
     {

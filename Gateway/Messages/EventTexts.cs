@@ -83,6 +83,14 @@ static class EventTexts
     public static string Connections(int max, long refused) => FormattableString.Invariant(
         $"the maximum is {max}; connections refused since the start of the gateway: {refused}");
 
+    public const string NoDescriptor = "refuses connections because of too few file descriptors";
+
+    /// <param name="port">sync or websocket.</param>
+    public static string PortWithoutDescriptor(string port) => $"the {port} port {NoDescriptor}";
+
+    public static string RefusedForDescriptors(long refused) => FormattableString.Invariant(
+        $"connections refused for this reason since the start of the gateway: {refused}");
+
     public static string SetPointsTaken(string owner, string joint) => $"the source {owner} already publishes set-points of joint {joint}";
 
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>

@@ -84,6 +84,7 @@ sealed class SyncServer : IDisposable
                 // Catches all exceptions, because the end of this loop would close the port permanently.
                 if (Volatile.Read(ref _isStopped))
                     return;
+                Counters.CountFailure(e);
                 _log(SyncServerMessages.NotAccepted(e.GetType().Name, e.Message));
                 // Pauses, because accepting may fail repeatedly, for example until a file descriptor is free.
                 await Task.Delay(PauseAfterAFailedAccept);

@@ -44,8 +44,9 @@ public class DescriptorLimitTests
         var failures = new Queue<Exception>(
             [new SocketException((int)SocketError.TooManyOpenSockets), new InsufficientMemoryException("no memory"), new IOException("disk")]);
         var log = new List<string>();
+        var counters = new ConnectionCounters();
         await using var listener = new ResilientListener(
-            new FailingListener(await sockets.BindAsync(new IPEndPoint(IPAddress.Loopback, 0)), failures), log.Add);
+            new FailingListener(await sockets.BindAsync(new IPEndPoint(IPAddress.Loopback, 0)), failures), counters, log.Add);
         using var client = new TcpClient();
         await client.ConnectAsync((IPEndPoint)listener.EndPoint).Bounded();
 
@@ -53,6 +54,7 @@ public class DescriptorLimitTests
 
         Assert.That(connection, Is.Not.Null);
         Assert.That(log, Has.Count.EqualTo(3).And.All.Match(MessagePattern.Of(RequestMessages.NotAccepted(MessagePattern.Any, MessagePattern.Any))));
+        Assert.That(counters[Closure.DescriptorLimit], Is.EqualTo(1), "only the first failure");
         await listener.UnbindAsync();
         Assert.That(await listener.AcceptAsync().AsTask().Bounded(), Is.Null);
     }

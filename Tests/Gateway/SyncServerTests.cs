@@ -115,6 +115,7 @@ public class SyncServerTests
         Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
         var expected = SyncServerMessages.NotAccepted(MessagePattern.Any, MessagePattern.Any);
         Assert.That(log, Has.Count.EqualTo(3).And.All.Match(MessagePattern.Of(expected)));
+        Assert.That(server.Counters[Closure.DescriptorLimit], Is.EqualTo(1), "only the first failure");
     }
 
     [Test]

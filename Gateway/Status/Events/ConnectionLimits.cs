@@ -2,37 +2,48 @@ using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Finds the ports whose maximum number of connections is reached. Thread-safe.</summary>
+/// <summary>
+/// Finds the ports whose maximum number of connections is reached, and those that refuse connections because too few file descriptors are left. Thread-safe.
+/// </summary>
 /// <param name="servers">The servers with their names in the state.</param>
 /// <param name="max">Maximum number of connections of each server.</param>
 sealed class ConnectionLimits((string Name, ConnectionCounters Counters)[] servers, int max, TimeProvider time)
 {
     /// <summary>
-    /// Time for which the maximum counts as reached after it was reached or a connection was refused. A refused headset connects again sooner.
+    /// Time for which a limit counts as reached after it was reached or a connection was refused. A refused headset connects again sooner.
     /// </summary>
     static readonly TimeSpan Span = TimeSpan.FromSeconds(5);
 
     readonly Lock _lock = new();
-    // For each server, the number of refusals and the time at the last check that found the maximum or a new refusal; null before.
-    readonly (long Refused, long? At)[] _last = new (long, long?)[servers.Length];
+    // For each server, the number of refusals and the time at the last check that found the limit or a new refusal; null before.
+    readonly (long Refused, long? At)[] _full = new (long, long?)[servers.Length], _noDescriptor = new (long, long?)[servers.Length];
 
     public IReadOnlyList<Condition> Read()
     {
-        lock (_lock) return [.. Enumerable.Range(0, servers.Length).Where(IsReached).Select(server => Of(servers[server]))];
+        lock (_lock) return [.. Enumerable.Range(0, servers.Length).SelectMany(Of)];
     }
 
-    bool IsReached(int server)
+    IEnumerable<Condition> Of(int server)
     {
-        var counters = servers[server].Counters;
-        var refused = counters.Refused;
-        if (counters.Open >= max || refused > _last[server].Refused) _last[server] = (refused, time.GetTimestamp());
-        return _last[server].At is { } at && time.GetElapsedTime(at) < Span;
+        var (name, counters) = servers[server];
+        if (IsReached(ref _full[server], counters.Refused, counters.Open >= max))
+            yield return new("connection", name, EventTexts.LimitReached, EventTexts.Connections(max, counters.Refused), Level.Warning)
+            {
+                Headline = EventTexts.PortLimitReached(name),
+                Remedy = EventRemedies.Connections,
+            };
+        var refused = counters[Closure.DescriptorLimit];
+        if (IsReached(ref _noDescriptor[server], refused))
+            yield return new("connection", name, EventTexts.NoDescriptor, EventTexts.RefusedForDescriptors(refused), Level.Warning)
+            {
+                Headline = EventTexts.PortWithoutDescriptor(name),
+                Remedy = EventRemedies.Descriptors,
+            };
     }
 
-    Condition Of((string Name, ConnectionCounters Counters) server) => new(
-        "connection", server.Name, EventTexts.LimitReached, EventTexts.Connections(max, server.Counters.Refused), Level.Warning)
+    bool IsReached(ref (long Refused, long? At) last, long refused, bool isFull = false)
     {
-        Headline = EventTexts.PortLimitReached(server.Name),
-        Remedy = EventRemedies.Connections,
-    };
+        if (isFull || refused > last.Refused) last = (refused, time.GetTimestamp());
+        return last.At is { } at && time.GetElapsedTime(at) < Span;
+    }
 }

@@ -57,8 +57,8 @@ public class AnswerReaderTests
         var isBegun = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         var isEnded = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         await using var web = GatewayWeb.Build(
-            Options, new PendingWebConnections(new PendingConnections(Options.MaxPendingConnections), new ConnectionCounters(), _ => { }), _ => { },
-            context => AnswerAsync(context, isBegun, isEnded));
+            Options, new PendingWebConnections(new PendingConnections(Options.MaxPendingConnections), new ConnectionCounters(), _ => { }), new ConnectionCounters(),
+            _ => { }, context => AnswerAsync(context, isBegun, isEnded));
         await web.StartAsync().Bounded();
         using var reader = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { ReceiveBufferSize = 4096 };
         await reader.ConnectAsync(IPAddress.Loopback, PortOf(web));

@@ -1,4 +1,5 @@
 using Nowpose.Gateway;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Events;
 using NUnit.Framework;
 
@@ -25,6 +26,23 @@ public class ConnectionLimitsTests
             counters.Leave(Closure.ByPeer);
             time.Advance(TimeSpan.FromSeconds(4));
             Assert.That(limits.Read(), Has.Count.EqualTo(1));
+        }
+
+        time.Advance(TimeSpan.FromSeconds(2));
+        Assert.That(limits.Read(), Is.Empty);
+    }
+
+    [Test]
+    public void Read_ConnectionsRefusedForDescriptors_IsAConditionUntilFiveSecondsAfterTheLastOne()
+    {
+        var (time, counters) = (new SteppedTime(), new ConnectionCounters());
+        var limits = new ConnectionLimits([("sync", new ConnectionCounters()), ("websocket", counters)], 2, time);
+        for (var i = 1; i <= 3; i++)
+        {
+            counters.Count(Closure.DescriptorLimit);
+
+            Assert.That(limits.Read().Single().Text, Does.StartWith(EventTexts.PortWithoutDescriptor("websocket")).And.Contains(EventTexts.RefusedForDescriptors(i)));
+            time.Advance(TimeSpan.FromSeconds(4));
         }
 
         time.Advance(TimeSpan.FromSeconds(2));

@@ -1,5 +1,7 @@
+using System.Net.Sockets;
 using System.Net.WebSockets;
 using System.Text.Json;
+using Nowpose.Gateway;
 using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using NUnit.Framework;
@@ -106,6 +108,25 @@ public class ClientFaultTests
         Assert.That((await _gateway.StateAsync()).GetProperty("events").GetArrayLength(), Is.EqualTo(1));
         _gateway.Time.Advance(TimeSpan.FromSeconds(6));
         await _gateway.EndsAsync("connection", "websocket");
+    }
+
+    [TestCase("websocket")]
+    [TestCase("sync")]
+    public async Task Connection_RefusedForDescriptors_IsAnEventAndAMetric(string server)
+    {
+        await _gateway.StartAsync();
+        var counters = server == "sync" ? _gateway.Server.SyncConnections : _gateway.Server.WebSocketConnections;
+
+        counters.CountFailure(new SocketException((int)SocketError.TooManyOpenSockets));
+
+        await _gateway.BeginsAsync("connection", server);
+        var refused = await _gateway.EventAsync("connection", server);
+        Assert.That(refused.GetProperty("reason").GetString(), Is.EqualTo(EventTexts.RefusedForDescriptors(1)));
+        Assert.That(
+            (await _gateway.GetAsync("/metrics")).Text,
+            Does.Contain($"nowpose_connections_closed_total{{server=\"{server}\",reason=\"{nameof(Closure.DescriptorLimit)}\"}} 1"));
+        _gateway.Time.Advance(TimeSpan.FromSeconds(6));
+        await _gateway.EndsAsync("connection", server);
     }
 
     // Connects a headset, which the gateway refuses until the name of its former connection is free.
