@@ -13,7 +13,7 @@ sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
     /// <summary>Gets the results; null if the cell has no objects or no object has moved.</summary>
     public DemoResult.BodyErrors Result()
     {
-        if (run.Settings.Work is not { } work || run.Bodies == null) return null;
+        if (run.Bodies is not { Work: var work }) return null;
         var errors = frames.SelectMany(frame => ErrorsIn(frame, work)).ToList();
         return errors.Count == 0 ? null : new DemoResult.BodyErrors(
             Of(errors.Select(e => (e.HoldMm, e.Mm)).ToList()), Of(errors.Select(e => (e.HoldDeg, e.Deg)).ToList()), LargestSlipMm(work));

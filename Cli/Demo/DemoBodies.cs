@@ -13,6 +13,8 @@ sealed class DemoBodies(CellWork work)
     readonly List<Shown> _shown = [];
     CompensationSession _followed;
 
+    public CellWork Work => work;
+
     /// <summary>Gets the displayed values of an object in a frame; <c>default</c> before the object's first sample.</summary>
     public Shown At(int frame, int body) => _shown[frame * _names.Count + body];
 

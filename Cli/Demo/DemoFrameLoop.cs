@@ -10,9 +10,9 @@ sealed class DemoFrameLoop(DemoSettings settings, IDemoHeadset headset, IHeadset
 {
     readonly DemoDisplay _display = new(settings);
 
-    readonly DemoBodies _bodies = settings.Work == null ? null : new DemoBodies(settings.Work);
+    readonly DemoBodies _bodies = settings.Motion.Work is { } work ? new DemoBodies(work) : null;
 
-    readonly DemoSignals _signals = settings.Work == null ? null : new DemoSignals(settings.Work);
+    readonly DemoSignals _signals = settings.Motion.Work is { } work ? new DemoSignals(work) : null;
 
     bool _isScored;
 

@@ -36,7 +36,7 @@ sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
     }
 
     // Gets the objects of the cell; null if it has none. The displayed poses of a frame are null before all objects have a sample.
-    object Objects(List<int> frames) => run.Settings.Work is not { } work || run.Bodies is not { } bodies ? null : new
+    object Objects(List<int> frames) => run.Bodies is not { Work: var work } bodies ? null : new
     {
         work.Names,
         CellWork.Size,
@@ -48,7 +48,7 @@ sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
     };
 
     // Gets the signals of the cell; null if it has none. Uses every frame, so that the times of the changes are those of the display.
-    object Signals(int first, int last) => run.Settings.Work is not { } work || run.Signals is not { } signals ? null : work.Signals.Select((name, i) => new
+    object Signals(int first, int last) => run.Signals is not { Work: var work } signals ? null : work.Signals.Select((name, i) => new
     {
         Name = name,
         Truth = Changes(first, last, frame => TrueSignal(work, frame, i)),

@@ -1,7 +1,6 @@
 using Nowpose.Gateway.Options;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
-using Nowpose.Motion;
 using Nowpose.Session;
 using Nowpose.Simulation;
 using Nowpose.Simulation.Work;
@@ -19,11 +18,8 @@ sealed record DemoSettings
     /// <summary>The robot's URDF, which the gateway publishes.</summary>
     public string RobotText { get; init; }
 
-    /// <summary>The true motion of the robot.</summary>
-    public IMotion Motion { get; init; }
-
-    /// <summary>The cell with objects and signals in which the robot has this motion; null if the robot moves no objects.</summary>
-    public CellWork Work { get; init; }
+    /// <summary>The true motion of the cell, which has one robot.</summary>
+    public CellMotion Motion { get; init; }
 
     /// <summary>Name of the motion in the report.</summary>
     public string MotionName { get; init; }

@@ -10,6 +10,8 @@ sealed class DemoSignals(CellWork work)
     readonly List<double?> _shown = [];
     CompensationSession _followed;
 
+    public CellWork Work => work;
+
     /// <summary>Gets the displayed value of a signal in a frame; null before its first value.</summary>
     public double? At(int frame, int signal) => _shown[frame * _names.Count + signal];
 

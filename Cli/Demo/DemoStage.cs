@@ -27,14 +27,12 @@ static class DemoStage
         await using var gateway = await GatewayServer.StartAsync(options, control, cancellation: cancel);
         using var source = gateway.Hub.OpenSource();
         source.TryDescribe(settings.RobotText);
-        using var cell = settings.Work == null
-            ? new SimulatedCell(settings.Motion, control, Timing(settings), settings.Seed, settings.PublishesPlan)
-            : new SimulatedCell(settings.Work, control, Timing(settings), settings.Seed, settings.PublishesPlan);
+        using var cell = new SimulatedCell(settings.Motion, control, Timing(settings), settings.Seed, settings.PublishesPlan);
         cell.PublishInto(gateway.Hub);
         using var syncRelay = new DelayRelay(gateway.SyncEndPoint, settings.Network, settings.Seed * 1000 + 1);
         using var webSocketRelay = new DelayRelay(gateway.WebSocketEndPoint, settings.Network, settings.Seed * 1000 + 501);
         var connection = new ConnectionSettings(IPAddress.Loopback.ToString(), syncRelay.Port, webSocketRelay.Port, headsetName: "demo");
-        var truth = new DemoTruth(control, cell, settings.Motion);
+        var truth = new DemoTruth(control, cell);
         // Uses a separate thread, like a headset's frame loop: the thread pool has only two threads here, and the sockets need them.
         return await Task.Factory.StartNew(
             () => Play(settings, connection, truth, recordingPath, cancel),

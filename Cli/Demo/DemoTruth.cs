@@ -1,12 +1,11 @@
 using System.Diagnostics;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
-using Nowpose.Motion;
 
 namespace Nowpose.Cli.Demo;
 
 /// <summary>The true values of a cell in this process. Both clocks read the same hardware counter.</summary>
-sealed class DemoTruth(StopwatchControlClock control, SimulatedCell cell, IMotion motion) : IDemoTruth
+sealed class DemoTruth(StopwatchControlClock control, SimulatedCell cell) : IDemoTruth
 {
     public ControlTime ControlAt(HeadsetTime t) =>
         control.AtCount((long)((Int128)t.SinceEpoch.Ticks * Stopwatch.Frequency / TimeSpan.TicksPerSecond));
@@ -15,5 +14,5 @@ sealed class DemoTruth(StopwatchControlClock control, SimulatedCell cell, IMotio
 
     public double MotionSecondsAt(ControlTime t) => (t - cell.Start).TotalSeconds;
 
-    public int CycleAt(ControlTime t) => (int)(MotionSecondsAt(t) / motion.CycleSeconds);
+    public int CycleAt(ControlTime t) => (int)(MotionSecondsAt(t) / cell.Motion.CycleSeconds);
 }

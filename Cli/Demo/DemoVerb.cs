@@ -120,15 +120,14 @@ static class DemoVerb
         if (IsGiven(parsed, Repeats) && !parsed.GetValue(Paper)) throw new InputException(DemoMessages.RepeatsWithoutPaper);
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording);
-        var work = recording == null ? new CellWork(robot, new PickAndPlaceMotion(robot)) : null;
         return new DemoSettings
         {
             Seconds = parsed.GetValue(Seconds),
             Network = NetworkProfile.Named(parsed.GetValue(Network)),
             Robot = robot,
             RobotText = urdf,
-            Motion = work?.Motions[0].Motion ?? new RecordedMotion(MotionRecording.Read(recording), robot),
-            Work = work,
+            Motion = recording == null
+                ? new CellWork(robot, new PickAndPlaceMotion(robot)) : new CellMotion(new RecordedMotion(MotionRecording.Read(recording), robot)),
             MotionName = recording == null
                 ? DemoTexts.PickAndPlace : DemoTexts.Recording(Path.GetFileName(recording)),
             Predictor = parsed.GetValue(Predictor),

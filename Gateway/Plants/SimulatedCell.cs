@@ -21,30 +21,19 @@ public sealed class SimulatedCell : IDisposable
     readonly IReadOnlyList<(string Namespace, IMotion Motion)> _robots;
     Thread _thread;
 
-    /// <summary>Creates a cell with one robot.</summary>
-    /// <param name="motion">The motion of the robot.</param>
+    /// <param name="motion">The motions of the robots. If they move workpieces, the cell also publishes the objects and signals.</param>
     /// <param name="clock">The control clock, with which samples are stamped.</param>
     /// <param name="timing">Sampling interval and acquisition times.</param>
     /// <param name="seed">Seed of the acquisition times.</param>
     /// <param name="publishesPlan">Whether the cell also publishes the set-points of the next second, four times a second.</param>
-    internal SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan = false)
-        : this([("", motion)], clock, timing, seed, publishesPlan)
+    internal SimulatedCell(CellMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan = false)
     {
-    }
-
-    /// <summary>Creates a cell whose objects and signals are also published.</summary>
-    /// <inheritdoc cref="SimulatedCell(IMotion, IControlClock, CellTiming, int, bool)"/>
-    internal SimulatedCell(CellWork work, IControlClock clock, CellTiming timing, int seed, bool publishesPlan = false)
-        : this(work.Motions, clock, timing, seed, publishesPlan) => _work = work;
-
-    SimulatedCell(
-        IReadOnlyList<(string Namespace, IMotion Motion)> robots, IControlClock clock, CellTiming timing, int seed, bool publishesPlan)
-    {
-        _robots = robots;
+        _robots = motion.Motions;
+        _work = motion.Work;
         _clock = clock;
-        _names = [.. robots.Select(robot => robot.Motion.JointNames.ToArray())];
+        _names = [.. _robots.Select(robot => robot.Motion.JointNames.ToArray())];
         Start = clock.Now;
-        _setPoints = publishesPlan ? [.. robots.Select(robot => new SetPointsAhead(robot.Motion))] : null;
+        _setPoints = publishesPlan ? [.. _robots.Select(robot => new SetPointsAhead(robot.Motion))] : null;
         _schedule = new SampleSchedule(Start, timing, seed);
     }
 

@@ -55,13 +55,11 @@ static class PlantCommand
             await using var gateway = await GatewayServer.StartAsync(
                 options with { ControlClock = PlantClocks.Own }, clock, Announcement.Log, stop);
             // A recorded motion does not contain the moves in which the gripper closes and opens.
-            var work = motion is PickAndPlaceMotion moves ? new CellWork(robot, moves, plant.Robots(parsed)) : null;
+            CellMotion motions = motion is PickAndPlaceMotion moves ? new CellWork(robot, moves, plant.Robots(parsed)) : new CellMotion(motion);
             using var source = gateway.Hub.OpenSource();
-            foreach (var name in work?.Robots.Select(each => each.Namespace) ?? [""]) source.Describe(urdf, name);
+            foreach (var (name, _) in motions.Motions) source.Describe(urdf, name);
             if (server.Records(parsed)) gateway.Recorder.SwitchOn();
-            var (timing, seed, publishesPlan) = (plant.Timing(parsed), plant.Seed(parsed), plant.PublishesPlan(parsed));
-            using var cell = work == null
-                ? new SimulatedCell(motion, clock, timing, seed, publishesPlan) : new SimulatedCell(work, clock, timing, seed, publishesPlan);
+            using var cell = new SimulatedCell(motions, clock, plant.Timing(parsed), plant.Seed(parsed), plant.PublishesPlan(parsed));
             cell.PublishInto(gateway.Hub);
             Announcement.Write(gateway, clock, server.SkewPpm(parsed), plant.Robot(parsed), cell);
             await Task.Delay(Timeout.Infinite, stop);

@@ -15,6 +15,7 @@ using Nowpose.Latency.Profile;
 using Nowpose.Motion;
 using Nowpose.Network;
 using Nowpose.Prediction;
+using Nowpose.Simulation.Work;
 using Nowpose.Sync;
 using static System.FormattableString;
 
@@ -256,7 +257,7 @@ public class HeadsetVerbTests
         var robot = RobotFiles.Load("youbot", out var urdf);
         gateway.Hub.OpenSource().TryDescribe(urdf);
         var timing = new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(20), TimeSpan.FromMilliseconds(40));
-        var cell = new SimulatedCell(new PickAndPlaceMotion(robot), gateway.Clock, timing, 1);
+        var cell = new SimulatedCell(new CellMotion(new PickAndPlaceMotion(robot)), gateway.Clock, timing, 1);
         cell.PublishInto(gateway.Hub);
         return cell;
     }

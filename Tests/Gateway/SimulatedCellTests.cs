@@ -24,7 +24,7 @@ public class SimulatedCellTests
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SubscribeAsync(RosTopics.JointStates, null, 0, 100);
         var motion = new PickAndPlaceMotion(RobotFiles.Load("youbot"));
-        using var cell = new SimulatedCell(motion, clock, Timing, 1);
+        using var cell = new SimulatedCell(new CellMotion(motion), clock, Timing, 1);
 
         cell.PublishInto(gateway.Hub);
 
@@ -54,7 +54,7 @@ public class SimulatedCellTests
         var hub = new MessageHub();
         using var listening = hub.Subscribe(
             RosTopics.JointStates, message => delays.Enqueue((clock.Now - ((JointStateMessage)message.Content).Stamp).TotalMilliseconds));
-        using var cell = new SimulatedCell(new PickAndPlaceMotion(RobotFiles.Load("ur5")), clock, Timing, 1);
+        using var cell = new SimulatedCell(new CellMotion(new PickAndPlaceMotion(RobotFiles.Load("ur5"))), clock, Timing, 1);
 
         cell.PublishInto(hub);
 
@@ -68,7 +68,7 @@ public class SimulatedCellTests
     {
         var clock = new StopwatchControlClock(ControlTime.FromSeconds(50));
         var motion = new PickAndPlaceMotion(RobotFiles.Load("youbot"));
-        using var cell = new SimulatedCell(motion, clock, Timing, 1);
+        using var cell = new SimulatedCell(new CellMotion(motion), clock, Timing, 1);
         var home = new double[motion.JointNames.Count];
         var before = new double[motion.JointNames.Count];
         motion.At(0, home);
@@ -82,7 +82,7 @@ public class SimulatedCellTests
     public async Task PublishInto_SecondHub_ContinuesWithNewSamples()
     {
         var clock = new LookedAtClock();
-        using var cell = new SimulatedCell(new PickAndPlaceMotion(RobotFiles.Load("ur5")), clock, Timing, 1);
+        using var cell = new SimulatedCell(new CellMotion(new PickAndPlaceMotion(RobotFiles.Load("ur5"))), clock, Timing, 1);
         await SampleOf(cell, new MessageHub());
         clock.Advance(TimeSpan.FromSeconds(10));
         var restarted = clock.Now;

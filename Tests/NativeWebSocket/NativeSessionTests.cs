@@ -5,6 +5,7 @@ using Nowpose.Latency;
 using Nowpose.Motion;
 using Nowpose.Network;
 using Nowpose.Session;
+using Nowpose.Simulation.Work;
 using Nowpose.Unity;
 using Nowpose.Unity.Session;
 using NUnit.Framework;
@@ -55,7 +56,7 @@ public class NativeSessionTests
     }
 
     SimulatedCell Cell() => new(
-        new PickAndPlaceMotion(RobotFiles.Load("youbot")), _control,
+        new CellMotion(new PickAndPlaceMotion(RobotFiles.Load("youbot"))), _control,
         new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20)), seed: 1);
 
     async Task<GatewayServer> StartAsync(int syncPort, int webSocketPort, SimulatedCell cell)

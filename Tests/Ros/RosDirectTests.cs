@@ -11,6 +11,7 @@ using Nowpose.Motion;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Simulation.Work;
 using Nowpose.Sync;
 using NUnit.Framework;
 
@@ -46,7 +47,7 @@ public class RosDirectTests
     {
         var form = _graph.Flavour == RosFlavour.Ros1 ? RosTimeForm.Secs : RosTimeForm.Sec;
         _cell = new SimulatedCell(
-            new PickAndPlaceMotion(RobotFiles.Load("youbot")), _control,
+            new CellMotion(new PickAndPlaceMotion(RobotFiles.Load("youbot"))), _control,
             new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20)), seed: 1);
         var hub = new MessageHub();
         hub.Subscribe(RosTopics.JointStates, message =>

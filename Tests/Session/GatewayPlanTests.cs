@@ -7,6 +7,7 @@ using Nowpose.Network;
 using Nowpose.Prediction;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Simulation.Work;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
@@ -23,7 +24,7 @@ public class GatewayPlanTests
         var headset = new StopwatchHeadsetClock();
         await using var gateway = await Gateways.StartAsync(clock: control);
         var robot = RobotFiles.Load("youbot");
-        using var cell = new SimulatedCell(new PickAndPlaceMotion(robot), control, Timing, 1, publishesPlan: true);
+        using var cell = new SimulatedCell(new CellMotion(new PickAndPlaceMotion(robot)), control, Timing, 1, publishesPlan: true);
         using var session = new CompensationSession(
             new SessionSettings(
                 new ConnectionSettings("127.0.0.1", gateway.SyncEndPoint.Port, gateway.WebSocketEndPoint.Port),

@@ -6,6 +6,7 @@ using Nowpose.Motion;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Simulation.Work;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
@@ -54,7 +55,7 @@ public class GatewayRestartTests
     }
 
     static SimulatedCell Cell(IControlClock clock) => new(
-        new PickAndPlaceMotion(RobotFiles.Load("youbot")), clock,
+        new CellMotion(new PickAndPlaceMotion(RobotFiles.Load("youbot"))), clock,
         new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20)), seed: 1);
 
     static async Task<GatewayServer> StartAsync(int syncPort, int webSocketPort, IControlClock clock, SimulatedCell cell)

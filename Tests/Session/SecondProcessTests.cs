@@ -5,6 +5,7 @@ using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Security;
 using Nowpose.Motion;
 using Nowpose.Protocol;
+using Nowpose.Simulation.Work;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
@@ -34,7 +35,7 @@ public class SecondProcessTests
             },
             clock);
         _cell = new SimulatedCell(
-            new PickAndPlaceMotion(RobotFiles.Load("youbot")), clock,
+            new CellMotion(new PickAndPlaceMotion(RobotFiles.Load("youbot"))), clock,
             new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20)), seed: 1);
         _cell.PublishInto(_gateway.Hub);
     }

@@ -2,6 +2,7 @@ using Nowpose.Cli.Calibrate.Simulate;
 using Nowpose.Cli.Figures.Swing;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Plants;
+using Nowpose.Simulation.Work;
 using Nowpose.Sync;
 
 namespace Nowpose.Cli.Demo.Paper;
@@ -27,8 +28,7 @@ static class PaperScenario
         {
             Robot = swing.Robot,
             RobotText = urdf,
-            Motion = new SwingMotion(swing),
-            Work = null,
+            Motion = new CellMotion(new SwingMotion(swing)),
             MotionName = DemoTexts.PaperSwing,
             Predictor = Predictor,
             // In the paper, a new section replaces the previous one without a blend.

@@ -31,11 +31,12 @@ sealed class VirtualStage
         _settings = settings;
         _clock.Set(Start);
         var control = new VirtualClock(Start, ControlAhead, ControlSkew);
-        _truth = new VirtualTruth(settings.Motion, control, Start, ControlSkew);
+        var (motion, work) = (settings.Motion.Motions[0].Motion, settings.Motion.Work);
+        _truth = new VirtualTruth(motion, control, Start, ControlSkew);
         _conditions = new VirtualCellSettings(settings.SamplingMs, settings.Acquisition.Min, settings.Acquisition.Max, 0, 0, settings.Network);
-        _samples = new VirtualSamples([("", sampled ?? settings.Motion)], control, settings.Seed * 100, Start);
+        _samples = new VirtualSamples([("", sampled ?? motion)], control, settings.Seed * 100, Start);
         _exchanges = new VirtualExchanges(new VirtualClock(Start, ControlAhead + clockError, ControlSkew), settings.Seed * 100 + 50, Start);
-        _work = settings.Work == null ? null : new VirtualWork(settings.Work, control, settings.Seed * 100 + 90, Start);
+        _work = work == null ? null : new VirtualWork(work, control, settings.Seed * 100 + 90, Start);
         var session = DemoStage.SessionOf(settings, new ConnectionSettings("127.0.0.1", 1, 1));
         var samples = (int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000;
         _headset = hasScene

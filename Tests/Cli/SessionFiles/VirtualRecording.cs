@@ -43,8 +43,8 @@ sealed class VirtualRecording
         var clock = new VirtualClock(Start, TimeSpan.FromSeconds(1_700_000_000), 37e-6);
         var settings = new VirtualCellSettings(samplingMs, 55, 105, jitterMs, loss, NetworkProfile.Wifi);
         var motion = new PickAndPlaceMotion(robot);
-        var work = hasWork ? new CellWork(robot, motion) : null;
-        var cell = work == null ? new VirtualCell(motion, clock, settings, seed, Start) : new VirtualCell(work, clock, settings, seed, Start);
+        CellMotion motions = hasWork ? new CellWork(robot, motion) : new CellMotion(motion);
+        var cell = new VirtualCell(motions, clock, settings, seed, Start);
         if (planLagMs.HasValue) cell.PlanLag = TimeSpan.FromMilliseconds(planLagMs.Value);
         using var session = new CompensationSession(
             new SessionSettings(
@@ -53,7 +53,7 @@ sealed class VirtualRecording
             robot, new StopwatchHeadsetClock());
         session.Clock.Judged += (in SyncExchange e, SyncVerdict _, SyncExchangeFault _) =>
             result.Exchanges.Add(FormattableString.Invariant($"{e.T1.Nanoseconds},{e.T2.Nanoseconds},{e.T3.Nanoseconds},{e.T4.Nanoseconds}"));
-        foreach (var name in work?.Names ?? []) session.Frames.Need(name);
+        foreach (var name in motions.Work?.Names ?? []) session.Frames.Need(name);
         using (var recorder = new SessionRecorder(session, new RecordingSettings(path)))
         {
             for (var i = 0; i < seconds * 60; i++)

@@ -53,7 +53,7 @@ public class BodiesInDemoTests
     public void Slip_MovingGripperWithoutItsObjectAsDisplayed_IsTheDistanceOfTheObjectFromTheGripper()
     {
         var run = VirtualStage.Play(Settings(1) with { Seconds = 12 }, hasScene: false);
-        var work = run.Settings.Work;
+        var work = run.Settings.Motion.Work;
         var late = new DemoBodies(work);
         for (var frame = 0; frame < run.Frames.Rows.Count; frame++)
             for (var body = 0; body < work.Names.Count; body++)

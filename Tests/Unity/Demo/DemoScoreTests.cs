@@ -158,7 +158,7 @@ public class DemoScoreTests
     [TestCase(false)]
     public void Failure_PoseOfAnObjectIsNotFinite_NamesTheObject(bool isDisplayed)
     {
-        var work = VirtualDemo.Settings(20, "wifi", 1).Work;
+        var work = VirtualDemo.Settings(20, "wifi", 1).Motion.Work;
         var (good, bad) = (RigidTransform.Identity, RigidTransform.FromXyzRpy(0, double.NaN, 0, 0, 0, 0));
         var bodies = new DemoBodies(work);
         for (var body = 0; body < 2 * work.Names.Count; body++)

@@ -15,11 +15,10 @@ static class VirtualDemo
     {
         var robot = RobotFiles.Load(name, out var urdf);
         var motion = new PickAndPlaceMotion(robot);
-        var work = hasWork ? new CellWork(robot, motion) : null;
         return new DemoSettings
         {
             Seconds = seconds, Network = NetworkProfile.Named(network), Robot = robot, RobotText = urdf,
-            Motion = work?.Motions[0].Motion ?? motion, Work = work,
+            Motion = hasWork ? new CellWork(robot, motion) : new CellMotion(motion),
             Predictor = predictor, SamplingMs = 50, Acquisition = new(55, 105), VisualisationMs = 40, Seed = seed,
         };
     }

@@ -4,6 +4,7 @@ using Nowpose.Gateway.Plants;
 using Nowpose.Motion;
 using Nowpose.Network;
 using Nowpose.Session;
+using Nowpose.Simulation.Work;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
@@ -29,7 +30,7 @@ public class SessionConnectionTests
     {
         var control = StopwatchControlClock.FromUnixTime();
         using var plant = new SimulatedCell(
-            new PickAndPlaceMotion(RobotFiles.Load("ur5")), control,
+            new CellMotion(new PickAndPlaceMotion(RobotFiles.Load("ur5"))), control,
             new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20)), seed: 1);
         await using var gateway = await GatewayServer.StartAsync(new GatewayOptions { SyncPort = 0, WebSocketPort = 0 }, control);
         using var robot = gateway.Hub.OpenSource();

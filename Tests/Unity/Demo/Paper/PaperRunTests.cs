@@ -80,8 +80,8 @@ public class PaperRunTests
     {
         var run = PaperScene.Play(1, seconds: 12).Run;
 
-        Assert.That(PaperScene.Given(1).Work, Is.Not.Null);
-        Assert.That((run.Settings.Work, run.Bodies), Is.EqualTo(((object)null, (object)null)));
+        Assert.That(PaperScene.Given(1).Motion.Work, Is.Not.Null);
+        Assert.That((run.Settings.Motion.Work, run.Bodies), Is.EqualTo(((object)null, (object)null)));
         Assert.That(new DemoScore(run).Result().Bodies, Is.Null);
     }
 

@@ -46,7 +46,7 @@ static class PaperScene
     {
         var given = Given(seed) with { Seconds = seconds, Profile = profile ?? ProfileOf(VisuMs), Network = network ?? NetworkProfile.Wifi };
         var settings = PaperScenario.Of(given, Swing);
-        var sampled = stampErrorMs == 0 ? null : new LateSampling(settings.Motion, stampErrorMs / 1000);
+        var sampled = stampErrorMs == 0 ? null : new LateSampling(settings.Motion.Motions[0].Motion, stampErrorMs / 1000);
         return new PaperRun(1, VirtualStage.Play(settings, hasScene: true, sampled, TimeSpan.FromMilliseconds(clockErrorMs)), Swing);
     }
 
@@ -54,11 +54,10 @@ static class PaperScene
     public static DemoSettings Given(int seed)
     {
         var robot = RobotFiles.Load("youbot");
-        var work = new CellWork(robot, new PickAndPlaceMotion(robot));
         return new()
         {
             Network = NetworkProfile.Wifi, Acquisition = new(55, 105), VisualisationMs = VisuMs, Seed = seed,
-            Robot = robot, Motion = work.Motions[0].Motion, Work = work,
+            Robot = robot, Motion = new CellWork(robot, new PickAndPlaceMotion(robot)),
         };
     }
 

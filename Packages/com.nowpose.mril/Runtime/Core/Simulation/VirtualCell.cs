@@ -31,23 +31,20 @@ namespace Nowpose.Simulation
         /// <param name="seed">Seed of all delays and losses.</param>
         /// <param name="start">Start of the motion.</param>
         public VirtualCell(IMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start)
-            : this(new[] { ("", motion) }, clock, settings, seed, start)
+            : this(new CellMotion(motion), clock, settings, seed, start)
         {
         }
 
-        /// <summary>Creates a cell whose robots move workpieces.</summary>
+        /// <summary>Creates a cell with any number of robots, which may move workpieces.</summary>
         /// <inheritdoc cref="VirtualCell(IMotion, VirtualClock, VirtualCellSettings, int, HeadsetTime)"/>
-        internal VirtualCell(CellWork work, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start)
-            : this(work.Motions, clock, settings, seed, start) => _work = new VirtualWork(work, clock, unchecked(seed * 100 + 90), start);
-
-        VirtualCell(
-            IReadOnlyList<(string Namespace, IMotion Motion)> robots, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start)
+        internal VirtualCell(CellMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start)
         {
-            _robots = robots;
+            _robots = motion.Motions;
             _start = start;
-            _samples = new VirtualSamples(robots, clock, unchecked(seed * 100), start);
+            _samples = new VirtualSamples(_robots, clock, unchecked(seed * 100), start);
             _exchanges = new VirtualExchanges(clock, unchecked(seed * 100 + 50), start);
-            _plans = new VirtualPlans(robots, clock, unchecked(seed * 100 + 70), start);
+            _plans = new VirtualPlans(_robots, clock, unchecked(seed * 100 + 70), start);
+            _work = motion.Work == null ? null : new VirtualWork(motion.Work, clock, unchecked(seed * 100 + 90), start);
             Settings = settings;
         }
 
