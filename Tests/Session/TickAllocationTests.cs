@@ -8,6 +8,7 @@ using Nowpose.Protocol.Cell;
 using Nowpose.Recording;
 using Nowpose.Session;
 using Nowpose.Simulation;
+using Nowpose.Simulation.Work;
 using Nowpose.Sync;
 using NUnit.Framework;
 
@@ -118,6 +119,54 @@ public class TickAllocationTests
 
         Assert.That(allocated, Is.EqualTo(0));
         Assert.That(current, Is.GreaterThan(600));
+    }
+
+    // No message arrives for several samples, and then all of them arrive before one frame. No frame is shown in between, or the frames continue.
+    [TestCase(20, true)]
+    [TestCase(20, false)]
+    [TestCase(50, true)]
+    [TestCase(50, false)]
+    public void Tick_DelayedMessagesArriveTogether_AllocatesNothing(double samplingMs, bool areFramesDelayed)
+    {
+        var robot = RobotFiles.Load("youbot");
+        var start = HeadsetTime.FromSeconds(10);
+        var work = new CellWork(robot, new PickAndPlaceMotion(robot));
+        var conditions = new VirtualCellSettings(samplingMs, 55, 105, 0, 0, NetworkProfile.Wifi);
+        var cell = new VirtualCell(work, new VirtualClock(start, TimeSpan.FromSeconds(1000), 37e-6), conditions, seed: 3, start);
+        using var session = new CompensationSession(
+            new SessionSettings(new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40)), robot, new StopwatchHeadsetClock());
+        using var recorder = new SessionRecorder(session, new RecordingSettings("nowhere", () => Stream.Null));
+        foreach (var name in work.Names) session.Frames.Need(name);
+        foreach (var name in work.Signals) session.Signals.Need(name);
+        var random = new Random(4);
+        var (now, allocated, held) = (start, 0L, 0);
+        Run(10, hasMessages: true);
+        allocated = 0;
+
+        for (var i = 0; i < 20; i++)
+        {
+            var delay = 0.3 + 1.7 * random.NextDouble();
+            if (areFramesDelayed) now += TimeSpan.FromSeconds(delay);
+            else Run(delay, hasMessages: false);
+            Run(2, hasMessages: true);
+        }
+
+        Assert.That(allocated, Is.Zero, "seeds 3 and 4");
+        Assert.That(held, areFramesDelayed ? Is.Zero : Is.GreaterThan(100));
+        Assert.That(session.Tick(now).State, Is.EqualTo(PoseState.Current));
+
+        void Run(double seconds, bool hasMessages)
+        {
+            for (var frame = 0; frame < seconds * 60; frame++)
+            {
+                now += TimeSpan.FromTicks(TimeSpan.TicksPerSecond / 60);
+                if (hasMessages) cell.Run(now, session);
+                var before = GC.GetAllocatedBytesForCurrentThread();
+                var state = session.Tick(now).State;
+                allocated += GC.GetAllocatedBytesForCurrentThread() - before;
+                if (state == PoseState.Held) held++;
+            }
+        }
     }
 
     static double[] Positions(int count, int frame) => [.. Enumerable.Range(0, count).Select(joint => 0.005 * Math.Sin(frame * 0.05 + joint))];
