@@ -23,7 +23,8 @@ namespace Nowpose.Unity.Cell
     }
 
     /// <summary>
-    /// Lists the objects, signals and other robots of the cell that components show, with the faults of the parts that are not current.
+    /// Lists the objects, signals and other robots of the cell that components show, with the faults of the parts that are not current, the most
+    /// severe first.
     /// </summary>
     sealed class ShownParts
     {
@@ -84,11 +85,22 @@ namespace Nowpose.Unity.Cell
             {
                 if (!(part.Fault is string fault)) continue;
                 _notCurrent++;
-                if (!part.IsFaultCommon) _faults.Add((part.Title, fault, part.FaultSince));
+                if (!part.IsFaultCommon) AddFault((part.Title, fault, part.FaultSince));
             }
             if (_count == _parts.Count && former == _notCurrent) return;
             _count = _parts.Count;
             Summary = _count == 0 ? "" : _notCurrent == 0 ? _count + " current" : StatusMessages.NotCurrent(_notCurrent);
         }
+
+        // Parts that have had no data yet come first, then those that failed last, as in the diagnostics. Otherwise, the order is that of the scene.
+        // List.Sort is not stable, and allocates on Mono.
+        void AddFault((string Title, string Fault, ControlTime? Since) fault)
+        {
+            var index = _faults.Count;
+            while (index > 0 && IsBefore(fault.Since, _faults[index - 1].Since)) index--;
+            _faults.Insert(index, fault);
+        }
+
+        static bool IsBefore(ControlTime? a, ControlTime? b) => b.HasValue && !(a <= b);
     }
 }

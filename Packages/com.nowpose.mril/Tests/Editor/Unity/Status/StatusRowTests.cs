@@ -49,6 +49,19 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
+        public void Update_MorePartsNotCurrentThanRows_NamesThoseWithoutDataAndThenThoseThatFailedLast()
+        {
+            var parts = new ShownParts();
+            for (var i = 0; i < 8; i++) parts.Add(new Part("object box_" + i) { FaultSince = i == 6 ? (ControlTime?)null : ControlTime.FromSeconds(1000 + i) });
+            var texts = new StatusTexts();
+
+            texts.Update(new SessionStatistics { Pose = PoseState.Current }, Loopback, "test", null, parts: parts);
+
+            var rows = Enumerable.Range((int)StatusRow.FirstPart, 6).Select(row => texts.ValueOf((StatusRow)row));
+            Assert.That(rows, Is.EqualTo(new[] { 6, 7, 5, 4, 3 }.Select(i => "! object box_" + i).Append("! and 3 more")));
+        }
+
+        [Test]
         public void Update_LongMessage_LeavesFewerRowsForParts()
         {
             var parts = new ShownParts();
@@ -91,20 +104,20 @@ namespace Nowpose.Tests.Unity.Status
             parts.Add(new Part("object lid"));
             var now = new DateTime(2026, 3, 5, 14, 3, 20);
             var texts = new StatusTexts(() => now);
-            string Label(double seconds, StatusRow row = StatusRow.FirstPart)
+            string Label(double seconds, StatusRow row = StatusRow.SecondPart)
             {
                 texts.Update(new SessionStatistics { Now = ControlTime.FromSeconds(seconds) }, Loopback, "test", null, parts: parts);
                 return texts.LabelOf(row);
             }
 
             var label = Label(1008);
-            Assert.That((label, Label(1008, StatusRow.SecondPart), Label(1008, StatusRow.ThirdPart)), Is.EqualTo(("since 14:03:12", "", "")));
+            Assert.That((label, Label(1008, StatusRow.FirstPart), Label(1008, StatusRow.ThirdPart)), Is.EqualTo(("since 14:03:12", "", "")));
             now = now.AddSeconds(600.4);
             Assert.That(Label(1608), Is.SameAs(label), "the two clocks are not read at the same moment");
             now = now.AddDays(1);
             Assert.That(Label(1608 + 86400), Is.EqualTo(StatusMessages.Since("Mar 5")));
             texts.Update(new SessionStatistics(), Loopback, "test", null, parts: parts);
-            Assert.That(texts.LabelOf(StatusRow.FirstPart), Is.Empty, "the control time is not known");
+            Assert.That(texts.LabelOf(StatusRow.SecondPart), Is.Empty, "the control time is not known");
         }
 
         [Test]
