@@ -28,7 +28,6 @@ sealed class RecordedSession
     readonly List<PlannedMotion> _plans = [];
     readonly List<PoseLine> _poses = [];
     readonly List<(string Frame, RigidTransform Pose)> _objects = [];
-    readonly NewestPoses _newest = new();
     readonly Dictionary<string, (double Value, int Changes)> _signals = [];
     int _line, _timeLine;
     long _planned;
@@ -99,24 +98,21 @@ sealed class RecordedSession
     /// <summary>Gets the pose of a pose event.</summary>
     public PoseLine PoseOf(in Event pose) => _poses[pose.First];
 
-    /// <summary>Gets the displayed pose of an object event, in the same parent as the newest pose of the object, and the name of its frame.</summary>
+    /// <summary>Gets the displayed pose of an object event in the world, and the name of its frame.</summary>
     public (string Frame, RigidTransform Pose) ObjectOf(in Event shown) => _objects[shown.First];
 
     void Add(PoseLine pose)
     {
-        _newest.Add(pose);
-        if (pose.IsStationary) return;
-        if (pose.ControlArrival is { } arrival) AddFramesUntil(arrival);
+        if (!pose.IsStationary && pose.ControlArrival is { } arrival) AddFramesUntil(arrival);
         _events.Add(new Event(EventKind.Pose, pose.Stamp, true, _timeLine, _poses.Count, 1));
         _poses.Add(pose);
     }
 
-    // The true pose is known in the parent of the received poses. If this parent moves, the displayed pose cannot be compared with it.
     void Add(ObjectLine shown)
     {
-        if (shown.Light is not { } light || _newest.PoseInParent(shown.Frame, shown.Pose) is not { } pose) return;
+        if (shown.Light is not { } light) return;
         _events.Add(new Event(EventKind.Object, light, true, _timeLine, _objects.Count, 1));
-        _objects.Add((string.Intern(shown.Frame), pose));
+        _objects.Add((string.Intern(shown.Frame), shown.Pose));
     }
 
     // A source repeats the current value for each new connection. A repeated value is not counted as a change.

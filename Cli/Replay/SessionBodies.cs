@@ -1,15 +1,20 @@
 using Nowpose.Anchoring;
+using Nowpose.Cli.SessionFiles;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Prediction.Samples;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Cli.Replay;
 
 /// <summary>Replays the tracked frames of a recorded session in virtual time, with one predictor per frame.</summary>
 /// <remarks>
 /// Events are processed in the order of the file, as for joints. The truth is interpolated between the last sample before the display time and the
-/// first sample after it. It is unknown across a change of the parent, a restart of the source, and gaps. Displayed frames in which an object does not
-/// move, or whose newest sample is too old to be shown as current, are not scored.
+/// first sample after it. It is unknown across a change of the parent, a restart of the source, and gaps. Poses are compared in the world, to which the
+/// poses of the object and of all frames above it are composed; below the link of a robot, they are compared relative to this link, because a recording
+/// does not have the poses of links. Displayed frames in which an object does not move, or in which the newest sample of the object or of a frame above it
+/// is too old to be shown as current, are not scored.
 /// </remarks>
 sealed class SessionBodies
 {
@@ -20,6 +25,9 @@ sealed class SessionBodies
     readonly ReplaySettings _settings;
     readonly RandomStream _stampErrors;
     readonly SortedDictionary<string, Body> _bodies = new(StringComparer.Ordinal);
+    readonly Dictionary<string, PoseLine> _stationary = new(StringComparer.Ordinal);
+    // The poses from an object up to the world or to the link of a robot; the body is null for a stationary frame.
+    readonly List<(Body Body, RigidTransform Pose)> _path = [];
 
     public SessionBodies(RecordedSession session, ReplaySettings settings)
     {
@@ -32,6 +40,7 @@ sealed class SessionBodies
         {
             if (pose.Kind != RecordedSession.EventKind.Pose) continue;
             var line = session.PoseOf(pose);
+            if (line.IsStationary) continue;
             if (!_bodies.TryGetValue(line.Frame, out var body)) _bodies.Add(line.Frame, body = new Body(newPredictor, prediction.MaximumGap));
             body.AddTruth(pose.TimeLine, line.Parent, pose.At, line.Position, line.Rotation);
         }
@@ -47,9 +56,8 @@ sealed class SessionBodies
             report?.Invoke(i);
             var next = _session.Events[i];
             if (next.Kind == RecordedSession.EventKind.Frame) frame = next;
-            if (next.Kind == RecordedSession.EventKind.Pose) _bodies[_session.PoseOf(next).Frame].Take(_settings.StampError * (2 * _stampErrors.Next() - 1));
-            else if (next.Kind == RecordedSession.EventKind.Frame && next.IsTimed)
-                foreach (var body in _bodies.Values) body.Show(next.TimeLine, next.At, _settings.LatencyError);
+            if (next.Kind == RecordedSession.EventKind.Pose) Take(_session.PoseOf(next));
+            else if (next.Kind == RecordedSession.EventKind.Frame && next.IsTimed) Show(next);
             // The line of the frame is missing if the recording could not keep up.
             else if (next.Kind == RecordedSession.EventKind.Object && frame.IsTimed && (frame.At, frame.TimeLine) == (next.At, next.TimeLine))
             {
@@ -60,6 +68,57 @@ sealed class SessionBodies
         return [.. _bodies.Where(body => body.Value.Frames > 0).Select(body => body.Value.Result(body.Key, _settings.Predictor))];
     }
 
+    void Take(PoseLine pose)
+    {
+        if (pose.IsStationary)
+        {
+            _stationary[pose.Frame] = pose;
+            return;
+        }
+        _stationary.Remove(pose.Frame);
+        _bodies[pose.Frame].Take(_settings.StampError * (2 * _stampErrors.Next() - 1));
+    }
+
+    void Show(in RecordedSession.Event frame)
+    {
+        foreach (var body in _bodies.Values) body.Predict(frame.TimeLine, frame.At, _settings.LatencyError);
+        foreach (var (name, body) in _bodies)
+            if (TryFindPath(name, out var isInWorld) && BodyError.IsMoving(seconds => Compose(each => each.TrueAt(seconds)), 0))
+                body.Score(Compose(each => each.Held), Compose(each => each.Predicted), Compose(each => each.TrueAt(0)), isInWorld);
+    }
+
+    // Returns false if the true pose of the object or of a frame above it is unknown.
+    bool TryFindPath(string frame, out bool isInWorld)
+    {
+        _path.Clear();
+        while (_path.Count <= ProtocolLimits.FrameDepth)
+        {
+            if (_stationary.TryGetValue(frame, out var line))
+            {
+                _path.Add((null, line.Rotation.At(line.Position.X, line.Position.Y, line.Position.Z)));
+                frame = line.Parent;
+            }
+            else if (_bodies.TryGetValue(frame, out var body) && body.IsKnown)
+            {
+                _path.Add((body, default));
+                frame = body.Parent;
+            }
+            else
+            {
+                isInWorld = frame == FrameParents.World;
+                return body == null;
+            }
+        }
+        return isInWorld = false;
+    }
+
+    RigidTransform Compose(Func<Body, RigidTransform> poseOf)
+    {
+        var composed = RigidTransform.Identity;
+        foreach (var (body, pose) in _path) composed = (body == null ? pose : poseOf(body)) * composed;
+        return composed;
+    }
+
     /// <summary>Consecutive poses of a tracked frame with the same parent, without a step of the clock or a restart of the source between them.</summary>
     sealed class Stretch(int timeLine, string parent, ControlTime epoch)
     {
@@ -67,6 +126,7 @@ sealed class SessionBodies
         ControlTime? _newest;
 
         public int TimeLine => timeLine;
+        public string Parent => parent;
         public List<PoseSample> Samples { get; } = [];
 
         public double Seconds(ControlTime t) => ClockTicks.Seconds(t - epoch);
@@ -96,11 +156,28 @@ sealed class SessionBodies
         readonly BodyError _displayedRotation = new();
         BodyPredictor _predictor;
         int _stretch = -1, _taken;
-        double _displayed = double.NaN, _newest;
-        // True pose in the newest frame; null if the frame is not scored.
-        RigidTransform? _truth;
+        double _displayed = double.NaN, _newest, _time;
+        // Held and true pose in the world in the newest frame; null if the frame is not scored.
+        (RigidTransform Held, RigidTransform Truth)? _scored;
 
         public int Frames { get; private set; }
+
+        /// <summary>Whether the true pose in the newest frame is known, and the predicted pose would be shown as current.</summary>
+        public bool IsKnown { get; private set; }
+
+        public string Parent => _stretches[_stretch].Parent;
+
+        /// <summary>Predicted pose in the parent in the newest frame.</summary>
+        public RigidTransform Predicted { get; private set; }
+
+        public RigidTransform Held => _predictor.Hold;
+
+        /// <summary>Returns the true pose in the parent at a time after the display time of the newest frame, s.</summary>
+        public RigidTransform TrueAt(double seconds)
+        {
+            var (x, y, z, rotation) = _stretches[_stretch].Truth.At(_time + seconds);
+            return rotation.At(x, y, z);
+        }
 
         public void AddTruth(int timeLine, string parent, ControlTime at, in Vector3D position, in UnitQuaternion rotation)
         {
@@ -124,36 +201,34 @@ sealed class SessionBodies
             _predictor.Add(new PoseSample(sample.Time + stampError, sample.Position, sample.Rotation, sample.Time), _displayed);
         }
 
-        public void Show(int timeLine, ControlTime light, double latencyError)
+        public void Predict(int timeLine, ControlTime light, double latencyError)
         {
-            _truth = null;
+            (IsKnown, _scored) = (false, null);
             if (_stretch < 0 || _stretches[_stretch].TimeLine != timeLine) return;
             var stretch = _stretches[_stretch];
-            var time = stretch.Seconds(light);
-            _displayed = time + latencyError;
-            var predicted = _predictor.At(_displayed);
+            _time = stretch.Seconds(light);
+            _displayed = _time + latencyError;
+            Predicted = _predictor.At(_displayed);
             var gap = ClockTicks.Seconds(maximumGap);
-            if (_taken < SamplesBeforeScoring || time - _newest > gap || stretch.Truth is not { } truth || truth.GapAt(time) > gap) return;
-            if (!BodyError.IsMoving(PoseAt, time)) return;
-            var pose = PoseAt(time);
-            _position.Add(_predictor.Hold.DistanceTo(pose), predicted.DistanceTo(pose));
-            _rotation.Add(_predictor.Hold.AngleTo(pose), predicted.AngleTo(pose));
-            Frames++;
-            _truth = pose;
-
-            RigidTransform PoseAt(double t)
-            {
-                var (x, y, z, rotation) = truth.At(t);
-                return rotation.At(x, y, z);
-            }
+            IsKnown = _taken >= SamplesBeforeScoring && _time - _newest <= gap && stretch.Truth?.GapAt(_time) <= gap;
         }
 
-        /// <summary>Scores the pose at which the session displayed the object in the newest frame.</summary>
+        /// <summary>Scores the newest frame.</summary>
+        /// <param name="isInWorld">Whether the poses are in the world, as those that the session displayed.</param>
+        public void Score(in RigidTransform held, in RigidTransform predicted, in RigidTransform truth, bool isInWorld)
+        {
+            _position.Add(held.DistanceTo(truth), predicted.DistanceTo(truth));
+            _rotation.Add(held.AngleTo(truth), predicted.AngleTo(truth));
+            Frames++;
+            if (isInWorld) _scored = (held, truth);
+        }
+
+        /// <summary>Scores the pose in the world at which the session displayed the object in the newest frame.</summary>
         public void AddDisplayed(in RigidTransform pose)
         {
-            if (_truth is not { } truth) return;
-            _displayedPosition.Add(_predictor.Hold.DistanceTo(truth), pose.DistanceTo(truth));
-            _displayedRotation.Add(_predictor.Hold.AngleTo(truth), pose.AngleTo(truth));
+            if (_scored is not var (held, truth)) return;
+            _displayedPosition.Add(held.DistanceTo(truth), pose.DistanceTo(truth));
+            _displayedRotation.Add(held.AngleTo(truth), pose.AngleTo(truth));
         }
 
         public BodyReplayResult Result(string name, string predictor) => new(
