@@ -60,7 +60,7 @@ async function shoot(page, [first, last], file) {
 async function draw(graphics, write) {
   const gateway = await FakeGateway.start();
   setState(gateway);
-  const browser = await Browser.start('report', graphics);
+  const browser = await Browser.start(graphics);
   try {
     await write(browser, gateway);
   } finally {
@@ -70,7 +70,7 @@ async function draw(graphics, write) {
 }
 
 async function drawPictures(browser, gateway) {
-  const data = stored('demo'), report = await browser.open(data, { viewport: { width: 1160, height: 640 } });
+  const data = stored('demo'), report = await browser.open('report', data, { viewport: { width: 1160, height: 640 } });
   await shoot(report, ['header', '#error'], PICTURES.report.file);
 
   const slider = report.locator('#playback input[type=range]');
@@ -79,7 +79,7 @@ async function drawPictures(browser, gateway) {
   await settled(report);
   await report.locator('#playback').screenshot({ path: path(PICTURES['virtual-cell'].file) });
 
-  const calibration = await browser.open(stored('calibration'), { name: 'calibration', viewport: { width: 1160, height: 800 } });
+  const calibration = await browser.open('calibration', stored('calibration'), { viewport: { width: 1160, height: 800 } });
   await shoot(calibration, ['header', 'section:has(#section-1)'], PICTURES.calibration.file);
 
   const operations = await openOperations(browser.browser, gateway, { width: 1280, height: 2560 });
@@ -93,8 +93,8 @@ async function drawPictures(browser, gateway) {
 
 async function writeTexts(browser, gateway) {
   const texts = {
-    report: await textsOf(await browser.open(stored('demo'))),
-    calibration: await textsOf(await browser.open(stored('calibration'), { name: 'calibration' })),
+    report: await textsOf(await browser.open('report', stored('demo'))),
+    calibration: await textsOf(await browser.open('calibration', stored('calibration'))),
     operations: await textsOf(await openOperations(browser.browser, gateway)),
   };
   writeFileSync(path('texts.json'), JSON.stringify(texts, null, 2) + '\n');

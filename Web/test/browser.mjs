@@ -13,8 +13,10 @@ const { chromium } = createRequire(import.meta.url)('playwright-core');
 export const WEBGL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-accelerated-2d-canvas'];
 export const NO_WEBGL = ['--disable-gpu', '--disable-3d-apis'];
 
+// With a single renderer process per context, a page uses the scripts that the process has compiled for earlier pages.
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync'];
+  '--disable-component-update', '--disable-sync', '--renderer-process-limit=1'];
+const VIEWPORT = { width: 1280, height: 800 };
 // Prefers the headless shell, because the full browser starts window processes for each page although no window is visible.
 const NAMES = ['chromium-headless-shell', 'chromium', 'chromium-browser', 'google-chrome', 'chrome'];
 const read = name => readFileSync(new URL(`../dist/${name}.html`, import.meta.url), 'utf8');
@@ -40,15 +42,12 @@ export function render(data, name = 'report') {
 }
 
 export class Browser {
-  /**
-   * @param name Name of the page: report or figures.
-   * @param graphics WEBGL, NO_WEBGL, or the default for a page that draws only plots.
-   */
-  static async start(name = 'report', graphics = ['--disable-gpu']) {
+  /** @param graphics WEBGL or NO_WEBGL. */
+  static async start(graphics = NO_WEBGL) {
     const self = new Browser();
-    self.name = name;
     self.folder = mkdtempSync(join(tmpdir(), 'nowpose-web-'));
     self.browser = await chromium.launch({ executablePath: executable(), args: [...FLAGS, ...graphics] });
+    self.contexts = new Map();
     return self;
   }
 
@@ -57,16 +56,46 @@ export class Browser {
     rmSync(this.folder, { recursive: true, force: true });
   }
 
-  /**
-   * Opens a page. Its `complaints` are exceptions, dialogs, console messages other than logs, and requests other than those for the page itself and
-   * for data URLs.
-   */
-  async open(data, { fragment = '', name = this.name, ...options } = {}) {
+  /** Writes a page to a file and returns its address. */
+  write(html) {
     const file = join(this.folder, `${Math.random().toString(36).slice(2)}.html`);
-    writeFileSync(file, render(data, name));
-    const address = pathToFileURL(file).href + fragment;
-    const context = await this.browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
-    const page = await context.newPage();
+    writeFileSync(file, html);
+    return pathToFileURL(file).href;
+  }
+
+  /**
+   * Creates an empty page in a context that all pages of a site share. The renderer process of the context runs until the browser is stopped.
+   * @param site Address of a document of the site that needs no script.
+   * @param options Size of the window, colour scheme and reduced motion. With `hasVirtualTime`, the page has its own context, and `page.clock` can skip
+   *   time.
+   */
+  async newPage(site, { viewport = VIEWPORT, hasVirtualTime = false, ...media } = {}) {
+    const page = hasVirtualTime ? await this.browser.newPage() : await (await this.contextOf(site)).newPage();
+    await page.setViewportSize(viewport);
+    await page.emulateMedia(media);
+    if (hasVirtualTime) await page.clock.install();
+    return page;
+  }
+
+  async contextOf(site) {
+    const { protocol, hostname } = new URL(site), key = protocol + hostname;
+    if (!this.contexts.has(key)) {
+      const context = await this.browser.newContext();
+      this.contexts.set(key, context);
+      // Without a page, the renderer process would end.
+      await (await context.newPage()).goto(site);
+    }
+    return this.contexts.get(key);
+  }
+
+  /**
+   * Opens a page from a file. Its `complaints` are exceptions, dialogs, console messages other than logs, and requests other than those for the page
+   * itself and for data URLs.
+   * @param options Size of the window, colour scheme, and fragment of the address.
+   */
+  async open(name, data, { fragment = '', ...options } = {}) {
+    const address = this.write(render(data, name)) + fragment;
+    const page = await this.newPage(this.blank ??= this.write(''), options);
     page.complaints = [];
     page.on('console', m => m.type() !== 'log' && page.complaints.push(`console ${m.type()}: ${m.text()}`));
     page.on('pageerror', e => page.complaints.push(`exception: ${e.message}`));

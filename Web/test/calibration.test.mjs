@@ -1,15 +1,13 @@
 import assert from 'node:assert/strict';
-import { after, before, describe, it } from 'node:test';
-import { Browser } from './browser.mjs';
+import { describe, it } from 'node:test';
 import { calibration } from './calibrationSample.mjs';
 import { explainedTerms } from './glossary.mjs';
 import { hasInk } from './inks.mjs';
+import { opener } from './pages.mjs';
 
 const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>';
 
-let browser;
-before(async () => { browser = await Browser.start('calibration'); });
-after(() => browser.stop());
+const open = opener('calibration');
 
 const texts = (page, selector) => page.locator(selector).allInnerTexts();
 
@@ -34,13 +32,13 @@ const inked = (page, plot, ink) => page.locator('.plot canvas').nth(plot).evalua
 
 describe('the calibration page', () => {
   it('explains terms of the glossary on hover', async () => {
-    const page = await browser.open(calibration());
+    const page = await open(calibration());
 
     assert.deepEqual(await explainedTerms(page), ['L_visu']);
   });
 
   it('opens without an error or a request, with the result first', async () => {
-    const page = await browser.open(calibration());
+    const page = await open(calibration());
 
     assert.deepEqual(page.complaints, []);
     assert.equal(await page.title(), 'Constant-latency range · Nowpose');
@@ -49,32 +47,32 @@ describe('the calibration page', () => {
   });
 
   it('shows its warnings', async () => {
-    const page = await browser.open(calibration({ warnings: ['limit not reached: sweep on'] }));
+    const page = await open(calibration({ warnings: ['limit not reached: sweep on'] }));
 
     assert.deepEqual(await texts(page, '.warning'), ['limit not reached: sweep on']);
   });
 
   it('draws an error bar at each mean with a deviation', async () => {
-    const bars = await inked(await browser.open(calibration()), 0, '--adaptive');
+    const bars = await inked(await open(calibration()), 0, '--adaptive');
     const none = calibration();
     none.sections[0].plots[0].traces[0].deviation = null;
-    const plain = await inked(await browser.open(none), 0, '--adaptive');
+    const plain = await inked(await open(none), 0, '--adaptive');
 
     assert.ok(bars.tallest > plain.tallest + 20, `${bars.tallest} of ${plain.tallest} pixels`);
   });
 
   it('draws individual pictures as points without a line between them', async () => {
-    const points = await inked(await browser.open(calibration()), 1, '--adaptive');
+    const points = await inked(await open(calibration()), 1, '--adaptive');
     const joined = calibration();
     joined.sections[1].plots[0].traces[0].scattered = false;
-    const line = await inked(await browser.open(joined), 1, '--adaptive');
+    const line = await inked(await open(joined), 1, '--adaptive');
 
     assert.ok(points.columns > 60, `${points.columns} columns`);
     assert.ok(line.tallest >= 1.5 * points.tallest, `${line.tallest} of ${points.tallest} pixels: the step is drawn only by the line`);
   });
 
   it('cites the figure and keeps the numbers in a table', async () => {
-    const page = await browser.open(calibration());
+    const page = await open(calibration());
 
     assert.match((await texts(page, 'main section'))[1], /Schnierle & Röck 2022, Fig\. 11a/);
     await page.locator('summary').click();
@@ -82,21 +80,21 @@ describe('the calibration page', () => {
   });
 
   it('draws plots in the colours of their signals in the dark scheme', async () => {
-    const page = await browser.open(calibration(), { colorScheme: 'dark' });
+    const page = await open(calibration(), { colorScheme: 'dark' });
 
     assert.ok(await hasInk(page, 0, '--adaptive'));
     assert.ok(await hasInk(page, 1, '--adaptive'));
   });
 
   it('shows hostile text as text', async () => {
-    const page = await browser.open(calibration({ title: HOSTILE, result: HOSTILE, warnings: [HOSTILE], facts: [[HOSTILE, HOSTILE]] }));
+    const page = await open(calibration({ title: HOSTILE, result: HOSTILE, warnings: [HOSTILE], facts: [[HOSTILE, HOSTILE]] }));
 
     assert.deepEqual(page.complaints, []);
     assert.equal((await texts(page, 'h1'))[0], HOSTILE);
   });
 
   it('fits a narrow window', async () => {
-    const page = await browser.open(calibration(), { viewport: { width: 360, height: 700 } });
+    const page = await open(calibration(), { viewport: { width: 360, height: 700 } });
 
     const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     assert.ok(overflow <= 0, `${overflow} px too wide`);

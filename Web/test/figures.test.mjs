@@ -1,26 +1,24 @@
 import assert from 'node:assert/strict';
-import { after, before, describe, it } from 'node:test';
-import { Browser } from './browser.mjs';
+import { before, describe, it } from 'node:test';
 import { figures } from './figuresSample.mjs';
 import { explainedTerms } from './glossary.mjs';
 import { contrast, hasInk, luminance, settled } from './inks.mjs';
 import { messages } from './messages.mjs';
+import { opener } from './pages.mjs';
 
 const { criterionLabels } = messages;
 
 const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>&lt;b&gt;"\'';
 const PLOTS = 5;
 
-let browser;
-before(async () => { browser = await Browser.start('figures'); });
-after(() => browser.stop());
+const open = opener('figures');
 
 const texts = (page, selector) => page.locator(selector).allInnerTexts();
 
 describe('the figures page', () => {
   // The tests that only read the page share it.
   let complete;
-  before(async () => { complete = await browser.open(figures()); });
+  before(async () => { complete = await open(figures()); });
 
   it('opens without an error or a request', async () => {
     assert.deepEqual(complete.complaints, []);
@@ -59,7 +57,7 @@ describe('the figures page', () => {
   });
 
   it('reads values at the cursor with the unit of the horizontal axis', async () => {
-    const page = await browser.open(figures());
+    const page = await open(figures());
 
     await page.locator('#fig-13a .u-over').hover();
 
@@ -68,7 +66,7 @@ describe('the figures page', () => {
   });
 
   it('zooms, moves and resets with the keyboard', async () => {
-    const page = await browser.open(figures());
+    const page = await open(figures());
     const plot = page.locator('#fig-16 .plot');
     const picture = () => plot.locator('canvas').evaluate(c => c.toDataURL());
     const first = await picture();
@@ -85,7 +83,7 @@ describe('the figures page', () => {
   });
 
   it('shows each drawing with its description, in the colours of the page', async () => {
-    const page = await browser.open(figures(), { colorScheme: 'dark' });
+    const page = await open(figures(), { colorScheme: 'dark' });
 
     const drawings = await page.locator('#fig-17 svg[role=img]').evaluateAll(all => all.map(s => [s.getAttribute('aria-label'),
       getComputedStyle(s.querySelector('line')).stroke, s.getBoundingClientRect().width]));
@@ -96,7 +94,7 @@ describe('the figures page', () => {
   });
 
   it('has the data of each figure in a table with a caption, and a dash for missing values', async () => {
-    const page = await browser.open(figures());
+    const page = await open(figures());
 
     await page.locator('#fig-13a summary').click();
 
@@ -116,13 +114,13 @@ describe('the figures page', () => {
   });
 
   it('lists the figures that an interrupted run did not compute', async () => {
-    const page = await browser.open({ ...figures(), missing: ['12', '18'] });
+    const page = await open({ ...figures(), missing: ['12', '18'] });
 
     assert.deepEqual(await texts(page, '.missing'), [messages.figuresMessages.notComputed('Fig. 12, Fig. 18')]);
   });
 
   it('opens at the section that the address names', async () => {
-    const page = await browser.open(figures(), { fragment: '#fig-17' });
+    const page = await open(figures(), { fragment: '#fig-17' });
 
     const top = await page.locator('#fig-17').evaluate(s => s.getBoundingClientRect().top);
     assert.ok(top > -5 && top < 500, `at ${top} px`);
@@ -136,7 +134,7 @@ describe('any window and any text', () => {
     data.conditions = [[HOSTILE, HOSTILE]];
     Object.assign(data.figures[2], { title: HOSTILE, claim: HOSTILE, beyond: HOSTILE, conditions: HOSTILE, file: HOSTILE });
     data.figures[2].criteria[0].measured = HOSTILE;
-    const page = await browser.open(data);
+    const page = await open(data);
 
     assert.deepEqual(page.complaints, []);
     assert.equal(await page.locator('img').count(), 0);
@@ -145,7 +143,7 @@ describe('any window and any text', () => {
 
   for (const width of [320, 360, 768, 1920]) {
     it(`fits a window of ${width} px`, async () => {
-      const page = await browser.open(figures(), { viewport: { width, height: 800 } });
+      const page = await open(figures(), { viewport: { width, height: 800 } });
 
       const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
       assert.ok(content <= window, `${content} px of content`);
@@ -154,7 +152,7 @@ describe('any window and any text', () => {
 
   it('distinguishes Nowpose\u2019s, the paper\u2019s and the uncompensated signals by lightness, from each other and from the page', async () => {
     for (const colorScheme of ['light', 'dark']) {
-      const page = await browser.open(figures(), { colorScheme });
+      const page = await open(figures(), { colorScheme });
       const [adaptive, gp, quadratic, cubic, linear, surface] = await luminance(
         page, ['--adaptive', '--gp', '--quadratic', '--cubic', '--linear', '--surface']);
       assert.ok(contrast(adaptive, quadratic) > 1.5, `${colorScheme}: adaptive and quadratic`);
@@ -166,14 +164,14 @@ describe('any window and any text', () => {
 
   it('shows verdicts with sufficient contrast', async () => {
     for (const colorScheme of ['light', 'dark']) {
-      const page = await browser.open(figures(), { colorScheme });
+      const page = await open(figures(), { colorScheme });
       const [met, partly, unmet, surface] = await luminance(page, ['--met', '--partly', '--unmet', '--surface']);
       for (const ink of [met, partly, unmet]) assert.ok(contrast(ink, surface) > 4.5, `${colorScheme}: ${contrast(ink, surface)}`);
     }
   });
 
   it('prints in the light scheme, with plots as wide as the page', async () => {
-    const page = await browser.open(figures(), { colorScheme: 'dark' });
+    const page = await open(figures(), { colorScheme: 'dark' });
 
     await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
     await settled(page);

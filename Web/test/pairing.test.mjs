@@ -6,9 +6,9 @@ import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { after, before, describe, it } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { Browser } from './browser.mjs';
 import { explainedTerms } from './glossary.mjs';
 import { messages } from './messages.mjs';
+import { browserWith } from './pages.mjs';
 import { readBlocks, readElement } from './qr.mjs';
 import { skipWithout } from './required.mjs';
 
@@ -27,7 +27,7 @@ describe('pairing', { skip: skipWithout(gateway !== undefined, 'the gateway is n
   let folder, process, ended, facts, browser, page;
 
   before(async () => {
-    browser = await Browser.start('pairing');
+    browser = await browserWith();
     folder = browser.folder;
     const options = ['--sync-port', '0', '--ws-port', '0', '--pairing', join(folder, 'headsets.txt'), '--cell', 'Press 3'];
     process = spawn('dotnet', [gateway, 'serve', ...options]);
@@ -50,10 +50,9 @@ describe('pairing', { skip: skipWithout(gateway !== undefined, 'the gateway is n
   });
 
   after(async () => {
-    // The gateway still writes to the folder, so the folder is deleted later, together with the browser.
     process?.kill('SIGINT');
     await ended;
-    await browser?.stop();
+    await page?.close();
   });
 
   const port = () => new URL(facts.pair).port;

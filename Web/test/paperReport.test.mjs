@@ -1,17 +1,15 @@
 import assert from 'node:assert/strict';
-import { after, before, describe, it } from 'node:test';
-import { Browser } from './browser.mjs';
+import { describe, it } from 'node:test';
 import { figures } from './figuresSample.mjs';
 import { messages } from './messages.mjs';
+import { opener } from './pages.mjs';
 import { report } from './sample.mjs';
 
 const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>&lt;b&gt;"\'';
 const PLOTS = 6;
 const { criterionLabels, figuresLabels } = messages;
 
-let browser;
-before(async () => { browser = await Browser.start(); });
-after(() => browser.stop());
+const open = opener('report');
 
 const text = (page, selector) => page.locator(selector).allInnerTexts();
 const plain = words => words.map(w => w.replaceAll('\u00ad', '').replaceAll('\u00a0', ' '));
@@ -27,7 +25,7 @@ describe('a report of the paper’s scenario', () => {
   });
 
   it('opens without an error and shows the paper’s figures in place of the demo’s sections', async () => {
-    const page = await browser.open(ofPaper());
+    const page = await open(ofPaper());
 
     assert.deepEqual(page.complaints, []);
     const headings = await text(page, 'h2');
@@ -37,7 +35,7 @@ describe('a report of the paper’s scenario', () => {
   });
 
   it('shows each claim with both numbers and its verdict', async () => {
-    const page = await browser.open(ofPaper());
+    const page = await open(ofPaper());
 
     const rows = await page.locator('#claims tbody tr').evaluateAll(all => all.map(row => [...row.children].map(cell => cell.innerText)));
     assert.deepEqual(plain(rows[0]), ['Fig. 8', 'The fitting error is less than 1 ms.', '1 ms', '0.3 ms', 'holds']);
@@ -53,7 +51,7 @@ describe('a report of the paper’s scenario', () => {
     clock.verdict = 'undecided';
     Object.assign(clock.criteria[0], { is_met: null, is_undecided: true, measured: '0.9 ms ± 0.3 ms' });
 
-    const page = await browser.open(data);
+    const page = await open(data);
 
     assert.deepEqual(page.complaints, []);
     const badges = page.locator('#claims tr:first-child .badge, #fig-8 h2 .badge');
@@ -69,7 +67,7 @@ describe('a report of the paper’s scenario', () => {
     const data = ofPaper();
     data.figures = data.figures.filter(f => f.number === '8');
 
-    const page = await browser.open(data);
+    const page = await open(data);
 
     assert.deepEqual(page.complaints, []);
     assert.deepEqual(plain(await text(page, '#claims tbody th')), ['Fig. 8', 'Fig. 16']);
@@ -82,7 +80,7 @@ describe('a report of the paper’s scenario', () => {
     Object.assign(clock, { verdict: 'not measured', plots: [], table: { columns: ['time (s)'], rows: [] } });
     for (const criterion of clock.criteria) Object.assign(criterion, { is_met: null, measured: 'not measured: the run was too short' });
 
-    const page = await browser.open(data);
+    const page = await open(data);
 
     assert.deepEqual(page.complaints, []);
     const signs = await page.locator('#fig-8 .sign').evaluateAll(all => all.map(s => s.getAttribute('aria-label')));

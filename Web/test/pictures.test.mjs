@@ -2,23 +2,19 @@
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
-import { after, before, describe, it } from 'node:test';
+import { describe, it } from 'node:test';
 import { openOperations, path, PICTURES, setState, stored, textsOf } from '../pictures/screens.mjs';
-import { Browser, NO_WEBGL } from './browser.mjs';
 import { FakeGateway } from './fakeGateway.mjs';
+import { browserWith, closeLater, opener } from './pages.mjs';
 
 const MAX_WIDTH = 1400, MAX_BYTES = 250_000, WIDTH_OFFSET = 16;
 const texts = JSON.parse(readFileSync(path('texts.json'), 'utf8'));
 const OUTDATED = 'the page has changed: run `npm run pictures` in Web, look at the pictures and commit them';
 
 describe('a picture of the manual', () => {
-  let browser;
-  before(async () => { browser = await Browser.start('report', NO_WEBGL); });
-  after(() => browser.stop());
-
   for (const [page, data] of [['report', 'demo'], ['calibration', 'calibration']]) {
     it(`has the texts of the current ${page} page`, async () => {
-      assert.deepEqual(await textsOf(await browser.open(stored(data), { name: page })), texts[page], OUTDATED);
+      assert.deepEqual(await textsOf(await opener(page)(stored(data))), texts[page], OUTDATED);
     });
   }
 
@@ -26,8 +22,9 @@ describe('a picture of the manual', () => {
     const gateway = await FakeGateway.start();
     try {
       setState(gateway);
+      const page = closeLater(await openOperations((await browserWith()).browser, gateway));
 
-      assert.deepEqual(await textsOf(await openOperations(browser.browser, gateway)), texts.operations, OUTDATED);
+      assert.deepEqual(await textsOf(page), texts.operations, OUTDATED);
     } finally {
       await gateway.stop();
     }

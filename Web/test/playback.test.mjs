@@ -1,11 +1,12 @@
 // Tests the playback of the session in the report. Robot, controls and plots must show the same moment.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { after, before, describe, it } from 'node:test';
-import { Browser, NO_WEBGL, WEBGL } from './browser.mjs';
+import { describe, it } from 'node:test';
+import { WEBGL } from './browser.mjs';
 import { drawn } from './drawn.mjs';
 import { settled } from './inks.mjs';
 import { messages } from './messages.mjs';
+import { opener } from './pages.mjs';
 import { picture } from './pixels.mjs';
 import { report } from './sample.mjs';
 
@@ -21,9 +22,7 @@ function withPlayback(change = {}) {
   return { ...report({ seconds: SECONDS }), playback: { urdf, names, t, truth: at(0), displayed: at(0.01), hold: at(0.1), ...change } };
 }
 
-let browser;
-before(async () => { browser = await Browser.start('report', WEBGL); });
-after(() => browser.stop());
+const open = opener('report', WEBGL);
 
 const words = page => page.textContent('#playback .apart');
 const time = async page => Number.parseFloat(await page.textContent('#playback .clock'));
@@ -31,18 +30,17 @@ const cursors = page => page.evaluate(() => ['error', 'joint', 'clock'].map(id =
 
 describe('the playback of a report', () => {
   it('shows the distance between the displayed and the true tool', async () => {
-    const page = await browser.open(withPlayback());
+    const page = await open(withPlayback());
 
     // The tool is 0.4809 m away from the rotation axis, according to the kinematics of the command line.
     const [compensated, held] = (await words(page)).match(/[\d.]+(?=\u00a0mm)/g).map(Number);
     assert.ok(Math.abs(compensated - 4.809) < 0.02, `${compensated} mm`);
     assert.ok(Math.abs(held - 48.07) < 1, `${held} mm`);
     assert.deepEqual(page.complaints, []);
-    await page.context().close();
   });
 
   it('draws all three robots, and hides those that are switched off', async () => {
-    const page = await browser.open(withPlayback({ hold: withPlayback().playback.truth.map(joints => [joints[0] + 1, ...joints.slice(1)]) }));
+    const page = await open(withPlayback({ hold: withPlayback().playback.truth.map(joints => [joints[0] + 1, ...joints.slice(1)]) }));
     const stage = page.locator('#playback .stage');
     const all = await picture(page, stage);
 
@@ -53,11 +51,10 @@ describe('the playback of a report', () => {
     assert.ok(all.blue > 500 && all.orange > 500, JSON.stringify(all));
     assert.ok(without.orange < all.orange / 10, JSON.stringify(without));
     assert.equal((await words(page)).match(/[\d.]+(?=\u00a0mm)/g).length, 2, 'the distance of a hidden robot is shown');
-    await page.context().close();
   });
 
   it('plays, pauses and ends together with the plots', async () => {
-    const page = await browser.open(withPlayback());
+    const page = await open(withPlayback());
 
     await page.locator('#playback .play').focus();
     await page.keyboard.press('Enter');
@@ -78,11 +75,10 @@ describe('the playback of a report', () => {
     await page.waitForFunction(() => document.querySelector('#playback .play').textContent === 'Play');
     assert.equal(await time(page), SECONDS);
     assert.deepEqual(page.complaints, []);
-    await page.context().close();
   });
 
   it('moves with the keyboard and announces its time', async () => {
-    const page = await browser.open(withPlayback());
+    const page = await open(withPlayback());
     const slider = page.locator('#playback input[type=range]');
 
     await slider.focus();
@@ -91,11 +87,10 @@ describe('the playback of a report', () => {
 
     assert.ok(Math.abs((await time(page)) - SECONDS) < 0.1 && (await time(page)) < SECONDS);
     assert.equal(await slider.getAttribute('aria-valuetext'), `${(await time(page)).toFixed(2)} s`);
-    await page.context().close();
   });
 
   it('moves to the time at a plot\'s cursor', async () => {
-    const page = await browser.open(withPlayback());
+    const page = await open(withPlayback());
     const over = page.locator('#joint .u-over');
     await over.scrollIntoViewIfNeeded();
     await over.hover();
@@ -105,40 +100,33 @@ describe('the playback of a report', () => {
     assert.ok(Math.abs((await time(page)) - pointed) < 0.02, `${await time(page)} against ${pointed}`);
     assert.ok(Math.abs(Number(/t = ([\d.]+)/.exec(error)[1]) - pointed) < 0.05);
     assert.deepEqual(page.complaints, []);
-    await page.context().close();
   });
 
   it('shows one message without WebGL, and everything else works', async () => {
-    const plain = await Browser.start('report', NO_WEBGL);
-    try {
-      const page = await plain.open(withPlayback());
-      assert.equal(await page.textContent('#playback .missing'), robotMessages.noWebGl);
-      await page.locator('#playback input[type=range]').fill('3');
-      assert.match(await words(page), /4\.8/);
-      assert.equal(await page.locator('.plot').count(), 6);
-      assert.deepEqual(page.complaints, []);
-    } finally {
-      await plain.stop();
-    }
+    const page = await opener('report')(withPlayback());
+
+    assert.equal(await page.textContent('#playback .missing'), robotMessages.noWebGl);
+    await page.locator('#playback input[type=range]').fill('3');
+    assert.match(await words(page), /4\.8/);
+    assert.equal(await page.locator('.plot').count(), 6);
+    assert.deepEqual(page.complaints, []);
   });
 
   it('reports an invalid robot description, and everything else works', async () => {
-    const page = await browser.open(withPlayback({ urdf: '</script><script>alert(1)</script>' }));
+    const page = await open(withPlayback({ urdf: '</script><script>alert(1)</script>' }));
 
     assert.equal(await page.textContent('#playback .missing'), robotMessages.notShown(robotReasons.notUrdf));
     assert.equal(await page.locator('.plot').count(), 6);
     assert.deepEqual(page.complaints, []);
-    await page.context().close();
   });
 
   it('fits wide and narrow windows, light and dark', async () => {
     for (const [viewport, colorScheme] of [[{ width: 1280, height: 720 }, 'light'], [{ width: 390, height: 844 }, 'dark']]) {
-      const page = await browser.open(withPlayback(), { viewport, colorScheme });
+      const page = await open(withPlayback(), { viewport, colorScheme });
       const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
       assert.ok(content <= window, `${content} px of content`);
       const { blue } = await picture(page, page.locator('#playback .stage'));
       assert.ok(blue > 200, `${colorScheme}: ${blue}`);
-      await page.context().close();
     }
   });
 
@@ -160,7 +148,7 @@ describe('the objects in the playback', () => {
   }
 
   it('are drawn with their distances as soon as their poses are known', async () => {
-    const page = await browser.open(withObjects());
+    const page = await open(withObjects());
     assert.ok((await words(page)).includes(reportMessages.workpieceError(null, null)));
 
     await page.locator('#playback input[type=range]').fill('4');
@@ -168,11 +156,10 @@ describe('the objects in the playback', () => {
     const [, , compensated, held] = (await words(page)).match(/[\d.]+(?=\u00a0mm)/g).map(Number);
     assert.ok(Math.abs(compensated - 2) < 0.01 && Math.abs(held - 30) < 0.01, await words(page));
     assert.deepEqual(page.complaints, []);
-    await page.context().close();
   });
 
   it('have their names beside them', async () => {
-    const page = await browser.open(withObjects());
+    const page = await open(withObjects());
     await page.locator('#playback .stage').scrollIntoViewIfNeeded();
     const names = () => page.evaluate(() => [...document.querySelectorAll('#playback .label')]
       .filter(label => label.style.visibility === 'visible').map(label => label.textContent).sort());
@@ -180,14 +167,12 @@ describe('the objects in the playback', () => {
     const shown = await drawn(names, all => all.length === 3);
 
     assert.deepEqual(shown, [partLabels.belt, partLabels.fixture, 'workpiece_1']);
-    await page.context().close();
   });
 
   it('are named in the description of the view, because the labels are hidden from screen readers', async () => {
     const descriptionOf = async data => {
-      const page = await browser.open(data);
+      const page = await open(data);
       const description = await page.getAttribute('#playback .stage', 'aria-label');
-      await page.context().close();
       return description;
     };
     const { belt, fixture } = partLabels;
@@ -200,7 +185,7 @@ describe('the objects in the playback', () => {
   });
 
   it('are hidden with their pose', async () => {
-    const page = await browser.open(withObjects());
+    const page = await open(withObjects());
     const stage = page.locator('#playback .stage');
     await page.locator('#playback input[type=range]').fill('4');
     assert.ok((await picture(page, stage, counts => counts.blue > 0)).blue > 0);
@@ -208,7 +193,6 @@ describe('the objects in the playback', () => {
     await page.click('#playback .legend button:has-text("compensated")');
 
     assert.equal((await picture(page, stage, counts => counts.blue === 0)).blue, 0);
-    await page.context().close();
   });
 });
 
@@ -223,7 +207,7 @@ describe('the signals in the playback', () => {
     [row.querySelector('.name').textContent, row.querySelector('.words').textContent, row.querySelector('.lamp').classList.contains('on')]));
 
   it('have the displayed and the true value at each moment', async () => {
-    const page = await browser.open(withPlayback({ signals }));
+    const page = await open(withPlayback({ signals }));
     const expected = [
       [0, off, false, displayedAndTrue(valueUnknown, on), false],
       [1.5, off, false, on, true],
@@ -238,11 +222,10 @@ describe('the signals in the playback', () => {
       assert.deepEqual(await shown(page), [['gripper_closed', gripper, isClosed], ['part_present', part, isPresent]], `at ${time} s`);
     }
     assert.deepEqual(page.complaints, []);
-    await page.context().close();
   });
 
   it('are drawn over the session, with a line at the moment of the playback', async () => {
-    const page = await browser.open(withPlayback({ signals }));
+    const page = await open(withPlayback({ signals }));
     await page.locator('#playback input[type=range]').fill('2');
 
     const { bars, line, strip, lefts } = await page.evaluate(() => {
@@ -258,17 +241,14 @@ describe('the signals in the playback', () => {
       assert.ok(Math.abs(spans[i][0] - from) < 0.02 && Math.abs(spans[i][1] - to) < 0.02, JSON.stringify(spans));
     assert.ok(Math.abs(timeAt(line.left + line.width / 2) - 2) < 0.02, `${timeAt(line.left)} s`);
     assert.deepEqual(lefts, [strip.left, strip.left], 'all strips have the same time axis');
-    await page.context().close();
   });
 
   it('fit narrow windows, and are missing in a session without signals', async () => {
-    const page = await browser.open(withPlayback({ signals }), { viewport: { width: 390, height: 844 }, colorScheme: 'dark' });
+    const page = await open(withPlayback({ signals }), { viewport: { width: 390, height: 844 }, colorScheme: 'dark' });
     const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
     assert.ok(content <= window, `${content} px of content`);
-    await page.context().close();
 
-    const without = await browser.open(withPlayback({ signals: null }));
+    const without = await open(withPlayback({ signals: null }));
     assert.equal(await without.locator('.signals').count(), 0);
-    await without.context().close();
   });
 });

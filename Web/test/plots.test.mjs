@@ -1,14 +1,12 @@
 // Tests ranges, cursors, zoom and legends of the report's plots.
 import assert from 'node:assert/strict';
-import { after, before, describe, it } from 'node:test';
-import { Browser } from './browser.mjs';
+import { describe, it } from 'node:test';
 import { hasInk, heightOf, settled, shot } from './inks.mjs';
 import { messages } from './messages.mjs';
+import { opener } from './pages.mjs';
 import { report } from './sample.mjs';
 
-let browser;
-before(async () => { browser = await Browser.start(); });
-after(() => browser.stop());
+const open = opener('report');
 
 const text = (page, selector) => page.locator(selector).allInnerTexts();
 const plain = words => words.map(w => w.replaceAll('\u00ad', '').replaceAll('\u00a0', ' '));
@@ -21,7 +19,7 @@ describe('the range of a plot', () => {
 
   for (const [first, error, bound, height] of [[150, 150, 6000, 0.575], [-5000, 150, 6000, 0.575], [0, 3000, 9000, 0.833]]) {
     it(`covers the settled clock error (${first}, then ${error} µs within ${bound} µs)`, async () => {
-      const page = await browser.open({ clock: clock(first, error, bound) });
+      const page = await open({ clock: clock(first, error, bound) });
 
       assert.ok(Math.abs(await heightOf(page, 1, '--compensated') - height) < 0.02, `at ${await heightOf(page, 1, '--compensated')}`);
       assert.match(plain(await text(page, '#clock .claim'))[0], new RegExp(`\\b${bound} µs\\.`));
@@ -33,7 +31,7 @@ describe('the range of a plot', () => {
     const speed = points.map(i => 10 + 3 * i);
     const hold = { latency_ms: points.map(i => (i < 96 ? 100 + i : 2100)), speed };
     const compensated = { latency_ms: points.map(i => (i < 70 ? 5 : 3000)), speed };
-    const page = await browser.open({ field: { hold, compensated, iso_mm: [10] } });
+    const page = await open({ field: { hold, compensated, iso_mm: [10] } });
     const box = await page.locator('#field .u-over').boundingBox();
 
     await page.locator('#field .u-over').hover({ position: { x: box.width - 1, y: box.height / 2 } });
@@ -48,7 +46,7 @@ describe('using a plot', () => {
   it('reads values at the cursor', async () => {
     const data = report();
     data.error = { t: [0, 1, 2, 3, 4], hold: [10, 10, 10, 10, 10], compensated: [1, 1, 1, 1, 1] };
-    const page = await browser.open(data);
+    const page = await open(data);
 
     await page.locator('#error .u-over').hover();
 
@@ -57,7 +55,7 @@ describe('using a plot', () => {
   });
 
   it('shows latency, speed and their product at the pointer in the error field', async () => {
-    const page = await browser.open(report());
+    const page = await open(report());
 
     await page.locator('#field .u-over').hover();
 
@@ -67,7 +65,7 @@ describe('using a plot', () => {
 
   for (const [name, index, section] of [['time', 0, '#error'], ['field', 2, '#field'], ['histogram', 5, '#latency']]) {
     it(`zooms by drag and resets by double-click (${name})`, async () => {
-      const page = await browser.open(report());
+      const page = await open(report());
       const before = await shot(page, index);
       const over = page.locator(`${section} .u-over`);
       await over.scrollIntoViewIfNeeded();
@@ -89,7 +87,7 @@ describe('using a plot', () => {
   }
 
   it('zooms and resets with the keyboard', async () => {
-    const page = await browser.open(report());
+    const page = await open(report());
     for (const [index, section] of ['#error', '#joint', '#field', '#clock', '#latency'].entries()) {
       const plot = page.locator(`${section} .plot`).first();
       const picture = () => plot.locator('canvas').evaluate(c => c.toDataURL());
@@ -108,7 +106,7 @@ describe('using a plot', () => {
   });
 
   it('moves the cursor with the arrow keys', async () => {
-    const page = await browser.open(report());
+    const page = await open(report());
 
     await page.locator('#error .plot').focus();
     await page.keyboard.press('ArrowRight');
@@ -120,7 +118,7 @@ describe('using a plot', () => {
   });
 
   it('switches signals off and on in the legend', async () => {
-    const page = await browser.open(report());
+    const page = await open(report());
     for (const [index, section, ink] of [[0, '#error', '--hold'], [2, '#field', '--hold']]) {
       const key = page.locator(`${section} .legend button`).first();
 
@@ -135,7 +133,7 @@ describe('using a plot', () => {
   });
 
   it('reaches every control with the keyboard and shows the focus', async () => {
-    const page = await browser.open(report());
+    const page = await open(report());
     const wanted = await page.evaluate(() => document.querySelectorAll('a, button, summary, [tabindex="0"]').length
       - document.querySelectorAll('details:not([open]) [tabindex="0"]').length);
 
@@ -155,7 +153,7 @@ describe('using a plot', () => {
   });
 
   it('draws an hour of 60 frames a second at the resolution of its width, with each step of the samples', async () => {
-    const data = report({ seconds: 3600 }), page = await browser.open(data);
+    const data = report({ seconds: 3600 }), page = await open(data);
     const arrived = data.joint.received.t.length;
 
     for (const [section, stepped] of [['#error', 0], ['#joint', arrived], ['#field', 0]]) {
@@ -178,7 +176,7 @@ describe('using a plot', () => {
   });
 
   it('draws at most one operating point per pixel and path', async () => {
-    const page = await browser.open(report({ seconds: 600 }));
+    const page = await open(report({ seconds: 600 }));
 
     const squares = await page.evaluate(async () => {
       const { rect } = Path2D.prototype, plot = document.querySelector('#field .plot'), drawn = [];

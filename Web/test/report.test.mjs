@@ -1,19 +1,17 @@
 import assert from 'node:assert/strict';
-import { after, before, describe, it } from 'node:test';
-import { Browser } from './browser.mjs';
+import { before, describe, it } from 'node:test';
 import { contrast, hasInk, luminance, painted, settled, shadedShare } from './inks.mjs';
 import { figures } from './figuresSample.mjs';
 import { explainedTerms } from './glossary.mjs';
 import { messages } from './messages.mjs';
+import { opener } from './pages.mjs';
 import { report } from './sample.mjs';
 
 const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>&lt;b&gt;"\'';
 const PLOTS = 6;
 const { claimTitles, plotMessages, plotValueMessages, reportLabels } = messages;
 
-let browser;
-before(async () => { browser = await Browser.start(); });
-after(() => browser.stop());
+const open = opener('report');
 
 const text = (page, selector) => page.locator(selector).allInnerTexts();
 const plain = words => words.map(w => w.replaceAll('\u00ad', '').replaceAll('\u00a0', ' '));
@@ -21,7 +19,7 @@ const plain = words => words.map(w => w.replaceAll('\u00ad', '').replaceAll('\u0
 describe('a complete report', () => {
   // The tests that only read the page share it.
   let complete;
-  before(async () => { complete = await browser.open(report()); });
+  before(async () => { complete = await open(report()); });
 
   it('opens without an error or a request', async () => {
     assert.deepEqual(complete.complaints, []);
@@ -37,7 +35,7 @@ describe('a complete report', () => {
   it('shows the reduction, the table and the error plot on the first screen', async () => {
     const data = report();
     data.summary[0] = { label: 'Tool error, RMS', unit: 'mm', uncompensated: 20, compensated: 3.5 };
-    const page = await browser.open(data);
+    const page = await open(data);
 
     const [headline] = plain(await text(page, '.headline'));
     assert.match(headline, /^82\.5 %\s[^]*\sTool error, RMS: 20 mm → 3\.50 mm$/);
@@ -49,7 +47,7 @@ describe('a complete report', () => {
   });
 
   it('reports an increased error', async () => {
-    const page = await browser.open({ summary: [{ label: 'RMS', unit: 'mm', uncompensated: 4, compensated: 5 }] });
+    const page = await open({ summary: [{ label: 'RMS', unit: 'mm', uncompensated: 4, compensated: 5 }] });
 
     const [headline] = plain(await text(page, '.headline'));
     assert.ok(headline.startsWith('25 %') && headline.includes(reportLabels.moreError), headline);
@@ -103,7 +101,7 @@ describe('a report of a run with a load', () => {
   const range = { t, render_ms: t.map(s => (isLoaded(s) ? 17 : 4)), visu_ms: t.map(s => (isLoaded(s) ? 57 : 40)), limit_ms: 15, alarms: [[4.1, 7.5]] };
 
   it('shows both plots with the limit, shades the alarm and states its time', async () => {
-    const page = await browser.open({ ...report(), range });
+    const page = await open({ ...report(), range });
 
     assert.deepEqual(page.complaints, []);
     assert.equal(await page.locator('#range .plot canvas').count(), 2);
@@ -114,7 +112,7 @@ describe('a report of a run with a load', () => {
   });
 
   it('states that no alarm occurred', async () => {
-    const page = await browser.open({ ...report(), range: { ...range, alarms: [] } });
+    const page = await open({ ...report(), range: { ...range, alarms: [] } });
 
     assert.match(await page.locator('#range .plot').first().getAttribute('aria-label'), new RegExp(plotValueMessages.noAlarm));
     assert.ok(await shadedShare(page, 5.5) < 0.1);
@@ -127,7 +125,7 @@ describe('missing measurements', () => {
     joint: { name: 'a', unit: 'rad', truth: null, received: { t: [], v: [] } }, field: { hold: null, compensated: null, iso_mm: [] },
     clock: { t: [], offset_us: [], error_us: [], bound_us: [] }, latency: { bin_ms: [], count: [] } }]]) {
     it(`are stated in each section (${name})`, async () => {
-      const page = await browser.open(data);
+      const page = await open(data);
 
       assert.deepEqual(page.complaints, []);
       assert.equal(await page.locator('.plot').count(), 0);
@@ -143,7 +141,7 @@ describe('missing measurements', () => {
     data.joint.predicted = null;
     data.field.compensated = null;
     data.summary[0].compensated = null;
-    const page = await browser.open(data);
+    const page = await open(data);
 
     assert.deepEqual(page.complaints, []);
     assert.deepEqual(await text(page, '#joint .key'), ['ground truth', 'received']);
@@ -154,7 +152,7 @@ describe('missing measurements', () => {
     const data = report();
     data.error.compensated = data.error.compensated.map((v, i) => (i % 7 ? v : null));
     data.clock.error_us = data.clock.error_us.map(() => null);
-    const page = await browser.open(data);
+    const page = await open(data);
 
     assert.deepEqual(page.complaints, []);
     assert.equal(await page.locator('.plot').count(), PLOTS);
@@ -168,7 +166,7 @@ describe('any window and any text', () => {
     data.settings = [[HOSTILE, HOSTILE]];
     data.facts = [[HOSTILE, HOSTILE]];
     data.summary = [{ label: HOSTILE, unit: HOSTILE, uncompensated: 2, compensated: 1 }];
-    const page = await browser.open(data);
+    const page = await open(data);
 
     assert.deepEqual(page.complaints, []);
     assert.equal(await page.locator('img').count(), 0);
@@ -178,7 +176,7 @@ describe('any window and any text', () => {
 
   for (const width of [320, 360, 768, 1920]) {
     it(`fits a window of ${width} px`, async () => {
-      const page = await browser.open(report(), { viewport: { width, height: 800 } });
+      const page = await open(report(), { viewport: { width, height: 800 } });
 
       const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
       assert.ok(content <= window, `${content} px of content`);
@@ -195,7 +193,7 @@ describe('any window and any text', () => {
       data.claims = [{ figure: '16', claim: 'The signal follows.', paper: '−80 %', measured: '81 % ± 2 %', verdict: 'does not hold' }];
       data.figures = figures().figures.filter(f => f.number === '16');
 
-      const page = await browser.open(data, { viewport: { width, height: 800 } });
+      const page = await open(data, { viewport: { width, height: 800 } });
 
       for (const section of ['.overview', '#claims']) {
         const [content, shown] = await page.locator(`${section} .table`).evaluate(table => [table.scrollWidth, table.clientWidth]);
@@ -205,7 +203,7 @@ describe('any window and any text', () => {
   }
 
   it('refits the plots when the window changes', async () => {
-    const page = await browser.open(report());
+    const page = await open(report());
 
     await page.setViewportSize({ width: 500, height: 800 });
     await settled(page);
@@ -217,7 +215,7 @@ describe('any window and any text', () => {
 
   it('uses light ink on dark and dark ink on light', async () => {
     const lightness = async colorScheme => {
-      const page = await browser.open(report(), { colorScheme });
+      const page = await open(report(), { colorScheme });
       assert.ok(await hasInk(page, 0, '--compensated'));
       return page.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number)[0]);
     };
@@ -227,7 +225,7 @@ describe('any window and any text', () => {
   });
 
   it('repaints when the colour scheme changes', async () => {
-    const page = await browser.open(report(), { colorScheme: 'light' });
+    const page = await open(report(), { colorScheme: 'light' });
 
     await page.emulateMedia({ colorScheme: 'dark' });
     await settled(page);
@@ -238,7 +236,7 @@ describe('any window and any text', () => {
 
   it('distinguishes signals by lightness', async () => {
     for (const colorScheme of ['light', 'dark']) {
-      const page = await browser.open(report(), { colorScheme });
+      const page = await open(report(), { colorScheme });
       const [hold, compensated, truth, surface] = await luminance(page, ['--hold', '--compensated', '--truth', '--surface']);
       assert.ok(contrast(hold, compensated) > 1.7, `${colorScheme}: hold and compensated`);
       assert.ok(contrast(truth, compensated) > 3, `${colorScheme}: truth and compensated`);
@@ -247,7 +245,7 @@ describe('any window and any text', () => {
   });
 
   it('prints in the light scheme, with plots as wide as the page', async () => {
-    const page = await browser.open(report(), { colorScheme: 'dark' });
+    const page = await open(report(), { colorScheme: 'dark' });
 
     await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
     await settled(page);

@@ -3,14 +3,14 @@ import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import { createInterface } from 'node:readline';
-import { after, afterEach, before, describe, it } from 'node:test';
+import { afterEach, describe, it } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
-import { Browser } from './browser.mjs';
 import { ClockGateway } from './clockGateway.mjs';
 import { drawn } from './drawn.mjs';
 import { explainedTerms } from './glossary.mjs';
 import { messages } from './messages.mjs';
+import { browserWith, closeLater } from './pages.mjs';
 import { skipWithout } from './required.mjs';
 
 const path = relative => fileURLToPath(new URL(relative, import.meta.url));
@@ -167,19 +167,12 @@ describe('the code and its clock', () => {
 });
 
 describe('the page of the control clock\'s code', () => {
-  let browser, gateway, pages;
-  before(async () => { browser = await Browser.start('vlc'); });
-  after(() => browser.stop());
-  afterEach(async () => {
-    await Promise.all(pages.map(page => page.context().close()));
-    gateway?.stop();
-  });
+  let gateway;
+  afterEach(() => gateway?.stop());
 
-  /** @param options Options of the browser context. With `hasVirtualTime`, `page.clock` can skip time. */
-  async function open(address, { hasVirtualTime = false, ...options } = {}) {
-    const page = await (await browser.browser.newContext({ viewport: { width: 1280, height: 800 }, ...options })).newPage();
-    (pages = []).push(page);
-    if (hasVirtualTime) await page.clock.install();
+  /** @param options See `Browser.newPage`. */
+  async function open(address, options) {
+    const page = closeLater(await (await browserWith()).newPage(new URL('/nothing', address).href, options));
     page.faults = [];
     page.on('pageerror', e => page.faults.push(e.message));
     await page.goto(address);

@@ -1,21 +1,16 @@
 // Shared by the tests of the operations page: Chromium and a fake gateway.
 import { after, afterEach, before, beforeEach } from 'node:test';
-import { Browser, NO_WEBGL, WEBGL } from '../browser.mjs';
+import { NO_WEBGL, WEBGL } from '../browser.mjs';
 import { FakeGateway } from '../fakeGateway.mjs';
 import { messages } from '../messages.mjs';
+import { browserWith, closeLater } from '../pages.mjs';
 
 /** The gateway of the current test. */
 export let gateway;
 let graphics = NO_WEBGL;
-const browsers = new Map();
-const contexts = [];
 
 beforeEach(async () => { gateway = await FakeGateway.start(); });
-afterEach(async () => {
-  for (const context of contexts.splice(0)) await context.close();
-  await gateway.stop();
-});
-after(() => Promise.all([...browsers.values()].map(each => each.stop())));
+afterEach(() => gateway.stop());
 
 /** Runs the tests of the enclosing block with WebGL. The other tests run without it, because a page then takes a third less time. */
 export function withGraphics() {
@@ -24,15 +19,37 @@ export function withGraphics() {
 }
 
 /**
- * @param options Options of the browser context. With `hasVirtualTime`, `page.clock` can skip time.
+ * Limits a page to one complete picture of the 3D view per second, because drawing without a graphics card takes most of the processor time. The page
+ * still computes the others.
+ */
+function limitPictures() {
+  const INTERVAL_MS = 1000, gl = WebGL2RenderingContext.prototype;
+  let drawnAt = -Infinity, isDrawn = null;
+  for (const name of ['clear', 'drawElements', 'drawArrays']) {
+    const { [name]: draw } = gl;
+    gl[name] = function (...all) {
+      // A picture is drawn at once.
+      if (isDrawn === null) {
+        isDrawn = performance.now() - drawnAt >= INTERVAL_MS;
+        if (isDrawn) drawnAt = performance.now();
+        queueMicrotask(() => { isDrawn = null; });
+      }
+      if (isDrawn) draw.apply(this, all);
+    };
+  }
+}
+
+/** Options for tests that look at pixels of the 3D view. A smaller window is drawn in less time. */
+export const PICTURES = { reducedMotion: 'reduce', hasAllPictures: true, viewport: { width: 640, height: 720 } };
+
+/**
+ * @param options See `Browser.newPage`. `hasAllPictures` switches off the limit of one picture per second.
  * @param isReady Whether to wait for the first response.
  */
-export async function open({ hasVirtualTime = false, ...options } = {}, isReady = true) {
-  if (!browsers.has(graphics)) browsers.set(graphics, await Browser.start('operations', graphics));
-  const context = await browsers.get(graphics).browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
-  contexts.push(context);
-  const page = await context.newPage();
-  if (hasVirtualTime) await page.clock.install();
+export async function open({ viewport = { width: 1280, height: 720 }, hasAllPictures = false, ...options } = {}, isReady = true) {
+  const browser = await browserWith(graphics);
+  const page = closeLater(await browser.newPage(new URL('/nothing', gateway.address).href, { viewport, ...options }));
+  await page.context().clearCookies();
   page.setDefaultTimeout(60_000);
   page.complaints = [];
   page.on('console', m => m.type() !== 'log' && page.complaints.push(`console ${m.type()}: ${m.text()}`));
@@ -46,6 +63,7 @@ export async function open({ hasVirtualTime = false, ...options } = {}, isReady 
     WebGL2RenderingContext.prototype.createBuffer = function () { window.buffers++; return createBuffer.call(this); };
     WebGL2RenderingContext.prototype.deleteBuffer = function (buffer) { window.buffers--; return deleteBuffer.call(this, buffer); };
   });
+  if (!hasAllPictures) await page.addInitScript(limitPictures);
   await page.goto(gateway.address);
   if (isReady) await page.waitForFunction(() => document.querySelector('#clock').textContent !== '–');
   return page;
@@ -75,12 +93,12 @@ export const showsToolError = (page, min = 0, max = Infinity) => {
 export const bodiesDrawn = async page => {
   await page.locator('.stage').scrollIntoViewIfNeeded();
   return page.evaluate(() => new Promise(done => {
-    // Tables that are filled later move the view out of the window, where it is not drawn. A change of its size requests a picture, because nothing
-    // else does while no data change.
+    // Tables that are filled later move the view out of the window, where it is not drawn. The key 0 requests a picture, because nothing else does
+    // while no data change.
     const stage = document.querySelector('.stage');
     const keepsInView = setInterval(() => {
       stage.scrollIntoView({ block: 'nearest' });
-      stage.style.paddingRight = stage.style.paddingRight ? '' : '1px';
+      stage.dispatchEvent(new KeyboardEvent('keydown', { key: '0' }));
     }, 100);
     const gl = WebGL2RenderingContext.prototype, { clear, drawElements, drawArrays } = gl;
     let count = null;

@@ -5,7 +5,7 @@ import { drawn } from '../drawn.mjs';
 import { JOINTS, UPRIGHT } from '../fakeGateway.mjs';
 import { messages } from '../messages.mjs';
 import { picture } from '../pixels.mjs';
-import { becomes, bodiesDrawn, gateway, open, showsToolError, withGraphics } from './page.mjs';
+import { becomes, bodiesDrawn, gateway, open, PICTURES, showsToolError, withGraphics } from './page.mjs';
 
 const { jointReasons, robotMessages, robotReasons } = messages;
 
@@ -14,7 +14,7 @@ describe('the robot', () => {
 
   it('is not drawn below a joint that was never received, and its tool is not compared', async () => {
     gateway.turned = 0;
-    const page = await open({ reducedMotion: 'reduce' });
+    const page = await open(PICTURES);
     await showsToolError(page);
     const whole = await bodiesDrawn(page);
 
@@ -110,7 +110,7 @@ describe('the robot', () => {
 
   it('is drawn three times, each in its own colour', async () => {
     gateway.turned = 1;
-    const page = await open({ reducedMotion: 'reduce' });
+    const page = await open(PICTURES);
     await showsToolError(page);
     const areSeen = counts => counts.blue > 1500 && counts.orange > 100 && counts.grey > 1500;
     const colours = await picture(page, page.locator('.stage'), areSeen);
@@ -127,7 +127,7 @@ describe('the robot', () => {
       gateway.turned = other === 'displayed' ? 0 : null;
       gateway.pace = 0;
       if (other === 'displayed') delete gateway.state.headsets[0].l_app_ms;
-      const page = await open({ reducedMotion: 'reduce' });
+      const page = await open(PICTURES);
       await becomes(page, '.apart', said);
 
       const isGrey = counts => counts.grey > 1500 && counts.blue + counts.orange < counts.grey / 100;
@@ -139,7 +139,7 @@ describe('the robot', () => {
 
   it('stays completely visible when it moves', async () => {
     gateway.turned = 1;
-    const page = await open({ reducedMotion: 'reduce' });
+    const page = await open(PICTURES);
     await showsToolError(page);
 
     // The distance is that of two tools whose base joints differ by 1 rad. It shows that the robot has reached the new positions.
@@ -153,7 +153,7 @@ describe('the robot', () => {
   });
 
   it('turns with the arrow keys and returns to its first view with the key 0', async () => {
-    const page = await open({ reducedMotion: 'reduce' });
+    const page = await open(PICTURES);
     await showsToolError(page);
     const whole = await bodiesDrawn(page);
     gateway.isSilent = true;
@@ -181,7 +181,7 @@ describe('the robot', () => {
   it('is drawn as lines if its meshes are files, which are not requested', async () => {
     gateway.urdf = gateway.urdf.replace(/<geometry>[^]*?<\/geometry>/g, '<geometry><mesh filename="package://robot/link.stl"/></geometry>')
       .replace('<material', '<material name="t"><texture filename="http://127.0.0.1:9/t.png"/></material><material');
-    const page = await open({ reducedMotion: 'reduce' });
+    const page = await open(PICTURES);
     await becomes(page, '.robot .missing', robotMessages.meshesReplaced(8).split('8')[0]);
     await showsToolError(page);
 
