@@ -23,6 +23,9 @@ const NUMBERS_MS = 500;
 /** Minimum interval between two pictures. The motion still looks smooth, and the work is half of that at the maximum frame rate. */
 const PICTURE_MS = 30;
 
+/** Interval of computation while the view is not visible, for the distances and the messages. */
+const HIDDEN_MS = 100;
+
 const seconds = () => performance.now() / 1000;
 
 /** Shows the true poses of all robots half a second ago, and the pose that the selected headset displayed of its robot at that time. */
@@ -125,10 +128,12 @@ export class RobotPanel {
   }
 
   private animate(): void {
-    requestAnimationFrame(() => {
+    const next = () => {
       if (performance.now() - this.drawn >= PICTURE_MS) this.draw();
       this.animate();
-    });
+    };
+    if (this.view.isVisible) requestAnimationFrame(next);
+    else setTimeout(next, HIDDEN_MS);
   }
 
   private draw(): void {
@@ -144,7 +149,7 @@ export class RobotPanel {
       this.showNotDrawn();
       this.showDistances(time);
     }
-    this.view.ask();
+    this.view.askIfChanged();
   }
 
   /**

@@ -1,4 +1,4 @@
-import { AmbientLight, Box3, Color, DirectionalLight, GridHelper, type Group, Scene, Vector3, WebGLRenderer } from 'three';
+import { AmbientLight, Box3, Color, DirectionalLight, GridHelper, type Group, type Mesh, Scene, Vector3, WebGLRenderer } from 'three';
 import { el } from '../dom';
 import { robotLabels, robotMessages } from '../messages/robot';
 import { colour, onColoursChanged } from '../theme';
@@ -10,6 +10,9 @@ const HEIGHT = 380;
 
 /** Margin around the drawn objects, relative to their size. */
 const ROOM = 0.03;
+
+/** Changes of a pose below this value, in m or rad, are not visible. */
+const TOLERANCE = 1e-6;
 
 /** Objects that are drawn together with the robot, in the same base frame. */
 export interface Beside {
@@ -35,6 +38,8 @@ export class RobotView {
   private readonly canvas: HTMLCanvasElement;
   /** Box that contains everything drawn so far. */
   private readonly seen = new Box3();
+  /** What the last picture shows. */
+  private drawn: (number | string | null)[] = [];
   private isAsked = false;
   private isSeen = true;
 
@@ -67,8 +72,14 @@ export class RobotView {
       this.isSeen = entries[entries.length - 1].isIntersecting;
       this.ask();
     }).observe(stage);
+    this.canvas.addEventListener('webglcontextrestored', () => this.ask());
     onColoursChanged(() => this.recolour());
     this.recolour();
+  }
+
+  /** Whether the view is in the window and can be drawn. */
+  get isVisible(): boolean {
+    return this.isSeen && this.renderer !== null;
   }
 
   /** The robot; null before a valid description was received. */
@@ -102,17 +113,40 @@ export class RobotView {
 
   /** Requests a redraw in the next frame. Several calls cause one redraw. */
   ask(): void {
-    if (this.isAsked || !this.isSeen || !this.renderer) return;
+    if (this.isAsked || !this.isVisible) return;
     this.isAsked = true;
     requestAnimationFrame(() => {
       this.isAsked = false;
       this.widen();
       this.renderer!.render(this.scene, this.orbit!.camera);
-      this.labels.show(
-        this.others.flatMap(others => others.labels?.() ?? []),
-        this.orbit!.camera,
-      );
+      this.labels.show(this.labelled(), this.orbit!.camera);
+      this.drawn = this.appearance();
     });
+  }
+
+  /** Requests a redraw if an object has visibly changed since the last picture. */
+  askIfChanged(): void {
+    if (this.isAsked || !this.isVisible) return;
+    const current = this.appearance();
+    const isSame = (value: number | string | null, former: number | string | null) =>
+      value === former || (typeof value === 'number' && typeof former === 'number' && Math.abs(value - former) < TOLERANCE);
+    if (current.length !== this.drawn.length || !current.every((value, i) => isSame(value, this.drawn[i]))) this.ask();
+  }
+
+  private labelled(): Label[] {
+    return this.others.flatMap(others => others.labels?.() ?? []);
+  }
+
+  // Returns the visible objects with their materials and poses, and the texts of the labels. Includes the links, because a robot that is drawn as lines
+  // has no other objects that move.
+  private appearance(): (number | string | null)[] {
+    this.scene.updateMatrixWorld();
+    const parts: (number | string | null)[] = this.labelled().flatMap(({ name, state }) => [name, state]);
+    this.scene.traverseVisible(object => {
+      const { material } = object as Partial<Mesh>;
+      parts.push(object.id, material && !Array.isArray(material) ? material.id : null, ...object.matrixWorld.elements);
+    });
+    return parts;
   }
 
   private say(words: string): void {

@@ -5,7 +5,7 @@ import { drawn } from '../drawn.mjs';
 import { JOINTS, UPRIGHT } from '../fakeGateway.mjs';
 import { messages } from '../messages.mjs';
 import { picture } from '../pixels.mjs';
-import { becomes, bodiesDrawn, gateway, open, PICTURES, showsToolError, withGraphics } from './page.mjs';
+import { becomes, bodiesDrawn, gateway, nextState, open, PICTURES, showsToolError, withGraphics } from './page.mjs';
 
 const { jointReasons, robotMessages, robotReasons } = messages;
 
@@ -97,6 +97,31 @@ describe('the robot', () => {
     const page = await open();
 
     await becomes(page, '.apart', robotMessages.toolError('left door', 0, 0));
+  });
+
+  for (const shape of ['bodies', 'lines']) it(`is drawn as ${shape} again only when something has changed`, async () => {
+    if (shape === 'lines') gateway.urdf = gateway.urdf.replace(/<geometry>[^]*?<\/geometry>/g, '<geometry><mesh filename="link.stl"/></geometry>');
+    gateway.turned = 0;
+    gateway.pace = 0;
+    const page = await open();
+    await becomes(page, '.apart', robotMessages.toolError('left door', 0, 0));
+    await bodiesDrawn(page);
+    await page.evaluate(() => {
+      window.clears = 0;
+      const { clear } = WebGL2RenderingContext.prototype;
+      WebGL2RenderingContext.prototype.clear = function (...all) { window.clears++; return clear.apply(this, all); };
+    });
+    const clears = async () => {
+      await page.evaluate(() => { window.clears = 0; });
+      await nextState(page);
+      return page.evaluate(() => window.clears);
+    };
+
+    // On a busy machine, samples arrive late, and poses disappear for a while.
+    assert.equal(await drawn(clears, count => count === 0), 0);
+
+    gateway.pace = 1;
+    assert.ok(await drawn(clears, count => count > 0) > 0, 'the robot moves');
   });
 
   it('is not compared if no new positions arrive', async () => {
@@ -224,6 +249,20 @@ describe('the robot without WebGL', () => {
     await showsToolError(await open());
 
     assert.deepEqual(['/tf', '/tf_static'].map(topic => gateway.queues.get(topic)), [0, 0]);
+  });
+
+  it('needs no animation frames', async () => {
+    const page = await open();
+    await page.evaluate(() => {
+      window.requests = 0;
+      const { requestAnimationFrame } = window;
+      window.requestAnimationFrame = next => { window.requests++; return requestAnimationFrame(next); };
+    });
+
+    await showsToolError(page);
+    await nextState(page);
+
+    assert.equal(await page.evaluate(() => window.requests), 0);
   });
 
   it('shows one message and the distances', async () => {
