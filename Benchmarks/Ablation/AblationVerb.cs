@@ -11,7 +11,7 @@ static class AblationVerb
 {
     static readonly PredictionParts[] Parts =
     [
-        PredictionParts.Repetition, PredictionParts.Profiles, PredictionParts.Process, PredictionParts.Quadratic, PredictionParts.Cubic,
+        PredictionParts.Repetition, PredictionParts.Braking, PredictionParts.Profiles, PredictionParts.Process, PredictionParts.Quadratic, PredictionParts.Cubic,
         PredictionParts.QuadraticOfFive, PredictionParts.CubicOfSix, PredictionParts.QuadraticOfTen, PredictionParts.LineOfTen, PredictionParts.Reported,
         PredictionParts.ChangePoints, PredictionParts.Scatter, PredictionParts.DistanceLimit, PredictionParts.Jumps, PredictionParts.StampCorrection,
         PredictionParts.Thinning, PredictionParts.Interpolation,

@@ -63,9 +63,12 @@ namespace Nowpose.Prediction
         /// <summary>Limits the distance of a forecast from the line.</summary>
         DistanceLimit = 65536,
 
+        /// <summary>Predicts that a move brakes as it has accelerated.</summary>
+        Braking = 131072,
+
         /// <summary>The parts for joints and objects.</summary>
-        Common = Preparation | Quadratic | Cubic | QuadraticOfFive | CubicOfSix | QuadraticOfTen | Process | Repetition | ChangePoints | Scatter | Jumps
-            | DistanceLimit,
+        Common = Preparation | Quadratic | Cubic | QuadraticOfFive | CubicOfSix | QuadraticOfTen | Process | Repetition | Braking | ChangePoints | Scatter
+            | Jumps | DistanceLimit,
 
         /// <summary>All parts for a joint.</summary>
         Joint = Common | Reported | Profiles,

@@ -30,6 +30,13 @@ namespace Nowpose.Prediction
         const double TemplateGate = 0.3, ProfileGate = 0.8;
 
         /// <summary>
+        /// The same for moves that brake as they have accelerated. For a joint, it also applies before it has been tested: the newest samples already show
+        /// such a move. With 0.9 for objects, the mean errors of turns and carried objects are 1 % smaller, but some errors of rotations up to 1.5 times
+        /// the best fixed predictor.
+        /// </summary>
+        const double JointBrakingGate = 0.9, ObjectBrakingGate = 0.5;
+
+        /// <summary>
         /// The same for the mean of samples that only scatter, which also applies before it has been tested: with noise, the mixture cannot be better than
         /// the mean, unless a slow motion is hidden in the noise.
         /// </summary>
@@ -117,7 +124,7 @@ namespace Nowpose.Prediction
         /// <inheritdoc cref="Create(string, PredictionLimits, double)"/>
         internal static PredictionPipeline<TSample> OfAnObject<TSample>(string name, PredictionLimits limits, ForecasterSet forecasters, PredictionParts parts)
             where TSample : struct, ISample<TSample> => Pipeline<TSample>(name, limits, parts, 2, motion => MixtureOf(3, limits, parts,
-                forecasters ??= ForecastersOfObjects(parts), ObjectMatchInterval,
+                forecasters ??= ForecastersOfObjects(parts), ObjectMatchInterval, new CandidateGate(ObjectBrakingGate, ObjectBrakingGate),
                 motion == 0 ? new ObjectJumpDetector(3, MinJump, MaxAcceleration) : new ObjectJumpDetector(3, MinTurn, MaxAngularAcceleration)));
 
         /// <summary>Returns the time constant of the blend for a predictor: none for hold, the reference for comparisons.</summary>
@@ -145,19 +152,21 @@ namespace Nowpose.Prediction
         }
 
         static Mixture Joint(PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters) =>
-            MixtureOf(1, limits, parts, forecasters, JointMatchInterval, new OutlierReturnDetector());
+            MixtureOf(1, limits, parts, forecasters, JointMatchInterval,
+                new CandidateGate(JointBrakingGate, JointBrakingGate, untestedRatio: JointBrakingGate), new OutlierReturnDetector());
 
         static Mixture MixtureOf(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters,
-            double matchInterval, JumpDetector jumps)
+            double matchInterval, CandidateGate braking, JumpDetector jumps)
         {
             var scatter = new ScatterDetector(components);
+            var past = new PastMotion(components, limits.MaximumGap);
             var candidates = new List<Candidate>
             {
                 new Candidate(components, new MeanForecaster(scatter), new CandidateGate(MeanGate, MeanGate, untestedRatio: MeanGate))
             };
             if (Has(parts, PredictionParts.Repetition))
-                candidates.Add(new Candidate(components, new TemplateForecaster(components, limits.MaximumGap, matchInterval),
-                    new CandidateGate(TemplateGate, StartGate)));
+                candidates.Add(new Candidate(components, new TemplateForecaster(components, past, matchInterval), new CandidateGate(TemplateGate, StartGate)));
+            if (Has(parts, PredictionParts.Braking)) candidates.Add(new Candidate(components, new BrakingForecaster(components, past), braking));
             if (Has(parts, PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
                 candidates.Add(new Candidate(components, new ProfileForecaster(limits), new CandidateGate(ProfileGate, ProfileGate)));
             return new Mixture(components, limits, parts, forecasters, candidates.ToArray(), jumps, scatter);

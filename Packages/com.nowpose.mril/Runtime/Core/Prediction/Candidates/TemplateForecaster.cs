@@ -23,18 +23,6 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         const double Window = 0.4;
 
-        /// <summary>Maximum number of samples in the window: more than it has at an interval of 20 ms.</summary>
-        const int MaxCompared = 24;
-
-        /// <summary>
-        /// Minimum number of sampling intervals before the history starts. Their running mean then determines the grid step. With 4 or 16, the errors
-        /// change by at most 0.4 %.
-        /// </summary>
-        const int MinIntervals = 8;
-
-        /// <summary>Minimum grid step, in s: the capacity of the history then covers the maximum lag of two minutes.</summary>
-        const double MinStep = 0.02;
-
         /// <summary>
         /// Minimum number of samples in motion to compare: with fewer, the starts of different moves look the same, and only the duration of the
         /// rest before the moves would determine the match.
@@ -47,105 +35,78 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         const int MaxStill = 2;
 
-        /// <summary>
-        /// Maximum gap in the history, in s, even if the limits allow a longer one: the motion in a longer gap cannot be interpolated.
-        /// </summary>
-        const double MaxGap = 2;
-
-        /// <summary>
-        /// Maximum change of the sampling interval, as a factor; a larger change starts a new history. Twice the interval exceeds it. A lost sample
-        /// does not, because a gap changes the mean interval by at most a factor of 1.2 (<see cref="SampleTiming"/>).
-        /// </summary>
-        const double MaxIntervalRatio = 1.6;
-
         /// <summary>Mean square error that prevents a division of zero by zero after an exact match; negligible for every other match.</summary>
         const double MinMeanSquare = 1e-300;
 
         readonly int _components;
-        readonly double _maximumGap;
         readonly double _matchInterval;
-        readonly MotionHistory _history;
+        readonly PastMotion _past;
         readonly LagSearch _search;
         readonly MotionOverlay _overlay;
 
-        readonly PositionWindow _newest;
         readonly int[] _found = new int[LagSearch.Kept];
         readonly double[] _refined = new double[LagSearch.Kept];
         readonly double[] _lags = new double[LagSearch.Kept];
         readonly double[] _errors = new double[LagSearch.Kept];
         readonly double[] _weights = new double[LagSearch.Kept];
         readonly double[] _offsets;
-        double _interval;
+        int _starts;
         int _matches;
         int _refinedNext;
         double _matchedAt;
 
         /// <param name="components">Number of components of a position.</param>
-        /// <param name="maximumGap">Maximum gap between two samples, in s; a longer gap restarts the history.</param>
+        /// <param name="past">The past of this motion, which candidates share.</param>
         /// <param name="matchInterval">
         /// Minimum interval between two comparisons with the history, in s; samples between them keep the last matches.
         /// </param>
-        public TemplateForecaster(int components, double maximumGap, double matchInterval)
+        public TemplateForecaster(int components, PastMotion past, double matchInterval)
         {
-            _components = components;
-            _maximumGap = Math.Min(maximumGap, MaxGap);
-            _matchInterval = matchInterval;
-            _history = new MotionHistory(components);
-            _overlay = new MotionOverlay(_history);
-            _search = new LagSearch(_history);
-            _newest = new PositionWindow(MaxCompared, components);
+            (_components, _past, _matchInterval) = (components, past, matchInterval);
+            _overlay = new MotionOverlay(History);
+            _search = new LagSearch(History);
             _offsets = new double[LagSearch.Kept * components];
-            Reset();
         }
 
         /// <returns>False if the history contains no similar motion.</returns>
         public override bool Solve(MotionState motion)
         {
-            var (time, meanInterval) = (motion.NewestTime, motion.Timing.MeanInterval);
-            if (_newest.Count > 0 && time - _newest.Times[0] > _maximumGap) Reset();
+            _past.Take(motion);
             var before = _matches;
             _matches = 0;
-            _newest.Add(time, motion.Newest);
-            if (_interval == 0) Begin(meanInterval);
-            else if (meanInterval > MaxIntervalRatio * _interval || meanInterval * MaxIntervalRatio < _interval)
+            if (!_past.HasStarted) return false;
+            if (_starts != _past.Starts)
             {
-                // A single gap does not change the mean interval enough to restart.
-                Reset();
-                _newest.Add(time, motion.Newest);
+                Start();
+                return false;
             }
-            else
-            {
-                _history.Add(time, motion.Newest);
-                // A wrong sample would impair the comparisons of the next samples. At rest, what the history replaces may be noise.
-                if (motion.IsPreviousWrong) _history.Previous.CopyTo(_newest[1]);
-                _search.Update(MinLag);
-                var isSoon = time - _matchedAt < _matchInterval;
-                if (before > 0 && (isSoon || motion.StillSamples > MaxStill)) KeepMatches(before);
-                else Match(motion.StillDistance);
-            }
+            _search.Update(MinLag);
+            var isSoon = motion.NewestTime - _matchedAt < _matchInterval;
+            if (before > 0 && (isSoon || motion.StillSamples > MaxStill)) KeepMatches(before);
+            else Match(motion.StillDistance);
             return _matches > 0;
         }
 
         public override double At(double ahead, int component)
         {
-            var (index, position) = (_history.IndexOf(_newest.Times[0] + ahead), 0.0);
+            var (index, position) = (History.IndexOf(Newest.Times[0] + ahead), 0.0);
             for (var i = 0; i < _matches; i++)
-                position += _weights[i] * (_history.At(index - _lags[i], component) + _offsets[i * _components + component]);
-            return position - _newest.Positions[component];
+                position += _weights[i] * (History.At(index - _lags[i], component) + _offsets[i * _components + component]);
+            return position - Newest.Positions[component];
         }
 
         public override void Reset()
         {
-            _interval = 0;
-            _history.Start(0);
-            _search.Start();
-            Array.Clear(_found, 0, _found.Length);
-            _newest.Clear();
+            _past.Reset();
             _matches = 0;
         }
 
+        MotionHistory History => _past.History;
+
+        PositionWindow Newest => _past.Newest;
+
         // At a smaller lag, the history does not cover the continuation.
-        int MinLag => (int)Math.Ceiling(ForecastTable.Span / _history.Step) + MotionHistory.Margin;
+        int MinLag => (int)Math.Ceiling(ForecastTable.Span / History.Step) + MotionHistory.Margin;
 
         // Keeps the matches between two searches and during a standstill.
         void KeepMatches(int matches)
@@ -155,20 +116,18 @@ namespace Nowpose.Prediction.Candidates
             _matches = matches;
         }
 
-        // The grid step is a multiple of the sampling interval, so that samples lie on grid points and need no interpolation.
-        void Begin(double interval)
+        // The lags of an earlier history are wrong.
+        void Start()
         {
-            if (_newest.Count <= MinIntervals) return;
-            _interval = interval;
-            _history.Start(_interval * Math.Ceiling(MinStep / _interval - MotionHistory.Rounding));
+            _starts = _past.Starts;
             _search.Start();
-            for (var i = MinIntervals; i >= 0; i--) _history.Add(_newest.Times[i], _newest[i]);
+            Array.Clear(_found, 0, _found.Length);
         }
 
         void Match(double stillDistance)
         {
-            _matchedAt = _newest.Times[0];
-            _overlay.Take(_newest.Times, _newest.Positions, SamplesInWindow(stillDistance));
+            _matchedAt = Newest.Times[0];
+            _overlay.Take(Newest.Times, Newest.Positions, SamplesInWindow(stillDistance));
             _refinedNext = (_refinedNext + 1) % LagSearch.Kept;
             var min = double.PositiveInfinity;
             for (var i = 0; i < _search.Count; i++)
@@ -198,20 +157,20 @@ namespace Nowpose.Prediction.Candidates
             (_refined[place], _refined[i]) = (_refined[i], _refined[place]);
         }
 
-        bool HasContinuation(double lag) => _history.Covers(_history.IndexOf(_newest.Times[0]) - lag)
-            && _history.Covers(_history.IndexOf(_newest.Times[0] + ForecastTable.Span) - lag);
+        bool HasContinuation(double lag) => History.Covers(History.IndexOf(Newest.Times[0]) - lag)
+            && History.Covers(History.IndexOf(Newest.Times[0] + ForecastTable.Span) - lag);
 
         // In motion, only the samples since the start of the motion are compared, because the duration of the preceding rest varies.
         int SamplesInWindow(double stillDistance)
         {
             var full = 1;
-            while (full < _newest.Count && _newest.Times[0] - _newest.Times[full] <= Window) full++;
+            while (full < Newest.Count && Newest.Times[0] - Newest.Times[full] <= Window) full++;
             var moving = 0;
             while (moving + 1 < full && Displacement(moving) > stillDistance) moving++;
             return moving < MinMoving ? full : Math.Min(full, moving + 2);
         }
 
-        double Displacement(int age) => Vectors.Distance(_newest.Positions, age * _components, _newest.Positions, (age + 1) * _components, _components);
+        double Displacement(int age) => Vectors.Distance(Newest.Positions, age * _components, Newest.Positions, (age + 1) * _components, _components);
 
         void Weigh(double min)
         {

@@ -1,0 +1,141 @@
+using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Samples;
+using Nowpose.Prediction.State;
+
+namespace Nowpose.Prediction.Candidates
+{
+    /// <summary>Forecasts that a move brakes as it has accelerated, for machines that do both with the same acceleration and jerk.</summary>
+    /// <remarks>
+    /// While the speed decreases, it finds the time m in the acceleration of the same move from which the displacement in one interval was that of the
+    /// newest interval. The move then ends like the time reversal of its start: x(t + τ) = x(t) + x(m) − x(m − τ), if the displacements before t are also
+    /// those after m.
+    /// </remarks>
+    sealed class BrakingForecaster : Forecaster
+    {
+        /// <summary>
+        /// Number of newest displacements that must be those of the acceleration in the opposite order. With 2, the errors on recordings are 0.3 % larger,
+        /// and those of simulated motions 0.3 % smaller.
+        /// </summary>
+        const int Compared = 3;
+
+        /// <summary>Maximum RMS difference of these displacements, relative to their RMS.</summary>
+        const double MaxDifferenceRatio = 0.02;
+
+        /// <summary>Maximum ratio of the speed to that one interval before: at constant velocity, the ratio differs from 1 by noise and rounding.</summary>
+        const double MaxSpeedRatio = 0.98;
+
+        /// <summary>
+        /// Maximum speed at which another acceleration begins a new move, relative to the maximum speed of the move: a smaller change of the speed may be
+        /// noise. With 0.8, the errors change by at most 0.1 %.
+        /// </summary>
+        const double NewMoveRatio = 0.5;
+
+        /// <summary>Number of bisection steps: for an acceleration of 2 s, they find m to 0.5 ms.</summary>
+        const int Bisections = 12;
+
+        readonly int _components;
+        readonly PastMotion _past;
+        double _start, _maxSpeed, _maxSpeedAt;
+
+        // Index of the time m in the history.
+        double _match;
+
+        /// <param name="components">Number of components of a position.</param>
+        /// <param name="past">The past of this motion, which candidates share.</param>
+        public BrakingForecaster(int components, PastMotion past) => (_components, _past) = (components, past);
+
+        /// <returns>False if the motion does not brake as it has accelerated.</returns>
+        public override bool Solve(MotionState motion)
+        {
+            _past.Take(motion);
+            if (!_past.HasStarted) return false;
+            double speed = Speed(0), before = Speed(1);
+            FollowMove(motion, speed, before);
+            return motion.StillSamples == 0 && speed < MaxSpeedRatio * before && TryFind();
+        }
+
+        public override double At(double ahead, int component) =>
+            History.At(_match, component) - History.At(_match - ahead / History.Step, component);
+
+        public override void Reset()
+        {
+            _past.Reset();
+            _maxSpeed = 0;
+        }
+
+        MotionHistory History => _past.History;
+
+        PositionWindow Newest => _past.Newest;
+
+        void FollowMove(MotionState motion, double speed, double before)
+        {
+            var acceleratesAgain = speed > before && before < NewMoveRatio * _maxSpeed;
+            if (motion.StillSamples > 0 || Reverses || acceleratesAgain) (_start, _maxSpeed) = (Newest.Times[1], 0);
+            if (speed > _maxSpeed) (_maxSpeed, _maxSpeedAt) = (speed, Newest.Times[0]);
+        }
+
+        bool Reverses
+        {
+            get
+            {
+                var product = 0.0;
+                for (var c = 0; c < _components; c++) product += Displacement(0, c) * Displacement(1, c);
+                return product < 0;
+            }
+        }
+
+        bool TryFind()
+        {
+            var wanted = 0.0;
+            for (var c = 0; c < _components; c++) wanted += Displacement(0, c) * Displacement(0, c);
+            var interval = IndexAfter(0, 1);
+            double slower = History.IndexOf(_start) - interval, faster = History.IndexOf(_maxSpeedAt) - interval;
+            for (var i = 0; i < Bisections; i++)
+            {
+                _match = (slower + faster) / 2;
+                if (SquareAfter(_match, interval) < wanted) slower = _match;
+                else faster = _match;
+            }
+            return History.Covers(_match - ForecastTable.Span / History.Step) && History.Covers(IndexAfter(_match, Compared)) && IsMirrored();
+        }
+
+        bool IsMirrored()
+        {
+            double differences = 0, squares = 0;
+            for (var age = 0; age < Compared; age++)
+            {
+                double from = IndexAfter(_match, age), to = IndexAfter(_match, age + 1);
+                for (var c = 0; c < _components; c++)
+                {
+                    var displacement = Displacement(age, c);
+                    var difference = displacement - (History.At(to, c) - History.At(from, c));
+                    differences += difference * difference;
+                    squares += displacement * displacement;
+                }
+            }
+            return differences < MaxDifferenceRatio * MaxDifferenceRatio * squares;
+        }
+
+        double SquareAfter(double index, double interval)
+        {
+            var square = 0.0;
+            for (var c = 0; c < _components; c++)
+            {
+                var displacement = History.At(index + interval, c) - History.At(index, c);
+                square += displacement * displacement;
+            }
+            return square;
+        }
+
+        // The index that is as far after an index as the newest sample is after the sample with this age.
+        double IndexAfter(double index, int age) => index + (Newest.Times[0] - Newest.Times[age]) / History.Step;
+
+        double Displacement(int age, int component) => Newest[age][component] - Newest[age + 1][component];
+
+        double Speed(int age)
+        {
+            var distance = Vectors.Distance(Newest.Positions, age * _components, Newest.Positions, (age + 1) * _components, _components);
+            return distance / (Newest.Times[age] - Newest.Times[age + 1]);
+        }
+    }
+}
