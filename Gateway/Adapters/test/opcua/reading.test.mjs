@@ -60,8 +60,9 @@ describe('reading over OPC UA', () => {
     const times = (await states(40)).map(s => nanoseconds(s.header.stamp));
 
     assert.ok(times.every((time, i) => i === 0 || time > times[i - 1]));
-    const gaps = times.slice(2).map((time, i) => Number(time - times[i + 1]) / 1e6).sort((a, b) => a - b);
-    assert.ok(gaps[20] < 50, `the median gap is ${gaps[20]} ms`);
+    // If one value of each publishing arrived, no gap would be shorter than the publishing interval.
+    const gaps = times.slice(2).map((time, i) => Number(time - times[i + 1]) / 1e6);
+    assert.ok(Math.min(...gaps) < 100, `${gaps}`);
   });
 
   it('PlantClock_Requested_IsBetweenRequestAndAnswer', async t => {

