@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Samples;
 using Nowpose.Prediction.State;
@@ -6,9 +7,9 @@ namespace Nowpose.Prediction.Candidates
 {
     /// <summary>Forecasts that a move brakes as it has accelerated, for machines that do both with the same acceleration and jerk.</summary>
     /// <remarks>
-    /// While the speed decreases, it finds the time m in the acceleration of the same move from which the displacement in one interval was that of the
-    /// newest interval. The move then ends like the time reversal of its start: x(t + τ) = x(t) + x(m) − x(m − τ), if the displacements before t are also
-    /// those after m.
+    /// While the speed decreases, it finds the time m during the acceleration at which the displacement in the following interval equals the newest one. If
+    /// the displacements before t are also those after m, the move ends like the time reversal of its start: x(t + τ) = x(t) + x(m) − x(m − τ). A move that
+    /// began at rest ends at rest. After a wrong sample, the rest of the move is not forecast.
     /// </remarks>
     sealed class BrakingForecaster : Forecaster
     {
@@ -35,7 +36,9 @@ namespace Nowpose.Prediction.Candidates
 
         readonly int _components;
         readonly PastMotion _past;
+        int _starts;
         double _start, _maxSpeed, _maxSpeedAt;
+        bool _beganAtRest;
 
         // Index of the time m in the history.
         double _match;
@@ -49,28 +52,33 @@ namespace Nowpose.Prediction.Candidates
         {
             _past.Take(motion);
             if (!_past.HasStarted) return false;
+            if (_starts != _past.Starts) Start();
             double speed = Speed(0), before = Speed(1);
             FollowMove(motion, speed, before);
             return motion.StillSamples == 0 && speed < MaxSpeedRatio * before && TryFind();
         }
 
-        public override double At(double ahead, int component) =>
-            History.At(_match, component) - History.At(_match - ahead / History.Step, component);
-
-        public override void Reset()
+        public override double At(double ahead, int component)
         {
-            _past.Reset();
-            _maxSpeed = 0;
+            var mirrored = _match - ahead / History.Step;
+            // Before the start at rest, the history contains the end of another move.
+            if (_beganAtRest) mirrored = Math.Max(mirrored, History.IndexOf(_start));
+            return History.At(_match, component) - History.At(mirrored, component);
         }
+
+        public override void Reset() => _past.Reset();
 
         MotionHistory History => _past.History;
 
         PositionWindow Newest => _past.Newest;
 
+        // The times of an earlier history are not in this one.
+        void Start() => (_starts, _start, _maxSpeed, _beganAtRest) = (_past.Starts, Newest.Times[Newest.Count - 1], 0, false);
+
         void FollowMove(MotionState motion, double speed, double before)
         {
             var acceleratesAgain = speed > before && before < NewMoveRatio * _maxSpeed;
-            if (motion.StillSamples > 0 || Reverses || acceleratesAgain) (_start, _maxSpeed) = (Newest.Times[1], 0);
+            if (motion.StillSamples > 0 || Reverses || acceleratesAgain) (_start, _maxSpeed, _beganAtRest) = (Newest.Times[1], 0, motion.StillSamples > 0);
             if (speed > _maxSpeed) (_maxSpeed, _maxSpeedAt) = (speed, Newest.Times[0]);
         }
 

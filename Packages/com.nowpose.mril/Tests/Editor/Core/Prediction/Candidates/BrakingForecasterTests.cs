@@ -34,6 +34,28 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             Assert.That(forecasts, Is.GreaterThan(0));
         }
 
+        // The history before the second move contains the end of the first one.
+        [Test]
+        public void At_MoveAfterAShortDwell_EndsAtRest()
+        {
+            const double dwell = 0.1, interval = 0.01;
+            var move = new SevenPhaseProfile(300, 1000, 5000, 30_000);
+            double Position(double t) => move.PositionAt(t - Start) + move.PositionAt(t - Start - move.Duration - dwell);
+            var predictor = Alone();
+            var end = Start + 2 * move.Duration + dwell;
+            var forecasts = 0;
+            for (var k = 0; k * interval < end; k++)
+            {
+                predictor.Add(k * interval, Position(k * interval));
+                if (k * interval < end - 0.1 || predictor.At(k * interval).Kind == PredictionKind.Held) continue;
+                forecasts++;
+                for (var ahead = 0.0; ahead < 0.5; ahead += 0.05)
+                    Assert.That(predictor.At(k * interval + ahead).Position, Is.EqualTo(Position(k * interval + ahead)).Within(5), $"{ahead} s ahead");
+            }
+
+            Assert.That(forecasts, Is.GreaterThan(0));
+        }
+
         [Test]
         public void At_MoveThatBrakesHarder_IsNotPredicted()
         {
