@@ -83,7 +83,7 @@ sealed class SessionBodies
     {
         foreach (var body in _bodies.Values) body.Predict(frame.TimeLine, frame.At, _settings.LatencyError);
         foreach (var (name, body) in _bodies)
-            if (TryFindPath(name, out var isInWorld) && BodyError.IsMoving(seconds => Compose(each => each.TrueAt(seconds)), 0))
+            if (!_stationary.ContainsKey(name) && TryFindPath(name, out var isInWorld) && BodyError.IsMoving(seconds => Compose(each => each.TrueAt(seconds)), 0))
                 body.Score(Compose(each => each.Held), Compose(each => each.Predicted), Compose(each => each.TrueAt(0)), isInWorld);
     }
 
@@ -109,7 +109,8 @@ sealed class SessionBodies
                 return body == null;
             }
         }
-        return isInWorld = false;
+        isInWorld = false;
+        return false;
     }
 
     RigidTransform Compose(Func<Body, RigidTransform> poseOf)

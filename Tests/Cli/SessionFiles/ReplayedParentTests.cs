@@ -74,7 +74,8 @@ public class ReplayedParentTests : SessionReplayFixture
     {
         Record(shuttleUntil: 6);
 
-        var (whole, ended) = (Frames("shuttle"), Frames("part"));
+        // The lid turns by itself until the end, so it would be compared alone.
+        var (whole, ended) = (Frames("shuttle"), Frames("lid"));
 
         Assert.That(ended, Is.EqualTo(whole).Within(2));
 
