@@ -124,7 +124,10 @@ export class RobotView {
     });
   }
 
-  /** Requests a redraw if an object has visibly changed since the last picture. */
+  /**
+   * Requests a redraw if an object has moved, appeared, disappeared or got another material since the last picture. A change of a material or a shape
+   * itself needs `ask`.
+   */
   askIfChanged(): void {
     if (this.isAsked || !this.isVisible) return;
     const current = this.appearance();
