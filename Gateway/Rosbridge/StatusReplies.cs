@@ -54,8 +54,9 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
     public void Drop(RosbridgeMessage message, DropReason reason, string what = null, string rule = null)
     {
         var topic = message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true } published } ? published : null;
-        // The content is read before the role of the client is checked, but a correct message of this client would be refused too.
-        if (topic != null && rights.On(topic) == DropReason.NotAllowed) (reason, what, rule) = (DropReason.NotAllowed, null, null);
+        // The content is read before the role of the client is checked, but a correct message of this client would be refused too. A name without its slash
+        // does not select the topic.
+        if (topic != null && message.Topic.StartsWith('/') && rights.On(topic) == DropReason.NotAllowed) (reason, what, rule) = (DropReason.NotAllowed, null, null);
         drops.Count(reason);
         rule ??= what == null ? DropMessages.Of(reason) : $"{what} {DropMessages.Of(reason)}";
         var text = reason == DropReason.UnknownOp

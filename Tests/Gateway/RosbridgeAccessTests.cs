@@ -76,6 +76,17 @@ public class RosbridgeAccessTests
     }
 
     [Test]
+    public async Task Observer_PublishesWithoutTheSlash_IsToldToAddIt()
+    {
+        await using var gateway = await Gateways.StartAsync(WithTokens);
+        using var observer = await RawRosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
+
+        await observer.SendAsync("{\"op\":\"publish\",\"topic\":\"nowpose/diagnostics\",\"msg\":{\"status\":[]}}");
+
+        await observer.ExpectErrorAsync(RequestMessages.NoSlash("nowpose/diagnostics"));
+    }
+
+    [Test]
     public async Task Source_Publishes_ObserverReceivesTheMessage()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
