@@ -22,14 +22,14 @@ sealed class RefusedSetPoints(TimeProvider time)
     static readonly TimeSpan Span = TimeSpan.FromSeconds(5);
 
     /// <summary>
-    /// Time without repetition after which a refusal ends if other set-points of the source are accepted. Longer than the cycle of most machines, so that
-    /// set-points that are refused once per cycle are one event.
+    /// Time from the first accepted set-points of the source for other joints until a refusal ends that is not repeated. Longer than the cycle of most
+    /// machines, so that set-points that are refused once per cycle are one event.
     /// </summary>
     static readonly TimeSpan MaxCycle = TimeSpan.FromMinutes(2);
 
     readonly Lock _lock = new();
-    // IsFollowed: whether other set-points of the source have been accepted since.
-    readonly Dictionary<(HubSource Source, string Robot, string Joint), (Refusal Refusal, long At, bool IsFollowed)> _refusals = [];
+    // FollowedAt: when other set-points of the source were first accepted since.
+    readonly Dictionary<(HubSource Source, string Robot, string Joint), (Refusal Refusal, long At, long? FollowedAt)> _refusals = [];
 
     /// <summary>Adds a refusal, or replaces the earlier one of the same joint.</summary>
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
@@ -41,7 +41,7 @@ sealed class RefusedSetPoints(TimeProvider time)
             RemoveOld();
             var key = (source, robot, joint);
             if (_refusals.ContainsKey(key) || (_refusals.Keys.Count(known => known.Source == source) < MaxOfSource && MakeRoom(refusal)))
-                _refusals[key] = (refusal, time.GetTimestamp(), false);
+                _refusals[key] = (refusal, time.GetTimestamp(), null);
         }
     }
 
@@ -50,9 +50,10 @@ sealed class RefusedSetPoints(TimeProvider time)
     {
         lock (_lock)
         {
+            if (_refusals.Count == 0) return;
             Remove(known => known.Source == source && known.Robot == robot && (known.Joint.Length == 0 || joints.Contains(known.Joint)));
             foreach (var other in _refusals.Keys.Where(known => known.Source == source).ToList())
-                _refusals[other] = _refusals[other] with { IsFollowed = true };
+                _refusals[other] = _refusals[other] with { FollowedAt = _refusals[other].FollowedAt ?? time.GetTimestamp() };
         }
     }
 
@@ -86,9 +87,9 @@ sealed class RefusedSetPoints(TimeProvider time)
 
     void RemoveOld() => Remove(known =>
     {
-        var (refusal, at, isFollowed) = _refusals[known];
+        var (refusal, at, followedAt) = _refusals[known];
         var isOver = refusal.Reason == DropReason.NotAllowed || known.Source.IsEnded || refusal.Owner?.IsEnded == true;
-        return (isOver && time.GetElapsedTime(at) > Span) || (isFollowed && time.GetElapsedTime(at) > MaxCycle);
+        return (isOver && time.GetElapsedTime(at) > Span) || (followedAt is { } since && time.GetElapsedTime(since) > MaxCycle);
     });
 
     void Remove(Func<(HubSource Source, string Robot, string Joint), bool> isOver)

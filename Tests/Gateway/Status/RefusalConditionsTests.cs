@@ -98,8 +98,12 @@ public class RefusalConditionsTests
         Refuse(client, "arm1", DropReason.NotFinite);
         Refuse(Source("other"), "arm1", DropReason.NotFinite);
 
+        // A pause does not count, because a source may send set-points only once per motion.
+        _time.Advance(TimeSpan.FromMinutes(10));
         client.Publish(Plan(joint), robot: robot);
-        _time.Advance(TimeSpan.FromMinutes(2) - TimeSpan.FromSeconds(1));
+        _time.Advance(TimeSpan.FromMinutes(1));
+        client.Publish(Plan(joint), robot: robot);
+        _time.Advance(TimeSpan.FromMinutes(1) - TimeSpan.FromSeconds(1));
         Assert.That(Which(), Has.Length.EqualTo(3));
         _time.Advance(TimeSpan.FromSeconds(2));
 
