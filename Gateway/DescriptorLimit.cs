@@ -28,11 +28,14 @@ static class DescriptorLimit
     /// <summary>Refuses a connection that uses one of the last descriptors.</summary>
     /// <remarks>The .NET runtime needs descriptors to start a thread, and ends the process if it cannot start one.</remarks>
     /// <exception cref="SocketException">Too few descriptors are left. The connection is closed.</exception>
-    public static void Guard(Socket accepted)
+    public static void Guard(Socket accepted) => Guard(accepted, Allowed());
+
+    /// <inheritdoc cref="Guard(Socket)"/>
+    /// <param name="allowed">The system's limit.</param>
+    internal static void Guard(Socket accepted, ulong allowed)
     {
         // The system assigns the lowest free number, so a high number means that few are left.
         var number = (ulong)(long)accepted.Handle;
-        var allowed = Allowed();
         if (OperatingSystem.IsWindows() || number + Spare < allowed) return;
         accepted.Dispose();
         throw new SocketException((int)SocketError.TooManyOpenSockets, LimitMessages.NoDescriptor(number, allowed, Spare));

@@ -89,7 +89,7 @@ static class EventTexts
     public static string PortWithoutDescriptor(string port) => $"the {port} port {NoDescriptor}";
 
     public static string RefusedForDescriptors(long refused) => FormattableString.Invariant(
-        $"connections refused for this reason since the start of the gateway: {refused}");
+        $"failed attempts to accept a connection since the start of the gateway: {refused}");
 
     public static string SetPointsTaken(string owner, string joint) => $"the source {owner} already publishes set-points of joint {joint}";
 

@@ -38,6 +38,19 @@ public class DescriptorLimitTests
     }
 
     [Test]
+    public void Guard_TooFewDescriptors_ClosesTheConnectionWithTheErrorThatIsCounted()
+    {
+        if (OperatingSystem.IsWindows()) Assert.Ignore("Windows has no such limit");
+        using var accepted = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+
+        Assert.DoesNotThrow(() => DescriptorLimit.Guard(accepted, ulong.MaxValue));
+        var refused = Assert.Throws<SocketException>(() => DescriptorLimit.Guard(accepted, allowed: 1));
+
+        Assert.That(DescriptorLimit.IsReached(refused));
+        Assert.That(accepted.SafeHandle.IsClosed);
+    }
+
+    [Test]
     public async Task Accept_Fails_IsRetried()
     {
         var sockets = new SocketTransportFactory(Options.Create(new SocketTransportOptions()), NullLoggerFactory.Instance);
