@@ -21,7 +21,7 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
     // With the source of the newest pose, which may have ended, and the time of its arrival.
     readonly Dictionary<string, (HubSource Source, bool IsStationary, long ReceivedAt)> _frames = [];
     readonly FrameParents _parents = new(links.RootOf);
-    // The newest poses of stationary frames that were refused because the frame belongs to another source.
+    // The newest poses of stationary frames that were refused because the frame belongs to another source, or because they are invalid.
     readonly RefusedValues<RefusedPose> _refused = new(pose => pose.Stamp);
     // Whether a new frame has replaced one, for which a refused pose may wait.
     bool _hasReplaced;

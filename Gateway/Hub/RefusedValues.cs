@@ -3,8 +3,8 @@ using Nowpose.Signals;
 namespace Nowpose.Gateway.Hub;
 
 /// <summary>
-/// The newest values of frames or signals that were refused because another source owns them. Such a value is sent only once, so it is published
-/// when the other source ends. Not thread-safe.
+/// The newest values of frames or signals that were refused because another source owns them, or because they are invalid. Such a value is sent only
+/// once, so it is published, or reported if it is invalid, when the other source ends. Not thread-safe.
 /// </summary>
 /// <typeparam name="TValue">A signal, or the refused poses of a stationary frame.</typeparam>
 /// <param name="stampOf">Returns the time stamp of a value. A stationary frame without a time stamp is older than one that has a time stamp.</param>
@@ -21,7 +21,7 @@ sealed class RefusedValues<TValue>(Func<TValue, ControlTime> stampOf)
         _newest.Add((name, source), value);
     }
 
-    /// <summary>The value of a source, which keeps its place in the order of the refusals; <c>default</c> if there is none.</summary>
+    /// <summary>Gets or sets the value of a source, which keeps its place in the order of the refusals; <c>default</c> if there is none.</summary>
     public TValue this[HubSource source, string name]
     {
         get => _newest.GetValueOrDefault((name, source));

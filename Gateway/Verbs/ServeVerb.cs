@@ -75,7 +75,7 @@ static class ServeVerb
             foreach (var one in read) Announcement.Log(one.Summary);
             foreach (var warning in PlantFile.WarningsOf(read)) Announcement.Log(DryRunMessages.WarningLog(warning));
             if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log(DryRunMessages.MissingJointsLog(missing));
-            if (PlantFile.MissingParents(read, description, placed) is { Count: > 0 } parents)
+            if (areFramesKnown && PlantFile.MissingParents(read, description, placed) is { Count: > 0 } parents)
                 Announcement.Log(DryRunMessages.MissingParentsLog(parents));
             await using var gateway = await GatewayServer.StartAsync(options, clock, Announcement.Log, stop);
             using var source = gateway.Hub.OpenSource();
@@ -113,8 +113,7 @@ static class ServeVerb
             foreach (var good in read) findings.Good("plant", good.Summary);
             foreach (var warning in PlantFile.WarningsOf(read)) findings.Good("warning", warning);
             // Otherwise, the robot or object that is not known may have the joint, frame or link.
-            if (isCellKnown && (robot == null || description != null) && (stationary == null || placed != null))
-                FindMissing(findings, read, description, placed);
+            if (isCellKnown && (robot == null || description != null)) FindMissing(findings, read, description, placed, stationary == null || placed != null);
         }
         catch (InputException wrong)
         {
@@ -125,7 +124,7 @@ static class ServeVerb
     }
 
     // What is missing is not an error, because another client may publish it.
-    static void FindMissing(Findings findings, IReadOnlyCollection<PlantFile> plants, string robot, TransformsMessage stationary)
+    static void FindMissing(Findings findings, IReadOnlyCollection<PlantFile> plants, string robot, TransformsMessage stationary, bool areFramesKnown)
     {
         if (PlantFile.MissingJoints(plants, robot) is { Count: > 0 } joints) findings.Good("missing_joints", DryRunMessages.MissingJoints(joints));
         if (PlantFile.MissingParents(plants, robot, stationary) is { Count: > 0 } parents)

@@ -133,7 +133,7 @@ sealed class ServerArguments(ConfiguredArguments configured)
         if (IsEncryptionKnown) findings.Try(() => options.CheckEncryption(Encrypts(parsed), tokens != null, pairing != null));
         if (configured.AreKnown(_syncPort, _webSocketPort)) findings.Try(options.CheckPorts);
         if (configured.AreKnown(_maxConnections)) findings.Try(options.CheckConnections);
-        // The other addresses would contain defaults.
+        // Omits an address if an entry that determines it is invalid, because the line would contain a default.
         if (configured.AreKnown(_bind, _syncPort)) findings.Try(() => DryRun.SyncPort(options, findings));
         if (configured.AreKnown(_webSocketPort) && IsEncryptionKnown) findings.Try(() => DryRun.WebSocketPort(options, Encrypts(parsed), findings));
         return options;
