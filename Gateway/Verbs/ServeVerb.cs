@@ -75,7 +75,7 @@ static class ServeVerb
             foreach (var one in read) Announcement.Log(one.Summary);
             foreach (var warning in PlantFile.WarningsOf(read)) Announcement.Log(DryRunMessages.WarningLog(warning));
             if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log(DryRunMessages.MissingJointsLog(missing));
-            if (areFramesKnown && PlantFile.MissingParents(read, description, placed) is { Count: > 0 } parents)
+            if (PlantFile.MissingParents(read, description, placed) is { Count: > 0 } parents)
                 Announcement.Log(DryRunMessages.MissingParentsLog(parents));
             await using var gateway = await GatewayServer.StartAsync(options, clock, Announcement.Log, stop);
             using var source = gateway.Hub.OpenSource();
@@ -127,7 +127,7 @@ static class ServeVerb
     static void FindMissing(Findings findings, IReadOnlyCollection<PlantFile> plants, string robot, TransformsMessage stationary, bool areFramesKnown)
     {
         if (PlantFile.MissingJoints(plants, robot) is { Count: > 0 } joints) findings.Good("missing_joints", DryRunMessages.MissingJoints(joints));
-        if (PlantFile.MissingParents(plants, robot, stationary) is { Count: > 0 } parents)
+        if (areFramesKnown && PlantFile.MissingParents(plants, robot, stationary) is { Count: > 0 } parents)
             findings.Good("missing_parents", DryRunMessages.MissingParents(parents));
     }
 
