@@ -1,3 +1,4 @@
+import { REFUSED_EVERY_MS } from '../gateway/keptMessages';
 import { SendQueue } from '../gateway/sendQueue';
 import { MqttLink } from '../mqtt/link';
 import type { BrokerSettings } from './settings';
@@ -21,14 +22,18 @@ export type Presence = 'true' | 'no gateway' | 'false';
 
 interface BrokerEvents {
   opened(): void;
-  away(reason: string): void;
-  /** Called if the broker refuses the subscription to a topic. */
-  refused(reason: string): void;
   /**
-   * Called if the broker refuses the first retained message, with the reason, and if it has accepted the newest one of each topic afterwards, with
-   * null. Only for a publishing bridge.
+   * Called after a disconnection, and after each failed connection attempt.
+   * @param wasOpen Whether it is a disconnection.
    */
-  rejected?(reason: string | null): void;
+  away(reason: string, wasOpen: boolean): void;
+  /** Called if the broker refuses the subscription to a topic. */
+  subscriptionRefused(reason: string): void;
+  /**
+   * Called when the reason changes for which the broker refuses retained messages. It is the reason of the first topic whose newest message is refused;
+   * null if there is none. Only for a publishing bridge.
+   */
+  messagesRefused?(reason: string | null): void;
   /** @param isRetained Whether the broker had the message before the subscription. */
   heard(topic: string, payload: Buffer, isRetained: boolean): void;
   /** Called when `heard` has thrown an exception for a message on this topic. */
@@ -36,15 +41,18 @@ interface BrokerEvents {
 }
 
 /**
- * The connection of a bridge to the broker. Publishes retained messages again after each reconnection. A publishing bridge also publishes them and
- * its presence again when another connection withdraws its presence: the former connection of this bridge, which the broker ends later than the bridge,
- * or another bridge. Receivers have then discarded the values that they had.
+ * The connection of a bridge to the broker. Publishes retained messages again after each reconnection, and every 10 s those that the broker refuses,
+ * because its operator may have corrected the rights. A publishing bridge also publishes its retained messages and its presence again when another
+ * connection withdraws its presence: the former connection of this bridge, which the broker ends later than the bridge, or another bridge. Receivers
+ * have then discarded the values that they had.
  */
 export class BrokerLink {
   readonly #queue = new SendQueue<{ topic: string; payload: string }>();
   readonly #retained = new Map<string, string>();
-  /** Topics whose newest retained message the broker has refused. */
-  readonly #rejected = new Set<string>();
+  /** Topics whose newest retained message the broker has refused, with the reasons. */
+  readonly #refusals = new Map<string, string>();
+  /** Sends the refused messages again; undefined while there are none. */
+  #repetition: NodeJS.Timeout | undefined;
   readonly #link: MqttLink;
   #presence: Presence = 'no gateway';
 
@@ -65,8 +73,11 @@ export class BrokerLink {
         leaving: () => {
           if (this.#isPublishing) this.#keep(ALIVE, 'false');
         },
-        away: reason => events.away(reason),
-        refused: (_, reason) => events.refused(reason),
+        away: (reason, wasOpen) => {
+          this.#forgetRefusals();
+          events.away(reason, wasOpen);
+        },
+        refused: (_, reason) => events.subscriptionRefused(reason),
         heard: (topic, payload, isRetained) => {
           if (this.#isPublishing && bare(topic) === ALIVE) this.#announceAfter(payload.toString(), isRetained);
           else events.heard(bare(topic), payload, isRetained);
@@ -113,7 +124,7 @@ export class BrokerLink {
   }
 
   run(stop: AbortSignal): Promise<void> {
-    return this.#link.run(stop);
+    return this.#link.run(stop).finally(() => this.#forgetRefusals());
   }
 
   get #isPublishing(): boolean {
@@ -125,15 +136,14 @@ export class BrokerLink {
   }
 
   #open(): void {
-    this.#rejected.clear();
     this.#announce();
     this.events.opened();
     this.#pump();
   }
 
   // Sends the presence last, so that receivers have all values when the connection is announced.
-  #announce(): void {
-    for (const [name, payload] of this.#retained) this.#keep(name, payload);
+  #announce(retained: Iterable<[string, string]> = this.#retained): void {
+    for (const [name, payload] of retained) this.#keep(name, payload);
     if (this.#isPublishing) this.#keep(ALIVE, this.#presence);
   }
 
@@ -146,13 +156,31 @@ export class BrokerLink {
     this.#link.client?.publish(this.#at(name), payload, { qos: 1, retain: true }, (error, response) => {
       // Without a response, the connection has ended.
       if (response === undefined) return;
-      if (error) {
-        if (this.#rejected.size === 0) this.events.rejected?.(brokerMessages.publicationRefused(this.#at(name), error.message));
-        this.#rejected.add(name);
-      } else if (this.#rejected.delete(name) && this.#rejected.size === 0) {
-        this.events.rejected?.(null);
-      }
+      // Does not store the refusal of a removal, because the bridge no longer has a message for this topic and would never delete the entry.
+      this.#judge(name, error && payload !== '' ? brokerMessages.publicationRefused(this.#at(name), error.message) : null);
     });
+  }
+
+  #judge(name: string, reason: string | null): void {
+    const before = this.#firstRefusal;
+    if (reason === null) this.#refusals.delete(name);
+    else this.#refusals.set(name, reason);
+    const now = this.#firstRefusal;
+    if (now === before) return;
+    if (now === null) this.#forgetRefusals();
+    else this.#repetition ??= setInterval(() => this.#announce([...this.#retained].filter(([one]) => this.#refusals.has(one))), REFUSED_EVERY_MS);
+    this.events.messagesRefused?.(now);
+  }
+
+  get #firstRefusal(): string | null {
+    const [reason = null] = this.#refusals.values();
+    return reason;
+  }
+
+  #forgetRefusals(): void {
+    this.#refusals.clear();
+    clearInterval(this.#repetition);
+    this.#repetition = undefined;
   }
 
   #pump(): void {

@@ -9,14 +9,14 @@ import { brokerMessages } from '../messages/broker';
 export async function publish({ configuration, gateway, status, stopping }: AdapterContext, settings: BrokerSettings): Promise<void> {
   const broker = new BrokerLink(settings, configuration.plant.name, PublishedObjects.topics, {
     opened: () => status.enter('connected'),
-    away: reason => {
-      if (status.state === 'connected') status.reconnected();
+    away: (reason, wasOpen) => {
+      if (wasOpen) status.reconnected();
       status.notice(null);
       status.enter('waiting', reason);
     },
     // Without the right to read its topics, the bridge can publish, but cannot find the obsolete messages.
-    refused: () => status.notice(brokerMessages.notReadable(settings.topic)),
-    rejected: reason => (reason === null ? status.enter('connected') : status.enter('waiting', reason)),
+    subscriptionRefused: () => status.notice(brokerMessages.notReadable(settings.topic)),
+    messagesRefused: reason => (reason === null ? status.enter('connected') : status.enter('waiting', reason)),
     heard: (topic, _, isRetained) => objects.heard(topic, isRetained),
     malformed: (name, problem) => status.refuse('malformed', name, problem),
   });

@@ -49,20 +49,20 @@ export async function subscribe(
     status.refuse('malformed', take.has(name) ? name : kindOf(name), `${name.slice(0, MAX_NAME)}: ${problem}`);
   /** The reason why the broker refuses a subscription of the present connection; null if it refuses none. */
   let refusal: string | null = null;
-  const away = (reason: string): void => {
-    leave();
-    if (status.state === 'connected') status.reconnected();
-    status.enter('waiting', reason);
-  };
   const broker = new BrokerLink(settings, configuration.plant.name, [...take.keys(), ...objects.topics, ALIVE], {
     opened: () => {
       refusal = null;
       status.enter('waiting', brokerMessages.noPublisher(settings.topic));
     },
-    away,
-    refused: reason => {
+    away: (reason, wasOpen) => {
+      leave();
+      if (wasOpen) status.reconnected();
+      status.enter('waiting', reason);
+    },
+    subscriptionRefused: reason => {
       refusal = reason;
-      away(reason);
+      leave();
+      status.enter('waiting', reason);
     },
     heard: (name, payload) => {
       if (name === ALIVE) return enter(payload.toString());

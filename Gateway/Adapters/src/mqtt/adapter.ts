@@ -33,8 +33,8 @@ export async function run(context: AdapterContext): Promise<void> {
       output.restart();
       status.enter('connected');
     },
-    away: reason => {
-      if (status.state === 'connected') status.reconnected();
+    away: (reason, wasOpen) => {
+      if (wasOpen) status.reconnected();
       status.enter('waiting', reason);
     },
     refused: (topic, reason) => {

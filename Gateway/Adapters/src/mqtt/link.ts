@@ -16,8 +16,11 @@ interface MqttEvents {
   opened(): void;
   /** Called before this client disconnects. */
   leaving?(): void;
-  /** Called after a disconnection, and after each failed connection attempt. */
-  away(reason: string): void;
+  /**
+   * Called after a disconnection, and after each failed connection attempt.
+   * @param wasOpen Whether it is a disconnection.
+   */
+  away(reason: string, wasOpen: boolean): void;
   /** Called if the broker refuses the subscription to a topic. */
   refused(topic: string, reason: string): void;
   /**
@@ -32,6 +35,8 @@ interface MqttEvents {
 /** A connection to an MQTT 5 broker. After a disconnection, it reconnects and subscribes again. */
 export class MqttLink {
   #client: MqttClient | null = null;
+  /** Whether the last attempt has established a connection. */
+  #wasOpen = false;
 
   /** @param name Name of the plant, used in the client identifier. */
   constructor(
@@ -52,11 +57,12 @@ export class MqttLink {
     return reconnecting(
       stop,
       () => this.#connect(stop),
-      reason => this.events.away(reason),
+      reason => this.events.away(reason, this.#wasOpen),
     );
   }
 
   #connect(stop: AbortSignal): Promise<string> {
+    this.#wasOpen = false;
     const client = connect(this.broker.endpoint, this.#options());
     return new Promise(resolve => {
       let reason = brokerMessages.closed;
@@ -110,6 +116,7 @@ export class MqttLink {
 
   #open(client: MqttClient): void {
     this.#client = client;
+    this.#wasOpen = true;
     // With nl (no local), the broker does not return this client's own messages.
     for (const topic of this.topics)
       client.subscribe(topic, { qos: 1, nl: true }, (error, _, response) => {

@@ -1,7 +1,8 @@
 // A broker that accepts each connection and refuses subscriptions or messages.
 import { createServer } from 'node:net';
 
-const CONNECT = 1, PUBLISH = 3, SUBSCRIBE = 8, NOT_AUTHORISED = 0x87, CONNACK = Buffer.of(0x20, 3, 0, 0, 0);
+const CONNECT = 1, PUBLISH = 3, SUBSCRIBE = 8, PING = 12, NOT_AUTHORISED = 0x87;
+const CONNACK = Buffer.of(0x20, 3, 0, 0, 0), PONG = Buffer.of(0xd0, 0);
 
 export class RefusingBroker {
   refusals = 0;
@@ -9,8 +10,10 @@ export class RefusingBroker {
   refuses = () => true;
   /** Returns whether a message on a topic is refused. */
   refusesMessage = () => false;
-  /** Called with the topic and the connection after the response to a subscription. */
+  /** Called with the topic and the connection after each subscription, and after the response unless there is none. */
   answered = () => {};
+  /** Topics of all messages. */
+  heard = [];
 
   static async start(test) {
     const broker = new RefusingBroker(), sockets = new Set();
@@ -19,10 +22,11 @@ export class RefusingBroker {
       broker.#serve(socket);
     });
     await new Promise(resolve => server.listen(0, '127.0.0.1', resolve));
-    test.after(() => {
+    broker.stop = () => {
       for (const socket of sockets) socket.destroy();
       server.close();
-    });
+    };
+    test.after(broker.stop);
     broker.url = `mqtt://127.0.0.1:${server.address().port}`;
     return broker;
   }
@@ -38,9 +42,11 @@ export class RefusingBroker {
         received = received.subarray(2 + received[1]);
         if (type === CONNECT) socket.write(CONNACK);
         if (type === PUBLISH) {
-          const end = 2 + body.readUInt16BE(0);
-          socket.write(Buffer.of(0x40, 3, body[end], body[end + 1], this.refusesMessage(body.subarray(2, end).toString()) ? NOT_AUTHORISED : 0));
+          const end = 2 + body.readUInt16BE(0), topic = body.subarray(2, end).toString();
+          socket.write(Buffer.of(0x40, 3, body[end], body[end + 1], this.refusesMessage(topic) ? NOT_AUTHORISED : 0));
+          this.heard.push(topic);
         }
+        if (type === PING) socket.write(PONG);
         if (type === SUBSCRIBE) this.#answer(socket, body.subarray(0, 2), body.subarray(5, 5 + body.readUInt16BE(3)).toString());
       }
     });
@@ -54,10 +60,11 @@ export class RefusingBroker {
     this.answered(topic, socket);
   }
 
-  /** Sends a message of up to 100 bytes. */
+  /** Sends a message of up to 16 kB. */
   static publish(socket, topic, payload) {
     const body = Buffer.concat([Buffer.of(0, topic.length), Buffer.from(topic), Buffer.of(0), Buffer.from(payload)]);
-    socket.write(Buffer.concat([Buffer.of(0x30, body.length), body]));
+    const length = body.length < 128 ? [body.length] : [128 + body.length % 128, body.length >> 7];
+    socket.write(Buffer.concat([Buffer.of(0x30, ...length), body]));
   }
 
   /** Sends a second CONNACK, after which a client ends the connection at once. */

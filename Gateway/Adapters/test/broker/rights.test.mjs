@@ -1,4 +1,4 @@
-// Tests what a bridge reports if the broker does not accept its subscriptions. No installed broker is needed.
+// Tests what a bridge reports if the broker does not accept its subscriptions or its messages. No installed broker is needed.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
@@ -12,15 +12,49 @@ import { ANY, like, messages } from '../messages.mjs';
 const { brokerMessages } = messages;
 const { AdapterStatus, Log, MqttLink, publish } = await parts('gateway/status', 'log', 'mqtt/link', 'broker/publish');
 
+/** Interval in ms at which a bridge sends refused messages again. */
+const REPETITION_MS = 10_000;
+
+const refusalOf = topic => like(brokerMessages.publicationRefused(`${TOPIC}/${topic}`, ANY));
+
+/** Starts a publishing bridge with a broker that accepts its subscriptions, and waits until it has sent its presence. */
+async function publisher(t) {
+  const broker = await RefusingBroker.start(t);
+  broker.refuses = () => false;
+  const bridge = publisherWith(t, broker);
+  await bridge.reached('connected');
+  await until(() => broker.heard.length === 1, 'the presence');
+  return { broker, ...bridge };
+}
+
+function publisherWith(t, broker) {
+  const ending = new AbortController(), listeners = {}, watchers = [], lines = [];
+  const status = new AdapterStatus('broker', new Log('plant/hall', [], line => lines.push(line), () => {}));
+  const settings = { broker: { endpoint: broker.url, user: null, authority: null }, topic: TOPIC, direction: 'publish', namespaces: [''] };
+  const gateway = {
+    isOpen: true, watch: watcher => watchers.push(watcher), subscribe: (topic, listen) => { listeners[topic] = listen; },
+  };
+  const running = publish({ configuration: { plant: { name: 'hall' } }, gateway, status, stopping: ending.signal }, settings);
+  const stop = () => {
+    ending.abort();
+    return running;
+  };
+  t.after(stop);
+  return {
+    status, lines, stop,
+    hear: (topic, message) => listeners[topic](message),
+    gatewayOpened: () => watchers.forEach(watcher => watcher.opened()),
+    /** Waits for a state and, unless it is null, a reason. */
+    reached: (expected, reason = null) => until(
+      () => status.state === expected && (reason === null || reason.test(status.values().reason)), () => JSON.stringify(status.values())),
+  };
+}
+
 describe('rights on a broker', () => {
   it('Publisher_MayNotRead_IsConnectedWithANoticeThatIsLoggedOnce', async t => {
-    const broker = await RefusingBroker.start(t), ending = new AbortController(), lines = [];
-    const status = new AdapterStatus('broker', new Log('plant/hall', [], line => lines.push(line), () => {}));
-    t.after(() => ending.abort());
-    const settings = { broker: { endpoint: broker.url, user: null, authority: null }, topic: TOPIC, direction: 'publish', namespaces: [''] };
-    const gateway = { isOpen: true, watch: () => {}, subscribe: () => {} }, configuration = { plant: { name: 'hall' } };
+    const broker = await RefusingBroker.start(t);
 
-    void publish({ configuration, gateway, status, stopping: ending.signal }, settings);
+    const { status, lines } = publisherWith(t, broker);
 
     const notice = brokerMessages.notReadable(TOPIC);
     await until(() => broker.refusals === 3 && status.level === 1 && status.values().notice === notice, () => JSON.stringify(status.values()));
@@ -28,24 +62,95 @@ describe('rights on a broker', () => {
   });
 
   it('Publisher_MayNotPublish_IsWaitingWithTheReasonUntilItsMessagesAreAccepted', async t => {
-    const broker = await RefusingBroker.start(t), ending = new AbortController(), listeners = {};
-    const status = new AdapterStatus('broker', new Log('plant/hall', [], () => {}, () => {}));
-    t.after(() => ending.abort());
-    const settings = { broker: { endpoint: broker.url, user: null, authority: null }, topic: TOPIC, direction: 'publish', namespaces: [''] };
-    const gateway = { isOpen: true, watch: () => {}, subscribe: (topic, listen) => { listeners[topic] = listen; } };
-    broker.refuses = () => false;
+    const { broker, hear, reached } = await publisher(t);
     broker.refusesMessage = topic => topic === `${TOPIC}/robot_description`;
 
-    void publish({ configuration: { plant: { name: 'hall' } }, gateway, status, stopping: ending.signal }, settings);
+    hear('/robot_description', { data: '<robot/>' });
 
-    await until(() => status.state === 'connected', () => JSON.stringify(status.values()));
-    listeners['/robot_description']({ data: '<robot/>' });
-    await until(() => status.state === 'waiting', () => JSON.stringify(status.values()));
-    assert.match(status.values().reason, like(brokerMessages.publicationRefused(`${TOPIC}/robot_description`, ANY)));
+    await reached('waiting', refusalOf('robot_description'));
     broker.refusesMessage = () => false;
-    listeners['/robot_description']({ data: '<robot/>' });
-    await until(() => status.state === 'connected', () => JSON.stringify(status.values()));
+    hear('/robot_description', { data: '<robot/>' });
+    await reached('connected');
   });
+
+  it('Publisher_RightsAreCorrected_SendsItsRefusedMessagesAndItsPresenceAgain', async t => {
+    const { broker, hear, reached } = await publisher(t), sent = count => until(() => broker.heard.length === count, () => broker.heard.join());
+    broker.refusesMessage = topic => topic === `${TOPIC}/robot_description`;
+    // The bridge is already connected, so that the interval of its pings is a real one.
+    t.mock.timers.enable({ apis: ['setInterval'] });
+    hear('/nowpose/joint_status', {});
+    hear('/robot_description', { data: '<robot/>' });
+    await reached('waiting');
+    await sent(3);
+    broker.heard.length = 0;
+
+    t.mock.timers.tick(REPETITION_MS);
+    await sent(2);
+    broker.refusesMessage = () => false;
+    t.mock.timers.tick(REPETITION_MS);
+    await reached('connected');
+    await sent(4);
+    t.mock.timers.tick(REPETITION_MS);
+    hear('/nowpose/joint_status', {});
+    await until(() => broker.heard.at(-1) === `${TOPIC}/joint_status`, () => broker.heard.join());
+
+    t.mock.timers.reset();
+    const repeated = ['robot_description', 'alive'];
+    assert.deepEqual(broker.heard, [...repeated, ...repeated, 'joint_status'].map(topic => `${TOPIC}/${topic}`));
+  });
+
+  it('Publisher_SeveralTopicsRefused_NamesTheFirstThatIsStillRefused', async t => {
+    const { broker, hear, reached } = await publisher(t);
+    broker.refusesMessage = () => true;
+    hear('/robot_description', { data: '<robot/>' });
+    hear('/nowpose/joint_status', {});
+    await reached('waiting', refusalOf('robot_description'));
+
+    broker.refusesMessage = topic => topic === `${TOPIC}/joint_status`;
+    hear('/robot_description', { data: '<robot/>' });
+
+    await reached('waiting', refusalOf('joint_status'));
+  });
+
+  it('Publisher_RefusedRemoval_IsNotReported', async t => {
+    const { broker, hear, reached, gatewayOpened } = await publisher(t);
+    broker.refusesMessage = () => true;
+    hear('/signals', { header: { stamp: { sec: 1, nanosec: 0 } }, name: ['s'], value: [1] });
+    await reached('waiting', refusalOf('signals/s'));
+
+    gatewayOpened();
+
+    await reached('connected');
+    hear('/robot_description', { data: '<robot/>' });
+    await reached('waiting', refusalOf('robot_description'));
+  });
+
+  it('Publisher_DisconnectedWhileItsMessagesAreRefused_CountsOneReconnection', async t => {
+    const { broker, status, hear, reached } = await publisher(t);
+    broker.refusesMessage = () => true;
+    hear('/robot_description', { data: '<robot/>' });
+    await reached('waiting', refusalOf('robot_description'));
+
+    broker.stop();
+
+    await reached('waiting', like(brokerMessages.refuses(broker.url)));
+    assert.equal(status.values().reconnects, '1');
+  });
+
+  for (const [name, end] of [['Disconnected', ({ broker }) => broker.stop()], ['Stopped', ({ stop }) => stop()]])
+    it(`Publisher_${name}WhileItsMessagesAreRefused_SendsThemNoLonger`, async t => {
+      const { mock: begun } = t.mock.method(globalThis, 'setInterval'), { mock: ended } = t.mock.method(globalThis, 'clearInterval');
+      const run = await publisher(t);
+      run.broker.refusesMessage = () => true;
+      run.hear('/robot_description', { data: '<robot/>' });
+      await run.reached('waiting', refusalOf('robot_description'));
+      const timers = begun.calls.filter(call => call.arguments[1] === REPETITION_MS).map(call => call.result);
+
+      await end(run);
+
+      await until(() => timers.every(timer => ended.calls.some(call => call.arguments[0] === timer)), 'the end of the interval');
+      assert.equal(timers.length, 1);
+    });
 
   it('Subscriber_MayNotReadJointStates_IsNotConnectedAlthoughThePublisherIsPresent', async t => {
     const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RefusingBroker.start(t), SyncServer.start(t)]);
