@@ -49,6 +49,8 @@ export async function subscribe(
     status.refuse('malformed', take.has(name) ? name : kindOf(name), `${name.slice(0, MAX_NAME)}: ${problem}`);
   /** The reason why the broker refuses a subscription of the present connection; null if it refuses none. */
   let refusal: string | null = null;
+  /** Whether the publishing bridge and its gateway are connected. */
+  let isPresent = false;
   const broker = new BrokerLink(settings, configuration.plant.name, [...take.keys(), ...objects.topics, ALIVE], {
     opened: () => {
       refusal = null;
@@ -61,8 +63,8 @@ export async function subscribe(
     },
     subscriptionRefused: reason => {
       refusal = reason;
-      leave();
       status.enter('waiting', reason);
+      if (isPresent) applyStates();
     },
     heard: (name, payload) => {
       if (name === ALIVE) return enter(payload.toString());
@@ -77,19 +79,25 @@ export async function subscribe(
   });
 
   function enter(presence: string): void {
-    // Some messages of the other bridge do not arrive.
-    if (refusal !== null) return;
-    if (presence === ('true' satisfies Presence)) {
-      status.enter('connected');
-      reported.enter();
-      objects.enter();
-    } else {
+    if (presence !== ('true' satisfies Presence)) {
       leave();
-      status.enter('waiting', presence === ('no gateway' satisfies Presence) ? brokerMessages.gatewayAway : brokerMessages.bridgeAway);
+      return status.enter('waiting', presence === ('no gateway' satisfies Presence) ? brokerMessages.gatewayAway : brokerMessages.bridgeAway);
     }
+    if (refusal === null) status.enter('connected');
+    // Only once, because this state puts each joint and signal in fault until its next value.
+    else if (!isPresent) status.enter('waiting', refusal);
+    isPresent = true;
+    applyStates();
+  }
+
+  // Also with a refused subscription, because the messages on the other topics arrive.
+  function applyStates(): void {
+    reported.enter();
+    objects.enter();
   }
 
   function leave(): void {
+    isPresent = false;
     reported.leave();
     objects.leave();
   }

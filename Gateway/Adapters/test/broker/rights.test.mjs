@@ -4,7 +4,7 @@ import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
 import { until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
-import { bridge, clockOf, TOPIC } from './halls.mjs';
+import { bridge, clockOf, jointStatus, state, TOPIC } from './halls.mjs';
 import { RefusingBroker } from './refusingBroker.mjs';
 import { SyncServer } from './syncServer.mjs';
 import { ANY, like, messages } from '../messages.mjs';
@@ -152,23 +152,45 @@ describe('rights on a broker', () => {
       assert.equal(timers.length, 1);
     });
 
-  it('Subscriber_MayNotReadJointStates_IsNotConnectedAlthoughThePublisherIsPresent', async t => {
+  for (const [name, announcing] of [['Before', 'joint_status'], ['After', 'alive']])
+    it(`Subscriber_MayNotReadJointStatesAnnounced${name}TheRefusal_IsWaitingAndAppliesWhatArrives`, async t => {
+      const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RefusingBroker.start(t), SyncServer.start(t)]);
+      const refusal = like(brokerMessages.subscriptionRefused(`${TOPIC}/joint_states`, ANY)), signal = { name: ['s'], value: [1] };
+      broker.refuses = topic => topic === `${TOPIC}/joint_states`;
+      const answered = new Promise(resolve => {
+        broker.answered = (topic, socket) => {
+          if (topic === `${TOPIC}/${announcing}`) RefusingBroker.publish(socket, `${TOPIC}/alive`, 'true');
+          if (topic === `${TOPIC}/alive`) resolve(socket);
+        };
+      });
+
+      const { said } = bridge(t, 'subscribe', far, broker, clockOf(sync));
+      const socket = await answered;
+      await said(refusal);
+      RefusingBroker.publish(socket, `${TOPIC}/joint_status`, JSON.stringify(jointStatus(10n, { a: 'missing 0 no such node' })));
+      RefusingBroker.publish(socket, `${TOPIC}/signals/s`, JSON.stringify({ header: state(10n).header, ...signal }));
+
+      await until(() => far.joint('a')?.state === 'missing' && far.state['signal/s']?.startsWith('live'), () => JSON.stringify(far.state));
+      assert.deepEqual([far.state.state, far.state.reconnects], ['waiting', '0']);
+      assert.match(far.state.reason, refusal);
+    });
+
+  it('Subscriber_MayNotReadJointStatesAndPublisherReturns_IsWaitingBecauseOfTheRefusal', async t => {
     const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RefusingBroker.start(t), SyncServer.start(t)]);
     broker.refuses = topic => topic === `${TOPIC}/joint_states`;
     const answered = new Promise(resolve => {
       broker.answered = (topic, socket) => topic === `${TOPIC}/alive` && resolve(socket);
     });
-
     const refusal = like(brokerMessages.subscriptionRefused(`${TOPIC}/joint_states`, ANY));
-    await bridge(t, 'subscribe', far, broker, clockOf(sync)).said(refusal);
-    const socket = await answered;
-    RefusingBroker.publish(socket, `${TOPIC}/alive`, 'true');
-    // Shows that the presence before it was processed.
-    RefusingBroker.publish(socket, `${TOPIC}/joint_status`, 'x');
+    const { said } = bridge(t, 'subscribe', far, broker, clockOf(sync)), socket = await answered;
+    await said(refusal);
 
-    await until(() => far.state?.['refused/malformed'] !== undefined, () => JSON.stringify(far.state));
+    RefusingBroker.publish(socket, `${TOPIC}/alive`, 'false');
+    await until(() => far.state?.reason === brokerMessages.bridgeAway, () => JSON.stringify(far.state));
+    RefusingBroker.publish(socket, `${TOPIC}/alive`, 'true');
+
+    await until(() => refusal.test(far.state?.reason), () => JSON.stringify(far.state));
     assert.equal(far.state.state, 'waiting');
-    assert.match(far.state.reason, refusal);
   });
 
   for (const [name, end] of [['IsReset', socket => socket.resetAndDestroy()], ['IsEndedByTheClient', RefusingBroker.violate]])
