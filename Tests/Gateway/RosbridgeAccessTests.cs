@@ -76,7 +76,7 @@ public class RosbridgeAccessTests
     }
 
     [Test]
-    public async Task Observer_PublishesWithoutTheSlash_IsToldToAddIt()
+    public async Task Observer_PublishesWithoutTheSlash_IsRefusedForTheSlash()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var observer = await RawRosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
