@@ -94,14 +94,12 @@ namespace Nowpose.Prediction.Candidates
 
         bool TryFind()
         {
-            var wanted = 0.0;
-            for (var c = 0; c < _components; c++) wanted += Displacement(0, c) * Displacement(0, c);
             var interval = IndexAfter(0, 1);
             double slower = History.IndexOf(_start) - interval, faster = History.IndexOf(_maxSpeedAt) - interval;
             for (var i = 0; i < Bisections; i++)
             {
                 _match = (slower + faster) / 2;
-                if (SquareAfter(_match, interval) < wanted) slower = _match;
+                if (DisplacementAfter(_match, interval) < Newest.DisplacementAt(0)) slower = _match;
                 else faster = _match;
             }
             return History.Covers(_match - ForecastTable.Span / History.Step) && History.Covers(IndexAfter(_match, Compared)) && IsMirrored();
@@ -124,7 +122,7 @@ namespace Nowpose.Prediction.Candidates
             return differences < MaxDifferenceRatio * MaxDifferenceRatio * squares;
         }
 
-        double SquareAfter(double index, double interval)
+        double DisplacementAfter(double index, double interval)
         {
             var square = 0.0;
             for (var c = 0; c < _components; c++)
@@ -132,7 +130,7 @@ namespace Nowpose.Prediction.Candidates
                 var displacement = History.At(index + interval, c) - History.At(index, c);
                 square += displacement * displacement;
             }
-            return square;
+            return Math.Sqrt(square);
         }
 
         // The index that is as far after an index as the newest sample is after the sample with this age.
@@ -140,10 +138,6 @@ namespace Nowpose.Prediction.Candidates
 
         double Displacement(int age, int component) => Newest[age][component] - Newest[age + 1][component];
 
-        double Speed(int age)
-        {
-            var distance = Vectors.Distance(Newest.Positions, age * _components, Newest.Positions, (age + 1) * _components, _components);
-            return distance / (Newest.Times[age] - Newest.Times[age + 1]);
-        }
+        double Speed(int age) => Newest.DisplacementAt(age) / (Newest.Times[age] - Newest.Times[age + 1]);
     }
 }

@@ -166,11 +166,9 @@ namespace Nowpose.Prediction.Candidates
             var full = 1;
             while (full < Newest.Count && Newest.Times[0] - Newest.Times[full] <= Window) full++;
             var moving = 0;
-            while (moving + 1 < full && Displacement(moving) > stillDistance) moving++;
+            while (moving + 1 < full && Newest.DisplacementAt(moving) > stillDistance) moving++;
             return moving < MinMoving ? full : Math.Min(full, moving + 2);
         }
-
-        double Displacement(int age) => Vectors.Distance(Newest.Positions, age * _components, Newest.Positions, (age + 1) * _components, _components);
 
         void Weigh(double min)
         {
