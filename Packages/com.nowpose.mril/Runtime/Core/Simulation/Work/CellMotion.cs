@@ -6,7 +6,7 @@ namespace Nowpose.Simulation.Work
     /// <summary>The motions of all robots of a simulated cell, and the work from which they result.</summary>
     sealed class CellMotion
     {
-        /// <summary>Creates the motion of a cell whose only robot moves no workpieces.</summary>
+        /// <summary>Creates the motion of a cell with one robot and without workpieces.</summary>
         public CellMotion(IMotion motion) => Motions = new[] { ("", motion) };
 
         CellMotion(CellWork work)
