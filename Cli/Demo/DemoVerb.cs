@@ -127,7 +127,8 @@ static class DemoVerb
             Robot = robot,
             RobotText = urdf,
             Motion = recording == null
-                ? new CellWork(robot, new PickAndPlaceMotion(robot)) : new CellMotion(new RecordedMotion(MotionRecording.Read(recording), robot)),
+                ? new CellMotion(new CellWork(robot, new PickAndPlaceMotion(robot)))
+                : new CellMotion(new RecordedMotion(MotionRecording.Read(recording), robot)),
             MotionName = recording == null
                 ? DemoTexts.PickAndPlace : DemoTexts.Recording(Path.GetFileName(recording)),
             Predictor = parsed.GetValue(Predictor),

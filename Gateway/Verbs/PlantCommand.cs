@@ -55,7 +55,8 @@ static class PlantCommand
             await using var gateway = await GatewayServer.StartAsync(
                 options with { ControlClock = PlantClocks.Own }, clock, Announcement.Log, stop);
             // A recorded motion does not contain the moves in which the gripper closes and opens.
-            CellMotion motions = motion is PickAndPlaceMotion moves ? new CellWork(robot, moves, plant.Robots(parsed)) : new CellMotion(motion);
+            var motions = motion is PickAndPlaceMotion moves
+                ? new CellMotion(new CellWork(robot, moves, plant.Robots(parsed))) : new CellMotion(motion);
             using var source = gateway.Hub.OpenSource();
             foreach (var (name, _) in motions.Motions) source.Describe(urdf, name);
             if (server.Records(parsed)) gateway.Recorder.SwitchOn();

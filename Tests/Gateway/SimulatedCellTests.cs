@@ -97,7 +97,7 @@ public class SimulatedCellTests
     {
         var robot = RobotFiles.Load("youbot", out var urdf);
         var work = new CellWork(robot, new PickAndPlaceMotion(robot));
-        using var cell = new SimulatedCell(work, new LookedAtClock(), Timing, 1);
+        using var cell = new SimulatedCell(new CellMotion(work), new LookedAtClock(), Timing, 1);
         var frames = new ConcurrentQueue<HubMessage>();
         // Publishes into another hub first. The second hub represents a restarted gateway and must also receive the stationary frames and all
         // signals.
@@ -131,7 +131,7 @@ public class SimulatedCellTests
     {
         var robot = RobotFiles.Load("youbot", out var urdf);
         var work = new CellWork(robot, new PickAndPlaceMotion(robot), 2);
-        using var cell = new SimulatedCell(work, new LookedAtClock(), Timing, 1, publishesPlan: true);
+        using var cell = new SimulatedCell(new CellMotion(work), new LookedAtClock(), Timing, 1, publishesPlan: true);
         var messages = new ConcurrentQueue<HubMessage>();
         var hub = new MessageHub();
         using var description = hub.OpenSource();

@@ -132,7 +132,7 @@ public class TickAllocationTests
         var start = HeadsetTime.FromSeconds(10);
         var work = new CellWork(robot, new PickAndPlaceMotion(robot));
         var conditions = new VirtualCellSettings(samplingMs, 55, 105, 0, 0, NetworkProfile.Wifi);
-        var cell = new VirtualCell(work, new VirtualClock(start, TimeSpan.FromSeconds(1000), 37e-6), conditions, seed: 3, start);
+        var cell = new VirtualCell(new CellMotion(work), new VirtualClock(start, TimeSpan.FromSeconds(1000), 37e-6), conditions, seed: 3, start);
         using var session = new CompensationSession(
             new SessionSettings(new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40)), robot, new StopwatchHeadsetClock());
         using var recorder = new SessionRecorder(session, new RecordingSettings("nowhere", () => Stream.Null));

@@ -110,7 +110,7 @@ public class HeadsetNamespaceTests
         var source = gateway.Hub.OpenSource();
         foreach (var each in work.Robots) source.Describe(urdf, each.Namespace);
         var timing = new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(20), TimeSpan.FromMilliseconds(40));
-        var cell = new SimulatedCell(work, gateway.Clock, timing, 1);
+        var cell = new SimulatedCell(new CellMotion(work), gateway.Clock, timing, 1);
         cell.PublishInto(gateway.Hub);
         return cell;
     }

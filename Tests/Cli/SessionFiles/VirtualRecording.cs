@@ -43,7 +43,7 @@ sealed class VirtualRecording
         var clock = new VirtualClock(Start, TimeSpan.FromSeconds(1_700_000_000), 37e-6);
         var settings = new VirtualCellSettings(samplingMs, 55, 105, jitterMs, loss, NetworkProfile.Wifi);
         var motion = new PickAndPlaceMotion(robot);
-        CellMotion motions = hasWork ? new CellWork(robot, motion) : new CellMotion(motion);
+        var motions = hasWork ? new CellMotion(new CellWork(robot, motion)) : new CellMotion(motion);
         var cell = new VirtualCell(motions, clock, settings, seed, Start);
         if (planLagMs.HasValue) cell.PlanLag = TimeSpan.FromMilliseconds(planLagMs.Value);
         using var session = new CompensationSession(

@@ -18,7 +18,7 @@ static class VirtualDemo
         return new DemoSettings
         {
             Seconds = seconds, Network = NetworkProfile.Named(network), Robot = robot, RobotText = urdf,
-            Motion = hasWork ? new CellWork(robot, motion) : new CellMotion(motion),
+            Motion = hasWork ? new CellMotion(new CellWork(robot, motion)) : new CellMotion(motion),
             Predictor = predictor, SamplingMs = 50, Acquisition = new(55, 105), VisualisationMs = 40, Seed = seed,
         };
     }

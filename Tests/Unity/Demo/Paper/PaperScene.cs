@@ -57,7 +57,7 @@ static class PaperScene
         return new()
         {
             Network = NetworkProfile.Wifi, Acquisition = new(55, 105), VisualisationMs = VisuMs, Seed = seed,
-            Robot = robot, Motion = new CellWork(robot, new PickAndPlaceMotion(robot)),
+            Robot = robot, Motion = new CellMotion(new CellWork(robot, new PickAndPlaceMotion(robot))),
         };
     }
 

@@ -63,7 +63,7 @@ namespace Nowpose.Simulation
         public static VirtualCell WithWorkpieces(
             RobotModel robot, PickAndPlaceMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start,
             int robots = 1) =>
-            new VirtualCell(new CellWork(robot, motion, robots), clock, settings, seed, start);
+            new VirtualCell(new CellMotion(new CellWork(robot, motion, robots)), clock, settings, seed, start);
 
         public VirtualCellSettings Settings { get; set; }
 

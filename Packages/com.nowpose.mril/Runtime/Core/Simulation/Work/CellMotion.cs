@@ -9,7 +9,8 @@ namespace Nowpose.Simulation.Work
         /// <summary>Creates the motion of a cell with one robot and without workpieces.</summary>
         public CellMotion(IMotion motion) => Motions = new[] { ("", motion) };
 
-        CellMotion(CellWork work)
+        /// <summary>Creates the motion of a cell whose robots move workpieces.</summary>
+        public CellMotion(CellWork work)
         {
             Motions = work.Motions;
             Work = work;
@@ -20,7 +21,5 @@ namespace Nowpose.Simulation.Work
 
         /// <summary>The work of the robots; null if they move no workpieces.</summary>
         public CellWork Work { get; }
-
-        public static implicit operator CellMotion(CellWork work) => new CellMotion(work);
     }
 }

@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Simulation
             var robot = UrdfFiles.Robot("youbot");
             var work = new CellWork(robot, new PickAndPlaceMotion(robot));
             var clock = new VirtualClock(start, TimeSpan.FromSeconds(1000), 0);
-            var cell = new VirtualCell(work, clock, VirtualCellRun.Settings(), seed: 1, start);
+            var cell = new VirtualCell(new CellMotion(work), clock, VirtualCellRun.Settings(), seed: 1, start);
             var sessions = new[] { NewSession(), NewSession() };
             var now = start;
             void Run(CompensationSession session, double seconds)
