@@ -10,7 +10,7 @@ namespace Nowpose.Frames
     /// while a gripper, and not the source, determines the place of the object, and while a gripper may have moved the object.
     /// </summary>
     /// <remarks>
-    /// <see cref="ScatterDetector"/> measures the noise from the grip on, if necessary until after the release. For white noise with the standard
+    /// <see cref="RestDetector"/> measures the noise from the grip on, if necessary until after the release. For white noise with the standard
     /// deviation σ in each component, the limit is 13.5 σ for three components and 6.8 σ for one; the difference of two samples has √2 σ. Allocates
     /// nothing after construction.
     /// </remarks>
@@ -30,8 +30,8 @@ namespace Nowpose.Frames
 
         const int Components = 3;
 
-        readonly PositionWindow _positions = new PositionWindow(ScatterDetector.Window, Components), _rotations = new PositionWindow(ScatterDetector.Window, Components);
-        readonly ScatterDetector _position = new ScatterDetector(Components), _rotation = new ScatterDetector(Components);
+        readonly PositionWindow _positions = new PositionWindow(RestDetector.Window, Components), _rotations = new PositionWindow(RestDetector.Window, Components);
+        readonly RestDetector _position = new RestDetector(Components), _rotation = new RestDetector(Components);
         RigidTransform _rest, _first;
         double _metres, _radians;
         int _different;
@@ -40,7 +40,7 @@ namespace Nowpose.Frames
         /// Whether enough samples have been added to measure the noise. After 4 samples, white noise remains undetected in half of all cases; after this
         /// number, in 1 % of the cases if it is in one component, and in less than 0.02 % if it is in three.
         /// </summary>
-        public bool IsNoiseKnown => _positions.Count == ScatterDetector.Window;
+        public bool IsNoiseKnown => _positions.Count == RestDetector.Window;
 
         /// <summary>Starts measuring the noise. Call it at a grip.</summary>
         public void Begin()
@@ -85,10 +85,10 @@ namespace Nowpose.Frames
             if (isMeasuring) SetLimits();
         }
 
-        static void Add(ScatterDetector detector, PositionWindow window, in Vector3D vector)
+        static void Add(RestDetector detector, PositionWindow window, in Vector3D vector)
         {
             window.Add(0, stackalloc[] { vector.X, vector.Y, vector.Z });
-            detector.Add(window.Positions, window.Count);
+            detector.AddNoise(window.Positions, window.Count);
         }
 
         /// <summary>

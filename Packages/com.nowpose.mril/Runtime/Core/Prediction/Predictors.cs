@@ -125,7 +125,7 @@ namespace Nowpose.Prediction
         internal static PredictionPipeline<TSample> OfAnObject<TSample>(string name, PredictionLimits limits, ForecasterSet forecasters, PredictionParts parts)
             where TSample : struct, ISample<TSample> => Pipeline<TSample>(name, limits, parts, 2, motion => MixtureOf(3, limits, parts,
                 forecasters ??= ForecastersOfObjects(parts), ObjectMatchInterval, new CandidateGate(ObjectBrakingGate, ObjectBrakingGate),
-                motion == 0 ? new ObjectJumpDetector(3, MinJump, MaxAcceleration) : new ObjectJumpDetector(3, MinTurn, MaxAngularAcceleration)));
+                motion == 0 ? JumpDetector.OfObject(3, MinJump, MaxAcceleration) : JumpDetector.OfObject(3, MinTurn, MaxAngularAcceleration)));
 
         /// <summary>Returns the time constant of the blend for a predictor: none for hold, the reference for comparisons.</summary>
         internal static double BlendOf(string name, double blend) => name == Hold ? 0 : blend;
@@ -153,23 +153,22 @@ namespace Nowpose.Prediction
 
         static Mixture Joint(PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters) =>
             MixtureOf(1, limits, parts, forecasters, JointMatchInterval,
-                new CandidateGate(JointBrakingGate, JointBrakingGate, untestedRatio: JointBrakingGate), new OutlierReturnDetector());
+                new CandidateGate(JointBrakingGate, JointBrakingGate, untestedRatio: JointBrakingGate), JumpDetector.OfJoint());
 
         static Mixture MixtureOf(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters,
             double matchInterval, CandidateGate braking, JumpDetector jumps)
         {
-            var scatter = new ScatterDetector(components);
-            var past = Has(parts, PredictionParts.Repetition | PredictionParts.Braking) ? new PastMotion(components, limits.MaximumGap) : null;
+            var history = Has(parts, PredictionParts.Repetition | PredictionParts.Braking) ? new MotionHistory(components, limits.MaximumGap) : null;
             var candidates = new List<Candidate>
             {
-                new Candidate(components, new MeanForecaster(scatter), new CandidateGate(MeanGate, MeanGate, untestedRatio: MeanGate))
+                new Candidate(components, new MeanForecaster(), new CandidateGate(MeanGate, MeanGate, untestedRatio: MeanGate))
             };
             if (Has(parts, PredictionParts.Repetition))
-                candidates.Add(new Candidate(components, new TemplateForecaster(components, past, matchInterval), new CandidateGate(TemplateGate, StartGate)));
-            if (Has(parts, PredictionParts.Braking)) candidates.Add(new Candidate(components, new BrakingForecaster(components, past), braking));
+                candidates.Add(new Candidate(components, new TemplateForecaster(components, history, matchInterval), new CandidateGate(TemplateGate, StartGate)));
+            if (Has(parts, PredictionParts.Braking)) candidates.Add(new Candidate(components, new BrakingForecaster(components, history), braking));
             if (Has(parts, PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
                 candidates.Add(new Candidate(components, new ProfileForecaster(limits), new CandidateGate(ProfileGate, ProfileGate)));
-            return new Mixture(components, limits, parts, forecasters, candidates.ToArray(), jumps, scatter);
+            return new Mixture(components, limits, parts, forecasters, candidates.ToArray(), jumps);
         }
 
         // The fits with a history longer than their degree reduce noise. Of the others, the cubic does not stop at a reversal: with such a stop, the

@@ -35,7 +35,7 @@ namespace Nowpose.Prediction.Candidates
         const int Bisections = 12;
 
         readonly int _components;
-        readonly PastMotion _past;
+        readonly MotionHistory _history;
         int _starts;
         double _start, _maxSpeed, _maxSpeedAt;
         bool _beganAtRest;
@@ -44,41 +44,39 @@ namespace Nowpose.Prediction.Candidates
         double _match;
 
         /// <param name="components">Number of components of a position.</param>
-        /// <param name="past">The past of this motion, which candidates share.</param>
-        public BrakingForecaster(int components, PastMotion past) => (_components, _past) = (components, past);
+        /// <param name="history">The past of this motion, which candidates share.</param>
+        public BrakingForecaster(int components, MotionHistory history) => (_components, _history) = (components, history);
 
         /// <returns>False if the motion does not brake as it has accelerated.</returns>
         public override bool Solve(MotionState motion)
         {
-            _past.Take(motion);
-            if (!_past.HasStarted) return false;
-            if (_starts != _past.Starts) Start();
+            _history.Take(motion);
+            if (!_history.HasStarted) return false;
+            if (_starts != _history.Starts) Start();
             double speed = Speed(0), before = Speed(1);
             FollowMove(motion, speed, before);
-            return motion.StillSamples == 0 && speed < MaxSpeedRatio * before && TryFind();
+            return !motion.Rest.IsStill && speed < MaxSpeedRatio * before && TryFind();
         }
 
         public override double At(double ahead, int component)
         {
-            var mirrored = _match - ahead / History.Step;
+            var mirrored = _match - ahead / _history.Step;
             // Before the start at rest, the history contains the end of another move.
-            if (_beganAtRest) mirrored = Math.Max(mirrored, History.IndexOf(_start));
-            return History.At(_match, component) - History.At(mirrored, component);
+            if (_beganAtRest) mirrored = Math.Max(mirrored, _history.IndexOf(_start));
+            return _history.At(_match, component) - _history.At(mirrored, component);
         }
 
-        public override void Reset() => _past.Reset();
+        public override void Reset() => _history.Reset();
 
-        MotionHistory History => _past.History;
-
-        PositionWindow Newest => _past.Newest;
+        PositionWindow Newest => _history.Newest;
 
         // The times of an earlier history are not in this one.
-        void Start() => (_starts, _start, _maxSpeed, _beganAtRest) = (_past.Starts, Newest.Times[Newest.Count - 1], 0, false);
+        void Start() => (_starts, _start, _maxSpeed, _beganAtRest) = (_history.Starts, Newest.Times[Newest.Count - 1], 0, false);
 
         void FollowMove(MotionState motion, double speed, double before)
         {
             var acceleratesAgain = speed > before && before < NewMoveRatio * _maxSpeed;
-            if (motion.StillSamples > 0 || Reverses || acceleratesAgain) (_start, _maxSpeed, _beganAtRest) = (Newest.Times[1], 0, motion.StillSamples > 0);
+            if (motion.Rest.IsStill || Reverses || acceleratesAgain) (_start, _maxSpeed, _beganAtRest) = (Newest.Times[1], 0, motion.Rest.IsStill);
             if (speed > _maxSpeed) (_maxSpeed, _maxSpeedAt) = (speed, Newest.Times[0]);
         }
 
@@ -95,14 +93,14 @@ namespace Nowpose.Prediction.Candidates
         bool TryFind()
         {
             var interval = IndexAfter(0, 1);
-            double slower = History.IndexOf(_start) - interval, faster = History.IndexOf(_maxSpeedAt) - interval;
+            double slower = _history.IndexOf(_start) - interval, faster = _history.IndexOf(_maxSpeedAt) - interval;
             for (var i = 0; i < Bisections; i++)
             {
                 _match = (slower + faster) / 2;
                 if (DisplacementAfter(_match, interval) < Newest.DisplacementAt(0)) slower = _match;
                 else faster = _match;
             }
-            return History.Covers(_match - ForecastTable.Span / History.Step) && History.Covers(IndexAfter(_match, Compared)) && IsMirrored();
+            return _history.Covers(_match - ForecastTable.Span / _history.Step) && _history.Covers(IndexAfter(_match, Compared)) && IsMirrored();
         }
 
         bool IsMirrored()
@@ -114,7 +112,7 @@ namespace Nowpose.Prediction.Candidates
                 for (var c = 0; c < _components; c++)
                 {
                     var displacement = Displacement(age, c);
-                    var difference = displacement - (History.At(to, c) - History.At(from, c));
+                    var difference = displacement - (_history.At(to, c) - _history.At(from, c));
                     differences += difference * difference;
                     squares += displacement * displacement;
                 }
@@ -127,14 +125,14 @@ namespace Nowpose.Prediction.Candidates
             var square = 0.0;
             for (var c = 0; c < _components; c++)
             {
-                var displacement = History.At(index + interval, c) - History.At(index, c);
+                var displacement = _history.At(index + interval, c) - _history.At(index, c);
                 square += displacement * displacement;
             }
             return Math.Sqrt(square);
         }
 
         // The index that is as far after an index as the newest sample is after the sample with this age.
-        double IndexAfter(double index, int age) => index + (Newest.Times[0] - Newest.Times[age]) / History.Step;
+        double IndexAfter(double index, int age) => index + (Newest.Times[0] - Newest.Times[age]) / _history.Step;
 
         double Displacement(int age, int component) => Newest[age][component] - Newest[age + 1][component];
 

@@ -1,10 +1,14 @@
 using System;
 using System.Runtime.CompilerServices;
 using Nowpose.Prediction.Samples;
+using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Candidates
 {
-    /// <summary>Keeps at least two minutes of a motion on a uniform time grid, interpolated from samples at any intervals.</summary>
+    /// <summary>
+    /// Keeps the past of one motion for the candidates that compare the present motion with it: the newest samples, and at least two minutes on a uniform time
+    /// grid, interpolated from samples at any intervals.
+    /// </summary>
     /// <remarks>
     /// Indices count grid points since the start and never wrap. The grid ends one sample before the newest sample, so that every
     /// point has samples on both sides. A position has one component (a joint) or several (a vector).
@@ -24,8 +28,34 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         public const int Margin = 4;
 
-        /// <summary>Number of samples around a grid point: two on either side determine a cubic.</summary>
-        const int Neighbours = 4;
+        /// <summary>
+        /// Distance from a grid point, in steps, within which a sample counts as lying on it: more than the rounding errors of times and of numbers
+        /// of steps, and too short for a visible motion.
+        /// </summary>
+        public const double Rounding = 1e-6;
+
+        /// <summary>Number of newest samples: more than there are in the window of <see cref="TemplateForecaster"/> at an interval of 20 ms.</summary>
+        const int Kept = 24;
+
+        /// <summary>
+        /// Minimum number of sampling intervals before the grid starts. Their running mean then determines the grid step. With 4 or 16, the errors
+        /// change by at most 0.4 %.
+        /// </summary>
+        const int MinIntervals = 8;
+
+        /// <summary>Minimum grid step, in s: the capacity then covers two minutes.</summary>
+        const double MinStep = 0.02;
+
+        /// <summary>
+        /// Maximum gap in the history, in s, even if the limits allow a longer one: the motion in a longer gap cannot be interpolated.
+        /// </summary>
+        const double MaxGap = 2;
+
+        /// <summary>
+        /// Maximum change of the sampling interval, as a factor; a larger change starts a new history. Twice the interval exceeds it. A lost sample
+        /// does not, because a gap changes the mean interval by at most a factor of 1.2 (<see cref="SampleTiming"/>).
+        /// </summary>
+        const double MaxIntervalRatio = 1.6;
 
         /// <summary>
         /// Minimum height of a spike: the smaller of the displacements to the sample and back, relative to the maximum displacement in one direction.
@@ -33,29 +63,33 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         const double SpikeRatio = 1.3;
 
-        /// <summary>
-        /// Distance from a grid point, in steps, within which a sample counts as lying on it: more than the rounding errors of times and of numbers
-        /// of steps, and too short for a visible motion.
-        /// </summary>
-        public const double Rounding = 1e-6;
-
-        readonly PositionWindow _newest;
+        readonly double _maximumGap;
         readonly double[] _maxDisplacements;
-        double _start;
+        double _interval, _start;
 
         /// <param name="components">Number of components of a position.</param>
-        public MotionHistory(int components)
+        /// <param name="maximumGap">Maximum gap between two samples, in s; a longer gap restarts the history.</param>
+        public MotionHistory(int components, double maximumGap)
         {
-            Components = components;
+            (Components, _maximumGap) = (components, Math.Min(maximumGap, MaxGap));
             Points = new double[Capacity * components];
-            _newest = new PositionWindow(Neighbours, components);
+            Newest = new PositionWindow(Kept, components);
             _maxDisplacements = new double[components];
         }
 
         /// <summary>Number of components of a position.</summary>
         public int Components { get; }
 
-        /// <summary>Grid step, s.</summary>
+        /// <summary>The newest samples. A single wrong one is replaced when the next one shows it.</summary>
+        public PositionWindow Newest { get; }
+
+        /// <summary>Whether there are enough samples for a grid.</summary>
+        public bool HasStarted => Step > 0;
+
+        /// <summary>Number of starts of the grid so far. After each start, its indices count from zero again.</summary>
+        public int Starts { get; private set; }
+
+        /// <summary>Grid step, s; 0 before the start.</summary>
         public double Step { get; private set; }
 
         /// <summary>Grid points since the start; the newest <see cref="Capacity"/> of them are kept.</summary>
@@ -64,33 +98,25 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Ring buffer of the positions at the grid points; the components of a position are adjacent.</summary>
         public double[] Points { get; }
 
-        /// <summary>Position of the sample before the newest one; interpolated if the sample was wrong.</summary>
-        public ReadOnlySpan<double> Previous => _newest[1];
-
-        /// <summary>Clears the history and sets the grid step.</summary>
-        /// <param name="step">Grid step in s.</param>
-        public void Start(double step)
+        /// <summary>Adds the newest sample, unless another candidate has added it.</summary>
+        public void Take(MotionState motion)
         {
-            Step = step;
-            Count = 0;
-            _newest.Clear();
-            Array.Clear(_maxDisplacements, 0, Components);
+            var (time, meanInterval) = (motion.NewestTime, motion.Timing.MeanInterval);
+            if (Newest.Count > 0 && !(time > Newest.Times[0])) return;
+            if (Newest.Count > 0 && time - Newest.Times[0] > _maximumGap) Reset();
+            // A single gap does not change the mean interval enough to restart.
+            if (HasStarted && (meanInterval > MaxIntervalRatio * _interval || meanInterval * MaxIntervalRatio < _interval)) Reset();
+            Newest.Add(time, motion.Newest);
+            for (var c = 0; c < Components && Newest.Count > 2; c++) ReplaceSpike(c);
+            if (HasStarted) ExtendTo(age: 1);
+            else if (Newest.Count > MinIntervals) Start(meanInterval);
         }
 
-        /// <summary>Adds a sample that is newer than all previous samples.</summary>
-        /// <param name="position">One number per component.</param>
-        public void Add(double time, ReadOnlySpan<double> position)
+        public void Reset()
         {
-            if (_newest.Count == 0)
-            {
-                _start = time;
-                // Until there are enough samples, the first one is repeated backwards in time.
-                for (var i = Neighbours - 1; i > 0; i--) _newest.Add(time - i * Step, position);
-            }
-            else if (!(time > _newest.Times[0])) return;
-            _newest.Add(time, position);
-            for (var c = 0; c < Components; c++) ReplaceSpike(c);
-            for (; TimeOf(Count) <= _newest.Times[1] + Rounding * Step; Count++) Interpolate(TimeOf(Count), PlaceOf(Count));
+            _interval = Step = 0;
+            Newest.Clear();
+            Array.Clear(_maxDisplacements, 0, Components);
         }
 
         /// <summary>Returns the place of a grid point in <see cref="Points"/>. The point must be one of the newest <see cref="Capacity"/>.</summary>
@@ -113,10 +139,26 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Returns whether there is a position at an index.</summary>
         public bool Covers(double index) => index < Count - 2 && index >= 1 && index >= Count - Capacity + 1;
 
-        // A wrong sample would reappear in a forecast whenever the motion repeats.
+        // The grid step is a multiple of the sampling interval, so that samples lie on grid points and need no interpolation.
+        void Start(double interval)
+        {
+            _interval = interval;
+            Step = interval * Math.Ceiling(MinStep / interval - Rounding);
+            (_start, Count) = (Newest.Times[Newest.Count - 1], 0);
+            for (var age = Newest.Count - 2; age > 0; age--) ExtendTo(age);
+            Starts++;
+        }
+
+        // Adds the grid points up to the sample with this age.
+        void ExtendTo(int age)
+        {
+            for (; TimeOf(Count) <= Newest.Times[age] + Rounding * Step; Count++) Interpolate(age, TimeOf(Count), PlaceOf(Count));
+        }
+
+        // A wrong sample would impair the comparisons of the next samples, and would reappear in a forecast whenever the motion repeats.
         void ReplaceSpike(int component)
         {
-            var (times, positions) = (_newest.Times, _newest.Positions);
+            var (times, positions) = (Newest.Times, Newest.Positions);
             double newest = positions[component], before = positions[2 * Components + component];
             ref var middle = ref positions[Components + component];
             ref var max = ref _maxDisplacements[component];
@@ -128,15 +170,17 @@ namespace Nowpose.Prediction.Candidates
 
         double TimeOf(long index) => _start + index * Step;
 
-        // Cubic Hermite between samples 2 and 1, with slopes of the parabolas through their neighbours.
-        void Interpolate(double time, int place)
+        // Cubic Hermite between the sample with this age and the one before it, with slopes of the parabolas through their neighbours.
+        void Interpolate(int age, double time, int place)
         {
-            var (times, positions) = (_newest.Times, _newest.Positions);
-            double h0 = times[2] - times[3], h1 = times[1] - times[2], h2 = times[0] - times[1], x = time - times[2];
+            var (times, isFirst) = (Newest.Times, age + 2 == Newest.Count);
+            // The first sample is repeated backwards in time.
+            double h0 = isFirst ? Step : times[age + 1] - times[age + 2], h1 = times[age] - times[age + 1], h2 = times[age - 1] - times[age], x = time - times[age + 1];
+            Span<double> newer = Newest[age - 1], after = Newest[age], before = Newest[age + 1], older = Newest[isFirst ? age + 1 : age + 2];
             for (var c = 0; c < Components; c++)
             {
-                double p1 = positions[Components + c], p2 = positions[2 * Components + c];
-                double d0 = (p2 - positions[3 * Components + c]) / h0, d1 = (p1 - p2) / h1, d2 = (positions[c] - p1) / h2;
+                double p1 = after[c], p2 = before[c];
+                double d0 = (p2 - older[c]) / h0, d1 = (p1 - p2) / h1, d2 = (newer[c] - p1) / h2;
                 var m1 = (d0 * h1 + d1 * h0) / (h0 + h1);
                 var m2 = (d1 * h2 + d2 * h1) / (h1 + h2);
                 var square = (3 * d1 - 2 * m1 - m2) / h1;

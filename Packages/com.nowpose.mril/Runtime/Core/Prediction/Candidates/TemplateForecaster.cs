@@ -40,7 +40,7 @@ namespace Nowpose.Prediction.Candidates
 
         readonly int _components;
         readonly double _matchInterval;
-        readonly PastMotion _past;
+        readonly MotionHistory _history;
         readonly LagSearch _search;
         readonly MotionOverlay _overlay;
 
@@ -56,57 +56,55 @@ namespace Nowpose.Prediction.Candidates
         double _matchedAt;
 
         /// <param name="components">Number of components of a position.</param>
-        /// <param name="past">The past of this motion, which candidates share.</param>
+        /// <param name="history">The past of this motion, which candidates share.</param>
         /// <param name="matchInterval">
         /// Minimum interval between two comparisons with the history, in s; samples between them keep the last matches.
         /// </param>
-        public TemplateForecaster(int components, PastMotion past, double matchInterval)
+        public TemplateForecaster(int components, MotionHistory history, double matchInterval)
         {
-            (_components, _past, _matchInterval) = (components, past, matchInterval);
-            _overlay = new MotionOverlay(History);
-            _search = new LagSearch(History);
+            (_components, _history, _matchInterval) = (components, history, matchInterval);
+            _overlay = new MotionOverlay(history);
+            _search = new LagSearch(history);
             _offsets = new double[LagSearch.Kept * components];
         }
 
         /// <returns>False if the history contains no similar motion.</returns>
         public override bool Solve(MotionState motion)
         {
-            _past.Take(motion);
+            _history.Take(motion);
             var before = _matches;
             _matches = 0;
-            if (!_past.HasStarted) return false;
-            if (_starts != _past.Starts)
+            if (!_history.HasStarted) return false;
+            if (_starts != _history.Starts)
             {
                 Start();
                 return false;
             }
             _search.Update(MinLag);
             var isSoon = motion.NewestTime - _matchedAt < _matchInterval;
-            if (before > 0 && (isSoon || motion.StillSamples > MaxStill)) KeepMatches(before);
-            else Match(motion.StillDistance);
+            if (before > 0 && (isSoon || motion.Rest.StillSamples > MaxStill)) KeepMatches(before);
+            else Match(motion.Rest.StillDistance);
             return _matches > 0;
         }
 
         public override double At(double ahead, int component)
         {
-            var (index, position) = (History.IndexOf(Newest.Times[0] + ahead), 0.0);
+            var (index, position) = (_history.IndexOf(Newest.Times[0] + ahead), 0.0);
             for (var i = 0; i < _matches; i++)
-                position += _weights[i] * (History.At(index - _lags[i], component) + _offsets[i * _components + component]);
+                position += _weights[i] * (_history.At(index - _lags[i], component) + _offsets[i * _components + component]);
             return position - Newest.Positions[component];
         }
 
         public override void Reset()
         {
-            _past.Reset();
+            _history.Reset();
             _matches = 0;
         }
 
-        MotionHistory History => _past.History;
-
-        PositionWindow Newest => _past.Newest;
+        PositionWindow Newest => _history.Newest;
 
         // At a smaller lag, the history does not cover the continuation.
-        int MinLag => (int)Math.Ceiling(ForecastTable.Span / History.Step) + MotionHistory.Margin;
+        int MinLag => (int)Math.Ceiling(ForecastTable.Span / _history.Step) + MotionHistory.Margin;
 
         // Keeps the matches between two searches and during a standstill.
         void KeepMatches(int matches)
@@ -119,7 +117,7 @@ namespace Nowpose.Prediction.Candidates
         // The lags of an earlier history are wrong.
         void Start()
         {
-            _starts = _past.Starts;
+            _starts = _history.Starts;
             _search.Start();
             Array.Clear(_found, 0, _found.Length);
         }
@@ -157,8 +155,8 @@ namespace Nowpose.Prediction.Candidates
             (_refined[place], _refined[i]) = (_refined[i], _refined[place]);
         }
 
-        bool HasContinuation(double lag) => History.Covers(History.IndexOf(Newest.Times[0]) - lag)
-            && History.Covers(History.IndexOf(Newest.Times[0] + ForecastTable.Span) - lag);
+        bool HasContinuation(double lag) => _history.Covers(_history.IndexOf(Newest.Times[0]) - lag)
+            && _history.Covers(_history.IndexOf(Newest.Times[0] + ForecastTable.Span) - lag);
 
         // In motion, only the samples since the start of the motion are compared, because the duration of the preceding rest varies.
         int SamplesInWindow(double stillDistance)

@@ -43,9 +43,6 @@ namespace Nowpose.Prediction.State
         /// </summary>
         const double SteadyRatio = 1e-6;
 
-        /// <summary>Maximum counted number of samples; more than any forecaster uses.</summary>
-        const int MaxCount = 1_000_000;
-
         // Velocity at the previous sample that was not a jump, and at the last one that was also confirmed.
         readonly double[] _before, _confirmed;
 
@@ -76,8 +73,8 @@ namespace Nowpose.Prediction.State
         /// <param name="isUnconfirmed">Whether the sample may be wrong (<see cref="JumpDetector.IsUnconfirmed"/>): it does not increase the maxima.</param>
         public void Add(MotionState motion, double forgettingFactor, bool isUnconfirmed)
         {
-            SamplesSince = Math.Min(SamplesSince, MaxCount) + 1;
-            _samples = Math.Min(_samples, MaxCount) + 1;
+            SamplesSince = Math.Min(SamplesSince, int.MaxValue - 1) + 1;
+            _samples = Math.Min(_samples, int.MaxValue - 1) + 1;
             if (_samples < 2) return;
             var interval = motion.Timing.Interval;
             _maxAcceleration = Math.Max(_maxAcceleration, _acceleration) * forgettingFactor;

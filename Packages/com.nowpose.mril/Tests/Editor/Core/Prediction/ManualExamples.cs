@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Prediction
             public override bool Solve(MotionState motion)
             {
                 _motion = motion;
-                return motion.StillSamples == 0;
+                return !motion.Rest.IsStill;
             }
 
             public override double At(double ahead, int component) =>

@@ -9,23 +9,23 @@ using Nowpose.Tests.Core.Frames;
 
 namespace Nowpose.Tests.Core.Prediction.State
 {
-    public class ScatterDetectorTests
+    public class RestDetectorTests
     {
-        readonly PositionWindow _window = new PositionWindow(ScatterDetector.Window, components: 3);
+        readonly PositionWindow _window = new PositionWindow(RestDetector.Window, components: 3);
 
         [SetUp]
         public void ClearWindow() => _window.Clear();
 
-        void Add(ScatterDetector detector, in Vector3D position)
+        void Add(RestDetector detector, in Vector3D position)
         {
             _window.Add(time: 0, new[] { position.X, position.Y, position.Z });
-            detector.Add(_window.Positions, _window.Count);
+            detector.AddNoise(_window.Positions, _window.Count);
         }
 
         bool Scatters(Func<double, PoseSample> motion, int samples, double interval)
         {
             _window.Clear();
-            var detector = new ScatterDetector(components: 3);
+            var detector = new RestDetector(components: 3);
             for (var k = 0; k < samples; k++) Add(detector, motion(k * interval).Position);
             return detector.Scatters;
         }
@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         public void HasStarted_NoiseThenMotion_IsTrueForTheMotionOnly()
         {
             var rest = BodyMotions.WithNoise(BodyMotions.Rest, seed: 12);
-            var detector = new ScatterDetector(components: 3);
+            var detector = new RestDetector(components: 3);
             var started = 0;
             for (var k = 0; k < 2000; k++)
             {
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         [Test]
         public void HasStarted_NoiseInOneComponent_IsTrueForFewerThanOneIn5000Samples()
         {
-            var (detector, random, started) = (new ScatterDetector(components: 3), new Random(13), 0);
+            var (detector, random, started) = (new RestDetector(components: 3), new Random(13), 0);
             for (var k = 0; k < 20000; k++)
             {
                 Add(detector, new Vector3D(0, 0, 0.001 * random.NextNormal()));
@@ -89,7 +89,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         [TestCase(40, 40, false)]
         public void HasStarted_StepOutOfTheNoise_IsTrueOnlyIfItIsLongAndContinues(double position, double next, bool expected)
         {
-            var detector = new ScatterDetector(components: 3);
+            var detector = new RestDetector(components: 3);
             foreach (var x in new[] { 0, 0.3, -0.2, 0.1, -0.3, 0.2, -0.1, 0.3, -0.3, 0.1, -0.2, 1.2 }) Add(detector, new Vector3D(x, 0, 0));
 
             Add(detector, new Vector3D(position, 0, 0));
@@ -102,7 +102,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         public void Noise_AtRest_IsTheMeanDistanceOfConsecutiveSamples()
         {
             var rest = BodyMotions.WithNoise(BodyMotions.Rest, seed: 13);
-            var detector = new ScatterDetector(components: 3);
+            var detector = new RestDetector(components: 3);
             for (var k = 0; k < 100; k++) Add(detector, rest(0.05 * k).Position);
 
             // √2 · 1 mm in each of three components: the mean length of the difference is 2.26 mm.
@@ -113,7 +113,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         public void Mean_NoiseAtRest_IsNearTheTruePosition()
         {
             var rest = BodyMotions.WithNoise(BodyMotions.Rest, seed: 15);
-            var detector = new ScatterDetector(components: 3);
+            var detector = new RestDetector(components: 3);
             var newest = rest(0).Position;
             for (var k = 0; k < 100; k++) Add(detector, newest = rest(0.05 * k).Position);
 
@@ -126,7 +126,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         [Test]
         public void Noise_AfterAJumpToAPlaceWithLessNoise_IsTheNoiseThere()
         {
-            var detector = new ScatterDetector(components: 3);
+            var detector = new RestDetector(components: 3);
             var random = new Random(14);
             void AddNoise(double deviation, int samples)
             {
