@@ -175,7 +175,8 @@ namespace Nowpose.Prediction.Candidates
         {
             var (times, isFirst) = (Newest.Times, age + 2 == Newest.Count);
             // The first sample is repeated backwards in time.
-            double h0 = isFirst ? Step : times[age + 1] - times[age + 2], h1 = times[age] - times[age + 1], h2 = times[age - 1] - times[age], x = time - times[age + 1];
+            double h0 = isFirst ? Step : times[age + 1] - times[age + 2], h1 = times[age] - times[age + 1], h2 = times[age - 1] - times[age];
+            var x = time - times[age + 1];
             Span<double> newer = Newest[age - 1], after = Newest[age], before = Newest[age + 1], older = Newest[isFirst ? age + 1 : age + 2];
             for (var c = 0; c < Components; c++)
             {

@@ -11,9 +11,6 @@ namespace Nowpose.Prediction.Mixing
     /// </summary>
     sealed class PendingForecasts
     {
-        /// <summary>Maximum interval in which samples are interpolated to score a forecast, s. In a longer one, a motion can start and end.</summary>
-        const double MaxInterval = 0.5;
-
         /// <summary>Errors above this, in m or rad, are not scored: their squares would remain in every mean.</summary>
         const double MaxError = 1e9;
 
@@ -79,7 +76,7 @@ namespace Nowpose.Prediction.Mixing
             for (; _count > 0 && _pending[0].Due <= motion.NewestTime; DropFirst())
             {
                 var expected = _pending[0];
-                if (!(interval < MaxInterval) || expected.Due < motion.PreviousTime) continue;
+                if (expected.Due < motion.PreviousTime) continue;
                 var fraction = (expected.Due - motion.PreviousTime) / interval;
                 for (var c = 0; c < _components; c++) _truth[c] = motion.Previous[c] + (motion.Newest[c] - motion.Previous[c]) * fraction;
                 hasLearned |= ScoreForecasts(expected.Positions, forgettingFactor);

@@ -24,20 +24,17 @@ namespace Nowpose.Prediction.State
         /// <summary>Maximum change that enters the mean, relative to the limit of a jump: a far outlier would hide the next ones.</summary>
         const double MaxLearnedRatio = 2;
 
-        /// <summary>Maximum difference from a jump, relative to its length, of a displacement that continues it: the jump was then a motion.</summary>
-        const double MaxContinuedRatio = 0.5;
+        /// <summary>
+        /// Maximum difference, relative to the length of a jump, of a place or displacement that counts as the same: of a displacement that continues the jump,
+        /// which was then a motion, of a joint that has returned, and of two wrong samples.
+        /// </summary>
+        const double MaxDifferenceRatio = 0.5;
 
         /// <summary>
         /// Minimum speed towards a wrong sample of a joint, relative to the maximum speed in two consecutive intervals. With 1.5, the errors on recordings are
         /// 0.2 % larger.
         /// </summary>
         const double MinSpeedRatio = 3;
-
-        /// <summary>
-        /// Maximum distance of the sample after a wrong one from the last right one, relative to the distance of the wrong one; also that between two
-        /// wrong samples. With half or twice this value, the mean errors are the same within 0.05 %.
-        /// </summary>
-        const double MaxReturnRatio = 0.25;
 
         /// <summary>
         /// Maximum number of wrong samples in a row: a driver may report zero for a moment. A joint that stays longer was moved, and the weights learn
@@ -101,7 +98,7 @@ namespace Nowpose.Prediction.State
                 _displacement[c] = motion.Newest[c] - motion.Previous[c];
                 _newVelocity[c] = _displacement[c] / interval;
             }
-            var continues = IsVelocityUnknown && Vectors.Distance(_displacement, _jump) < MaxContinuedRatio * Vectors.Length(_jump);
+            var continues = IsVelocityUnknown && Vectors.Distance(_displacement, _jump) < MaxDifferenceRatio * Vectors.Length(_jump);
             var isJump = _isKnown && IsAbrupt(interval, motion.HasOtherMotionJumped) && !continues;
             if (!isJump) _isKnown = true;
             var (from, to) = isJump ? (_displacement, _jump) : (_newVelocity, _velocity);
@@ -121,7 +118,7 @@ namespace Nowpose.Prediction.State
 
         bool HasReturned(MotionState motion)
         {
-            var max = MaxReturnRatio * Vectors.Distance(motion.Previous, _before);
+            var max = MaxDifferenceRatio * Vectors.Distance(motion.Previous, _before);
             var isReturn = IsUnconfirmed && Vectors.Distance(motion.Newest, _before) < max;
             var stays = IsUnconfirmed && _wrong < MaxWrong && Vectors.Distance(motion.Newest, motion.Previous) < max;
             if (stays) _wrong++;
