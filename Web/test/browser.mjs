@@ -4,6 +4,7 @@ import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { delimiter, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { fakeWebGl } from './fakeWebGl.mjs';
 
 // An import would take 0.2 s longer in each file, because Node.js analyses a CommonJS package that is imported.
 const { chromium } = createRequire(import.meta.url)('playwright-core');
@@ -67,13 +68,14 @@ export class Browser {
    * Creates an empty page in a context that all pages of a site share. The renderer process of the context runs until the browser is stopped.
    * @param site Address of a document of the site that needs no script.
    * @param options Size of the window, colour scheme and reduced motion. With `hasVirtualTime`, the page has its own context, and `page.clock` can skip
-   *   time.
+   *   time. With `hasFakeWebGl`, the page has a WebGL that draws nothing.
    */
-  async newPage(site, { viewport = VIEWPORT, hasVirtualTime = false, ...media } = {}) {
+  async newPage(site, { viewport = VIEWPORT, hasVirtualTime = false, hasFakeWebGl = false, ...media } = {}) {
     const page = hasVirtualTime ? await this.browser.newPage() : await (await this.contextOf(site)).newPage();
     await page.setViewportSize(viewport);
     await page.emulateMedia(media);
     if (hasVirtualTime) await page.clock.install();
+    if (hasFakeWebGl) await page.addInitScript(fakeWebGl);
     return page;
   }
 

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { describe, it } from 'node:test';
+import { before, describe, it } from 'node:test';
 import { calibration } from './calibrationSample.mjs';
 import { explainedTerms } from './glossary.mjs';
 import { hasInk } from './inks.mjs';
@@ -31,19 +31,19 @@ const inked = (page, plot, ink) => page.locator('.plot canvas').nth(plot).evalua
 }, ink);
 
 describe('the calibration page', () => {
-  it('explains terms of the glossary on hover', async () => {
-    const page = await open(calibration());
+  // The tests that only read the page share it.
+  let complete;
+  before(async () => { complete = await open(calibration()); });
 
-    assert.deepEqual(await explainedTerms(page), ['L_visu']);
+  it('explains terms of the glossary on hover', async () => {
+    assert.deepEqual(await explainedTerms(complete), ['L_visu']);
   });
 
   it('opens without an error or a request, with the result first', async () => {
-    const page = await open(calibration());
-
-    assert.deepEqual(page.complaints, []);
-    assert.equal(await page.title(), 'Constant-latency range · Nowpose');
-    assert.match((await texts(page, 'header'))[0], /L\s*visu is 40\.0 ms ± 1\.0 ms while the render time is below 15\.13 ms/);
-    assert.deepEqual(await texts(page, 'table.facts tbody td'), ['40.00 ms', 'HoloLens 2']);
+    assert.deepEqual(complete.complaints, []);
+    assert.equal(await complete.title(), 'Constant-latency range · Nowpose');
+    assert.match((await texts(complete, 'header'))[0], /L\s*visu is 40\.0 ms ± 1\.0 ms while the render time is below 15\.13 ms/);
+    assert.deepEqual(await texts(complete, 'table.facts tbody td'), ['40.00 ms', 'HoloLens 2']);
   });
 
   it('shows its warnings', async () => {
@@ -53,7 +53,7 @@ describe('the calibration page', () => {
   });
 
   it('draws an error bar at each mean with a deviation', async () => {
-    const bars = await inked(await open(calibration()), 0, '--adaptive');
+    const bars = await inked(complete, 0, '--adaptive');
     const none = calibration();
     none.sections[0].plots[0].traces[0].deviation = null;
     const plain = await inked(await open(none), 0, '--adaptive');
@@ -62,7 +62,7 @@ describe('the calibration page', () => {
   });
 
   it('draws individual pictures as points without a line between them', async () => {
-    const points = await inked(await open(calibration()), 1, '--adaptive');
+    const points = await inked(complete, 1, '--adaptive');
     const joined = calibration();
     joined.sections[1].plots[0].traces[0].scattered = false;
     const line = await inked(await open(joined), 1, '--adaptive');
@@ -72,11 +72,9 @@ describe('the calibration page', () => {
   });
 
   it('cites the figure and keeps the numbers in a table', async () => {
-    const page = await open(calibration());
-
-    assert.match((await texts(page, 'main section'))[1], /Schnierle & Röck 2022, Fig\. 11a/);
-    await page.locator('summary').click();
-    assert.deepEqual(await texts(page, 'details tbody td'), ['40', '41', '–']);
+    assert.match((await texts(complete, 'main section'))[1], /Schnierle & Röck 2022, Fig\. 11a/);
+    await complete.locator('summary').click();
+    assert.deepEqual(await texts(complete, 'details tbody td'), ['40', '41', '–']);
   });
 
   it('draws plots in the colours of their signals in the dark scheme', async () => {

@@ -15,10 +15,11 @@ const open = opener('figures');
 
 const texts = (page, selector) => page.locator(selector).allInnerTexts();
 
+// Pages that several tests share, in the light and in the dark scheme. A test that changes one restores it.
+let complete, dark;
+before(async () => { [complete, dark] = [await open(figures()), await open(figures(), { colorScheme: 'dark' })]; });
+
 describe('the figures page', () => {
-  // The tests that only read the page share it.
-  let complete;
-  before(async () => { complete = await open(figures()); });
 
   it('opens without an error or a request', async () => {
     assert.deepEqual(complete.complaints, []);
@@ -57,35 +58,30 @@ describe('the figures page', () => {
   });
 
   it('reads values at the cursor with the unit of the horizontal axis', async () => {
-    const page = await open(figures());
+    await complete.locator('#fig-13a .u-over').hover();
 
-    await page.locator('#fig-13a .u-over').hover();
-
-    const [position] = await texts(page, '#fig-13a .position');
+    const [position] = await texts(complete, '#fig-13a .position');
     assert.match(position, /^sampling interval \d\d\.\d\sms$/);
   });
 
   it('zooms, moves and resets with the keyboard', async () => {
-    const page = await open(figures());
-    const plot = page.locator('#fig-16 .plot');
+    const plot = complete.locator('#fig-16 .plot');
     const picture = () => plot.locator('canvas').evaluate(c => c.toDataURL());
     const first = await picture();
 
     await plot.focus();
-    await page.keyboard.press('+');
-    await settled(page);
+    await complete.keyboard.press('+');
+    await settled(complete);
     const zoomed = await picture();
-    await page.keyboard.press('0');
-    await settled(page);
+    await complete.keyboard.press('0');
+    await settled(complete);
 
     assert.notEqual(zoomed, first);
     assert.equal(await picture(), first);
   });
 
   it('shows each drawing with its description, in the colours of the page', async () => {
-    const page = await open(figures(), { colorScheme: 'dark' });
-
-    const drawings = await page.locator('#fig-17 svg[role=img]').evaluateAll(all => all.map(s => [s.getAttribute('aria-label'),
+    const drawings = await dark.locator('#fig-17 svg[role=img]').evaluateAll(all => all.map(s => [s.getAttribute('aria-label'),
       getComputedStyle(s.querySelector('line')).stroke, s.getBoundingClientRect().width]));
     assert.equal(drawings.length, 3);
     assert.equal(drawings[0][0], 'At A the uncompensated gripper is 78 mm off.');
@@ -94,13 +90,12 @@ describe('the figures page', () => {
   });
 
   it('has the data of each figure in a table with a caption, and a dash for missing values', async () => {
-    const page = await open(figures());
+    await complete.locator('#fig-13a summary').click();
 
-    await page.locator('#fig-13a summary').click();
-
-    assert.match((await texts(page, '#fig-13a summary'))[0], /figure-13a\.csv/);
-    assert.deepEqual(await texts(page, '#fig-13a details tbody td'), ['6.40', '18.4', '–']);
-    const faults = await page.evaluate(() => [...document.querySelectorAll('table')]
+    assert.match((await texts(complete, '#fig-13a summary'))[0], /figure-13a\.csv/);
+    assert.deepEqual(await texts(complete, '#fig-13a details tbody td'), ['6.40', '18.4', '–']);
+    await complete.locator('#fig-13a summary').click();
+    const faults = await complete.evaluate(() => [...document.querySelectorAll('table')]
       .filter(t => !t.caption?.textContent || !t.querySelector('thead th[scope=col]') || !t.querySelector('tbody th[scope=row]')).length);
     assert.equal(faults, 0);
   });
@@ -141,9 +136,14 @@ describe('any window and any text', () => {
     assert.equal((await texts(page, 'h1'))[0], HOSTILE);
   });
 
+  // The width of this page changes.
+  let page;
+  before(async () => { page = await open(figures()); });
+
   for (const width of [320, 360, 768, 1920]) {
     it(`fits a window of ${width} px`, async () => {
-      const page = await open(figures(), { viewport: { width, height: 800 } });
+      await page.setViewportSize({ width, height: 800 });
+      await settled(page);
 
       const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
       assert.ok(content <= window, `${content} px of content`);
@@ -151,8 +151,7 @@ describe('any window and any text', () => {
   }
 
   it('distinguishes Nowpose\u2019s, the paper\u2019s and the uncompensated signals by lightness, from each other and from the page', async () => {
-    for (const colorScheme of ['light', 'dark']) {
-      const page = await open(figures(), { colorScheme });
+    for (const [colorScheme, page] of Object.entries({ light: complete, dark })) {
       const [adaptive, gp, quadratic, cubic, linear, surface] = await luminance(
         page, ['--adaptive', '--gp', '--quadratic', '--cubic', '--linear', '--surface']);
       assert.ok(contrast(adaptive, quadratic) > 1.5, `${colorScheme}: adaptive and quadratic`);
@@ -163,21 +162,18 @@ describe('any window and any text', () => {
   });
 
   it('shows verdicts with sufficient contrast', async () => {
-    for (const colorScheme of ['light', 'dark']) {
-      const page = await open(figures(), { colorScheme });
+    for (const [colorScheme, page] of Object.entries({ light: complete, dark })) {
       const [met, partly, unmet, surface] = await luminance(page, ['--met', '--partly', '--unmet', '--surface']);
       for (const ink of [met, partly, unmet]) assert.ok(contrast(ink, surface) > 4.5, `${colorScheme}: ${contrast(ink, surface)}`);
     }
   });
 
   it('prints in the light scheme, with plots as wide as the page', async () => {
-    const page = await open(figures(), { colorScheme: 'dark' });
-
-    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
-    await settled(page);
-    const [surface, widths] = await page.evaluate(() => [getComputedStyle(document.documentElement).getPropertyValue('--surface').trim(),
+    await dark.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    await settled(dark);
+    const [surface, widths] = await dark.evaluate(() => [getComputedStyle(document.documentElement).getPropertyValue('--surface').trim(),
       [...document.querySelectorAll('.plot canvas')].map(c => Math.round(c.getBoundingClientRect().width))]);
-    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    await dark.evaluate(() => dispatchEvent(new Event('afterprint')));
 
     assert.equal(surface, '#ffffff');
     assert.ok(widths.every(w => w === 700), widths.join(', '));

@@ -1,7 +1,7 @@
 // Tests the playback of the session in the report. Robot, controls and plots must show the same moment.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { describe, it } from 'node:test';
+import { before, describe, it } from 'node:test';
 import { WEBGL } from './browser.mjs';
 import { drawn } from './drawn.mjs';
 import { settled } from './inks.mjs';
@@ -22,91 +22,104 @@ function withPlayback(change = {}) {
   return { ...report({ seconds: SECONDS }), playback: { urdf, names, t, truth: at(0), displayed: at(0.01), hold: at(0.1), ...change } };
 }
 
-const open = opener('report', WEBGL);
+const openDrawn = opener('report', WEBGL), openWithout = opener('report');
+const open = (data, options) => openWithout(data, { hasFakeWebGl: true, ...options });
 
 const words = page => page.textContent('#playback .apart');
 const time = async page => Number.parseFloat(await page.textContent('#playback .clock'));
+const moveTo = (page, seconds) => page.locator('#playback input[type=range]').fill(String(seconds));
 const cursors = page => page.evaluate(() => ['error', 'joint', 'clock'].map(id => document.querySelector(`#${id} .position`).textContent));
 
 describe('the playback of a report', () => {
+  // A page for tests that look at texts, and one for tests that look at pictures.
+  let plain, pictures;
+  before(async () => {
+    plain = await open(withPlayback());
+    pictures = await openDrawn(withPlayback({ hold: withPlayback().playback.truth.map(joints => [joints[0] + 1, ...joints.slice(1)]) }));
+  });
+
   it('shows the distance between the displayed and the true tool', async () => {
-    const page = await open(withPlayback());
+    await moveTo(plain, 0);
 
     // The tool is 0.4809 m away from the rotation axis, according to the kinematics of the command line.
-    const [compensated, held] = (await words(page)).match(/[\d.]+(?=\u00a0mm)/g).map(Number);
+    const [compensated, held] = (await words(plain)).match(/[\d.]+(?=\u00a0mm)/g).map(Number);
     assert.ok(Math.abs(compensated - 4.809) < 0.02, `${compensated} mm`);
     assert.ok(Math.abs(held - 48.07) < 1, `${held} mm`);
-    assert.deepEqual(page.complaints, []);
+    assert.deepEqual(plain.complaints, []);
+  });
+
+  it('has neither objects nor signals if the session has none', async () => {
+    assert.equal(await plain.getAttribute('#playback .stage', 'aria-label'), `${robotDescriptions.session([])} ${robotMessages.keys}`);
+    assert.equal(await plain.locator('.signals').count(), 0);
   });
 
   it('draws all three robots, and hides those that are switched off', async () => {
-    const page = await open(withPlayback({ hold: withPlayback().playback.truth.map(joints => [joints[0] + 1, ...joints.slice(1)]) }));
-    const stage = page.locator('#playback .stage');
-    const all = await picture(page, stage);
+    const stage = pictures.locator('#playback .stage'), key = pictures.locator('#playback .legend button').nth(2);
+    const all = await picture(pictures, stage);
 
-    await page.locator('#playback .legend button').nth(2).click();
-    await settled(page);
-    const without = await picture(page, stage);
+    await key.click();
+    await settled(pictures);
+    const without = await picture(pictures, stage), text = await words(pictures);
+    await key.click();
 
     assert.ok(all.blue > 500 && all.orange > 500, JSON.stringify(all));
     assert.ok(without.orange < all.orange / 10, JSON.stringify(without));
-    assert.equal((await words(page)).match(/[\d.]+(?=\u00a0mm)/g).length, 2, 'the distance of a hidden robot is shown');
+    assert.equal(text.match(/[\d.]+(?=\u00a0mm)/g).length, 2, 'the distance of a hidden robot is shown');
+    assert.deepEqual(pictures.complaints, []);
   });
 
   it('plays, pauses and ends together with the plots', async () => {
-    const page = await open(withPlayback());
+    await moveTo(plain, 0);
 
-    await page.locator('#playback .play').focus();
-    await page.keyboard.press('Enter');
-    await page.waitForFunction(() => Number.parseFloat(document.querySelector('#playback .clock').textContent) > 0.5);
-    await page.keyboard.press('Enter');
-    const paused = await time(page);
+    await plain.locator('#playback .play').focus();
+    await plain.keyboard.press('Enter');
+    await plain.waitForFunction(() => Number.parseFloat(document.querySelector('#playback .clock').textContent) > 0.5);
+    await plain.keyboard.press('Enter');
+    const paused = await time(plain);
     // While it plays, each frame changes the time.
-    await page.evaluate(() => new Promise(done => {
+    await plain.evaluate(() => new Promise(done => {
       let frames = 0;
       const next = () => (++frames < 10 ? requestAnimationFrame(next) : done());
       requestAnimationFrame(next);
     }));
 
-    assert.equal(await time(page), paused);
-    for (const position of await cursors(page)) assert.ok(Math.abs(Number(/t = ([\d.]+)/.exec(position)[1]) - paused) < 0.05, `${position} at ${paused}`);
-    await page.locator('#playback input[type=range]').fill(String(SECONDS - 0.1));
-    await page.click('#playback .play');
-    await page.waitForFunction(() => document.querySelector('#playback .play').textContent === 'Play');
-    assert.equal(await time(page), SECONDS);
-    assert.deepEqual(page.complaints, []);
+    assert.equal(await time(plain), paused);
+    for (const position of await cursors(plain)) assert.ok(Math.abs(Number(/t = ([\d.]+)/.exec(position)[1]) - paused) < 0.05, `${position} at ${paused}`);
+    await moveTo(plain, SECONDS - 0.1);
+    await plain.click('#playback .play');
+    await plain.waitForFunction(() => document.querySelector('#playback .play').textContent === 'Play');
+    assert.equal(await time(plain), SECONDS);
+    assert.deepEqual(plain.complaints, []);
   });
 
   it('moves with the keyboard and announces its time', async () => {
-    const page = await open(withPlayback());
-    const slider = page.locator('#playback input[type=range]');
+    const slider = plain.locator('#playback input[type=range]');
 
     await slider.focus();
-    await page.keyboard.press('End');
-    await page.keyboard.press('ArrowLeft');
+    await plain.keyboard.press('End');
+    await plain.keyboard.press('ArrowLeft');
 
-    assert.ok(Math.abs((await time(page)) - SECONDS) < 0.1 && (await time(page)) < SECONDS);
-    assert.equal(await slider.getAttribute('aria-valuetext'), `${(await time(page)).toFixed(2)} s`);
+    assert.ok(Math.abs((await time(plain)) - SECONDS) < 0.1 && (await time(plain)) < SECONDS);
+    assert.equal(await slider.getAttribute('aria-valuetext'), `${(await time(plain)).toFixed(2)} s`);
   });
 
   it('moves to the time at a plot\'s cursor', async () => {
-    const page = await open(withPlayback());
-    const over = page.locator('#joint .u-over');
+    const over = plain.locator('#joint .u-over');
     await over.scrollIntoViewIfNeeded();
     await over.hover();
 
-    const [error, joint] = await cursors(page);
+    const [error, joint] = await cursors(plain);
     const pointed = Number(/t = ([\d.]+)/.exec(joint)[1]);
-    assert.ok(Math.abs((await time(page)) - pointed) < 0.02, `${await time(page)} against ${pointed}`);
+    assert.ok(Math.abs((await time(plain)) - pointed) < 0.02, `${await time(plain)} against ${pointed}`);
     assert.ok(Math.abs(Number(/t = ([\d.]+)/.exec(error)[1]) - pointed) < 0.05);
-    assert.deepEqual(page.complaints, []);
+    assert.deepEqual(plain.complaints, []);
   });
 
   it('shows one message without WebGL, and everything else works', async () => {
-    const page = await opener('report')(withPlayback());
+    const page = await openWithout(withPlayback());
 
     assert.equal(await page.textContent('#playback .missing'), robotMessages.noWebGl);
-    await page.locator('#playback input[type=range]').fill('3');
+    await moveTo(page, 3);
     assert.match(await words(page), /4\.8/);
     assert.equal(await page.locator('.plot').count(), 6);
     assert.deepEqual(page.complaints, []);
@@ -121,8 +134,8 @@ describe('the playback of a report', () => {
   });
 
   it('fits wide and narrow windows, light and dark', async () => {
-    for (const [viewport, colorScheme] of [[{ width: 1280, height: 720 }, 'light'], [{ width: 390, height: 844 }, 'dark']]) {
-      const page = await open(withPlayback(), { viewport, colorScheme });
+    const narrow = await openDrawn(withPlayback(), { viewport: { width: 390, height: 844 }, colorScheme: 'dark' });
+    for (const [page, colorScheme] of [[pictures, 'light'], [narrow, 'dark']]) {
       const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
       assert.ok(content <= window, `${content} px of content`);
       const { blue } = await picture(page, page.locator('#playback .stage'));
@@ -147,11 +160,13 @@ describe('the objects in the playback', () => {
     return { ...others, playback: { ...playback, objects } };
   }
 
+  let page;
+  before(async () => { page = await open(withObjects()); });
+
   it('are drawn with their distances as soon as their poses are known', async () => {
-    const page = await open(withObjects());
     assert.ok((await words(page)).includes(reportMessages.workpieceError(null, null)));
 
-    await page.locator('#playback input[type=range]').fill('4');
+    await moveTo(page, 4);
 
     const [, , compensated, held] = (await words(page)).match(/[\d.]+(?=\u00a0mm)/g).map(Number);
     assert.ok(Math.abs(compensated - 2) < 0.01 && Math.abs(held - 30) < 0.01, await words(page));
@@ -159,7 +174,6 @@ describe('the objects in the playback', () => {
   });
 
   it('have their names beside them', async () => {
-    const page = await open(withObjects());
     await page.locator('#playback .stage').scrollIntoViewIfNeeded();
     const names = () => page.evaluate(() => [...document.querySelectorAll('#playback .label')]
       .filter(label => label.style.visibility === 'visible').map(label => label.textContent).sort());
@@ -170,24 +184,18 @@ describe('the objects in the playback', () => {
   });
 
   it('are named in the description of the view, because the labels are hidden from screen readers', async () => {
-    const descriptionOf = async data => {
-      const page = await open(data);
-      const description = await page.getAttribute('#playback .stage', 'aria-label');
-      return description;
-    };
     const { belt, fixture } = partLabels;
 
-    const [shown, without] = [await descriptionOf(withObjects()), await descriptionOf(withPlayback())];
+    const shown = await page.getAttribute('#playback .stage', 'aria-label');
 
     assert.equal(shown, `${robotDescriptions.session(['workpiece_1', belt, fixture])} ${robotMessages.keys}`);
     assert.ok(['workpiece_1', belt, fixture].every(name => shown.includes(name)), shown);
-    assert.equal(without, `${robotDescriptions.session([])} ${robotMessages.keys}`);
   });
 
   it('are hidden with their pose', async () => {
-    const page = await open(withObjects());
+    const page = await openDrawn(withObjects());
     const stage = page.locator('#playback .stage');
-    await page.locator('#playback input[type=range]').fill('4');
+    await moveTo(page, 4);
     assert.ok((await picture(page, stage, counts => counts.blue > 0)).blue > 0);
 
     await page.click('#playback .legend button:has-text("compensated")');
@@ -206,8 +214,10 @@ describe('the signals in the playback', () => {
   const shown = page => page.evaluate(() => [...document.querySelectorAll('.signals li')].map(row =>
     [row.querySelector('.name').textContent, row.querySelector('.words').textContent, row.querySelector('.lamp').classList.contains('on')]));
 
+  let page;
+  before(async () => { page = await open(withPlayback({ signals })); });
+
   it('have the displayed and the true value at each moment', async () => {
-    const page = await open(withPlayback({ signals }));
     const expected = [
       [0, off, false, displayedAndTrue(valueUnknown, on), false],
       [1.5, off, false, on, true],
@@ -218,15 +228,14 @@ describe('the signals in the playback', () => {
     ];
 
     for (const [time, gripper, isClosed, part, isPresent] of expected) {
-      await page.locator('#playback input[type=range]').fill(String(time));
+      await moveTo(page, time);
       assert.deepEqual(await shown(page), [['gripper_closed', gripper, isClosed], ['part_present', part, isPresent]], `at ${time} s`);
     }
     assert.deepEqual(page.complaints, []);
   });
 
   it('are drawn over the session, with a line at the moment of the playback', async () => {
-    const page = await open(withPlayback({ signals }));
-    await page.locator('#playback input[type=range]').fill('2');
+    await moveTo(page, 2);
 
     const { bars, line, strip, lefts } = await page.evaluate(() => {
       const boxOf = element => (({ left, width }) => ({ left, width }))(element.getBoundingClientRect());
@@ -243,12 +252,9 @@ describe('the signals in the playback', () => {
     assert.deepEqual(lefts, [strip.left, strip.left], 'all strips have the same time axis');
   });
 
-  it('fit narrow windows, and are missing in a session without signals', async () => {
-    const page = await open(withPlayback({ signals }), { viewport: { width: 390, height: 844 }, colorScheme: 'dark' });
-    const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+  it('fit narrow windows', async () => {
+    const narrow = await open(withPlayback({ signals }), { viewport: { width: 390, height: 844 }, colorScheme: 'dark' });
+    const [content, window] = await narrow.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
     assert.ok(content <= window, `${content} px of content`);
-
-    const without = await open(withPlayback({ signals: null }));
-    assert.equal(await without.locator('.signals').count(), 0);
   });
 });

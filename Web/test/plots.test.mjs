@@ -1,6 +1,6 @@
 // Tests ranges, cursors, zoom and legends of the report's plots.
 import assert from 'node:assert/strict';
-import { describe, it } from 'node:test';
+import { before, describe, it } from 'node:test';
 import { hasInk, heightOf, settled, shot } from './inks.mjs';
 import { messages } from './messages.mjs';
 import { opener } from './pages.mjs';
@@ -43,6 +43,10 @@ describe('the range of a plot', () => {
 });
 
 describe('using a plot', () => {
+  // A test that changes this page restores it.
+  let page;
+  before(async () => { page = await open(report()); });
+
   it('reads values at the cursor', async () => {
     const data = report();
     data.error = { t: [0, 1, 2, 3, 4], hold: [10, 10, 10, 10, 10], compensated: [1, 1, 1, 1, 1] };
@@ -55,8 +59,6 @@ describe('using a plot', () => {
   });
 
   it('shows latency, speed and their product at the pointer in the error field', async () => {
-    const page = await open(report());
-
     await page.locator('#field .u-over').hover();
 
     const [, latency, speed, error] = plain(await text(page, '#field .position'))[0].match(/^([\d.]+) ms × ([\d.]+) mm\/s = ([\d.]+) mm$/);
@@ -65,7 +67,6 @@ describe('using a plot', () => {
 
   for (const [name, index, section] of [['time', 0, '#error'], ['field', 2, '#field'], ['histogram', 5, '#latency']]) {
     it(`zooms by drag and resets by double-click (${name})`, async () => {
-      const page = await open(report());
       const before = await shot(page, index);
       const over = page.locator(`${section} .u-over`);
       await over.scrollIntoViewIfNeeded();
@@ -87,7 +88,6 @@ describe('using a plot', () => {
   }
 
   it('zooms and resets with the keyboard', async () => {
-    const page = await open(report());
     for (const [index, section] of ['#error', '#joint', '#field', '#clock', '#latency'].entries()) {
       const plot = page.locator(`${section} .plot`).first();
       const picture = () => plot.locator('canvas').evaluate(c => c.toDataURL());
@@ -106,8 +106,6 @@ describe('using a plot', () => {
   });
 
   it('moves the cursor with the arrow keys', async () => {
-    const page = await open(report());
-
     await page.locator('#error .plot').focus();
     await page.keyboard.press('ArrowRight');
     const [first] = await text(page, '#error .position');
@@ -118,7 +116,6 @@ describe('using a plot', () => {
   });
 
   it('switches signals off and on in the legend', async () => {
-    const page = await open(report());
     for (const [index, section, ink] of [[0, '#error', '--hold'], [2, '#field', '--hold']]) {
       const key = page.locator(`${section} .legend button`).first();
 

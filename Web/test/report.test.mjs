@@ -16,10 +16,15 @@ const open = opener('report');
 const text = (page, selector) => page.locator(selector).allInnerTexts();
 const plain = words => words.map(w => w.replaceAll('\u00ad', '').replaceAll('\u00a0', ' '));
 
+// Pages that several tests share because they only read them, in the light and in the dark scheme.
+let complete, dark;
+before(async () => {
+  const data = report();
+  data.summary[0] = { label: 'Tool error, RMS', unit: 'mm', uncompensated: 20, compensated: 3.5 };
+  [complete, dark] = [await open(data), await open(report(), { colorScheme: 'dark' })];
+});
+
 describe('a complete report', () => {
-  // The tests that only read the page share it.
-  let complete;
-  before(async () => { complete = await open(report()); });
 
   it('opens without an error or a request', async () => {
     assert.deepEqual(complete.complaints, []);
@@ -33,15 +38,11 @@ describe('a complete report', () => {
   });
 
   it('shows the reduction, the table and the error plot on the first screen', async () => {
-    const data = report();
-    data.summary[0] = { label: 'Tool error, RMS', unit: 'mm', uncompensated: 20, compensated: 3.5 };
-    const page = await open(data);
-
-    const [headline] = plain(await text(page, '.headline'));
+    const [headline] = plain(await text(complete, '.headline'));
     assert.match(headline, /^82\.5 %\s[^]*\sTool error, RMS: 20 mm → 3\.50 mm$/);
     assert.ok(headline.includes(reportLabels.lessError));
     for (const selector of ['.headline', '.overview table', '#error .plot']) {
-      const box = await page.locator(selector).boundingBox();
+      const box = await complete.locator(selector).boundingBox();
       assert.ok(box.y + box.height <= 800, `${selector} ends at ${box.y + box.height} px`);
     }
   });
@@ -174,9 +175,23 @@ describe('any window and any text', () => {
     assert.equal((await text(page, '#facts td'))[0], HOSTILE);
   });
 
+  // The width of this page changes.
+  let page;
+  before(async () => {
+    const data = report();
+    data.summary = ['RMS', 'P95', 'Maximum'].map(label => ({ label, unit: 'mm', uncompensated: 133.513, compensated: 11.268 }));
+    data.claims = [{ figure: '16', claim: 'The signal follows.', paper: '−80 %', measured: '81 % ± 2 %', verdict: 'does not hold' }];
+    data.figures = figures().figures.filter(f => f.number === '16');
+    page = await open(data);
+  });
+  const widen = async width => {
+    await page.setViewportSize({ width, height: 800 });
+    await settled(page);
+  };
+
   for (const width of [320, 360, 768, 1920]) {
     it(`fits a window of ${width} px`, async () => {
-      const page = await open(report(), { viewport: { width, height: 800 } });
+      await widen(width);
 
       const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
       assert.ok(content <= window, `${content} px of content`);
@@ -188,12 +203,7 @@ describe('any window and any text', () => {
 
   for (const width of [400, 1000, 1280]) {
     it(`shows all columns of the results and the claims in a window of ${width} px`, async () => {
-      const data = report();
-      data.summary = ['RMS', 'P95', 'Maximum'].map(label => ({ label, unit: 'mm', uncompensated: 133.513, compensated: 11.268 }));
-      data.claims = [{ figure: '16', claim: 'The signal follows.', paper: '−80 %', measured: '81 % ± 2 %', verdict: 'does not hold' }];
-      data.figures = figures().figures.filter(f => f.number === '16');
-
-      const page = await open(data, { viewport: { width, height: 800 } });
+      await widen(width);
 
       for (const section of ['.overview', '#claims']) {
         const [content, shown] = await page.locator(`${section} .table`).evaluate(table => [table.scrollWidth, table.clientWidth]);
@@ -203,10 +213,8 @@ describe('any window and any text', () => {
   }
 
   it('refits the plots when the window changes', async () => {
-    const page = await open(report());
-
-    await page.setViewportSize({ width: 500, height: 800 });
-    await settled(page);
+    await widen(1280);
+    await widen(500);
 
     const widths = await page.evaluate(() => [...document.querySelectorAll('.plot')]
       .map(p => p.clientWidth - p.querySelector('canvas').getBoundingClientRect().width));
@@ -214,14 +222,13 @@ describe('any window and any text', () => {
   });
 
   it('uses light ink on dark and dark ink on light', async () => {
-    const lightness = async colorScheme => {
-      const page = await open(report(), { colorScheme });
+    const lightness = async page => {
       assert.ok(await hasInk(page, 0, '--compensated'));
       return page.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number)[0]);
     };
 
-    assert.ok(await lightness('light') > 200);
-    assert.ok(await lightness('dark') < 50);
+    assert.ok(await lightness(complete) > 200);
+    assert.ok(await lightness(dark) < 50);
   });
 
   it('repaints when the colour scheme changes', async () => {
@@ -235,8 +242,7 @@ describe('any window and any text', () => {
   });
 
   it('distinguishes signals by lightness', async () => {
-    for (const colorScheme of ['light', 'dark']) {
-      const page = await open(report(), { colorScheme });
+    for (const [colorScheme, page] of Object.entries({ light: complete, dark })) {
       const [hold, compensated, truth, surface] = await luminance(page, ['--hold', '--compensated', '--truth', '--surface']);
       assert.ok(contrast(hold, compensated) > 1.7, `${colorScheme}: hold and compensated`);
       assert.ok(contrast(truth, compensated) > 3, `${colorScheme}: truth and compensated`);
@@ -245,14 +251,12 @@ describe('any window and any text', () => {
   });
 
   it('prints in the light scheme, with plots as wide as the page', async () => {
-    const page = await open(report(), { colorScheme: 'dark' });
-
-    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
-    await settled(page);
-    const [surface, widths] = await page.evaluate(() => [getComputedStyle(document.documentElement).getPropertyValue('--surface').trim(),
+    await dark.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    await settled(dark);
+    const [surface, widths] = await dark.evaluate(() => [getComputedStyle(document.documentElement).getPropertyValue('--surface').trim(),
       [...document.querySelectorAll('.plot canvas')].map(c => Math.round(c.getBoundingClientRect().width))]);
-    assert.ok(await hasInk(page, 0, '--compensated'));
-    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    assert.ok(await hasInk(dark, 0, '--compensated'));
+    await dark.evaluate(() => dispatchEvent(new Event('afterprint')));
 
     assert.equal(surface, '#ffffff');
     assert.ok(widths.every(w => w === 700), widths.join(', '));

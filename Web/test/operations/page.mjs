@@ -7,48 +7,28 @@ import { browserWith, closeLater } from '../pages.mjs';
 
 /** The gateway of the current test. */
 export let gateway;
-let graphics = NO_WEBGL;
+let hasFakeWebGl = false;
 
 beforeEach(async () => { gateway = await FakeGateway.start(); });
 afterEach(() => gateway.stop());
 
-/** Runs the tests of the enclosing block with WebGL. The other tests run without it, because a page then takes a third less time. */
+/** Runs the tests of the enclosing block with a WebGL that draws nothing. The other tests run without WebGL. */
 export function withGraphics() {
-  before(() => { graphics = WEBGL; });
-  after(() => { graphics = NO_WEBGL; });
-}
-
-/**
- * Limits a page to one complete picture of the 3D view per second, because drawing without a graphics card takes most of the processor time. The page
- * still computes the others.
- */
-function limitPictures() {
-  const INTERVAL_MS = 1000, gl = WebGL2RenderingContext.prototype;
-  let drawnAt = -Infinity, isDrawn = null;
-  for (const name of ['clear', 'drawElements', 'drawArrays']) {
-    const { [name]: draw } = gl;
-    gl[name] = function (...all) {
-      // A picture is drawn at once.
-      if (isDrawn === null) {
-        isDrawn = performance.now() - drawnAt >= INTERVAL_MS;
-        if (isDrawn) drawnAt = performance.now();
-        queueMicrotask(() => { isDrawn = null; });
-      }
-      if (isDrawn) draw.apply(this, all);
-    };
-  }
+  before(() => { hasFakeWebGl = true; });
+  after(() => { hasFakeWebGl = false; });
 }
 
 /** Options for tests that look at pixels of the 3D view. A smaller window is drawn in less time. */
-export const PICTURES = { reducedMotion: 'reduce', hasAllPictures: true, viewport: { width: 640, height: 720 } };
+export const PICTURES = { reducedMotion: 'reduce', graphics: WEBGL, viewport: { width: 640, height: 720 } };
 
 /**
- * @param options See `Browser.newPage`. `hasAllPictures` switches off the limit of one picture per second.
+ * @param options See `Browser.newPage`. With `graphics: WEBGL`, the 3D view is drawn.
  * @param isReady Whether to wait for the first response.
  */
-export async function open({ viewport = { width: 1280, height: 720 }, hasAllPictures = false, ...options } = {}, isReady = true) {
+export async function open({ viewport = { width: 1280, height: 720 }, graphics = NO_WEBGL, ...options } = {}, isReady = true) {
   const browser = await browserWith(graphics);
-  const page = closeLater(await browser.newPage(new URL('/nothing', gateway.address).href, { viewport, ...options }));
+  const isFake = hasFakeWebGl && graphics === NO_WEBGL;
+  const page = closeLater(await browser.newPage(new URL('/nothing', gateway.address).href, { viewport, hasFakeWebGl: isFake, ...options }));
   await page.context().clearCookies();
   page.setDefaultTimeout(60_000);
   page.complaints = [];
@@ -57,13 +37,6 @@ export async function open({ viewport = { width: 1280, height: 720 }, hasAllPict
   const own = new URL(gateway.address).origin;
   page.on('request', r => !r.url().startsWith(own) && !r.url().startsWith('data:') && page.complaints.push(`request: ${r.url()}`));
   page.on('websocket', w => w.url() !== own.replace('http', 'ws') + '/' && page.complaints.push(`websocket: ${w.url()}`));
-  await page.addInitScript(() => {
-    const { createBuffer, deleteBuffer } = WebGL2RenderingContext.prototype;
-    window.buffers = 0;
-    WebGL2RenderingContext.prototype.createBuffer = function () { window.buffers++; return createBuffer.call(this); };
-    WebGL2RenderingContext.prototype.deleteBuffer = function (buffer) { window.buffers--; return deleteBuffer.call(this, buffer); };
-  });
-  if (!hasAllPictures) await page.addInitScript(limitPictures);
   await page.goto(gateway.address);
   if (isReady) await page.waitForFunction(() => document.querySelector('#clock').textContent !== '–');
   return page;
