@@ -125,7 +125,7 @@ namespace Nowpose.Prediction
         internal static PredictionPipeline<TSample> OfAnObject<TSample>(string name, PredictionLimits limits, ForecasterSet forecasters, PredictionParts parts)
             where TSample : struct, ISample<TSample> => Pipeline<TSample>(name, limits, parts, 2, motion => MixtureOf(3, limits, parts,
                 forecasters ??= ForecastersOfObjects(parts), ObjectMatchInterval, new CandidateGate(ObjectBrakingGate, ObjectBrakingGate),
-                motion == 0 ? JumpDetector.OfObject(3, MinJump, MaxAcceleration) : JumpDetector.OfObject(3, MinTurn, MaxAngularAcceleration)));
+                motion == 0 ? new ObjectJumpDetector(3, MinJump, MaxAcceleration) : new ObjectJumpDetector(3, MinTurn, MaxAngularAcceleration)));
 
         /// <summary>Returns the time constant of the blend for a predictor: none for hold, the reference for comparisons.</summary>
         internal static double BlendOf(string name, double blend) => name == Hold ? 0 : blend;
@@ -153,7 +153,7 @@ namespace Nowpose.Prediction
 
         static Mixture Joint(PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters) =>
             MixtureOf(1, limits, parts, forecasters, JointMatchInterval,
-                new CandidateGate(JointBrakingGate, JointBrakingGate, untestedRatio: JointBrakingGate), JumpDetector.OfJoint());
+                new CandidateGate(JointBrakingGate, JointBrakingGate, untestedRatio: JointBrakingGate), new OutlierReturnDetector());
 
         static Mixture MixtureOf(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters,
             double matchInterval, CandidateGate braking, JumpDetector jumps)

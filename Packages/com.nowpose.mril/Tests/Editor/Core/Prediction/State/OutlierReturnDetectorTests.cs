@@ -6,15 +6,15 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Prediction.State
 {
-    public class JumpDetectorTests
+    public class OutlierReturnDetectorTests
     {
         static readonly double[] Smooth = { 0, 1, 2, 3, 4 };
 
         // Feeds a smooth motion at 1 per sample, and further positions.
-        static JumpDetector After(params double[] positions)
+        static OutlierReturnDetector After(params double[] positions)
         {
             var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
-            var (detector, motion, k) = (JumpDetector.OfJoint(), new MotionState(1, 0, 8, buffer.Timing), 0);
+            var (detector, motion, k) = (new OutlierReturnDetector(), new MotionState(1, 0, 8, buffer.Timing), 0);
             void Feed(double position)
             {
                 buffer.Add(new JointSample(k++ * 0.05, position), displayed: double.NaN);
