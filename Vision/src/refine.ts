@@ -126,7 +126,7 @@ export class Refiner {
         const cell = sizeOf(start.quad) / this.#matcher.side;
         const target = { reach: middle, hidden: start.hidden };
         const fitted = outerSteps.reduce((best, step) => this.#climb(best, step * cell, 2, target), start);
-        return this.#alternatives(fitted.quad, middle, fitted.hidden)[0];
+        return this.#best(fitted.quad, middle, fitted.hidden);
       })
       .filter(({ share }) => share > minShareOfGuess)
       .sort(byScore);
@@ -136,13 +136,13 @@ export class Refiner {
   refine(fit: Fit): Fit {
     const found = this.#refined(fit, steps);
     if (found.share < steps.at(-1)!.minShare) return found;
-    const best = this.#alternatives(found.quad, middle, found.hidden)[0];
+    const best = this.#best(found.quad, middle, found.hidden);
     return isSame(best, found) ? found : this.#refined(best, lastSteps);
   }
 
   /** Returns whether all other kinds and orientations agree clearly less. */
   isClear(fit: Fit): boolean {
-    const [first, second] = this.#alternatives(fit.quad, this.#reach(fit.kind, inPlace));
+    const [first, second] = [...this.#alternatives(fit.quad, this.#reach(fit.kind, inPlace))].sort(byScore);
     return isSame(first, fit) && first.share - second.share > minLead;
   }
 
@@ -201,21 +201,26 @@ export class Refiner {
       : this.#matcher.agreement(this.#picture, quad, kind, reach, hidden, needed);
   }
 
-  /** Returns one fit of the quad for each kind of code in each of the four orientations, the best agreement first. */
-  #alternatives(quad: Quad, reach: number, hidden?: Band): Fit[] {
+  /** Returns the fit of the quad with the best agreement. */
+  #best(quad: Quad, reach: number, hidden?: Band): Fit {
+    let best: Fit | undefined;
+    // A fit that does not exceed the best one so far is not computed completely.
+    for (const fit of this.#alternatives(quad, reach, hidden, () => (best ? score(best) : 0))) if (!best || score(fit) > score(best)) best = fit;
+    return best!;
+  }
+
+  /**
+   * Yields one fit of the quad for each kind of code in each of the four orientations.
+   * @param needed Score that the next fit must exceed. If it does not, its agreement is zero.
+   */
+  *#alternatives(quad: Quad, reach: number, hidden?: Band, needed = () => 0): Generator<Fit> {
     const { light } = this.#matcher.outerAgreement(this.#picture, quad, hidden);
-    return [0, 1, 2, 3]
-      .flatMap(turns => {
-        const seen = turned(quad, turns);
-        const band = hidden === undefined ? undefined : turnedBand(hidden, turns);
-        return this.#isFilled.map((_, kind) => ({
-          quad: seen,
-          kind,
-          hidden: band,
-          ...this.#matcher.agreement(this.#picture, seen, kind, reach, band, 0, light),
-        }));
-      })
-      .sort(byScore);
+    for (const turns of [0, 1, 2, 3]) {
+      const seen = turned(quad, turns);
+      const band = hidden === undefined ? undefined : turnedBand(hidden, turns);
+      for (const kind of this.#isFilled.keys())
+        yield { quad: seen, kind, hidden: band, ...this.#matcher.agreement(this.#picture, seen, kind, reach, band, needed(), light) };
+    }
   }
 
   #reach(kind: number, reach: number): number {
