@@ -9,6 +9,12 @@ sealed class PeerProcess : IDisposable
     // Disposal kills a program that has not ended by then.
     static readonly TimeSpan EndLimit = TimeSpan.FromSeconds(10);
 
+    /// <summary>
+    /// Settings of the .NET runtime, as in test projects (Directory.Build.targets). Most programs run for a few seconds. In this time, optimised code
+    /// does not regain the time of its compilation. The runtime reads numbers as hexadecimal.
+    /// </summary>
+    static readonly (string Name, string Value)[] Runtime = [("DOTNET_TieredPGO", "0"), ("DOTNET_TC_CallCountThreshold", "3E8")];
+
     readonly Process _process;
     readonly ConcurrentQueue<string> _lines = [];
 
@@ -19,6 +25,7 @@ sealed class PeerProcess : IDisposable
     PeerProcess(ProcessStartInfo start)
     {
         start.RedirectStandardInput = start.RedirectStandardOutput = start.RedirectStandardError = true;
+        foreach (var (name, value) in Runtime) start.Environment[name] = value;
         _process = new Process { StartInfo = start };
         _process.OutputDataReceived += (_, line) => Add(line.Data);
         _process.ErrorDataReceived += (_, line) => Add(line.Data);
