@@ -17,7 +17,7 @@ namespace Nowpose.Frames
                 case FrameState.Current: return null;
                 case FrameState.Missing: return FrameMessages.NoPose;
                 case FrameState.Held:
-                    return frame.IsStationary ? FrameMessages.OlderThanConnection
+                    return frame.HasStationarySource ? FrameMessages.OlderThanConnection
                         : frame.ReceivesOldPoses ? FrameMessages.PosesTooOld : frame.ReceivesRarePoses ? FrameMessages.PosesTooRare : FrameMessages.PosesStopped;
                 case FrameState.GripUnknown: return Kept(frame.State, frame.GripFault);
                 default: return Kept(frame.State, tree.ReasonAbove(frame, out _, out _));

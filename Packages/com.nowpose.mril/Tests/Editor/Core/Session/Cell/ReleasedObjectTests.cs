@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Nowpose.Frames;
 using Nowpose.Messages;
 using Nowpose.Protocol.Cell;
@@ -43,6 +44,24 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Open + 2);
 
             Assert.That(cell.Session.Frames.StateOf(Find(cell, "box")), Is.EqualTo(PoseState.Current));
+        }
+
+        // Also if the object was tracked before.
+        [Test]
+        public void Faults_StationaryPoseOfAReleasedObjectIsNotSentAgain_NamesTheConnection([Values] bool wasTracked)
+        {
+            var (cell, _) = NewCell("box");
+            if (wasTracked) cell.Send("world", "box", 19, At(1, 0));
+            cell.Run(0.1);
+            cell.Send("world", "box", 20, At(1, 0), isStationary: true);
+            cell.Sampling = t => cell.SendJoints(t, Shoulder(t), 0);
+            Move(cell);
+
+            cell.Reconnect();
+            Until(cell, Open + 6);
+
+            var fault = cell.Session.Frames.Faults(null).Single();
+            Assert.That((fault.Name, fault.State, fault.Reason), Is.EqualTo(("box", PoseState.Held, FrameMessages.OlderThanConnection)));
         }
 
         [Test]
