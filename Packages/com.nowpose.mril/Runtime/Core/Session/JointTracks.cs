@@ -130,7 +130,8 @@ namespace Nowpose.Session
             for (var i = 0; i < plan.Count; i++) _joints[plan.JointAt(i)].Follow(plan.PathAt(i), start, _displayed);
         }
 
-        static JointLimits BoundsOf(RobotJoint joint, PredictionSettings settings) =>
+        /// <inheritdoc cref="PredictionSettings.Bounded"/>
+        public static JointLimits BoundsOf(RobotJoint joint, PredictionSettings settings) =>
             settings.Bounded(joint.Limits, joint.Kind != JointKind.Prismatic);
 
         static JointSample Sample(double time, JointStateMessage message, int i) => new JointSample(

@@ -28,7 +28,7 @@ namespace Nowpose.Session
             _computer = new FrameComputer(robot, _tracks, settings.OutsideRange);
             _displayed = new DisplayedJoints(name, robot, Frame, settings.Connection.HeadsetName);
             Joints = new JointWatch(name, robot, _tracks, settings.Prediction.HorizonCap);
-            Hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
+            Hindcast = new HindcastMonitor(robot, settings.Prediction);
             _tracks.Restarted += Hindcast.Restart;
             Intake = new SessionIntake(robot, _tracks, Hindcast, latency, drops, settings.Prediction.FollowsPlans);
         }

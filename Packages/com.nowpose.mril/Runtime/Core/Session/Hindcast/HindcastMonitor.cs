@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Kinematics;
+using Nowpose.Prediction;
 using Nowpose.Protocol;
 
 namespace Nowpose.Session.Hindcast
@@ -20,6 +21,7 @@ namespace Nowpose.Session.Hindcast
         readonly TimeSpan _maximumGap;
         readonly int[] _joints;
         readonly int[] _placeOfJoint;
+        readonly bool[] _isEndless;
         readonly TruthTrack[] _tracks;
         readonly ShownFrames _frames;
         readonly ErrorRecord _tool = new ErrorRecord();
@@ -31,11 +33,11 @@ namespace Nowpose.Session.Hindcast
         bool _hasRunBegun;
         ErrorWithheldReason _withheldOfRun;
 
-        /// <param name="maximumGap">Maximum interval between samples; the motion within a longer interval is unknown.</param>
-        public HindcastMonitor(RobotModel robot, TimeSpan maximumGap)
+        /// <param name="settings">Settings with the maximum interval between samples; the motion within a longer interval is unknown.</param>
+        public HindcastMonitor(RobotModel robot, PredictionSettings settings)
         {
             _robot = robot;
-            _maximumGap = maximumGap;
+            _maximumGap = settings.MaximumGap;
             _joints = ToolJoints.Of(robot);
             _kinematics = new HindcastKinematics(robot, _joints);
             _placeOfJoint = new int[robot.MovingJoints.Count];
@@ -46,6 +48,9 @@ namespace Nowpose.Session.Hindcast
             _speeds = new TrueSpeeds(_joints.Length);
             _ofJoint = new ErrorRecord[_joints.Length];
             for (var i = 0; i < _ofJoint.Length; i++) _ofJoint[i] = new ErrorRecord();
+            _isEndless = new bool[_joints.Length];
+            for (var i = 0; i < _isEndless.Length; i++)
+                _isEndless[i] = JointTracks.BoundsOf(robot.MovingJoints[_joints[i]], settings).IsEndless;
         }
 
         /// <summary>Raised within <see cref="Add"/> for each scored frame, with its display time, its state, and its tool error in m.</summary>
@@ -108,8 +113,10 @@ namespace Nowpose.Session.Hindcast
             for (var i = 0; i < joints.Length; i++)
             {
                 var place = joints[i] >= 0 ? _placeOfJoint[joints[i]] : -1;
-                if (place >= 0 && _tracks[place].Add(
-                    new TruthSample(message.Stamp, message.Positions[i]), _maximumGap, out var span, out var isKnown))
+                if (place < 0) continue;
+                ref var track = ref _tracks[place];
+                var position = _isEndless[place] ? track.Unwrapped(message.Positions[i]) : message.Positions[i];
+                if (track.Add(new TruthSample(message.Stamp, position), _maximumGap, out var span, out var isKnown))
                     _frames.SetTruth(place, span, isKnown);
             }
             while (_frames.TryTakeFirst(out var frame, _values)) Judge(frame);
@@ -151,10 +158,13 @@ namespace Nowpose.Session.Hindcast
             _speeds.Next(frame.At);
             for (var i = 0; i < _joints.Length; i++)
             {
-                ref readonly var joint = ref _values[i];
+                ref var joint = ref _values[i];
+                var speed = _speeds.OfJoint(i, joint.Truth);
+                // The displayed angle of a continuous joint is in the turn of the newest sample that the display had.
+                if (_isEndless[i]) joint.Truth -= JointPredictor.WholeTurns(joint.Truth - joint.Displayed);
                 _ofJoint[i].Add(frame.At, new ErrorSums(
                     Square(joint.Displayed - joint.Truth), Square(joint.Held - joint.Truth), Square(joint.Uncertainty),
-                    Square(frame.ClockError * _speeds.OfJoint(i, joint.Truth))), isOfRun);
+                    Square(frame.ClockError * speed)), isOfRun);
             }
             var truth = _kinematics.ToolOf(_values, false);
             var toolSpeed = _speeds.OfTool(truth);

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Prediction;
 
 namespace Nowpose.Session.Hindcast
 {
@@ -11,6 +12,9 @@ namespace Nowpose.Session.Hindcast
         /// Start of the interval that is completed next, which is the end of the last complete interval; null before the first sample.
         /// </summary>
         public ControlTime? CompleteUntil => _second.IsKnown ? _second.At : _third.IsKnown ? _third.At : (ControlTime?)null;
+
+        /// <summary>Returns an angle, plus the whole turns that make it nearest to the last sample.</summary>
+        public double Unwrapped(double angle) => _third.IsKnown ? angle - JointPredictor.WholeTurns(angle - _third.Position) : angle;
 
         /// <summary>Adds a sample. A sample that is not newer than the last sample is ignored, because its interval is already complete.</summary>
         /// <param name="maximumGap">Maximum interval between samples. The motion within a longer interval is unknown.</param>

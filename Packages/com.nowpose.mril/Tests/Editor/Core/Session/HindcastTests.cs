@@ -9,6 +9,7 @@ using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Simulation;
 using Nowpose.Sync;
+using Nowpose.Tests.Core.Session.Cell;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
@@ -138,6 +139,32 @@ namespace Nowpose.Tests.Core.Session
             }
 
             Assert.That(Statistics(simulated).ErrorMm, Is.Null, "no later sample gives the elbow's position");
+        }
+
+        // The source reports the angle of the continuous elbow from −π to π.
+        [Test]
+        public void Hindcast_ContinuousJointWrapsItsAngle_HasTheErrorsOfTheUnwrappedAngle()
+        {
+            var (expected, errors) = (ErrorsOfTurningElbow(angle => angle), ErrorsOfTurningElbow(angle => Math.IEEERemainder(angle, 2 * Math.PI)));
+
+            Assert.That(expected.Tool.HoldRms, Is.GreaterThan(0.05), "m");
+            foreach (var (error, of) in new[] { (errors.Tool, expected.Tool), (errors.Elbow, expected.Elbow) })
+            {
+                Assert.That(error.Frames, Is.EqualTo(of.Frames));
+                Assert.That(error.Rms, Is.EqualTo(of.Rms).Within(1e-9));
+                Assert.That(error.HoldRms, Is.EqualTo(of.HoldRms).Within(1e-9));
+                Assert.That(error.TruthUncertainty, Is.EqualTo(of.TruthUncertainty).Within(1e-9));
+                Assert.That(error.ClockUncertainty, Is.EqualTo(of.ClockUncertainty).Within(1e-9));
+            }
+        }
+
+        static (DisplayedError Tool, DisplayedError Elbow) ErrorsOfTurningElbow(Func<double, double> sent)
+        {
+            var cell = new CellSession();
+            cell.Sampling = t => cell.SendJoints(t, 0, sent(1.5 * t + 0.3 * Math.Sin(2 * t)));
+            cell.Run(12);
+            var hindcast = cell.Session.Robots[0].Hindcast;
+            return (hindcast.Tool.Value, hindcast.JointAt(1).Error.Value);
         }
 
         [Test]
