@@ -197,10 +197,19 @@ namespace Nowpose.Signals
             return DropReason.None;
         }
 
+        // Of two values with the same stamp, the one that arrives last applies, also in the gateway.
         DropReason Replace(int place, double value)
         {
-            if (_changes[place].Value == value || (_isVisible && place == 0)) return DropReason.DuplicateSample;
-            _changes[place] = new Change(_changes[place].Stamp, value, _changes[place].IsResumed);
+            var former = _changes[place];
+            if (former.Value == value) return DropReason.DuplicateSample;
+            if (_isVisible && place == 0)
+            {
+                Insert(1, former.Stamp, value);
+                return DropReason.None;
+            }
+            Remove(place);
+            if (former.Confirmed > former.Stamp) place = Insert(place, former.Divide());
+            Insert(place, new Change(former.Stamp, value, former.IsResumed));
             return DropReason.None;
         }
 
