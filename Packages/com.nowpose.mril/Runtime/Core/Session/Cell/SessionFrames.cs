@@ -190,9 +190,32 @@ namespace Nowpose.Session.Cell
         public void Take(in DisplayMoment moment)
         {
             _moment = moment;
-            while (_stationary.TryTake(out var message, out var arrival)) Take(message, arrival);
-            while (moment.Clock.IsKnown && _tracked.TryTake(out var message, out var arrival)) Take(message, arrival, moment.Clock);
+            TakeQueued(moment.Clock);
             _stationaryArrivals.Mark(Tree, moment.Start);
+        }
+
+        // Takes the messages in the order of their arrival, because a frame can be put on another one only after this one has left it.
+        void TakeQueued(in ClockModel clock)
+        {
+            TransformsMessage tracked = null, stationary = null;
+            HeadsetTime trackedAt = default, stationaryAt = default;
+            while (true)
+            {
+                // Takes the tracked one first: a stationary one that arrived before it is then in its queue.
+                if (tracked == null && clock.IsKnown) _tracked.TryTake(out tracked, out trackedAt);
+                if (stationary == null) _stationary.TryTake(out stationary, out stationaryAt);
+                if (tracked != null && !(stationary != null && stationaryAt <= trackedAt))
+                {
+                    Take(tracked, trackedAt, clock);
+                    tracked = null;
+                }
+                else if (stationary != null)
+                {
+                    Take(stationary, stationaryAt);
+                    stationary = null;
+                }
+                else return;
+            }
         }
 
         /// <summary>Computes the poses of all frames. Call it after the robots have computed their poses.</summary>

@@ -6,7 +6,7 @@ using static Nowpose.Tests.Core.Session.Cell.GripScene;
 
 namespace Nowpose.Tests.Core.Session.Cell
 {
-    /// <summary>Tests stationary frames whose parents change within one message.</summary>
+    /// <summary>Tests stationary frames whose parents change within one message or one display frame.</summary>
     public class StationaryOrderTests
     {
         static readonly string[] Chain = { "world", "a", "b", "c" };
@@ -36,6 +36,24 @@ namespace Nowpose.Tests.Core.Session.Cell
 
             Assert.That((cell.Session.Drops[DropReason.FrameCycle], cell.Session.Drops.Total), Is.EqualTo((1L, 1L)));
             Assert.That(Find(cell, "c"), Is.Not.Null);
+        }
+
+        // Both messages wait for the same display frame. Until the first one, b is on a.
+        [Test]
+        public void Add_FrameIsPutOnATrackedFrameThatHasLeftIt_IsUsed()
+        {
+            var cell = new CellSession();
+            foreach (var name in Chain.Skip(1)) cell.Session.Frames.Need(name);
+            Receive(cell, Pose("world", "a", 1));
+            cell.Send("a", "b", cell.Now - 0.2, At(1, 0));
+            cell.Run(0.1);
+            Assert.That(Find(cell, "b").World.X, Is.EqualTo(2));
+
+            cell.Send("world", "b", cell.Now - 0.1, At(5, 0));
+            Receive(cell, Pose("b", "a", 1));
+
+            Assert.That((Find(cell, "b").World.X, Find(cell, "a").World.X), Is.EqualTo((5.0, 6.0)));
+            Assert.That(cell.Session.Drops.Total, Is.Zero);
         }
 
         static FrameTransform Pose(string parent, string child, double x) => At(x, 0).ToTransform(default, parent, child);
