@@ -36,9 +36,9 @@ namespace Nowpose.Signals
         public event Action<SignalTrack> Restarted;
 
         /// <summary>
-        /// Raised when the first value after an interruption becomes visible, before it is reported as a change. The signal may have changed in the
-        /// meantime, also if the value is the same as before. Not raised if the value has the stamp <see cref="Newest"/>, which shows that nothing has
-        /// changed.
+        /// Raised when the first value after an interruption or after dropped changes becomes visible, before it is reported as a change. The signal
+        /// may have changed in the meantime, also if the value is the same as before. Not raised if the value has the stamp <see cref="Newest"/>,
+        /// which shows that nothing has changed.
         /// </summary>
         public event Action<SignalTrack> Resumed;
 
@@ -71,8 +71,8 @@ namespace Nowpose.Signals
         public double? Unplaced => _future ?? _late.NewestFarBehind(_newestSample);
 
         /// <summary>
-        /// Handles an interruption: the source may have ended since its last value. The next value that is used is not an overtaken one, and raises
-        /// <see cref="Resumed"/>.
+        /// Handles an interruption: the source may have ended since its last value, or changes were dropped. The next value that is used is not an
+        /// overtaken one, and raises <see cref="Resumed"/>.
         /// </summary>
         public void Interrupt() => _isInterrupted = _count > 0;
 
@@ -234,7 +234,7 @@ namespace Nowpose.Signals
             if (_count == Capacity)
             {
                 var oldest = _isVisible ? 1 : 0;
-                if (_changes[oldest].IsResumed) _changes[oldest + 1].Resume();
+                _changes[oldest + 1].Resume();
                 Remove(oldest);
                 Overflowed?.Invoke(this);
                 if (place > oldest) place--;
@@ -262,7 +262,7 @@ namespace Nowpose.Signals
             public ControlTime Stamp { get; private set; }
             public double Value { get; }
 
-            /// <summary>Whether this is the first value that is kept after an interruption.</summary>
+            /// <summary>Whether this is the first value that is kept after an interruption or after dropped changes.</summary>
             public bool IsResumed { get; private set; }
 
             /// <summary>Newest stamp with which the value was received.</summary>

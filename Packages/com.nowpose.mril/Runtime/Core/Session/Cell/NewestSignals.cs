@@ -9,24 +9,34 @@ namespace Nowpose.Session.Cell
     /// <summary>A value of a signal with its stamp and its arrival.</summary>
     readonly struct ArrivedSignal
     {
-        public ArrivedSignal(in SignalValue value, ControlTime stamp, HeadsetTime arrival)
+        public ArrivedSignal(in SignalValue value, ControlTime stamp, HeadsetTime arrival, bool isAfterLostChange = false)
         {
             Value = value;
             Stamp = stamp;
             Arrival = arrival;
+            IsAfterLostChange = isAfterLostChange;
         }
 
         public SignalValue Value { get; }
         public ControlTime Stamp { get; }
         public HeadsetTime Arrival { get; }
+
+        /// <summary>Whether another value before this one was dropped.</summary>
+        public bool IsAfterLostChange { get; }
+
+        public ArrivedSignal AfterLostChange() => new ArrivedSignal(Value, Stamp, Arrival, isAfterLostChange: true);
     }
 
     /// <summary>Keeps the newest value of each signal from messages that did not fit into a queue. Thread-safe.</summary>
-    /// <remarks>A source may publish a value only once, so the newest value must not be lost.</remarks>
+    /// <remarks>
+    /// A source may publish a value only once, so the newest value must not be lost. If messages have repeated it, the first of them is kept too,
+    /// because it has the time of the change.
+    /// </remarks>
     sealed class NewestSignals
     {
         readonly object _gate = new object();
-        readonly Dictionary<string, ArrivedSignal> _values = new Dictionary<string, ArrivedSignal>(StringComparer.Ordinal);
+        readonly Dictionary<string, (ArrivedSignal First, ArrivedSignal Newest)> _values =
+            new Dictionary<string, (ArrivedSignal, ArrivedSignal)>(StringComparer.Ordinal);
 
         /// <summary>Keeps a value unless a newer value of the same signal has overtaken it.</summary>
         /// <returns>Reason why the given or the kept value was dropped; <see cref="DropReason.None"/> if neither value was dropped.</returns>
@@ -36,20 +46,33 @@ namespace Nowpose.Session.Cell
             {
                 var isKnown = _values.TryGetValue(arrived.Value.Name, out var kept);
                 if (!isKnown && _values.Count >= ProtocolLimits.Signals) return DropReason.TooManySignals;
-                if (!isKnown || !LateValues.IsOvertaken(arrived.Stamp, kept.Stamp)) _values[arrived.Value.Name] = arrived;
+                _values[arrived.Value.Name] = isKnown ? Newest(kept, arrived) : (arrived, arrived);
                 return isKnown ? DropReason.SlowReader : DropReason.None;
             }
         }
 
-        /// <summary>Moves all values to the end of a list.</summary>
+        /// <summary>Moves all values to the end of a list, those of each signal in the order of their arrival.</summary>
         public void Take(List<ArrivedSignal> into)
         {
             lock (_gate)
             {
                 if (_values.Count == 0) return;
-                into.AddRange(_values.Values);
+                foreach (var (first, newest) in _values.Values)
+                {
+                    into.Add(first);
+                    if (newest.Arrival != first.Arrival) into.Add(newest);
+                }
                 _values.Clear();
             }
+        }
+
+        static (ArrivedSignal First, ArrivedSignal Newest) Newest(in (ArrivedSignal First, ArrivedSignal Newest) kept, in ArrivedSignal arrived)
+        {
+            var newest = LateValues.IsOvertaken(arrived.Stamp, kept.Newest.Stamp) ? kept.Newest : arrived;
+            if (arrived.Value.Value == kept.Newest.Value.Value) return (kept.First, newest);
+            // One of the two values is dropped.
+            newest = newest.AfterLostChange();
+            return (newest, newest);
         }
     }
 }

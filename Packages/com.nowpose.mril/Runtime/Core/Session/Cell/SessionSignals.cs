@@ -199,7 +199,7 @@ namespace Nowpose.Session.Cell
             var arrival = clock.ToControl(arrived.Arrival);
             var isInFuture = StampRule.IsInFuture(arrived.Stamp, arrival, clock.ErrorBound);
             var signal = Table.FindOrAdd(arrived.Value.Name);
-            if (signal != null && IsAfterInterruption(signal, arrived.Arrival)) signal.Interrupt();
+            if (signal != null && (arrived.IsAfterLostChange || IsAfterInterruption(signal, arrived.Arrival))) signal.Interrupt();
             var reason = isInFuture ? DropReason.StampInFuture
                 : signal == null ? DropReason.TooManySignals
                 : signal.Add(arrived.Stamp, arrived.Value.Value, arrival);

@@ -90,6 +90,18 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That(resumed, Has.Count.EqualTo(1));
         }
 
+        // The signal may have changed in the meantime, also if the next value that is kept is the visible one.
+        [Test]
+        public void Next_ChangesAreDroppedBecauseTooManyWait_IsResumedOnce([Values(65, 66)] int count)
+        {
+            var (signal, resumed) = NewSignal();
+
+            for (var k = 0; k < count; k++) signal.Add(At(11 + k), k % 2);
+            while (signal.Next(At(2000))) { }
+
+            Assert.That(resumed, Has.Count.EqualTo(1));
+        }
+
         static (SignalTrack Signal, List<double> Resumed) NewSignal()
         {
             var signal = new SignalTrack("grip");

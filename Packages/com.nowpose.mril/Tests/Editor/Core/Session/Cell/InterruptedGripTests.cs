@@ -142,6 +142,44 @@ namespace Nowpose.Tests.Core.Session.Cell
                 Is.EqualTo(((string)null, FrameMessages.SignalInterrupted, PoseState.Held)), $"{t} s"));
         }
 
+        // The frame loop pauses, and the full queue keeps only the newest value of the signal.
+        [Test]
+        public void Interruption_GripperOpensAndClosesInAFullQueue_HeldObjectIsUnknown()
+        {
+            var (cell, grip) = NewGripper();
+            Until(cell, Close);
+            cell.Send("grip", Close, 1);
+            Until(cell, End);
+
+            cell.Send("grip", End + 0.1, 0);
+            cell.Send("grip", End + 0.3, 1);
+            FillQueue(cell);
+            Until(cell, End + 1);
+
+            Assert.That((grip.Fault, StateOf(cell)), Is.EqualTo((FrameMessages.SignalInterrupted, PoseState.Held)));
+        }
+
+        // When the repeated value arrives, the arm has left the box.
+        [Test]
+        public void Interruption_ClosingIsRepeatedInAFullQueue_ObjectIsGrippedAtTheTimeOfTheClosing()
+        {
+            var (cell, grip) = NewGripper();
+            Until(cell, Close);
+
+            cell.Send("grip", Close, 1);
+            cell.Send("grip", Close + 0.4, 1);
+            cell.Send("grip", Close + 0.3, 1); // arrives after a newer message
+            FillQueue(cell);
+            Until(cell, Close + 1, t => Assert.That(grip.Fault, Is.Null, $"{t} s"));
+
+            Assert.That((grip.Held, StateOf(cell)), Is.EqualTo(("box", PoseState.Current)));
+        }
+
+        static void FillQueue(CellSession cell)
+        {
+            for (var k = 0; k < 1100; k++) cell.Send("speed", cell.Now - 1 + 0.001 * k, k);
+        }
+
         static (CellSession Cell, ReachGrip Grip) NewGripper(Func<double, double> x = null)
         {
             var (cell, grip) = NewCell("box", "other");
