@@ -48,11 +48,13 @@ namespace Nowpose.Session
         }
 
         /// <summary>
-        /// Returns whether the pose of a link is current, apart from the range of the render time, which affects all poses alike: the robot's pose is
-        /// current, and the joints between base and link are predicted. The link can be on another branch than the tool, such as a second arm.
+        /// Returns whether the pose of a link is current, apart from the range of the render time, which affects all poses alike: no joint moves the
+        /// link, or the robot's pose is current and the joints between base and link are predicted. The link can be on another branch than the tool,
+        /// such as a second arm.
         /// </summary>
         public bool IsCurrentAt(int link)
         {
+            if (!IsMovedByJoints(link)) return true;
             if (Frame.State != PoseState.Current && Frame.State != PoseState.OutsideRange) return false;
             Tally(_jointsOfLinks[link], out var isIncomplete, out var isHeld);
             return !isIncomplete && (!isHeld || IsHeldOnPurpose);

@@ -64,6 +64,26 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That((StateOf(cell, "box"), StateOf(cell, "in_hand")), Is.EqualTo((PoseState.OutsideRange, PoseState.Held)));
         }
 
+        // Such a link is, for example, a table in the robot's description.
+        [Test]
+        public void StateOf_ObjectOnALinkThatNoJointMoves_IsCurrentWithoutDataOfTheJoints([Values] bool hasSamples, [Values] bool isClockKnown)
+        {
+            var cell = new CellSession(isClockKnown);
+            foreach (var name in new[] { "plate", "in_hand" }) cell.Session.Frames.Need(name);
+            cell.Send("base", "plate", 0, Along(0.1), isStationary: true);
+            cell.Send("tool_centre_point", "in_hand", 0, Along(0.1), isStationary: true);
+            cell.Sampling = t =>
+            {
+                if (hasSamples && t < 20.5) cell.SendJoints(t, 0, 0);
+            };
+
+            cell.Run(2);
+
+            Assert.That(StateOf(cell, "in_hand"), Is.Not.EqualTo(PoseState.Current));
+            Assert.That(StateOf(cell, "plate"), Is.EqualTo(PoseState.Current));
+            Assert.That(cell.Session.Frames.Faults(null).Select(fault => fault.Name), Has.None.EqualTo("plate"));
+        }
+
         // The clock of the source is behind, or a recording is played with its former stamps.
         [TestCase(3)]
         [TestCase(15)]
