@@ -23,6 +23,7 @@ namespace Nowpose.Session.Cell
         static readonly TimeSpan MaxSilence = TimeSpan.FromTicks(10 * TimeSpan.TicksPerSecond);
 
         readonly FrameTree _tree;
+        readonly DropCounters _drops;
         readonly HashSet<string> _needed = new HashSet<string>(StringComparer.Ordinal);
         // Root links of robots. A frame with such a name places its robot.
         readonly HashSet<string> _roots = new HashSet<string>(StringComparer.Ordinal);
@@ -33,7 +34,7 @@ namespace Nowpose.Session.Cell
         // Control time of the newest arrival; null if unknown.
         ControlTime? _now;
 
-        public NeededFrames(FrameTree tree) => _tree = tree;
+        public NeededFrames(FrameTree tree, DropCounters drops) => (_tree, _drops) = (tree, drops);
 
         /// <summary>Raised with the name of a frame that another frame has replaced in the tree.</summary>
         public event Action<string> Replaced;
@@ -68,7 +69,8 @@ namespace Nowpose.Session.Cell
         {
             if (!_needed.Add(name) || !_others.TryGetValue(name, out var kept)) return;
             _others.Remove(name);
-            Add(kept.Pose, kept.IsStationary);
+            // The tree may refuse the pose. It was counted as used when it arrived, because only its frame's number was checked then.
+            _drops.Count(Add(kept.Pose, kept.IsStationary));
         }
 
         /// <inheritdoc cref="FrameTree.Add(in FrameTransform, bool, int)"/>

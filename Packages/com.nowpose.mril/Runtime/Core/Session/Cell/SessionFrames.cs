@@ -39,7 +39,7 @@ namespace Nowpose.Session.Cell
             _gate = gate;
             _stationaryArrivals = new StationaryArrivals(connection);
             Tree = new FrameTree(prediction.BodiesOfACell());
-            _needed = new NeededFrames(Tree);
+            _needed = new NeededFrames(Tree, drops);
             _needed.Replaced += _stationaryArrivals.Remove;
             subscriptions.Add(RosTopics.Tf, RosTopics.TransformsType);
             subscriptions.Add(RosTopics.TfStatic, RosTopics.TransformsType);

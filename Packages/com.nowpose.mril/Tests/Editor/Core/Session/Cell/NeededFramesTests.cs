@@ -26,6 +26,21 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(cell.Session.Frames.Find("box").Newest, Is.EqualTo((ControlTime?)ControlTime.FromSeconds(expected)));
         }
 
+        // The limits of the tree are checked only when a frame is shown.
+        [Test]
+        public void Need_KeptPosesFormACycle_CountsTheRefusedPose()
+        {
+            var cell = new CellSession();
+            cell.Send("b", "a", 20, At(1, 0), isStationary: true);
+            cell.Send("a", "b", 20, At(1, 0), isStationary: true);
+            cell.Run(0.1);
+            Assert.That(cell.Session.Drops.Total, Is.Zero);
+
+            cell.Session.Frames.Need("a");
+
+            Assert.That((cell.Session.Drops[DropReason.FrameCycle], cell.Session.Drops.Total), Is.EqualTo((1L, 1L)));
+        }
+
         // A stationary pose is sent only once and has no time of its own.
         [TestCase(9, 1)]
         [TestCase(11, 0)]
