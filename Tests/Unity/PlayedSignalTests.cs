@@ -191,6 +191,46 @@ public class PlayedSignalTests : PlayedParts
         Assert.That(raised, Is.EqualTo(new[] { "1", "0", "1" }));
     }
 
+    // A signal that switches itself off in Start, before any value has arrived, would stay off without a trace.
+    [TestCase("object")]
+    [TestCase("parent")]
+    [TestCase("component")]
+    [TestCase("child")]
+    public void Signal_EventSwitchesAnObjectOff_WarnsIfTheSignalIsThenOff(string switched)
+    {
+        var holder = Below<FrameProbe>("holder", _session.transform).gameObject;
+        var onNotCurrent = new UnityEvent<string>();
+        var lamp = Below<CellSignal>("lamp", holder.transform).With("_onNotCurrent", onNotCurrent);
+        var glow = Below<FrameProbe>("glow", lamp.transform).gameObject;
+        onNotCurrent.AddListener(_ =>
+        {
+            if (switched == "component") lamp.enabled = false;
+            else (switched == "object" ? lamp.gameObject : switched == "parent" ? holder : glow).SetActive(false);
+        });
+
+        Run(1);
+
+        Assert.That(lamp.isActiveAndEnabled, Is.EqualTo(switched == "child"));
+        Assert.That(Warnings(ComponentMessages.Of("signal", "lamp", ObjectMessages.DisabledByItself)), Is.EqualTo(switched == "child" ? 0 : 1));
+    }
+
+    [Test]
+    public void Signal_DisabledOutsideItsEventsOrFollowingAnotherInOne_DoesNotWarn()
+    {
+        var signal = Below<CellSignal>("first", _session.transform);
+        signal.Changed += _ => signal.Follow(null, "second");
+        Run(1);
+        SendSignal("first", _cell.Now - 1, 1);
+        Run(0.5);
+        Assert.That(signal.Signal, Is.EqualTo("second"));
+
+        signal.gameObject.SetActive(false);
+
+        Assert.That(Warnings(ObjectMessages.DisabledByItself), Is.Zero);
+    }
+
+    int Warnings(string text) => _cell.Player.Logs.Count(log => log.Type == LogType.Warning && log.Message.EndsWith(text, StringComparison.Ordinal));
+
     [Test]
     public void Signal_WithoutASession_IsReportedAsNotCurrent()
     {

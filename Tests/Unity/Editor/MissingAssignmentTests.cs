@@ -5,6 +5,7 @@ using Nowpose.Unity.Tests.Manual;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
+using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Editor;
 
@@ -104,6 +105,47 @@ public sealed class MissingAssignmentTests : EditorFixture
 
         Assert.That(reported, Does.Contain(ShortcomingTexts.MovedByObject));
     }
+
+    // Such a signal could not switch the object on again.
+    [TestCase("lamp", nameof(GameObject.SetActive), true)]
+    [TestCase("post", nameof(GameObject.SetActive), true)]
+    [TestCase("glow", nameof(GameObject.SetActive), false)]
+    [TestCase("lamp", "set_name", false)]
+    public void Inspector_SignalSwitchesAnObject_ReportsItIfTheSignalIsAtOrBelowIt(string switched, string method, bool isReported)
+    {
+        var signal = Lamp(out var objects);
+        var call = Call(signal, "_onState", objects.Single(each => each.name == switched), method);
+
+        Assert.That(Messages(signal).Contains(ShortcomingTexts.SwitchesItself(switched)), Is.EqualTo(isReported));
+        call.State = UnityEventCallState.Off;
+        Assert.That(Messages(signal), Has.None.EqualTo(ShortcomingTexts.SwitchesItself(switched)));
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Inspector_SignalEnablesAComponent_ReportsItIfItIsItself(bool isItself)
+    {
+        var signal = Lamp(out _);
+        Call(signal, "_onNotCurrent", isItself ? signal : signal.gameObject.AddComponent<CellSignal>(), "set_enabled");
+
+        Assert.That(Messages(signal).Contains(ShortcomingTexts.SwitchesItself(signal.name)), Is.EqualTo(isItself));
+    }
+
+    CellSignal Lamp(out GameObject[] objects)
+    {
+        objects = [Keep(new GameObject("post")), new GameObject("lamp"), new GameObject("glow")];
+        for (var i = 1; i < objects.Length; i++) objects[i].transform.SetParent(objects[i - 1].transform);
+        return objects[1].AddComponent<CellSignal>();
+    }
+
+    static PersistentCall Call(CellSignal signal, string field, UnityEngine.Object target, string method)
+    {
+        var call = PersistentCall.Of(target, method, PersistentListenerMode.EventDefined, null);
+        ((UnityEventBase)signal.Shown(field)).Persistent.Add(call);
+        return call;
+    }
+
+    static string[] Messages(Component component) => [.. Shortcomings.Of([component]).Select(each => each.Message)];
 
     (RobotRig Rig, VirtualGripper Gripper) Gripper(out Transform finger)
     {

@@ -22,6 +22,7 @@ sealed class PersistentCall
     internal string TargetTypeName => _targetType;
     internal string MethodName => _method;
     internal PersistentListenerMode Mode => _mode;
+    internal UnityEventCallState State { get => _state; set => _state = value; }
 
     /// <summary>Creates a call as the editor does.</summary>
     /// <param name="argument">Argument with the type that the mode requires; null if there is none.</param>

@@ -16,6 +16,7 @@ public abstract class UnityEventBase : ISerializationCallbackReceiver
     public int GetPersistentEventCount() => _persistent.Calls.Count;
     public Object GetPersistentTarget(int index) => _persistent.Calls[index].Target;
     public string GetPersistentMethodName(int index) => _persistent.Calls[index].MethodName;
+    public UnityEventCallState GetPersistentListenerState(int index) => _persistent.Calls[index].State;
 
     void ISerializationCallbackReceiver.OnBeforeSerialize() { }
 

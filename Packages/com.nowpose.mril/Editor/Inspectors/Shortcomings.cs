@@ -41,7 +41,7 @@ namespace Nowpose.Editor.Inspectors
             new ReferenceRule(
                 typeof(LoadSweep), "_load", null, ShortcomingTexts.Load, SceneSearch.Only<LoadGenerator>,
                 sweep => sweep.GetComponentInChildren<LoadGenerator>(true) == null),
-            new AppearanceRule(), new OneMoverRule(),
+            new AppearanceRule(), new OneMoverRule(), new SwitchedSignalRule(),
             // A rig without a namespace shows the session's own robot.
             new UniqueRule<RobotRig>(
                 (rig, other) => IsDisplayed(rig) && IsDisplayed(other) && rig.RobotNamespace == other.RobotNamespace,

@@ -51,6 +51,11 @@ namespace Nowpose.Editor.Messages
         public static string MovedByGripper(string gripper, string joint) =>
             $"'{gripper}' moves the same object with joint '{joint}'. Move the Actuated Part to a child object, or remove the finger from the gripper.";
 
+        /// <param name="switched">Name of the object that the event switches.</param>
+        public static string SwitchesItself(string switched) =>
+            $"An event switches '{switched}', which is this object or a parent. While it is off, the signal raises no events, so it cannot switch it "
+            + "on again. Let the event switch another object, such as a child.";
+
         public const string Rig = "Its parents have no rig. Move the object below a rig, or assign a rig.";
     }
 }

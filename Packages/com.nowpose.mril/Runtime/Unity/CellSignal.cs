@@ -82,6 +82,12 @@ namespace Nowpose.Unity
         /// <summary>Reason why the value is not current, in one line; null if it is current.</summary>
         public string Fault => _follower == null ? StatusMessages.NoSession : _follower.Fault;
 
+        /// <summary>The events of the Inspector.</summary>
+        internal UnityEventBase[] Events => new UnityEventBase[]
+        {
+            _onTrue, _onFalse, _onState, _onValue, _onText, _onNamedState, _onNamedValue, _onNamedInteger, _onNotCurrent, _onCurrent,
+        };
+
         /// <summary>The signal's follower; null while the component follows no signal.</summary>
         internal SignalFollower Follower => _follower;
 
@@ -101,7 +107,7 @@ namespace Nowpose.Unity
         public void Follow(MrilSession session, string signal = "")
         {
             var isFollowing = isActiveAndEnabled;
-            if (isFollowing) OnDisable();
+            if (isFollowing) Leave();
             _session = session;
             _signal = signal;
             if (isFollowing) OnEnable();
@@ -129,6 +135,12 @@ namespace Nowpose.Unity
 
         void OnDisable()
         {
+            if (_follower != null && _follower.IsRaising) ConsoleLog.Warn(this, ComponentMessages.Of("signal", name, ObjectMessages.DisabledByItself));
+            Leave();
+        }
+
+        void Leave()
+        {
             _follower?.Leave();
             _follower = null;
         }
@@ -142,7 +154,7 @@ namespace Nowpose.Unity
         void OnTransformParentChanged()
         {
             if (!this.IsBelowAnotherSession(_session, _follower?.Source)) return;
-            OnDisable();
+            Leave();
             OnEnable();
         }
 

@@ -38,6 +38,9 @@ namespace Nowpose.Unity.Cell
         /// <summary>The component that has the session.</summary>
         public MrilSession Source => _source;
 
+        /// <summary>Whether a listener of the component is being called.</summary>
+        public bool IsRaising { get; private set; }
+
         /// <summary>The signal; null until its first value is known.</summary>
         public SignalTrack Track { get; private set; }
 
@@ -130,6 +133,7 @@ namespace Nowpose.Unity.Cell
         // A listener of one component must not keep a change from the others, which would show an old state as current.
         void Raise<T>(Action<T> listener, T value)
         {
+            IsRaising = true;
             try
             {
                 listener(value);
@@ -138,6 +142,7 @@ namespace Nowpose.Unity.Cell
             {
                 Debug.LogException(fault, _source);
             }
+            IsRaising = false;
         }
 
         void Restart(SignalTrack signal)
