@@ -28,6 +28,23 @@ public class FollowedPartTests : PlayedParts
     }
 
     [Test]
+    public void Follow_ComponentAddedToAnInstanceOfAModel_ShowsTheModelOnlyWithAPose()
+    {
+        var model = new GameObject("model");
+        PlayedAppearance.Part("look", model.transform);
+        _session.gameObject.SetActive(true);
+
+        var made = UnityEngine.Object.Instantiate(model, _session.transform);
+        var part = made.GetComponentInChildren<MeshRenderer>();
+        made.AddComponent<TrackedObject>().Follow(_session, "box");
+        Run(1);
+        Assert.That(part.isVisible, Is.False);
+
+        Run(1, t => SendPose("world", "box", t, Along(1)));
+        Assert.That((part.isVisible, Hatched.IsHatched(part)), Is.EqualTo((true, false)));
+    }
+
+    [Test]
     public void Follow_StationaryObjectElsewhere_IsPlacedAtTheFrame()
     {
         var placed = Loose<StationaryObject>("prefab(Clone)");

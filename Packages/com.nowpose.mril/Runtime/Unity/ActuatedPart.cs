@@ -37,6 +37,7 @@ namespace Nowpose.Unity
         [SerializeField, Range(0, 60_000), Tooltip("Time for the whole stroke, ms. 0: the part jumps.")]
         float _strokeMs = 300;
 
+        readonly AppearancesOfParts _appearances = new AppearancesOfParts();
         MrilSession _source;
         Transform _world;
         SignalFollower _follower;
@@ -92,6 +93,7 @@ namespace Nowpose.Unity
             TakeRest();
             _stroke = new ActuatedStroke(0, 1, _strokeMs / 1000.0);
             _follower = SignalFollower.Of(this, _session, "actuated part", Signal, Take, restarted: Take);
+            _appearances.Refresh(this);
             _source = this.SessionOr(_session);
             if (_source == null) return;
             _world = CellPlace.WorldOf(this, _source);
@@ -113,6 +115,7 @@ namespace Nowpose.Unity
         void OnTransformParentChanged()
         {
             TakeRest();
+            _appearances.Refresh(this);
             if (!this.IsBelowAnotherSession(_session, _source)) return;
             OnDisable();
             OnEnable();

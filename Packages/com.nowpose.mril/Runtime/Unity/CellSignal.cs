@@ -67,6 +67,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Raised when the value becomes current, after the events for the value.")]
         UnityEvent _onCurrent = new UnityEvent();
 
+        readonly AppearancesOfParts _appearances = new AppearancesOfParts();
         SignalFollower _follower;
         bool? _isOn;
 
@@ -118,6 +119,7 @@ namespace Nowpose.Unity
         {
             _isOn = null;
             _follower = SignalFollower.Of(this, _session, "signal", Signal, Take, judged: Judge);
+            _appearances.Refresh(this);
         }
 
         // Before the session computes its first frame, the value is not current. In OnEnable, other objects may not be ready for the event yet.
@@ -153,6 +155,7 @@ namespace Nowpose.Unity
 
         void OnTransformParentChanged()
         {
+            _appearances.Refresh(this);
             if (!this.IsBelowAnotherSession(_session, _follower?.Source)) return;
             Leave();
             OnEnable();

@@ -113,8 +113,8 @@ namespace Nowpose.Unity
         }
 
         /// <summary>
-        /// Updates the list of renderers below this object. Call it after renderers were added or removed. The component itself calls it when it is
-        /// enabled and when a rig is built.
+        /// Updates the list of renderers below this object. Call it after renderers were added or removed; after a move, call it first for the former
+        /// appearance. It is called when this component is enabled or moved, a rig is built, or a signal, actuated part or gripper is added or moved.
         /// </summary>
         public void Refresh()
         {
@@ -165,8 +165,7 @@ namespace Nowpose.Unity
             if (_source == null && _rig != null) return;
             _isOn = true;
             if (_source == null) this.RequiredSession(null, "pose appearance");
-            foreach (var other in GetComponentsInParent<PoseAppearance>(true))
-                if (other != this) other.HandOverTo(this);
+            HandOver();
             if (_rig != null) _rig.Bound += Refresh;
             if (_source != null)
             {
@@ -189,9 +188,7 @@ namespace Nowpose.Unity
                 _source.Computed -= Show;
                 _source.Hidden -= ShowNoSession;
             }
-            _isOn = false;
-            _isEnded = false;
-            _frame = null;
+            (_isOn, _isEnded, _frame) = (false, false, null);
             _places.Clear();
             _carriers.Clear();
             foreach (var part in _parts.Values) part.Restore();
@@ -205,7 +202,13 @@ namespace Nowpose.Unity
             foreach (var other in GetComponentsInParent<PoseAppearance>(true)) other.Refresh();
         }
 
-        void OnTransformParentChanged() => FindSession();
+        void OnTransformParentChanged()
+        {
+            FindSession();
+            if (!_isOn) return;
+            HandOver();
+            Refresh();
+        }
 
         MrilSession Searched => this.SessionOfParts(_session, _rig);
 
@@ -222,12 +225,7 @@ namespace Nowpose.Unity
         {
             _label.Face(_words);
             // An appearance on an inactive object is disabled or destroyed without a message to its script.
-            foreach (var each in _below)
-            {
-                if (each != null && each.IsOwner) continue;
-                Refresh();
-                return;
-            }
+            if (_below.Exists(each => each == null || !each.IsOwner)) Refresh();
         }
 
         void Show(DisplayFrame frame)
@@ -273,15 +271,11 @@ namespace Nowpose.Unity
         static PoseLook WithSignal(PoseLook look, (string Label, string Reason) fault) => fault.Reason == null ? look
             : look.Also(fault.Label, fault.Reason, PoseLook.Of(PoseState.Held).Fade);
 
-        // Restores the parts of an appearance that was added or enabled below this one, before that one stores their original look.
-        void HandOverTo(PoseAppearance below)
+        // The appearances above restore the parts of one that was added, enabled or moved below them, before it stores their original look.
+        void HandOver()
         {
-            foreach (var part in _parts.Keys)
-            {
-                if (part == null || !part.transform.IsChildOf(below.transform)) continue;
-                Refresh();
-                return;
-            }
+            foreach (var above in GetComponentsInParent<PoseAppearance>(true))
+                if (above != this && !above._below.Contains(this)) above.Refresh();
         }
 
         // Restores the renderers that are no longer below this object, and removes them from the list.

@@ -28,6 +28,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Fingers of the gripper and the joints that move them.")]
         List<GripperFinger> _fingers = new List<GripperFinger>();
 
+        readonly AppearancesOfParts _appearances = new AppearancesOfParts();
         RobotRig _source, _found;
         Transform _flange;
         FingerDrive[] _drives = Array.Empty<FingerDrive>();
@@ -70,6 +71,7 @@ namespace Nowpose.Unity
             rig.Bound += Fit;
             rig.Posed += Follow;
             if (rig.Model != null) Fit();
+            _appearances.Refresh(this);
         }
 
         /// <summary>
@@ -90,8 +92,13 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _found = _rig != null ? _rig : GetComponentInParent<RobotRig>();
-            if (_found != null) Mount(_found);
-            else ConsoleLog.Fail(this, ComponentMessages.GripperWithoutRig(name));
+            if (_found != null)
+            {
+                Mount(_found);
+                return;
+            }
+            ConsoleLog.Fail(this, ComponentMessages.GripperWithoutRig(name));
+            _appearances.Refresh(this);
         }
 
         void OnDisable() => Unmount();
@@ -99,6 +106,7 @@ namespace Nowpose.Unity
         // A gripper that a script has mounted or unmounted stays as it is.
         void OnTransformParentChanged()
         {
+            _appearances.Refresh(this);
             if (!ReferenceEquals(_source, _found) || !this.IsBelowAnotherRig(_rig, _found)) return;
             OnDisable();
             OnEnable();

@@ -51,10 +51,9 @@ namespace Nowpose.Tests.Unity
             second.Follow(null, "arm2", description);
         }
 
-        internal static void AddAnObject(BaseAnchor anchor, MrilSession session)
+        internal static void AddAnObject(GameObject model, BaseAnchor anchor, MrilSession session)
         {
-            var made = new GameObject("Workpiece");
-            made.transform.SetParent(anchor.transform, worldPositionStays: false);
+            var made = Object.Instantiate(model, anchor.transform);
             made.AddComponent<TrackedObject>().Follow(session, "workpiece_7");
         }
 
