@@ -151,6 +151,46 @@ public sealed class PoseOwnMaterialTests
         Assert.That(_played.Tool.sharedMaterial, Is.SameAs(_played.Substitute));
     }
 
+    // A signal may assign a material for each of its values.
+    [Test]
+    public void Show_MaterialChangedWhileNotCurrent_MarksTheNewMaterialAtOnce(
+        [Values(Sort.Patterned, Sort.Blended, Sort.BlendedUniversal, Sort.Opaque, Sort.Several)] Sort before,
+        [Values(Sort.Patterned, Sort.Blended, Sort.BlendedUniversal, Sort.Opaque, Sort.Missing)] Sort after)
+    {
+        var materials = Of(after);
+        _played.Tool.sharedMaterials = materials;
+        _played.BeCurrent();
+        var current = _played.Seen();
+        _played.Hold();
+        var marked = _played.Seen();
+        _played.Cell.IsPlantUp = true;
+        _played.Run(1);
+        _played.Tool.sharedMaterials = Of(before);
+        _played.Hold();
+
+        _played.Tool.sharedMaterials = materials;
+        _played.Cell.Frame(_played.Session);
+        var changed = _played.Seen();
+        _played.Cell.IsPlantUp = true;
+        _played.Run(1);
+
+        Assert.That((changed, _played.Seen()), Is.EqualTo((marked, current)));
+        Assert.That(_played.Tool.sharedMaterials, Is.EqualTo(materials));
+    }
+
+    [Test]
+    public void Show_MaterialChangedAfterTheSessionEnded_MarksTheNewMaterialAtOnce()
+    {
+        _played.Tool.sharedMaterial = NewMaterial("Steel");
+        _played.BeCurrent();
+        _played.Session.enabled = false;
+
+        _played.Tool.sharedMaterial = NewMaterial("Brass");
+        _played.Cell.Frame(_played.Session);
+
+        Assert.That(_played.Tool.sharedMaterial, Is.SameAs(_played.Substitute));
+    }
+
     [TestCase("Occluder.mat", "Occluder")]
     [TestCase("Solid.mat", "Solid _Fade0.5 _Hatch1")]
     [TestCase("Text.mat", "Text")]

@@ -224,6 +224,7 @@ namespace Nowpose.Unity
         void LateUpdate()
         {
             _label.Face(_words);
+            FollowMaterials();
             // An appearance on an inactive object is disabled or destroyed without a message to its script.
             if (_below.Exists(each => each == null || !each.IsOwner)) Refresh();
         }
@@ -241,6 +242,7 @@ namespace Nowpose.Unity
             hasChanged |= !known.IsSameAs(_base);
             _base = known;
             if (hasChanged) Draw();
+            else FollowMaterials();
         }
 
         void ShowNoSession()
@@ -257,6 +259,12 @@ namespace Nowpose.Unity
                 else part.Draw(WithSignal(LookOf(part.Place), _signals.Of(part)), _opacity);
             }
             _label.Set(_words, Look.Label);
+        }
+
+        // A script or an event may assign another material at any time.
+        void FollowMaterials()
+        {
+            foreach (var part in _parts.Values) part.FollowMaterials();
         }
 
         PoseLook LookOf(PartPlace place)

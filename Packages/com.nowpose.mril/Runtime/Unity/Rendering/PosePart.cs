@@ -16,14 +16,16 @@ namespace Nowpose.Unity.Rendering
         readonly Renderer _renderer;
         readonly Transform _root;
         readonly List<CellSignal> _found = new List<CellSignal>();
+        readonly List<Material> _drawn = new List<Material>();
         readonly MaterialPropertyBlock _block;
         readonly PoseMaterials _materials;
         PoseMaterial _material;
         Material[] _own, _substitutes;
         MaterialPropertyBlock[] _ownBlocks;
         Color? _ownColour;
-        float _ownFade, _ownHatch;
-        bool _isOwnOff, _isTaken, _isPoseDrawn, _isHidden, _isSubstituted, _isAlphaSet, _isPatternSet, _hadBlock;
+        PoseLook _look;
+        float _ownFade, _ownHatch, _opacity;
+        bool _isOwnOff, _isTaken, _isMarked, _isPoseDrawn, _isHidden, _isSubstituted, _isAlphaSet, _isPatternSet, _hadBlock;
 
         /// <param name="root">The object of the appearance that draws the part, at or above the renderer.</param>
         /// <param name="block">Property block for temporary use, shared by all parts.</param>
@@ -99,6 +101,12 @@ namespace Nowpose.Unity.Rendering
         /// <summary>Gives the part the look of an ended session. A hidden part stays hidden.</summary>
         public void ShowNoSession(float opacity) => Show(PoseLook.NoSession, opacity);
 
+        /// <summary>Draws the part again if it is marked, and its materials have changed since it was drawn. Allocates nothing if they have not.</summary>
+        public void FollowMaterials()
+        {
+            if (_isMarked && _renderer != null && !IsSame(_materials.In(_renderer), _drawn)) Show(_look, _opacity);
+        }
+
         /// <summary>Restores the original look of the renderer.</summary>
         public void Restore()
         {
@@ -110,6 +118,7 @@ namespace Nowpose.Unity.Rendering
                 _renderer.forceRenderingOff = _isOwnOff;
             }
             _isTaken = false;
+            _isMarked = false;
             _isPatternSet = false;
             _isHidden = false;
             _isPoseDrawn = true;
@@ -128,7 +137,9 @@ namespace Nowpose.Unity.Rendering
             if (_renderer == null) return;
             Examine();
             _isHidden = false;
+            (_look, _opacity) = (look, opacity);
             var fade = look.FadeAt(opacity);
+            _isMarked = look.IsHatched || fade > 0;
             switch (_material.Means)
             {
                 case PoseMeans.Pattern:
@@ -145,6 +156,8 @@ namespace Nowpose.Unity.Rendering
                     break;
             }
             _renderer.forceRenderingOff = _isOwnOff || !IsDrawn;
+            _drawn.Clear();
+            _drawn.AddRange(_materials.In(_renderer));
         }
 
         // The user may have assigned other materials since the last frame, even while the part had the substitutes. The part then keeps the
@@ -155,7 +168,9 @@ namespace Nowpose.Unity.Rendering
             if (_isSubstituted && IsSame(materials, _substitutes)) return;
             if (_isSubstituted) RestoreBlocks(materials.Count);
             _isSubstituted = false;
-            _material = _materials.Of(materials);
+            var material = _materials.Of(materials);
+            if (_isAlphaSet && (material.Means != PoseMeans.Alpha || material.Colour != _material.Colour)) RemoveAlpha();
+            _material = material;
             if (_isPatternSet && _material.Means != PoseMeans.Pattern) RemovePattern();
         }
 
@@ -259,10 +274,21 @@ namespace Nowpose.Unity.Rendering
             _renderer.SetPropertyBlock(_isAlphaSet || _hadBlock ? _block : null);
         }
 
-        static bool IsSame(List<Material> materials, Material[] others)
+        // The part has another material. A property block cannot lose a single property, so the colour in a user's block becomes that of the material.
+        void RemoveAlpha()
         {
-            if (materials.Count != others.Length) return false;
-            for (var i = 0; i < others.Length; i++)
+            _isAlphaSet = false;
+            _renderer.GetPropertyBlock(_block);
+            var material = _renderer.sharedMaterial;
+            if (_ownColour is Color own) _block.SetColor(_material.Colour, own);
+            else if (material != null && material.HasProperty(_material.Colour)) _block.SetColor(_material.Colour, material.GetColor(_material.Colour));
+            _renderer.SetPropertyBlock(_hadBlock ? _block : null);
+        }
+
+        static bool IsSame(List<Material> materials, IReadOnlyList<Material> others)
+        {
+            if (materials.Count != others.Count) return false;
+            for (var i = 0; i < others.Count; i++)
                 if (!ReferenceEquals(materials[i], others[i])) return false;
             return true;
         }
