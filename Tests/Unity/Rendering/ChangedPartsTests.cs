@@ -8,7 +8,7 @@ using static Nowpose.Unity.Tests.Rendering.PlayedAppearance;
 
 namespace Nowpose.Unity.Tests.Rendering;
 
-/// <summary>Tests parts that a script adds or moves while the session runs. They must not look current by mistake.</summary>
+/// <summary>Tests parts that a script adds, moves or disables while the session runs. They must not look current by mistake.</summary>
 public class ChangedPartsTests : PlayedParts
 {
     static readonly Type[] OfSignals = [typeof(CellSignal), typeof(ActuatedPart)];
@@ -159,5 +159,52 @@ public class ChangedPartsTests : PlayedParts
 
         Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
         Assert.That((second.IsFollowing, palm.isVisible), Is.EqualTo((true, false)), "the second robot has no samples");
+    }
+
+    [Test]
+    public void ActuatedPart_DisabledDuringItsUse_StaysWhereItIsAndIsNotCurrent()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var appearance = rig.gameObject.AddComponent<PoseAppearance>();
+        var jaw = Below<ActuatedPart>("jaw", rig.transform).With("_wayMetres", new Vector3(0, 0, 0.02f)).With("_strokeMs", 0f);
+        var moved = Part("moved", jaw.transform);
+        appearance.Refresh();
+        Run(1);
+        SendSignal("jaw", _cell.Now - 1, 1);
+        Run(0.5);
+        var end = jaw.transform.localPosition;
+        Assert.That((end.z, IsHatched(moved)), Is.EqualTo((0.02f, false)));
+
+        jaw.enabled = false;
+        SendSignal("jaw", _cell.Now - Latency, 0);
+        Run(0.5);
+        Assert.That((jaw.transform.localPosition, jaw.Fault), Is.EqualTo((end, ObjectMessages.Disabled)));
+        Assert.That((IsHatched(moved), appearance.Look.Label), Is.EqualTo((true, ObjectMessages.SignalNotCurrent)));
+
+        jaw.gameObject.SetActive(false);
+        Run(0.1);
+        Assert.That((jaw.transform.localPosition, appearance.Look.Label), Is.EqualTo((end, "")), "nothing of it is drawn");
+
+        jaw.gameObject.SetActive(true);
+        jaw.enabled = true;
+        Run(0.1);
+        Assert.That(Vector3.Distance(jaw.transform.localPosition, Vector3.zero), Is.LessThan(1e-6), "the pose for 0 is that of the first time");
+        Assert.That((IsHatched(moved), appearance.Look.Label), Is.EqualTo((false, "")));
+    }
+
+    [Test]
+    public void ActuatedPart_Destroyed_StaysWhereItIsWithoutAFault()
+    {
+        var jaw = Below<ActuatedPart>("jaw", _session.transform).With("_wayMetres", new Vector3(0, 0, 0.02f)).With("_strokeMs", 0f);
+        var moved = Part("moved", jaw.transform);
+        var appearance = jaw.gameObject.AddComponent<PoseAppearance>();
+        Run(1);
+        SendSignal("jaw", _cell.Now - 1, 1);
+        Run(0.5);
+
+        UnityEngine.Object.Destroy(jaw);
+        Run(0.1);
+
+        Assert.That((moved.transform.position.z, IsHatched(moved), appearance.Look.Label), Is.EqualTo((0.02f, false, "")));
     }
 }

@@ -2,6 +2,7 @@ using Nowpose.Gateway.Plants;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using static Nowpose.Unity.Tests.Hatched;
@@ -193,8 +194,13 @@ public class NestedAppearanceTests : PlayedParts
         Assert.That((IsHatched(lamp), IsHatched(glow), IsHatched(belt)), Is.EqualTo((true, true, false)));
         Assert.That(conveyor.GetComponent<PoseAppearance>().Look.Reason, Is.EqualTo("node deleted"));
 
+        _session.Session.Listener.SignalStatusReceived(new JointStatusMessage([]), HeadsetTime.FromSeconds(1000));
+        Run(0.1, Send);
+        Assert.That(IsHatched(lamp), Is.False);
+
         signal.enabled = false;
         Run(0.1, Send);
-        Assert.That(IsHatched(lamp), Is.False, "a disabled component follows no signal");
+        Assert.That((IsHatched(lamp), IsHatched(belt)), Is.EqualTo((true, false)), "a disabled component follows no signal");
+        Assert.That(conveyor.GetComponent<PoseAppearance>().Look.Reason, Is.EqualTo(ObjectMessages.Disabled));
     }
 }

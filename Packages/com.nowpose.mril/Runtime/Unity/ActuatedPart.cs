@@ -12,9 +12,10 @@ namespace Nowpose.Unity
     /// <summary>Moves this object, for example a gripper jaw, a cylinder or a door, between two poses according to a signal.</summary>
     /// <remarks>
     /// A move starts at the stamp of the signal's change and takes the stroke time. The object therefore moves in phase with the real part even if
-    /// the message arrived late; see <see cref="ActuatedStroke"/>. The pose for the value 0 is the object's local pose when this component is
-    /// enabled. The object keeps this pose until the first value is known. If the object gets another parent, the pose for the value 0 is computed
-    /// from its new local pose and its position within the stroke. While the signal's value is not current or is outside 0 to 1, the
+    /// the message arrived late; see <see cref="ActuatedStroke"/>. The pose for the value 0 is the object's local pose when this component is first
+    /// enabled. The object keeps this pose until the first value is known. While the component is disabled, the object stays where it is. If the
+    /// object is moved in the meantime, or gets another parent, the pose for the value 0 is computed from its new local pose and its position within
+    /// the stroke. While the signal's value is not current or is outside 0 to 1, and while the component is disabled, the
     /// <see cref="PoseAppearance"/> on this object or above it stripes the part. The component does not move an object that another component moves: an
     /// object of the cell, a link that a joint moves, or a finger that a <see cref="VirtualGripper"/> moves.
     /// </remarks>
@@ -57,7 +58,8 @@ namespace Nowpose.Unity
         /// Reason why the part does not follow the signal, or why the signal's value is not current or is outside the stroke, in one line; null if there is
         /// none.
         /// </summary>
-        public string Fault => _conflict ?? (_follower != null ? _follower.Fault : StatusMessages.NoSession);
+        public string Fault =>
+            _conflict ?? (_follower != null ? _follower.Fault : enabled ? StatusMessages.NoSession : ObjectMessages.Disabled);
 
         MrilSession IFollowsSession.AssignedSession => _session;
 
@@ -107,8 +109,7 @@ namespace Nowpose.Unity
             _follower.Leave();
             _follower = null;
             _source.Movers.Remove(this);
-            if (_conflict == null) Move(0);
-            else SetOther(default);
+            if (_conflict != null) SetOther(default);
             _source = null;
         }
 

@@ -17,8 +17,9 @@ namespace Nowpose.Unity
     /// A Boolean has the value 0 or 1. The events report the first known value and then each change exactly once, in order, even if several changes
     /// become visible in the same frame. Assign any method with one parameter, such as <c>GameObject.SetActive</c>, <c>Animator.SetTrigger</c> or
     /// <c>TextMesh.text</c>. Methods that take the name of a parameter and its value, such as <c>Animator.SetBool</c> and <c>Animator.SetFloat</c>,
-    /// have events of their own. While the value is not current, the <see cref="PoseAppearance"/> on this object or above it stripes the objects at and
-    /// below this object; use the last two events for objects elsewhere.
+    /// have events of their own. While the value is not current or the component is disabled, the <see cref="PoseAppearance"/> on this object or above
+    /// it stripes the objects at and below this object; use the last two events for objects elsewhere. An event must not switch off this object or a
+    /// parent, because the component then raises no more events.
     /// </remarks>
     [AddComponentMenu("Nowpose/Signal")]
     public sealed class CellSignal : MonoBehaviour, ISignalComponent, IFollowsSession
@@ -81,7 +82,7 @@ namespace Nowpose.Unity
         public ControlTime? Since => _follower?.Track?.Since;
 
         /// <summary>Reason why the value is not current, in one line; null if it is current.</summary>
-        public string Fault => _follower == null ? StatusMessages.NoSession : _follower.Fault;
+        public string Fault => _follower != null ? _follower.Fault : enabled ? StatusMessages.NoSession : ObjectMessages.Disabled;
 
         /// <summary>The events of the Inspector.</summary>
         internal UnityEventBase[] Events => new UnityEventBase[]

@@ -8,6 +8,8 @@ namespace Nowpose.Unity.Messages
     static class ObjectMessages
     {
         public const string OtherMover = "the tracked or stationary object on the same object moves it; put the actuated part on a child object";
+        public const string Disabled = "the component is disabled; enable or remove it";
+
         public const string DisabledByItself =
             "one of its events has disabled it, or has switched off its object or a parent, so it raises no more events; let the event switch "
             + "another object, such as a child";

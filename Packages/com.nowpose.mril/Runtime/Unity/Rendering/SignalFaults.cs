@@ -61,10 +61,11 @@ namespace Nowpose.Unity.Rendering
             return default;
         }
 
-        // A disabled component does not move its parts on purpose, and a destroyed one no longer affects anything.
+        // A disabled component has a fault, because its parts stay in their last state. Parts on an inactive object are not drawn, and a destroyed
+        // component no longer affects anything.
         static (string Label, string Fault) FaultOf(MonoBehaviour component)
         {
-            if (component == null || !component.isActiveAndEnabled) return default;
+            if (component == null || !component.gameObject.activeInHierarchy) return default;
             var driver = (ISignalComponent)component;
             return driver.Fault is string fault ? (driver.FaultLabel, fault) : default;
         }
