@@ -231,6 +231,31 @@ public class PlayedSignalTests : PlayedParts
 
     int Warnings(string text) => _cell.Player.Logs.Count(log => log.Type == LogType.Warning && log.Message.EndsWith(text, StringComparison.Ordinal));
 
+    // The value belongs to the name that the component follows.
+    [Test]
+    public void Signal_NameEditedWhileItIsFollowed_TakesEffectWhenEnabledAgain()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var signal = Below<CellSignal>("first", _session.transform);
+        var part = Below<ActuatedPart>("first", _session.transform);
+        var grip = Below<GripByReach>("first", rig.transform);
+        var components = new MonoBehaviour[] { signal, part, grip };
+        string[] Names() => [signal.Signal, part.Signal, grip.Signal];
+        Run(1);
+        SendSignal("first", _cell.Now - 1, 1);
+        Run(0.5);
+
+        foreach (var each in components) each.With("_signal", "second");
+        Assert.That((signal.Value, part.Share), Is.EqualTo(((double?)1, 1f)));
+        Assert.That(Names(), Is.All.EqualTo("first"));
+
+        foreach (var each in components) each.enabled = false;
+        foreach (var each in components) each.enabled = true;
+        Run(0.1);
+        Assert.That(Names(), Is.All.EqualTo("second"));
+        Assert.That(signal.Value, Is.Null);
+    }
+
     [Test]
     public void Signal_WithoutASession_IsReportedAsNotCurrent()
     {

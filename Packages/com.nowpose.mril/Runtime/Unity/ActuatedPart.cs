@@ -49,7 +49,7 @@ namespace Nowpose.Unity
         string _conflict, _title;
 
         /// <summary>Name of the signal.</summary>
-        public string Signal => string.IsNullOrEmpty(_signal) ? name : _signal;
+        public string Signal => _follower != null ? _follower.Name : string.IsNullOrEmpty(_signal) ? name : _signal;
 
         /// <summary>Position within the stroke in the newest frame, from 0 (start) to 1 (end).</summary>
         public float Share { get; private set; }

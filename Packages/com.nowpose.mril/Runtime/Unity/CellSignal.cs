@@ -73,7 +73,7 @@ namespace Nowpose.Unity
         bool? _isOn;
 
         /// <summary>Name of the signal.</summary>
-        public string Signal => string.IsNullOrEmpty(_signal) ? name : _signal;
+        public string Signal => _follower != null ? _follower.Name : string.IsNullOrEmpty(_signal) ? name : _signal;
 
         /// <summary>The value at the display time; null while no value is known.</summary>
         public double? Value => _follower?.Track?.Value;

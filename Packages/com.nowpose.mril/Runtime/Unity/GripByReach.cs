@@ -37,10 +37,10 @@ namespace Nowpose.Unity
         SessionRobot _robot;
         CompensationSession _followed;
         ReachGrip _grip;
-        string _title, _problem;
+        string _name, _title, _problem;
 
         /// <summary>Name of the signal.</summary>
-        public string Signal => string.IsNullOrEmpty(_signal) ? name : _signal;
+        public string Signal => _name ?? (string.IsNullOrEmpty(_signal) ? name : _signal);
 
         /// <summary>Frame name of the object that the gripper holds; null if it holds none.</summary>
         public string Held => _grip?.Held;
@@ -82,13 +82,18 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
+            _name = Signal;
             _title = "gripper " + name;
             _source = _rig != null ? _rig : GetComponentInParent<RobotRig>();
             if (_source == null) ConsoleLog.Warn(this, ComponentMessages.GripWithoutRig(name));
             Follow(SessionOfRig);
         }
 
-        void OnDisable() => Follow(session: null);
+        void OnDisable()
+        {
+            Follow(session: null);
+            _name = null;
+        }
 
         void OnTransformParentChanged()
         {

@@ -14,7 +14,6 @@ namespace Nowpose.Unity.Cell
     sealed class SignalFollower : IShownPart
     {
         readonly MrilSession _source;
-        readonly string _name;
         readonly string _title;
         readonly Action<SignalTrack> _changed;
         readonly Action<SignalTrack> _restarted;
@@ -26,7 +25,7 @@ namespace Nowpose.Unity.Cell
         SignalFollower(MrilSession source, string name, Action<SignalTrack> changed, Action<SignalTrack> restarted, Action<string> judged)
         {
             _source = source;
-            _name = name;
+            Name = name;
             _changed = changed;
             _restarted = restarted;
             _judged = judged;
@@ -37,6 +36,9 @@ namespace Nowpose.Unity.Cell
 
         /// <summary>The component that has the session.</summary>
         public MrilSession Source => _source;
+
+        /// <summary>Name of the signal since the component was enabled.</summary>
+        public string Name { get; }
 
         /// <summary>Whether a listener of the component is being called.</summary>
         public bool IsRaising { get; private set; }
@@ -59,7 +61,7 @@ namespace Nowpose.Unity.Cell
 
         public ControlTime? FaultSince => _session == null ? null : SessionFault.Since;
 
-        (string Reason, ControlTime? Since) SessionFault => _session.Signals.FaultOf(_name, _session.CanReceiveSignals);
+        (string Reason, ControlTime? Since) SessionFault => _session.Signals.FaultOf(Name, _session.CanReceiveSignals);
 
         /// <summary>Starts to follow a signal in the session of a component.</summary>
         /// <param name="kind">Kind of the component, for the text of the warning that is logged if it has no session.</param>
@@ -112,20 +114,20 @@ namespace Nowpose.Unity.Cell
             {
                 _session.Signals.Table.Changed -= Take;
                 _session.Signals.Table.Restarted -= Restart;
-                _session.Signals.Leave(_name);
+                _session.Signals.Leave(Name);
             }
             Track = null;
             _session = session;
             if (session == null) return;
-            session.Signals.Need(_name);
+            session.Signals.Need(Name);
             session.Signals.Table.Changed += Take;
             session.Signals.Table.Restarted += Restart;
-            if (session.Signals.Table.Find(_name) is SignalTrack known && known.IsKnown) Take(known);
+            if (session.Signals.Table.Find(Name) is SignalTrack known && known.IsKnown) Take(known);
         }
 
         void Take(SignalTrack signal)
         {
-            if (signal.Name != _name) return;
+            if (signal.Name != Name) return;
             Track = signal;
             Raise(_changed, signal);
         }
