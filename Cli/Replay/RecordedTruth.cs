@@ -3,21 +3,22 @@ using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>The true position of a recorded joint: a cubic interpolation of its samples over control time.</summary>
+/// <summary>The true position of a joint in one run of its source: a cubic interpolation of its samples over control time.</summary>
 /// <remarks>
 /// Uses the same cubic as the headset's hindcast. The truth is unknown before the first sample, after the last one, and between two samples
 /// whose interval exceeds the maximum gap.
 /// </remarks>
-sealed class RecordedTruth
+sealed class RecordedTruth : SampleRun
 {
     readonly List<(long Ticks, double Position)> _samples = [];
     readonly long _maximumGap;
     bool _isSorted = true;
 
-    public RecordedTruth(TimeSpan maximumGap) => _maximumGap = maximumGap.Ticks;
+    public RecordedTruth(int timeLine, TimeSpan maximumGap) : base(timeLine) => _maximumGap = maximumGap.Ticks;
 
     public void Add(ControlTime at, double position)
     {
+        Extend(at);
         var ticks = at.SinceEpoch.Ticks;
         _isSorted &= _samples.Count == 0 || _samples[^1].Ticks < ticks;
         _samples.Add((ticks, position));

@@ -2,7 +2,6 @@ using Nowpose.Anchoring;
 using Nowpose.Cli.SessionFiles;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
-using Nowpose.Prediction.Samples;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -121,24 +120,20 @@ sealed class SessionBodies
     }
 
     /// <summary>Consecutive poses of a tracked frame with the same parent, without a step of the clock or a restart of the source between them.</summary>
-    sealed class Stretch(int timeLine, string parent, ControlTime epoch)
+    sealed class Stretch(int timeLine, string parent, ControlTime epoch) : SampleRun(timeLine)
     {
         BodyTruth _truth;
-        ControlTime? _newest;
 
-        public int TimeLine => timeLine;
         public string Parent => parent;
         public List<PoseSample> Samples { get; } = [];
 
         public double Seconds(ControlTime t) => ClockTicks.Seconds(t - epoch);
 
-        /// <summary>Whether the next pose belongs to this stretch. If its time stamp is far behind, the clock of the source went back.</summary>
-        public bool Includes(int ofTimeLine, string ofParent, ControlTime at) =>
-            ofTimeLine == timeLine && ofParent == parent && !(_newest is { } newest && ArrivalLimits.IsFarBehind(at, newest));
+        public bool Includes(int ofTimeLine, string ofParent, ControlTime at) => ofParent == parent && Includes(ofTimeLine, at);
 
         public void Add(ControlTime at, in Vector3D position, in UnitQuaternion rotation)
         {
-            if (!(at <= _newest)) _newest = at;
+            Extend(at);
             Samples.Add(new PoseSample(Seconds(at), position, rotation));
         }
 

@@ -9,7 +9,9 @@ namespace Nowpose.Cli.Replay;
 /// </summary>
 /// <remarks>
 /// Events are processed in the order of the file, which is the order in which the headset processed them. Limits, horizon cap and maximum gap come
-/// from the recording. With the predictor of the recording, the replay therefore reproduces the displayed values.
+/// from the recording. With the predictor of the recording, the replay therefore reproduces the displayed values. Frames in which the newest sample of a
+/// joint is older than the maximum gap are not scored for this joint: after a restart of a source with its clock behind, the later samples with the display
+/// time of a frame describe another moment.
 /// </remarks>
 sealed class SessionReplay
 {
@@ -25,7 +27,7 @@ sealed class SessionReplay
     readonly RandomStream _stampErrors;
     readonly bool _followsPlans;
     readonly JointPredictor[] _joints;
-    readonly int[] _samples;
+    readonly JointRun[] _runs;
     readonly AxisError[] _errors;
     int _timeLine;
     ControlTime? _epoch;
@@ -45,7 +47,7 @@ sealed class SessionReplay
         var prediction = PredictionOf(session.Header.Prediction, settings);
         _followsPlans = prediction.FollowsPlans;
         _joints = [.. session.Header.Joints.Select(joint => prediction.Create(prediction.Bounded(joint.Limits, joint.Unit == "rad")))];
-        _samples = new int[_joints.Length];
+        _runs = new JointRun[_joints.Length];
         _errors = [.. _joints.Select(_ => new AxisError())];
     }
 
@@ -100,7 +102,7 @@ sealed class SessionReplay
         if (next.TimeLine != _timeLine)
         {
             foreach (var joint in _joints) joint.Reset();
-            Array.Clear(_samples);
+            Array.Clear(_runs);
             _epoch = null;
             _displayed = double.NaN;
         }
@@ -115,7 +117,11 @@ sealed class SessionReplay
         foreach (var value in _session.ValuesOf(sample))
         {
             _joints[value.Joint].Add(new JointSample(stamp, value.Position, time, value.Velocity, value.Acceleration), _displayed);
-            _samples[value.Joint]++;
+            ref var run = ref _runs[value.Joint];
+            var truth = _truth.Of(value.Joint, sample);
+            if (truth != run.Truth) run = new JointRun { Truth = truth, Newest = sample.At };
+            if (sample.At > run.Newest) run.Newest = sample.At;
+            run.Samples++;
         }
     }
 
@@ -137,7 +143,7 @@ sealed class SessionReplay
         {
             var prediction = _joints[joint].At(_displayed);
             if (Predicted != null) (positions[joint], kinds[joint]) = (prediction.Position, prediction.Kind);
-            if (_samples[joint] < SamplesBeforeScoring || !_truth.TryAt(joint, frame, out var truth)) continue;
+            if (!_runs[joint].IsScoredAt(frame.At, _session.Header.Prediction.MaximumGap) || !_runs[joint].Truth.TryAt(frame.At, out var truth)) continue;
             // The standard deviation describes the forecast. A plan replaces the forecast, so there is none.
             var deviation = prediction.Kind == PredictionKind.Planned ? double.NaN : _joints[joint].DeviationAt(_displayed);
             _errors[joint].Add(_joints[joint].Hold - truth, prediction.Position - truth, deviation);
@@ -148,4 +154,14 @@ sealed class SessionReplay
     }
 
     double Seconds(ControlTime t) => (t - _epoch.GetValueOrDefault()).Ticks / (double)TimeSpan.TicksPerSecond;
+
+    /// <summary>The samples of a joint since the last restart of its source.</summary>
+    struct JointRun
+    {
+        public RecordedTruth Truth;
+        public ControlTime Newest;
+        public int Samples;
+
+        public readonly bool IsScoredAt(ControlTime at, TimeSpan maximumGap) => Samples >= SamplesBeforeScoring && at - Newest <= maximumGap;
+    }
 }

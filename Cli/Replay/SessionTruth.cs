@@ -1,31 +1,37 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>The true positions of all joints of a recorded session, for each time line separately.</summary>
+/// <summary>The true positions of all joints of a recorded session, for each run of their sources separately.</summary>
 sealed class SessionTruth
 {
-    readonly Dictionary<(int Joint, int TimeLine), RecordedTruth> _truths = [];
+    // The runs of each joint, and the index of the first value of each run among all values of the session.
+    readonly (List<int> Starts, List<RecordedTruth> Runs)[] _joints;
 
     public SessionTruth(RecordedSession session)
     {
+        _joints = [.. session.Header.Joints.Select(_ => (new List<int>(), new List<RecordedTruth>()))];
         foreach (var sample in session.Events)
         {
             if (sample.Kind != RecordedSession.EventKind.Sample) continue;
-            foreach (var value in session.ValuesOf(sample)) Of(value.Joint, sample.TimeLine, session).Add(sample.At, value.Position);
+            foreach (var value in session.ValuesOf(sample))
+            {
+                var (starts, runs) = _joints[value.Joint];
+                if (runs.Count == 0 || !runs[^1].Includes(sample.TimeLine, sample.At))
+                {
+                    starts.Add(sample.First);
+                    runs.Add(new RecordedTruth(sample.TimeLine, session.Header.Prediction.MaximumGap));
+                }
+                runs[^1].Add(sample.At, value.Position);
+            }
         }
-        foreach (var truth in _truths.Values) truth.Complete();
+        foreach (var (_, runs) in _joints)
+            foreach (var run in runs) run.Complete();
     }
 
-    /// <returns>True if the position is known at that time.</returns>
-    public bool TryAt(int joint, in RecordedSession.Event frame, out double position)
+    /// <summary>Gets the true positions of a joint in the run to which a sample belongs.</summary>
+    public RecordedTruth Of(int joint, in RecordedSession.Event sample)
     {
-        position = 0;
-        return _truths.TryGetValue((joint, frame.TimeLine), out var truth) && truth.TryAt(frame.At, out position);
-    }
-
-    RecordedTruth Of(int joint, int timeLine, RecordedSession session)
-    {
-        if (!_truths.TryGetValue((joint, timeLine), out var truth))
-            _truths.Add((joint, timeLine), truth = new RecordedTruth(session.Header.Prediction.MaximumGap));
-        return truth;
+        var (starts, runs) = _joints[joint];
+        var run = starts.BinarySearch(sample.First);
+        return runs[run >= 0 ? run : ~run - 1];
     }
 }

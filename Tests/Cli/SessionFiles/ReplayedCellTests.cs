@@ -117,41 +117,6 @@ public class ReplayedCellTests : SessionReplayFixture
         Assert.That(bodies.EnumerateArray().Select(body => body.GetProperty("displayed_error_mm").ValueKind), Is.All.EqualTo(JsonValueKind.Null));
     }
 
-    // The clock of the restarted source is behind, so the session shows no object as current after the restart.
-    [Test]
-    public void Run_SourceRestartsWithItsClockBehind_DoesNotMixTheTwoRuns()
-    {
-        VirtualRecording.To(_path, hasWork: true);
-        var lines = File.ReadLines(_path).Select(line => (Text: line, Fields: JsonNode.Parse(line))).ToList();
-        bool IsPose(JsonNode fields) => (string)fields["kind"] == "pose" && fields["stationary"] == null;
-        var arrivals = lines.Where(line => IsPose(line.Fields)).Select(line => (long)line.Fields["arrival_ns"]).ToList();
-        var restart = arrivals[arrivals.Count / 2];
-        var (restarted, ended) = (new List<string>(), new List<string>());
-        foreach (var (text, fields) in lines)
-        {
-            var isLater = IsPose(fields) && (long)fields["arrival_ns"] >= restart;
-            if (isLater)
-            {
-                fields["stamp_ns"] = (long)fields["stamp_ns"] - 2_000_000_000;
-                fields["position"] = new JsonArray([.. fields["position"].AsArray().Select(value => (JsonNode)((double)value + 0.5))]);
-            }
-
-            restarted.Add(isLater ? fields.ToJsonString() : text);
-            if (!isLater) ended.Add(text);
-        }
-
-        var (withRestart, withoutRestart) = (Bodies(restarted), Bodies(ended));
-
-        Assert.That(withoutRestart, Is.Not.Empty);
-        Assert.That(withRestart, Is.EqualTo(withoutRestart));
-
-        (string, int, double)[] Bodies(List<string> of)
-        {
-            File.WriteAllLines(_path, of);
-            return [.. new SessionBodies(RecordedSession.Read(_path), new ReplaySettings()).Run().Select(body => (body.File, body.Frames, body.Position.Rms))];
-        }
-    }
-
     [Test]
     public async Task Replay_SessionWithoutARobot_ReportsErrorsOfObjects()
     {
