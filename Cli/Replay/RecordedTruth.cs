@@ -1,4 +1,4 @@
-using Nowpose.Session;
+using Nowpose.Prediction;
 using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Cli.Replay;
@@ -6,15 +6,17 @@ namespace Nowpose.Cli.Replay;
 /// <summary>The true position of a joint in one run of its source: a cubic interpolation of its samples over control time.</summary>
 /// <remarks>
 /// Uses the same cubic as the headset's hindcast. The truth is unknown before the first sample, after the last one, and between two samples
-/// whose interval exceeds the maximum gap.
+/// whose interval exceeds the maximum gap. The positions of a continuous joint are unwrapped.
 /// </remarks>
 sealed class RecordedTruth : SampleRun
 {
     readonly List<(long Ticks, double Position)> _samples = [];
     readonly long _maximumGap;
+    readonly bool _isEndless;
     bool _isSorted = true;
 
-    public RecordedTruth(int timeLine, TimeSpan maximumGap) : base(timeLine) => _maximumGap = maximumGap.Ticks;
+    /// <param name="isEndless">Whether positions are angles in rad that may wrap from π to −π.</param>
+    public RecordedTruth(int timeLine, TimeSpan maximumGap, bool isEndless) : base(timeLine) => (_maximumGap, _isEndless) = (maximumGap.Ticks, isEndless);
 
     public void Add(ControlTime at, double position)
     {
@@ -24,8 +26,21 @@ sealed class RecordedTruth : SampleRun
         _samples.Add((ticks, position));
     }
 
-    /// <summary>Sorts the samples and keeps the first of several with the same time. Must be called after the last sample.</summary>
+    /// <summary>
+    /// Sorts the samples, keeps the first of several with the same time, and unwraps the positions. Must be called after the last sample.
+    /// </summary>
     public void Complete()
+    {
+        Sort();
+        for (var i = 1; i < _samples.Count && _isEndless; i++)
+            _samples[i] = (_samples[i].Ticks, _samples[i - 1].Position + Difference(_samples[i].Position, _samples[i - 1].Position));
+    }
+
+    /// <summary>Returns the difference between two positions, for a continuous joint without whole turns.</summary>
+    public double Difference(double position, double from) =>
+        position - from - (_isEndless ? JointPredictor.WholeTurns(position - from) : 0);
+
+    void Sort()
     {
         if (_isSorted) return;
         var sorted = _samples.Select((sample, i) => (sample, i)).OrderBy(s => s.sample.Ticks).ThenBy(s => s.i).Select(s => s.sample).ToList();

@@ -143,10 +143,11 @@ sealed class SessionReplay
         {
             var prediction = _joints[joint].At(_displayed);
             if (Predicted != null) (positions[joint], kinds[joint]) = (prediction.Position, prediction.Kind);
-            if (!_runs[joint].IsScoredAt(frame.At, _session.Header.Prediction.MaximumGap) || !_runs[joint].Truth.TryAt(frame.At, out var truth)) continue;
+            var known = _runs[joint].Truth;
+            if (!_runs[joint].IsScoredAt(frame.At, _session.Header.Prediction.MaximumGap) || !known.TryAt(frame.At, out var truth)) continue;
             // The standard deviation describes the forecast. A plan replaces the forecast, so there is none.
             var deviation = prediction.Kind == PredictionKind.Planned ? double.NaN : _joints[joint].DeviationAt(_displayed);
-            _errors[joint].Add(_joints[joint].Hold - truth, prediction.Position - truth, deviation);
+            _errors[joint].Add(known.Difference(_joints[joint].Hold, truth), known.Difference(prediction.Position, truth), deviation);
             isScored = true;
         }
         if (isScored) _frames++;

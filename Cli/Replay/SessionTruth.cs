@@ -8,7 +8,9 @@ sealed class SessionTruth
 
     public SessionTruth(RecordedSession session)
     {
-        _joints = [.. session.Header.Joints.Select(_ => (new List<int>(), new List<RecordedTruth>()))];
+        var prediction = session.Header.Prediction;
+        var isEndless = session.Header.Joints.Select(joint => prediction.Bounded(joint.Limits, joint.Unit == "rad").IsEndless).ToArray();
+        _joints = [.. isEndless.Select(_ => (new List<int>(), new List<RecordedTruth>()))];
         foreach (var sample in session.Events)
         {
             if (sample.Kind != RecordedSession.EventKind.Sample) continue;
@@ -18,7 +20,7 @@ sealed class SessionTruth
                 if (runs.Count == 0 || !runs[^1].Includes(sample.TimeLine, sample.At))
                 {
                     starts.Add(sample.First);
-                    runs.Add(new RecordedTruth(sample.TimeLine, session.Header.Prediction.MaximumGap));
+                    runs.Add(new RecordedTruth(sample.TimeLine, prediction.MaximumGap, isEndless[value.Joint]));
                 }
                 runs[^1].Add(sample.At, value.Position);
             }

@@ -7,7 +7,7 @@ public class RecordedTruthTests
 {
     static RecordedTruth Truth(Func<double, double> motion, params double[] times)
     {
-        var truth = new RecordedTruth(timeLine: 0, TimeSpan.FromMilliseconds(500));
+        var truth = new RecordedTruth(timeLine: 0, TimeSpan.FromMilliseconds(500), isEndless: false);
         foreach (var t in times) truth.Add(ControlTime.FromSeconds(1000 + t), motion(t));
         truth.Complete();
         return truth;

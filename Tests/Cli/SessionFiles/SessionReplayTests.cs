@@ -105,6 +105,26 @@ public class SessionReplayTests : SessionReplayFixture
         Assert.That(Differences("linear").Max(), Is.GreaterThan(1e-3));
     }
 
+    [Test]
+    public void Run_ContinuousJointWraps_HasTheErrorsOfTheUnwrappedMotion()
+    {
+        var unwrapped = Elbow(angle => angle);
+        var wrapped = Elbow(angle => Math.IEEERemainder(angle, 2 * Math.PI));
+
+        Assert.That(unwrapped.Rms, Is.GreaterThan(1e-3));
+        Assert.That(wrapped.Rms, Is.EqualTo(unwrapped.Rms).Within(1e-9));
+        Assert.That(wrapped.Max, Is.EqualTo(unwrapped.Max).Within(1e-9));
+        Assert.That(wrapped.RmsHold, Is.EqualTo(unwrapped.RmsHold).Within(1e-9));
+
+        ReplayResult.Axis Elbow(Func<double, double> published)
+        {
+            var times = Enumerable.Range(0, 240).Select(i => 0.05 * i);
+            File.WriteAllLines(_path, [JointFile.Header, .. times.Select(t => JointFile.Sample(t, t + 0.1, published(1.5 * t + 0.3 * Math.Sin(2 * t))))]);
+            var session = RecordedSession.Read(_path);
+            return new SessionReplay(_path, session, new SessionTruth(session), new ReplaySettings { Predictor = "quadratic" }).Run().Axes.Single();
+        }
+    }
+
     [TestCase(1)]
     [TestCase(2)]
     public async Task Reduction_SamplesAsTruth_IsCloseToTheTrueReduction(int seed)
