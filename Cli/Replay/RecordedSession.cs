@@ -154,16 +154,10 @@ sealed class RecordedSession
         _nextFrame = null;
     }
 
+    // The first description of a joint applies, so that a further robot does not change a joint of the header.
     void Add(SessionHeader.Joint joint)
     {
-        if (_indices.TryGetValue(joint.Name, out var known))
-        {
-            _joints[known] = joint;
-            return;
-        }
-
-        _indices.Add(joint.Name, _joints.Count);
-        _joints.Add(joint);
+        if (_indices.TryAdd(joint.Name, _joints.Count)) _joints.Add(joint);
     }
 
     void Add(PlanLine line)

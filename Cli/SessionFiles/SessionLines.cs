@@ -22,10 +22,11 @@ static class SessionLines
         return new SessionHeader(robot.Text("name"), own.Count, [.. own, .. others], ReadPrediction(line, line.Object("settings")));
     }
 
+    // Samples have the same names. The namespace can be empty if the robot of the header has one; /joint_1 is then the joint of the further robot.
     static List<SessionHeader.Joint> ReadFurtherJoints(LineFields robot)
     {
         var name = robot.Text("namespace");
-        return ReadJoints(robot).ConvertAll(joint => joint with { Name = RobotTopic.Qualified(name, joint.Name) });
+        return ReadJoints(robot).ConvertAll(joint => joint with { Name = name + "/" + joint.Name });
     }
 
     static List<SessionHeader.Joint> ReadJoints(LineFields robot)

@@ -8,8 +8,10 @@ namespace Nowpose.Headless.Tests.Cli.SessionFiles;
 
 public class ReplayedCellTests : SessionReplayFixture
 {
-    [Test]
-    public void Replay_FurtherRobotWithTheSameSamples_HasTheSameErrors()
+    // The robot in the header can be in a namespace, and a further robot without one.
+    [TestCase("arm2")]
+    [TestCase("")]
+    public void Replay_FurtherRobotWithTheSameSamples_HasTheSameErrors(string name)
     {
         VirtualRecording.To(_path, seconds: 8);
         var lines = new List<string>();
@@ -18,9 +20,9 @@ public class ReplayedCellTests : SessionReplayFixture
             var fields = JsonNode.Parse(line);
             var kind = (string)fields["kind"];
             lines.Add(line);
-            if (kind == "session") lines.Add(RobotLine("arm2", fields["robot"]));
+            if (kind == "session") lines.Add(RobotLine(name, fields["robot"]));
             if (kind != "sample") continue;
-            fields["names"] = new JsonArray([.. fields["names"].AsArray().Select(name => (JsonNode)("arm2/" + name))]);
+            fields["names"] = new JsonArray([.. fields["names"].AsArray().Select(joint => (JsonNode)(name + "/" + joint))]);
             lines.Add(fields.ToJsonString());
         }
         File.WriteAllLines(_path, lines);
@@ -29,9 +31,23 @@ public class ReplayedCellTests : SessionReplayFixture
         var axes = new SessionReplay(_path, session, new SessionTruth(session), new ReplaySettings()).Run().Axes;
 
         var (own, further) = (axes.Take(axes.Count / 2).ToArray(), axes.Skip(axes.Count / 2).ToArray());
-        Assert.That(further.Select(axis => axis.Name), Is.EqualTo(own.Select(axis => "arm2/" + axis.Name)));
+        Assert.That(further.Select(axis => axis.Name), Is.EqualTo(own.Select(axis => name + "/" + axis.Name)));
         Assert.That(further.Select(axis => axis.Rms), Is.EqualTo(own.Select(axis => axis.Rms)));
         Assert.That(own.Max(axis => axis.Rms), Is.GreaterThan(0));
+    }
+
+    [Test]
+    public void Read_FurtherRobotHasTheNameOfAJointInTheHeader_KeepsTheJointOfTheHeader()
+    {
+        File.WriteAllLines(_path,
+        [
+            JointFile.Header.Replace("elbow", "arm2/elbow"),
+            """{"kind":"robot","namespace":"arm2","name":"r","joints":[{"name":"elbow","unit":"m","lower":0,"upper":1}]}""",
+        ]);
+
+        var joint = RecordedSession.Read(_path).Header.Joints.Single();
+
+        Assert.That((joint.Unit, joint.Limits.Upper), Is.EqualTo(("rad", double.PositiveInfinity)));
     }
 
     static string RobotLine(string name, JsonNode robot)

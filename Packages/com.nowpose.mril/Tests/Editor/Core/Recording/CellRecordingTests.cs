@@ -124,13 +124,15 @@ namespace Nowpose.Tests.Core.Recording
                 Is.EqualTo(new[] { ("closed", 1.0, 100_900_000_000, null), ("closed", 0.0, 101_200_000_000, (string)null) }));
         }
 
-        [Test]
-        public void Sample_OtherRobot_HasItsNamespaceBeforeTheJointNames()
+        [TestCase("", "arm2")]
+        [TestCase("arm1", "")]
+        public void Sample_OtherRobot_HasItsNamespaceBeforeTheJointNames(string main, string name)
         {
-            var run = RunWithAnotherRobot();
+            var run = RunWithAnotherRobot(main, name);
 
+            Assert.That((string)run.Of("robot").Single()["namespace"], Is.EqualTo(name));
             Assert.That(run.Of("sample").Select(line => (string)line["names"][0]), Is.EquivalentTo(
-                new[] { "arm2/" + TestRobot.Model.MovingJoints[0].Name, TestRobot.Model.MovingJoints[0].Name }));
+                new[] { name + "/" + TestRobot.Model.MovingJoints[0].Name, TestRobot.Model.MovingJoints[0].Name }));
         }
 
         [Test]
@@ -145,12 +147,12 @@ namespace Nowpose.Tests.Core.Recording
             Assert.That(kinds.IndexOf("sample"), Is.GreaterThan(kinds.IndexOf("robot")));
         }
 
-        static RecordedRun RunWithAnotherRobot()
+        static RecordedRun RunWithAnotherRobot(string main = "", string name = "arm2")
         {
-            var session = NewSession();
+            var session = NewSession(main);
             using var run = new RecordedRun(session);
             Synchronise(session);
-            var other = session.Robots.Add("arm2", TestRobot.Model);
+            var other = session.Robots.Add(name, TestRobot.Model);
             session.Tick(Start + Lengths.Ms(1000));
             var names = TestRobot.Model.MovingJoints.Select(joint => joint.Name).ToArray();
             var message = new JointStateMessage(new ControlTime((Start + Lengths.Ms(1000)).SinceEpoch), names, new double[names.Length]);

@@ -15,10 +15,10 @@ namespace Nowpose.Tests.Core.Recording
         public static readonly HeadsetTime Start = HeadsetTime.FromSeconds(100);
 
         /// <summary>Creates a session with a secret token and a name that JSON must escape.</summary>
-        public static CompensationSession NewSession() => new CompensationSession(
+        public static CompensationSession NewSession(string robotNamespace = "") => new CompensationSession(
             new SessionSettings(
                 new ConnectionSettings("127.0.0.1", token: "very-secret", headsetName: "test \"one\"\n"), new VisualisationLatency(Lengths.Ms(40)),
-                range: new ConstantLatencyRange(15.2, RenderTimeSourceKind.GpuCompletion)),
+                range: new ConstantLatencyRange(15.2, RenderTimeSourceKind.GpuCompletion), robotNamespace: robotNamespace),
             TestRobot.Model, new SetClock());
 
         /// <summary>Returns an exchange that ends at this time and took 2 ms.</summary>
