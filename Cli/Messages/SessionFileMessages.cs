@@ -32,6 +32,8 @@ static class SessionFileMessages
     public static string NewerVersion(string place, long version, int supported) =>
         $"{place}: field 'version': the file has version {version}; this program reads version {supported}; update this program";
 
+    public static string SecondHeader(string place) => $"{place}: another session begins here, but a file must contain only one; split it before this line";
+
     public static string LineNotAnObject(string place) => $"{place}: is not a JSON object; record the session again";
     public static string LimitOrder(double lower, double upper) =>
         FormattableString.Invariant($"is {lower}; it must not exceed the upper limit {upper}");

@@ -33,7 +33,9 @@ sealed class SessionFileReader : IDisposable
     public int Line { get; private set; }
 
     /// <summary>Reads the lines below the header. Skips lines of unknown kinds.</summary>
-    /// <exception cref="InputException">A line has another format. The message names file, line and field.</exception>
+    /// <exception cref="InputException">
+    /// A line has another format, or is the header of another session. The message names file, line and field.
+    /// </exception>
     public IEnumerable<SessionLine> Lines()
     {
         while (ReadLine() is string text)

@@ -44,6 +44,7 @@ static class SessionLines
     /// <returns>The line; null if its kind is unknown or not used.</returns>
     public static SessionLine Read(LineFields line) => line.Text("kind") switch
     {
+        "session" => throw new InputException(SessionFileMessages.SecondHeader(line.Place)),
         "sync" => ReadSync(line),
         "robot" => new RobotLine(ReadFurtherJoints(line)),
         "sample" => ReadSample(line),

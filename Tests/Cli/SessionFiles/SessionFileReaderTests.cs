@@ -58,6 +58,14 @@ public class SessionFileReaderTests
         Assert.That(torn.Message, Does.Contain(SessionFileMessages.NotJson(".jsonl:2", "")).And.Not.Contains("LineNumber"));
     }
 
+    [Test]
+    public void Line_SecondHeader_IsRefused()
+    {
+        var fault = Assert.Throws<InputException>(() => Read(Header + "\n" + Sample + "\n" + Header + "\n" + Sample + "\n"));
+
+        Assert.That(fault.Message, Does.EndWith(SessionFileMessages.SecondHeader(".jsonl:3")));
+    }
+
     static readonly string[][] OtherFiles =
     [
         ["", SessionFileMessages.Empty(".jsonl")],
