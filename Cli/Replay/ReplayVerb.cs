@@ -63,7 +63,10 @@ static class ReplayVerb
         {
             var session = await Invocation.ReadAsync(() => RecordedSession.Read(path), cancellation);
             if (session.Lost > 0) await Console.Error.WriteLineAsync(ConsoleMessages.LostLines(path, session.Lost));
-            Print(WithProgress("events", 2 * session.Events.Count, report => RunSession(path, session, settings, report, cancellation)), json);
+            var result = WithProgress("events", 2 * session.Events.Count, report => RunSession(path, session, settings, report, cancellation));
+            if (result.Frames == 0 && !cancellation.IsCancellationRequested && session.Events.Any(one => one.Kind == RecordedSession.EventKind.Sample))
+                await Console.Error.WriteLineAsync(ConsoleMessages.Line(SessionReplay.NothingScored(path)));
+            Print(result, json);
         }
         else
         {
@@ -107,16 +110,14 @@ static class ReplayVerb
     {
         var bodies = new SessionBodies(session, settings).Run(report, cancellation);
         var joints = new ReplayResult(path, settings.Predictor, 0, []);
+        var replay = new SessionReplay(path, session, new SessionTruth(session), settings);
         try
         {
-            // A cell may have objects and no robot.
-            if (bodies.Count == 0 || session.Events.Any(one => one.Kind == RecordedSession.EventKind.Sample))
-                joints = new SessionReplay(path, session, new SessionTruth(session), settings)
-                    .Run(done => report(session.Events.Count + done), cancellation);
+            joints = replay.Run(done => report(session.Events.Count + done), cancellation);
         }
-        catch (OperationCanceledException) when (bodies.Count > 0)
+        catch (Exception end) when (end is OperationCanceledException or InputException && bodies.Count > 0 && !replay.HasScored)
         {
-            // Keeps the results of the objects, which are replayed first.
+            // Keeps the results of the objects, which are replayed first. A cell may have objects and no robot.
         }
         return new ReplayResult(joints.File, joints.Predictor, joints.Frames, joints.Axes) { Bodies = bodies, Signals = session.Signals };
     }

@@ -60,6 +60,9 @@ sealed class SessionReplay
     /// <summary>Called for each frame with the frame, one predicted position per joint, and the kinds of these predictions.</summary>
     public Action<RecordedSession.Event, double[], PredictionKind[]> Predicted { get; init; }
 
+    /// <summary>Whether at least one frame has been scored.</summary>
+    public bool HasScored => _frames > 0;
+
     /// <param name="report">Receives the number of finished events; null if it is not needed.</param>
     /// <exception cref="InputException">No frame could be scored.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
@@ -76,10 +79,10 @@ sealed class SessionReplay
             report?.Invoke(i);
             Play(_session.Events[i]);
         }
-        if (_frames == 0)
+        if (!HasScored)
         {
             cancellation.ThrowIfCancellationRequested();
-            throw new InputException(ReplayMessages.NothingScored(_path, SamplesBeforeScoring));
+            throw new InputException(NothingScored(_path));
         }
         var axes = Enumerable.Range(0, _errors.Length).Where(i => _errors[i].Count > 0)
             .Select(i => _errors[i].Summary(_session.Header.Joints[i].Name));
@@ -87,6 +90,8 @@ sealed class SessionReplay
         return double.IsFinite(result.Rms + result.RmsHold)
             ? result : throw new InputException(ReplayMessages.TooLarge(_path));
     }
+
+    internal static string NothingScored(string path) => ReplayMessages.NothingScored(path, SamplesBeforeScoring);
 
     void Play(in RecordedSession.Event next)
     {

@@ -133,17 +133,20 @@ public class ReplayedCellTests : SessionReplayFixture
         Assert.That(bodies.EnumerateArray().Select(body => body.GetProperty("displayed_error_mm").ValueKind), Is.All.EqualTo(JsonValueKind.Null));
     }
 
-    [Test]
-    public async Task Replay_SessionWithoutARobot_ReportsErrorsOfObjects()
+    [TestCase(0)]
+    [TestCase(3)]
+    public async Task Replay_TooFewSamplesOfJoints_ReportsErrorsOfObjects(int samples)
     {
         VirtualRecording.To(_path, hasWork: true);
-        File.WriteAllLines(_path, File.ReadLines(_path).Where(line => !line.Contains("\"kind\":\"sample\"")).ToArray());
+        var read = 0;
+        File.WriteAllLines(_path, File.ReadAllLines(_path).Where(line => !line.Contains("\"kind\":\"sample\"") || read++ < samples));
 
         var run = await Run("replay", _path, "--json");
         var table = await Run("replay", _path);
 
         Assert.That(run.ExitStatus, Is.Zero, run.Errors);
         var result = JsonDocument.Parse(run.Output).RootElement;
+        Assert.That(run.Errors.Contains(SessionReplay.NothingScored(_path)), Is.EqualTo(samples > 0), run.Errors);
         Assert.That(result.GetProperty("axes").GetArrayLength(), Is.Zero);
         Assert.That(result.GetProperty("reduction").ValueKind, Is.EqualTo(JsonValueKind.Null));
         Assert.That(result.GetProperty("bodies").GetArrayLength(), Is.EqualTo(3));
