@@ -92,7 +92,8 @@ namespace Nowpose.Recording
 
         void WriteAll(Stream stream)
         {
-            TryPut(stream);
+            // A file without its header cannot be read, so the header is written even if it is larger than the maximum size.
+            Put(stream);
             for (var isLast = false; !isLast;)
             {
                 isLast = _isStopping;

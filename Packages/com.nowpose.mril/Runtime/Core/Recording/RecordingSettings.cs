@@ -10,7 +10,9 @@ namespace Nowpose.Recording
         const int BufferBytes = 64 * 1024;
 
         /// <param name="path">Path of the file. Its folder is created if it does not exist, and an existing file is replaced.</param>
-        /// <param name="maximumMegabytes">Maximum size, 0.001 to 100 000 MB of 10⁶ bytes; the recording ends there.</param>
+        /// <param name="maximumMegabytes">
+        /// Maximum size, 0.001 to 100 000 MB of 10⁶ bytes; the recording ends there. A file always contains its header, even a larger one.
+        /// </param>
         /// <param name="startedUtc">Start time for the header, to identify old files; null to omit it.</param>
         /// <exception cref="InputException">A value is out of range, or the path is empty.</exception>
         public RecordingSettings(string path, double maximumMegabytes = 500, DateTime? startedUtc = null)

@@ -88,6 +88,19 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
+        public void File_HeaderAboveItsMaximumSize_StartsWithTheHeader()
+        {
+            var session = NewSession();
+            var run = new RecordedRun(session, maximumMegabytes: 0.001);
+
+            session.Tick(Start);
+            Assert.That(run.Recorder.Ended.Wait(TimeSpan.FromMinutes(1)), "the recording ends by itself");
+
+            Assert.That(run.Recorder.State, Is.EqualTo(RecordingState.Full));
+            Assert.That(run.Lines.Select(line => (string)line["kind"]), Is.EqualTo(new[] { "session", "end" }));
+        }
+
+        [Test]
         public void Disk_Fails_EndsTheRecordingButNotTheSession()
         {
             var session = NewSession();
