@@ -11,6 +11,9 @@ namespace Nowpose.Messages
         public static string NotTrusted(SslPolicyErrors errors) =>
             $"certificate: not trusted by this device ({errors}); install it on this device, or enter its pin";
 
+        public const string OtherName =
+            "certificate: trusted by this device, but issued for another name than Host; enter a name of the certificate as Host, or enter its pin";
+
         public static string OtherPin(CertificatePin pin, CertificatePin expected) =>
             $"certificate: its pin is {pin}, but {expected} is expected; this is another server, or the gateway has a new key; pair again or correct "
             + "the pin";

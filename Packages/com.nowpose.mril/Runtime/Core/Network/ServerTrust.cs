@@ -25,11 +25,17 @@ namespace Nowpose.Network
         public string Refusal(X509Certificate certificate, SslPolicyErrors errors, DateTime now)
         {
             if (certificate == null) return CertificateMessages.None;
-            if (_pin == null)
-                return errors == SslPolicyErrors.None ? null : CertificateMessages.NotTrusted(errors);
+            if (_pin == null) return DeviceRefusal(errors);
             if (!_pin.Matches(certificate))
                 return CertificateMessages.OtherPin(CertificatePin.Of(certificate), _pin);
             return DatesRefusal(certificate, now);
+        }
+
+        static string DeviceRefusal(SslPolicyErrors errors)
+        {
+            if (errors == SslPolicyErrors.None) return null;
+            // A certificate that also lacks the device's trust must first be installed.
+            return errors == SslPolicyErrors.RemoteCertificateNameMismatch ? CertificateMessages.OtherName : CertificateMessages.NotTrusted(errors);
         }
 
         static string DatesRefusal(X509Certificate certificate, DateTime now)
