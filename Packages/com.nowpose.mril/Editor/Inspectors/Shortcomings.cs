@@ -42,7 +42,7 @@ namespace Nowpose.Editor.Inspectors
                 typeof(LoadSweep), "_load", null, ShortcomingTexts.Load, SceneSearch.Only<LoadGenerator>,
                 sweep => sweep.GetComponentInChildren<LoadGenerator>(true) == null),
             new AppearanceRule(), new OneMoverRule(), new SwitchedSignalRule(),
-            // A rig without a namespace shows the session's own robot.
+            new ConditionRule<BaseAnchor>(anchor => anchor.IsScaledWithMarkers, ShortcomingTexts.ScaledBase),
             new UniqueRule<RobotRig>(
                 (rig, other) => IsDisplayed(rig) && IsDisplayed(other) && rig.RobotNamespace == other.RobotNamespace,
                 (_, other) => ShortcomingTexts.SameRobot(other.name)),

@@ -23,6 +23,9 @@ namespace Nowpose.Unity
     {
         const float GizmoMetres = 0.2f, MarkerGizmoMetres = 0.05f;
 
+        // Above rounding errors of the scales and rotations of the parents.
+        const float ScaleTolerance = 1e-4f;
+
         [SerializeField, Tooltip("Name of the robot cell. The headset stores the base's pose under this name. Empty: the pose is not stored.")]
         string _cell = "";
 
@@ -74,7 +77,7 @@ namespace Nowpose.Unity
         BaseAnchorState _loggedState;
         string _loggedWords = "", _fault, _loggedProblem, _loggedRefused;
         MarkerConflict _loggedConflict;
-        bool _loggedCorrected;
+        bool _loggedCorrected, _loggedScale;
         bool _isGiven;
 
         /// <summary>Raised when <see cref="Place"/> or <see cref="Nudge"/> moves the anchor.</summary>
@@ -92,6 +95,10 @@ namespace Nowpose.Unity
 
         /// <summary>Describes the state, and what the user must do, in one line.</summary>
         public string Words => _fault ?? Tracker?.Words ?? "placed by hand";
+
+        /// <summary>Whether the base has markers, which place it at the real robot, but another scale than the real robot.</summary>
+        internal bool IsScaledWithMarkers =>
+            (Tracker?.Markers.Count ?? _markers.Count) > 0 && (transform.lossyScale - Vector3.one).magnitude > ScaleTolerance;
 
         /// <summary>
         /// Tracker that determines the base from the markers; provides the state, the lock and each marker. Null before this component is first
@@ -179,6 +186,7 @@ namespace Nowpose.Unity
         {
             _sources.Find(_session != null ? _session.transform : transform.root);
             if (Tracker == null || (_sources.IsEmpty && Tracker.Markers.Count == 0)) return;
+            ReportScale();
             var head = Viewer.Head;
             Tracker.SourceProblem = _sources.Problem;
             Tracker.Tick(
@@ -213,6 +221,13 @@ namespace Nowpose.Unity
                 || (isCorrected && !_loggedCorrected) || (refused != null && refused != _loggedRefused);
             (_loggedProblem, _loggedConflict, _loggedCorrected, _loggedRefused) = (problem, conflict, isCorrected, refused);
             return isNew;
+        }
+
+        void ReportScale()
+        {
+            if (_loggedScale || !IsScaledWithMarkers) return;
+            _loggedScale = true;
+            ConsoleLog.Warn(this, ComponentMessages.Of("base anchor", name, BaseMessages.Scaled(transform.lossyScale)));
         }
 
         void Track(string cell, IReadOnlyList<BaseMarker> markers)

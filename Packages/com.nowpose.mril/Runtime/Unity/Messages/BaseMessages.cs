@@ -12,6 +12,11 @@ namespace Nowpose.Unity.Messages
         public static string AngleNotFinite(double degrees) =>
             FormattableString.Invariant($"the angle {degrees}° is not finite; pass a finite angle in degrees");
 
+        /// <param name="scale">Scale of the base anchor in the scene.</param>
+        public static string Scaled(Vector3 scale) => FormattableString.Invariant(
+            $"its scale in the scene is ({scale.x:0.###}, {scale.y:0.###}, {scale.z:0.###}), so the robot has another size than the real robot, at ")
+            + "which the markers place it; set the scale of the object and of its parents to 1";
+
         public const string NoMarkerSource =
             "no marker source is switched on; add QR Markers or Tracked Images on or below the session, or switch them on";
 

@@ -13,8 +13,9 @@ namespace Nowpose.Unity.Messages
             $"robot '{robot}': no object below '{rig}' has the name of its root link '{root}', but '{drawn}' is drawn there; name an object "
             + $"after each link of the URDF, or remove '{drawn}' so that the rig builds the robot";
 
+        /// <param name="parent">The parent link, or the rig if the link is the root.</param>
         public static string MovedBetween(string robot, string between, string parent, string link) =>
-            $"robot '{robot}': '{between}' is between the links '{parent}' and '{link}' and is moved, turned or scaled; reset its transform";
+            $"robot '{robot}': '{between}' is between '{parent}' and the link '{link}' and is moved, turned or scaled; reset its transform";
 
         public static string ScaledLink(string robot, string link) =>
             $"robot '{robot}': link '{link}' is scaled, and so are its children; scale the visible object instead";

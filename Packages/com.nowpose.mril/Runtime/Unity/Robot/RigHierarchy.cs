@@ -74,7 +74,8 @@ namespace Nowpose.Unity.Robot
         /// <summary>Finds the transforms of a robot below a rig.</summary>
         /// <returns>Null if no transform below the rig has the name of the root link, and nothing is drawn below the rig.</returns>
         /// <exception cref="InputException">
-        /// The root link exists, but another link is missing, misplaced or scaled; or the root link is missing, but something is drawn below the rig.
+        /// The root link exists, but another link is missing, or a link is misplaced or scaled; or the root link is missing, but something is drawn
+        /// below the rig.
         /// </exception>
         public static RigHierarchy Find(RobotModel model, Transform rig)
         {
@@ -86,6 +87,7 @@ namespace Nowpose.Unity.Robot
             }
             var links = new Transform[model.Links.Count];
             links[0] = root;
+            RequireUnmoved(model, root, rig);
             for (var i = 1; i < links.Length; i++)
             {
                 var link = model.Links[i];
@@ -121,7 +123,8 @@ namespace Nowpose.Unity.Robot
             return null;
         }
 
-        // Rejects transformed objects between two links, because the origin of a joint is relative to the parent link.
+        // Rejects transformed objects between two links, because the origin of a joint is relative to the parent link, and between the rig and the
+        // root link, because the rig is the robot's base frame.
         static void RequireUnmoved(RobotModel model, Transform link, Transform parent)
         {
             for (var at = link.parent; at != parent; at = at.parent)

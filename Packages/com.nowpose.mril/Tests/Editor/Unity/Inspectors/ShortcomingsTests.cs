@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Editor;
 using Nowpose.Editor.Inspectors;
@@ -81,6 +82,21 @@ namespace Nowpose.Tests.Unity.Inspectors
 
             Assert.That(Of(two).Select(each => each.Message), Is.EqualTo(isReported ? new[] { ShortcomingTexts.SameRobot("One") } : System.Array.Empty<string>()));
             Assert.That(Of(one).Length, Is.EqualTo(isReported ? 1 : 0));
+        }
+
+        [Test]
+        public void BaseAnchor_ScaledWithMarkers_IsReported()
+        {
+            var session = _scene.New<MrilSession>("Session").transform;
+            session.localScale = Vector3.one * 0.1f;
+            var anchor = _scene.New<BaseAnchor>("Base Anchor", session);
+            Assert.That(Of(anchor), Is.Empty, "a cell in miniature is placed by hand");
+
+            anchor.With("_markers", new List<AnchorMarker> { new AnchorMarker("a", Vector3.zero, Vector3.zero) });
+            Assert.That(Of(anchor).Single().Message, Is.EqualTo(ShortcomingTexts.ScaledBase));
+            session.localScale = Vector3.one;
+
+            Assert.That(Of(anchor), Is.Empty);
         }
 
         [TestCase("Fixture", "", true)]

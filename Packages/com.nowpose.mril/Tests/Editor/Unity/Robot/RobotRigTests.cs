@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using Nowpose.Tests.Core.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 using Random = System.Random;
@@ -93,16 +94,40 @@ namespace Nowpose.Tests.Unity.Robot
             Assert.That(fault.Message, Does.Contain("'tool0'").And.Contain("'wrist_3_link'").And.Contain("elsewhere"));
         }
 
-        [Test]
-        public void Bind_LinkIsScaled_Throws()
+        [TestCase("base_link")]
+        [TestCase("forearm_link")]
+        public void Bind_LinkIsScaled_Throws(string link)
         {
             var model = UrdfFiles.Robot("ur5");
             var rig = NewRig();
-            _scene.Links(model, rig.transform)["forearm_link"].localScale = new Vector3(1, 2, 1);
+            _scene.Links(model, rig.transform)[link].localScale = new Vector3(1, 2, 1);
 
             var fault = Assert.Throws<InputException>(() => rig.Bind(model));
 
-            Assert.That(fault.Message, Does.Contain("'forearm_link'").And.Contain("scaled"));
+            Assert.That(fault.Message, Is.EqualTo(RigMessages.ScaledLink(model.Name, link)));
+        }
+
+        [Test]
+        public void Bind_ScaledObjectAboveTheRootLink_Throws()
+        {
+            var model = UrdfFiles.Robot("ur5");
+            var rig = NewRig();
+            var group = _scene.New("model", rig.transform);
+            group.localScale = Vector3.one * 0.001f;
+            _scene.Links(model, group);
+
+            var fault = Assert.Throws<InputException>(() => rig.Bind(model));
+
+            Assert.That(fault.Message, Is.EqualTo(RigMessages.MovedBetween(model.Name, "model", rig.name, "base_link")));
+        }
+
+        [Test]
+        public void Bind_ScaledRig_IsAccepted()
+        {
+            var rig = NewRig();
+            rig.transform.localScale = Vector3.one * 0.1f;
+
+            Assert.DoesNotThrow(() => rig.Bind(UrdfFiles.Robot("ur5")));
         }
 
         [TestCase(0f, 0f, 1f, true)]
