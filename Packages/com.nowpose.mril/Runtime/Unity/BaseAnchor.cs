@@ -90,11 +90,19 @@ namespace Nowpose.Unity
         public string Cell => Tracker?.Cell ?? _cell;
 
         /// <summary>State of the base's pose: for example placed by hand, searching for markers, or locked by markers.</summary>
-        /// <remarks>While the fields are invalid, no marker can determine the pose, so the state is searching.</remarks>
-        public BaseAnchorState State => _fault != null ? BaseAnchorState.Searching : Tracker?.State ?? BaseAnchorState.Placed;
+        /// <remarks>
+        /// While the fields are invalid or the component is not active and enabled, no marker can determine or check the pose, so the state is
+        /// searching. A base that was placed by hand needs no check, and stays placed.
+        /// </remarks>
+        public BaseAnchorState State => Problem != null ? BaseAnchorState.Searching : Tracker?.State ?? BaseAnchorState.Placed;
 
         /// <summary>Describes the state, and what the user must do, in one line.</summary>
-        public string Words => _fault ?? Tracker?.Words ?? "placed by hand";
+        public string Words => Problem ?? Tracker?.Words ?? "placed by hand";
+
+        /// <summary>Reason why this component neither determines nor checks the pose, in one line; null if it does or need not.</summary>
+        internal string Problem => _fault ?? (NeedsChecks && !isActiveAndEnabled ? BaseMessages.Disabled : null);
+
+        bool NeedsChecks => Tracker == null ? _markers.Count > 0 : Tracker.State != BaseAnchorState.Placed;
 
         /// <summary>Whether the base has markers, which place it at the real robot, but another scale than the real robot.</summary>
         internal bool IsScaledWithMarkers =>
@@ -168,17 +176,11 @@ namespace Nowpose.Unity
         {
             _session = this.SessionOr(null);
             _sources.Forget();
-            if (_isGiven) return;
-            try
-            {
-                Track(_cell, _markers.ConvertAll(marker => marker.Read()));
-            }
-            catch (InputException fault)
-            {
-                Fail(fault);
-            }
+            if (!_isGiven) TrackFields();
             Notify();
         }
+
+        void OnDisable() => Notify();
 
         void OnDestroy() => Tracker?.Release();
 
@@ -206,8 +208,8 @@ namespace Nowpose.Unity
             var (state, words) = (State, Words);
             if (state == _loggedState && ReferenceEquals(words, _loggedWords)) return;
             var isNew = HasNewProblem();
-            // An invalid field was already logged as an error.
-            if (_fault == null && (state != _loggedState || isNew)) AnchorLog.Log(this, state, words, isNew);
+            // An invalid field was already logged as an error. The component is disabled by a user, or at the end of the scene.
+            if (Problem == null && (state != _loggedState || isNew)) AnchorLog.Log(this, state, words, isNew);
             (_loggedState, _loggedWords) = (state, words);
             StateChanged?.Invoke();
         }
@@ -228,6 +230,18 @@ namespace Nowpose.Unity
             if (_loggedScale || !IsScaledWithMarkers) return;
             _loggedScale = true;
             ConsoleLog.Warn(this, ComponentMessages.Of("base anchor", name, BaseMessages.Scaled(transform.lossyScale)));
+        }
+
+        void TrackFields()
+        {
+            try
+            {
+                Track(_cell, _markers.ConvertAll(marker => marker.Read()));
+            }
+            catch (InputException fault)
+            {
+                Fail(fault);
+            }
         }
 
         void Track(string cell, IReadOnlyList<BaseMarker> markers)

@@ -17,6 +17,8 @@ namespace Nowpose.Unity.Messages
             $"its scale in the scene is ({scale.x:0.###}, {scale.y:0.###}, {scale.z:0.###}), so the robot has another size than the real robot, at ")
             + "which the markers place it; set the scale of the object and of its parents to 1";
 
+        public const string Disabled = "the component Base Anchor is disabled, so nothing checks the base; enable it";
+
         public const string NoMarkerSource =
             "no marker source is switched on; add QR Markers or Tracked Images on or below the session, or switch them on";
 
