@@ -104,40 +104,6 @@ public class PlayedNamespaceTests : PlayedParts
         Assert.That(_cell.Messages, Has.Exactly(1).Contains(RobotMessages.OfRobot("arm2", found.Words)));
     }
 
-    // A further robot without its namespace would display the motion of the first robot as its own.
-    [Test]
-    public void Rigs_DisplayTheSameRobot_SecondOneIsReported()
-    {
-        var first = Below<RobotRig>("Robot", _session.transform);
-        var second = Below<RobotRig>("Robot 2", _session.transform);
-        Run(2);
-
-        Assert.That(FaultsNow(), Is.EqualTo("robot Robot 2: " + RigMessages.SameRobot("Robot")));
-        Assert.That((first.Fault, second.Fault), Is.EqualTo(((string)null, RigMessages.SameRobot("Robot"))));
-        Assert.That(_cell.Messages, Has.Exactly(1).Contains(RigMessages.SameRobot("Robot")));
-        Assert.That(_cell.AllocatedIn(() => _cell.Run(1, _session, _session.Parts.Update)), Is.Zero);
-
-        first.gameObject.SetActive(false);
-        Run(0.1);
-        Assert.That((FaultsNow(), second.Fault), Is.EqualTo(("", (string)null)));
-
-        first.gameObject.SetActive(true);
-        Run(0.1);
-        Assert.That(FaultsNow(), Is.EqualTo("robot Robot: " + RigMessages.SameRobot("Robot 2")), "the rig that was enabled later");
-    }
-
-    [Test]
-    public void Rigs_OfSeveralRobotsOrHeldPoses_AreNotReported()
-    {
-        Below<RobotRig>("Robot", _session.transform);
-        Below<RobotRig>("Added", _session.transform).Follow(null, "arm3", RobotDescriptionAsset.Create("third", RobotFiles.LoadText("youbot")));
-        Below<RobotRig>("Ghost", _session.transform).Follow(null, shows: RigPose.Held);
-        Second(RobotFiles.LoadText("youbot"));
-        Run(1);
-
-        Assert.That(_cell.Messages, Has.None.Matches(RigMessages.SameRobot(".*")));
-    }
-
     // The poses of the last session remain where they were, but nothing reports whether they are still right.
     [Test]
     public void CellParts_SessionHasEnded_AreNotCurrent()

@@ -4,6 +4,7 @@ using System.Linq;
 using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Session;
+using UnityEditor;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
@@ -44,7 +45,7 @@ namespace Nowpose.Editor.Inspectors
             new AppearanceRule(), new OneMoverRule(), new SwitchedSignalRule(),
             new ConditionRule<BaseAnchor>(anchor => anchor.IsScaledWithMarkers, ShortcomingTexts.ScaledBase),
             new UniqueRule<RobotRig>(
-                (rig, other) => IsDisplayed(rig) && IsDisplayed(other) && rig.RobotNamespace == other.RobotNamespace,
+                (rig, other) => IsDisplayed(rig) && IsDisplayed(other) && NamespaceOf(rig) == NamespaceOf(other),
                 (_, other) => ShortcomingTexts.SameRobot(other.name)),
             new UniqueRule<StationaryObject>(
                 (shown, other) => shown.HasPlaceOf(other), (shown, other) => ShortcomingTexts.SameFrame(other.name, shown.Frame)),
@@ -72,6 +73,20 @@ namespace Nowpose.Editor.Inspectors
             new ReferenceRule(typeof(T), "_session", typeof(MrilSession), message, SceneSearch.Only<MrilSession>, applies);
 
         static bool IsDisplayed(RobotRig rig) => rig.Shows == RigPose.Displayed && rig.enabled && rig.gameObject.activeInHierarchy;
+
+        // A rig without a namespace shows the session's own robot, to which the settings may give a namespace.
+        static string NamespaceOf(RobotRig rig)
+        {
+            if (rig.RobotNamespace.Length > 0) return rig.RobotNamespace;
+            var session = SceneSearch.SessionOf(rig);
+            if (session == null) return "";
+            if (session.Settings != null) return session.Settings.RobotNamespace;
+            using (var serialised = new SerializedObject(session))
+            {
+                var settings = serialised.FindProperty("_settings").objectReferenceValue as SessionSettingsAsset;
+                return settings != null ? settings.RobotNamespace : "";
+            }
+        }
 
         static ReferenceRule RigRule<T>() where T : Component =>
             new ReferenceRule(typeof(T), "_rig", typeof(RobotRig), ShortcomingTexts.Rig, SceneSearch.OnlyDisplayedRig);

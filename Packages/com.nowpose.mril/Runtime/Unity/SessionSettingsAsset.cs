@@ -120,6 +120,8 @@ namespace Nowpose.Unity
             + "synchronised within seconds, at a low network load.")]
         double _syncIntervalMs = ProtocolLimits.SyncIntervalMs;
 
+        internal string RobotNamespace => _robotNamespace ?? "";
+
         static double Known(double limit) => limit == 0 ? double.PositiveInfinity : limit;
 
         /// <summary>Checks the values, and returns them as settings.</summary>

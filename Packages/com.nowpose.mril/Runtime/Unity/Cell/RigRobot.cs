@@ -40,9 +40,6 @@ namespace Nowpose.Unity.Cell
             if (IsListed) source.Parts.Add(this);
         }
 
-        /// <summary>Namespace of the robot; empty for the session's own robot.</summary>
-        public string Namespace => _name;
-
         /// <summary>Whether the rig shows the pose at the display time, and not the newest samples for comparison.</summary>
         public bool IsDisplayed => _rig.Shows == RigPose.Displayed;
 
@@ -97,7 +94,7 @@ namespace Nowpose.Unity.Cell
         bool IsListed => !IsOwn && IsDisplayed;
 
         // Whether another rig shows the same robot. It is then probably the wrong one for this rig.
-        bool IsSecond => _sameRobot != null && _source.Robots.FirstDisplayed(_name) != this;
+        bool IsSecond => _sameRobot != null && _source.Robots.FirstDisplayed(_robot, _session) != this;
 
         bool IsOwn => _name.Length == 0;
 
@@ -114,6 +111,9 @@ namespace Nowpose.Unity.Cell
             return _robot == null ? PoseState.Incomplete : _robot.Frame.State;
         }
 
+        /// <summary>Returns the robot that this rig shows in a session; null if it has not been added.</summary>
+        public SessionRobot RobotIn(CompensationSession session) => IsOwn ? session.Robots[0] : session.Robots.Of(_name);
+
         /// <summary>Finds the robot in the session, or adds it, and returns its display frame.</summary>
         /// <param name="frame">Display frame of the session's own robot.</param>
         /// <returns>Null if the robot could not be added.</returns>
@@ -122,10 +122,10 @@ namespace Nowpose.Unity.Cell
             if (session != _session)
             {
                 _session = session;
-                _robot = IsOwn ? session.Robots[0] : Add(session);
+                _robot = IsOwn ? RobotIn(session) : Add(session);
                 CompareWithOthers();
             }
-            if (IsListed && _robot != null) _robot.IsShown = true;
+            SetShown(true);
             return IsOwn ? frame : _robot?.Frame;
         }
 
@@ -137,7 +137,13 @@ namespace Nowpose.Unity.Cell
         {
             _source.Parts.Remove(this);
             _source.Robots.Remove(this);
-            if (IsListed && _robot != null) _robot.IsShown = false;
+            SetShown(false);
+        }
+
+        // The session's own robot always counts for the state of the cell, also if a rig shows it by its namespace.
+        void SetShown(bool isShown)
+        {
+            if (IsListed && _robot != null && _robot != _session.Robots[0]) _robot.IsShown = isShown;
         }
 
         /// <summary>Moves the rig to the robot's base if the cell has a frame with the name of the robot's root link.</summary>
@@ -153,7 +159,8 @@ namespace Nowpose.Unity.Cell
         // Runs in the first frame, because a script may set the namespace after it has added the rig.
         void CompareWithOthers()
         {
-            if (!IsDisplayed || _sameRobot != null || !(_source.Robots.FirstDisplayed(_name) is RigRobot first) || first == this) return;
+            if (_robot == null || !IsDisplayed || _sameRobot != null) return;
+            if (!(_source.Robots.FirstDisplayed(_robot, _session) is RigRobot first) || first == this) return;
             _sameRobot = RigMessages.SameRobot(first._rig.name);
             ConsoleLog.Warn(_rig, ComponentMessages.Of("rig", _rig.name, _sameRobot));
             if (IsOwn) _source.Parts.Add(this);

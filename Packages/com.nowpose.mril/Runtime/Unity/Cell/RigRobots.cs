@@ -1,5 +1,5 @@
-using System;
 using System.Collections.Generic;
+using Nowpose.Session;
 
 namespace Nowpose.Unity.Cell
 {
@@ -12,12 +12,12 @@ namespace Nowpose.Unity.Cell
 
         public void Remove(RigRobot robot) => _robots.Remove(robot);
 
-        /// <summary>Returns the robot of the first rig that shows a robot at the display time; null if there is none. Allocates nothing.</summary>
-        /// <param name="name">Namespace of the robot; empty for the session's own robot.</param>
-        public RigRobot FirstDisplayed(string name)
+        /// <summary>Returns the first rig that shows a robot at the display time; null if there is none. Allocates nothing.</summary>
+        /// <param name="robot">The robot, which one rig may show by its namespace and another one as the session's own robot.</param>
+        public RigRobot FirstDisplayed(SessionRobot robot, CompensationSession session)
         {
-            foreach (var robot in _robots)
-                if (robot.IsDisplayed && string.Equals(robot.Namespace, name, StringComparison.Ordinal)) return robot;
+            foreach (var rig in _robots)
+                if (rig.IsDisplayed && rig.RobotIn(session) == robot) return rig;
             return null;
         }
     }

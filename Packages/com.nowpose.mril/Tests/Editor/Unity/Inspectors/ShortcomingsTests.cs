@@ -84,6 +84,18 @@ namespace Nowpose.Tests.Unity.Inspectors
             Assert.That(Of(one).Length, Is.EqualTo(isReported ? 1 : 0));
         }
 
+        [TestCase("arm1", true)]
+        [TestCase("arm2", false)]
+        public void Rigs_NamespaceOfTheSettingsAndNone_AreReportedIfTheyDisplayTheSameRobot(string robot, bool isReported)
+        {
+            var session = _scene.New<MrilSession>("Session").With(
+                "_settings", _scene.Asset<SessionSettingsAsset>("Settings").With("_robotNamespace", "arm1"));
+            var named = Rig(session.transform).With("_robotNamespace", robot);
+            var unnamed = Rig(session.transform);
+
+            Assert.That((Of(named).Length, Of(unnamed).Length), Is.EqualTo(isReported ? (1, 1) : (0, 0)));
+        }
+
         [Test]
         public void BaseAnchor_ScaledWithMarkers_IsReported()
         {
