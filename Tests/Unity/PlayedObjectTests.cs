@@ -1,5 +1,9 @@
+using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
+using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -25,6 +29,38 @@ public class PlayedObjectTests : PlayedParts
         _cell.Frame(_session);
 
         AssertAt(box.transform, anchor.transform, Along(0.3 * (_cell.Now + Visu), 0.4 * (_cell.Now + Visu)), 1e-3);
+    }
+
+    // Objects and rigs elsewhere in the hierarchy follow the anchor, but are not destroyed with it.
+    [Test]
+    public void CellParts_BaseAnchorDestroyed_AreHeldWithTheReason()
+    {
+        var anchor = Below<BaseAnchor>("Base Anchor", _session.transform);
+        var box = Loose<TrackedObject>("box");
+        box.Follow(_session);
+        var rig = Second(RobotFiles.LoadText("youbot"));
+        var joints = RobotFiles.Load("youbot").MovingJoints.Select(joint => joint.Name).ToArray();
+        void Send(double t)
+        {
+            _session.Session.Listener.Received(
+                new JointStateMessage(At(t), joints, [.. joints.Select(_ => 0.003)]), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2");
+            SendPose("world", "arm2/arm_link_0", t, Along(1));
+            SendPose("world", "box", t, Along(0.1 * t));
+        }
+        Run(2, Send);
+        Assert.That((box.State, rig.StateIn(_session.Frame), FaultsNow()), Is.EqualTo((PoseState.Current, PoseState.Current, "")));
+
+        UnityEngine.Object.Destroy(anchor.gameObject);
+        Run(1, Send);
+
+        Assert.That((box.State, rig.StateIn(_session.Frame)), Is.EqualTo((PoseState.Held, PoseState.Held)));
+        Assert.That(box.GetComponent<PoseAppearance>().Look.Label, Is.EqualTo(PoseMessages.Of(PoseState.Held)));
+        Assert.That(FaultsNow(), Is.EqualTo($"object box: {BaseMessages.Destroyed}; {RobotMessages.OfRobot("arm2", BaseMessages.Destroyed)}"));
+        Assert.That(_cell.Player.Logs.Where(log => log.Exception != null), Is.Empty);
+        box.enabled = false;
+        box.enabled = true;
+        Run(0.5, Send);
+        Assert.That(box.State, Is.EqualTo(PoseState.Current), "relative to the session");
     }
 
     [Test]

@@ -105,6 +105,25 @@ public class PlayedStationaryObjectTests : PlayedParts
     }
 
     [Test]
+    public void StationaryObject_BaseAnchorDestroyedDuringAMove_IsHeldAndNotSaved()
+    {
+        var anchor = Below<BaseAnchor>("Base Anchor", _session.transform);
+        var fixture = Loose<StationaryObject>("fixture");
+        fixture.Follow(_session);
+        Run(0.5);
+        fixture.BeginMove();
+        Run(0.5);
+
+        UnityEngine.Object.Destroy(anchor.gameObject);
+        Run(0.5);
+        fixture.EndMove();
+        Run(0.5);
+
+        Assert.That((fixture.State, fixture.Fault, File.Exists(fixture.SavedPath)), Is.EqualTo((PoseState.Held, BaseMessages.Destroyed, false)));
+        Assert.That(_cell.Player.Logs.Where(log => log.Exception != null), Is.Empty);
+    }
+
+    [Test]
     public void StationaryObject_SourcePublishesItsFrame_ReplacesTheHandPlacedPose()
     {
         StationaryFrameFile.Save(Path.Combine(_folder, "stationary-objects.json"), new TransformsMessage(

@@ -115,6 +115,26 @@ public class BaseAnchorDisplayTests
     }
 
     [Test]
+    public void Look_ObjectElsewhereInTheHierarchy_ShowsThatTheBaseIsUncertain()
+    {
+        var box = new GameObject("box").AddComponent<TrackedObject>();
+        box.Follow(_played.Session);
+        string Label() => box.GetComponent<PoseAppearance>().Look.Label;
+        _played.Markers.IsBlind = true;
+        _played.PlayOne();
+        _played.Cell.Run(1, _played.Session);
+        Assert.That(Label(), Does.EndWith(", " + BaseMessages.NotLockedLabel));
+
+        _played.Markers.IsBlind = false;
+        _played.Cell.Run(3, _played.Session);
+        Assert.That(Label(), Is.EqualTo(PoseMessages.Of(PoseState.Incomplete)), "locked");
+        _played.Markers.Base = Base * RigidTransform.FromXyzRpy(0.1, 0, 0, 0, 0, 0);
+        _played.Cell.Run(1, _played.Session);
+
+        Assert.That(Label(), Does.EndWith(", " + BaseMessages.MovedLabel));
+    }
+
+    [Test]
     public void StatusPanel_CellWithLockedBase_ShowsTheStateOfTheBase()
     {
         _played.PlayLocked();

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Editor.Messages;
 using Nowpose.Unity;
+using Nowpose.Unity.Cell;
 using Nowpose.Unity.Session;
 using UnityEditor;
 using UnityEngine;
@@ -43,6 +44,7 @@ namespace Nowpose.Editor.Inspectors
                 typeof(LoadSweep), "_load", null, ShortcomingTexts.Load, SceneSearch.Only<LoadGenerator>,
                 sweep => sweep.GetComponentInChildren<LoadGenerator>(true) == null),
             new AppearanceRule(), new OneMoverRule(), new SwitchedSignalRule(),
+            new ConditionRule<RobotRig>(IsBesideBase, ShortcomingTexts.RigBesideBase),
             new ConditionRule<BaseAnchor>(anchor => anchor.IsScaledWithMarkers, ShortcomingTexts.ScaledBase),
             new UniqueRule<RobotRig>(
                 (rig, other) => IsDisplayed(rig) && IsDisplayed(other) && NamespaceOf(rig) == NamespaceOf(other),
@@ -87,6 +89,9 @@ namespace Nowpose.Editor.Inspectors
                 return settings != null ? settings.RobotNamespace : "";
             }
         }
+
+        static bool IsBesideBase(RobotRig rig) => rig.gameObject.GetComponentInParent<BaseAnchor>(true) == null
+            && CellPlace.AnchorOf(rig, SceneSearch.SessionOf(rig)) != null;
 
         static ReferenceRule RigRule<T>() where T : Component =>
             new ReferenceRule(typeof(T), "_rig", typeof(RobotRig), ShortcomingTexts.Rig, SceneSearch.OnlyDisplayedRig);

@@ -56,6 +56,10 @@ namespace Nowpose.Editor.Messages
             $"An event switches '{switched}', which is this object or a parent. While it is off, the signal raises no events, so it cannot switch it "
             + "on again. Let the event switch another object, such as a child.";
 
+        public const string RigBesideBase =
+            "It is not below the Base Anchor of its session, so it does not follow the base, unless the cell has a frame of its root link. Move it "
+            + "below the Base Anchor.";
+
         public const string ScaledBase =
             "Its scale in the scene is not 1, so the displayed robot has another size than the real robot, at which the markers place it. Set the "
             + "scale of this object and of its parents to 1.";

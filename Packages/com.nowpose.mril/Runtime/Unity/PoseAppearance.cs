@@ -130,7 +130,7 @@ namespace Nowpose.Unity
             _places.Add(transform, transform, _frame, _source);
             GetComponentsInChildren(true, _below);
             _below.RemoveAll(each => each == this || !each.IsOwner);
-            _anchor = GetComponentInParent<BaseAnchor>();
+            _anchor = CellPlace.AnchorOf(this, _source);
             _base = BaseLook.Of(_anchor);
             _carrier = PoseCarrier.Of(transform, _carrier);
             _carriers.Add(_carrier);
@@ -216,7 +216,7 @@ namespace Nowpose.Unity
         internal void FindSession()
         {
             if (!isActiveAndEnabled) return;
-            if (Searched == _source && _rig == GetComponentInParent<RobotRig>() && _anchor == GetComponentInParent<BaseAnchor>()) return;
+            if (Searched == _source && _rig == GetComponentInParent<RobotRig>() && _anchor == CellPlace.AnchorOf(this, _source)) return;
             OnDisable();
             OnEnable();
         }

@@ -97,7 +97,7 @@ namespace Nowpose.Unity
         {
             if (!IsMoving) return;
             IsMoving = false;
-            if (!_followed.IsNameValid) return;
+            if (!_followed.IsNameValid || _followed.World == null) return;
             _followed.PlaceBy(transform);
             _saved = CellPlace.PoseIn(_followed.World, transform);
             Save();
@@ -142,7 +142,7 @@ namespace Nowpose.Unity
                 _followed.PlaceBy(transform);
                 return;
             }
-            if (isNew && !_followed.IsKnown && _saved is RigidTransform saved)
+            if (isNew && !_followed.IsKnown && _followed.World != null && _saved is RigidTransform saved)
             {
                 transform.PlaceIn(_followed.World, saved);
                 _followed.PlaceBy(transform);

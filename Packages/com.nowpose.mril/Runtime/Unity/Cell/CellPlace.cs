@@ -1,4 +1,5 @@
 using Nowpose.Kinematics;
+using Nowpose.Session;
 using UnityEngine;
 
 namespace Nowpose.Unity.Cell
@@ -11,10 +12,22 @@ namespace Nowpose.Unity.Cell
     {
         public static Transform WorldOf(Component component, MrilSession session)
         {
-            var anchor = component.GetComponentInParent<BaseAnchor>();
-            if (anchor == null) anchor = session.GetComponentInChildren<BaseAnchor>(includeInactive: true);
+            var anchor = AnchorOf(component, session);
             return anchor != null ? anchor.transform : session.transform;
         }
+
+        /// <summary>Returns the Base Anchor above a component, or else that below its session; null if there is none.</summary>
+        /// <param name="session">Session of the component; null if it has none.</param>
+        public static BaseAnchor AnchorOf(Component component, MrilSession session)
+        {
+            var anchor = component.GetComponentInParent<BaseAnchor>();
+            return anchor == null && session != null ? session.GetComponentInChildren<BaseAnchor>(includeInactive: true) : anchor;
+        }
+
+        /// <summary>Returns the state of a displayed pose. Without the frame <c>world</c>, the object stays where it was, so it is held.</summary>
+        /// <param name="world">The transform of the frame; equal to null if it was destroyed.</param>
+        /// <param name="state">State of the pose in this frame.</param>
+        public static PoseState StateIn(Transform world, PoseState state) => world == null && state > PoseState.Held ? PoseState.Held : state;
 
         /// <summary>Returns the pose of an object in the frame <c>world</c>, right-handed, in metres.</summary>
         public static RigidTransform PoseIn(Transform world, Transform placed) => UnityPoses.ToRoom(

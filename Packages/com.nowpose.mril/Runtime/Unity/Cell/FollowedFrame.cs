@@ -51,7 +51,7 @@ namespace Nowpose.Unity.Cell
 
         public string Title { get; }
 
-        /// <summary>The transform that is the frame <c>world</c>.</summary>
+        /// <summary>The transform that is the frame <c>world</c>; equal to null if it was destroyed. The object then stays where it is.</summary>
         public Transform World { get; private set; }
 
         /// <summary>Name of the frame in which the displayed pose is given; null while no pose is known.</summary>
@@ -78,7 +78,8 @@ namespace Nowpose.Unity.Cell
         /// <summary>Whether the frame's pose is known and is the same at any time.</summary>
         public bool IsFixed => _frame != null && _frame.IsFixed;
 
-        public PoseState State => _session == null || HasEnded ? PoseState.Incomplete : _session.Frames.StateOf(_frame);
+        public PoseState State =>
+            _session == null || HasEnded ? PoseState.Incomplete : CellPlace.StateIn(World, _session.Frames.StateOf(_frame));
 
         // The states in a session that has ended are those of its last frame.
         bool HasEnded => _source.Session != _session;
@@ -92,7 +93,7 @@ namespace Nowpose.Unity.Cell
                 {
                     case PoseState.Current: return null;
                     case PoseState.Incomplete: return _frame == null ? _missing : ReasonOf(_frame);
-                    case PoseState.Held: return ReasonOf(_frame);
+                    case PoseState.Held: return World == null ? BaseMessages.Destroyed : ReasonOf(_frame);
                     default: return PoseMessages.Of(State);
                 }
             }
@@ -164,7 +165,7 @@ namespace Nowpose.Unity.Cell
         /// <summary>Places the frame at the pose of a transform, until a source publishes the frame. Does nothing without a session.</summary>
         public void PlaceBy(Transform placed)
         {
-            if (_session == null || !IsNameValid) return;
+            if (_session == null || !IsNameValid || World == null) return;
             var reason = _session.Frames.Place(Name, CellPlace.PoseIn(World, placed));
             if (reason == DropReason.None) _frame = _session.Frames.Find(Name);
             else if (reason != _refused) ConsoleLog.Fail(placed, ObjectMessages.NotAccepted(Title, reason));
@@ -187,7 +188,7 @@ namespace Nowpose.Unity.Cell
         /// <param name="shows">Selects the pose at the display time or the newest received pose.</param>
         public void Place(Transform moved, RigPose shows)
         {
-            if (_frame == null || State == PoseState.Incomplete) return;
+            if (_frame == null || State == PoseState.Incomplete || World == null) return;
             moved.PlaceIn(World, shows == RigPose.Displayed ? _frame.World : Held);
         }
     }

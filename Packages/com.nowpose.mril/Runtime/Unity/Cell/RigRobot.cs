@@ -51,7 +51,7 @@ namespace Nowpose.Unity.Cell
             {
                 if (_session != null && HasEnded) return StatusMessages.NoSession;
                 if (_robot == null) return _session == null ? StatusMessages.NoSession : StatusMessages.RobotNotAdded;
-                return FaultOf(_robot.Frame) ?? (IsSecond ? _sameRobot : null)
+                return FaultOf(_robot.Frame) ?? (HasLostBase ? BaseMessages.Destroyed : null) ?? (IsSecond ? _sameRobot : null)
                     ?? (StatisticsOf(_source.Statistics) is RobotStatistics robot ? FaultOf(robot) : ReasonOf(_robot.Frame.State));
             }
         }
@@ -96,6 +96,9 @@ namespace Nowpose.Unity.Cell
         // Whether another rig shows the same robot. It is then probably the wrong one for this rig.
         bool IsSecond => _sameRobot != null && _source.Robots.FirstDisplayed(_robot, _session) != this;
 
+        // The rig follows the base, but its frame was destroyed.
+        bool HasLostBase => _world == null && _robot != null && _robot.HasRootFrame;
+
         bool IsOwn => _name.Length == 0;
 
         /// <summary>Model of the robot; null while it is unknown.</summary>
@@ -107,8 +110,8 @@ namespace Nowpose.Unity.Cell
         /// <summary>Returns the state of the robot's pose in a frame of the session.</summary>
         public PoseState StateIn(DisplayFrame frame)
         {
-            if (IsOwn) return _source.StateIn(frame);
-            return _robot == null ? PoseState.Incomplete : _robot.Frame.State;
+            var state = IsOwn ? _source.StateIn(frame) : _robot == null ? PoseState.Incomplete : _robot.Frame.State;
+            return HasLostBase ? CellPlace.StateIn(_world, state) : state;
         }
 
         /// <summary>Returns the robot that this rig shows in a session; null if it has not been added.</summary>
@@ -150,7 +153,7 @@ namespace Nowpose.Unity.Cell
         /// <returns>Whether the cell has this frame.</returns>
         public bool PlaceBase()
         {
-            if (_robot == null || !_robot.HasRootFrame) return false;
+            if (_robot == null || !_robot.HasRootFrame || _world == null) return false;
             var tree = _session.Frames.Tree;
             _rig.transform.PlaceIn(_world, _rig.Shows == RigPose.Held ? tree.HeldOf(tree.IndexOf(_robot.Root)) : _robot.RootPose);
             return true;

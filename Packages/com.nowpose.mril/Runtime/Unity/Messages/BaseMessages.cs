@@ -18,6 +18,7 @@ namespace Nowpose.Unity.Messages
             + "which the markers place it; set the scale of the object and of its parents to 1";
 
         public const string Disabled = "the component Base Anchor is disabled, so nothing checks the base; enable it";
+        public const string Destroyed = "its Base Anchor was destroyed; add another one, and disable and enable this object";
 
         public const string NoMarkerSource =
             "no marker source is switched on; add QR Markers or Tracked Images on or below the session, or switch them on";

@@ -97,6 +97,20 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
+        public void Rig_BesideTheBaseAnchor_IsReportedUntilItIsBelowIt()
+        {
+            var session = _scene.New<MrilSession>("Session").transform;
+            var rig = Rig(session);
+            Assert.That(Of(rig), Is.Empty, "the session has no base anchor");
+
+            var anchor = _scene.New<BaseAnchor>("Base Anchor", session).transform;
+            Assert.That(Of(rig).Single().Message, Is.EqualTo(ShortcomingTexts.RigBesideBase));
+            rig.transform.SetParent(anchor);
+
+            Assert.That(Of(rig), Is.Empty);
+        }
+
+        [Test]
         public void BaseAnchor_ScaledWithMarkers_IsReported()
         {
             var session = _scene.New<MrilSession>("Session").transform;
