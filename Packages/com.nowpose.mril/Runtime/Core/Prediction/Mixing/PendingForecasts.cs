@@ -11,6 +11,9 @@ namespace Nowpose.Prediction.Mixing
     /// </summary>
     sealed class PendingForecasts
     {
+        /// <summary>Maximum interval in which samples are interpolated to score a forecast, s. In a longer one, a motion can start and end.</summary>
+        const double MaxInterval = 0.5;
+
         /// <summary>Errors above this, in m or rad, are not scored: their squares would remain in every mean.</summary>
         const double MaxError = 1e9;
 
@@ -49,7 +52,7 @@ namespace Nowpose.Prediction.Mixing
             var (expected, horizon) = (Append(), motion.Timing.Horizon);
             var (time, positions) = (new TableTime(horizon), expected.Positions);
             expected.Due = motion.NewestTime + horizon;
-            expected.WasStill = motion.Rest.IsStill;
+            expected.WasStill = motion.StillSamples > 0;
             for (var c = 0; c < _components; c++)
             {
                 var (newest, sum) = (motion.Newest[c], 0.0);
@@ -76,7 +79,7 @@ namespace Nowpose.Prediction.Mixing
             for (; _count > 0 && _pending[0].Due <= motion.NewestTime; DropFirst())
             {
                 var expected = _pending[0];
-                if (expected.Due < motion.PreviousTime) continue;
+                if (!(interval < MaxInterval) || expected.Due < motion.PreviousTime) continue;
                 var fraction = (expected.Due - motion.PreviousTime) / interval;
                 for (var c = 0; c < _components; c++) _truth[c] = motion.Previous[c] + (motion.Newest[c] - motion.Previous[c]) * fraction;
                 hasLearned |= ScoreForecasts(expected.Positions, forgettingFactor);
