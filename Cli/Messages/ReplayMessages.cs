@@ -22,6 +22,6 @@ static class ReplayMessages
     public static string TooLarge(string path) => $"{path}: the errors are too large to compute; the positions must be in rad or m";
 
     public static string NothingScored(string path, int samples) =>
-        $"{path}: no frame could be evaluated: a frame needs a control time between sample {samples} and the last sample of a joint, and no "
-        + "gap between samples may exceed the maximum gap; record a longer session";
+        $"{path}: no frame could be evaluated: a frame needs a control time between sample {samples} and the last sample of a joint, "
+        + "and neither a gap between samples nor the age of the newest sample may exceed the maximum gap; record a longer session, or with a larger maximum gap";
 }

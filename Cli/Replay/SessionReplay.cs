@@ -10,8 +10,8 @@ namespace Nowpose.Cli.Replay;
 /// <remarks>
 /// Events are processed in the order of the file, which is the order in which the headset processed them. Limits, horizon cap and maximum gap come
 /// from the recording. With the predictor of the recording, the replay therefore reproduces the displayed values. Frames in which the newest sample of a
-/// joint is older than the maximum gap are not scored for this joint: after a restart of a source with its clock behind, the later samples with the display
-/// time of a frame describe another moment.
+/// joint is older than the maximum gap are not scored for this joint. Otherwise, after a restart of a source with its clock behind, a frame would be
+/// compared with later samples that have the same time stamps as its own.
 /// </remarks>
 sealed class SessionReplay
 {

@@ -12,6 +12,7 @@ export class ClockGateway {
   isSynchronised = true;
   token = null;
   refused = 0;
+  accepted = 0;
 
   now = () => process.hrtime.bigint() + this.aheadNs;
 
@@ -31,6 +32,7 @@ export class ClockGateway {
       this.refused++;
       return response.writeHead(401).end();
     }
+    this.accepted++;
     const facts = { resolution_ns: 1, is_synchronised: this.isSynchronised };
     response.end(JSON.stringify({ ...facts, t2_ns: `${t2}`, t3_ns: `${this.now()}` }));
   }

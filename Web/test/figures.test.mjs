@@ -138,7 +138,7 @@ describe('any window and any text', () => {
 
   // The width of this page changes.
   let page;
-  before(async () => { page = await open(figures()); });
+  before(async () => { page = await open(figures(), { viewport: { width: 320, height: 800 } }); });
 
   for (const width of [320, 360, 768, 1920]) {
     it(`fits a window of ${width} px`, async () => {

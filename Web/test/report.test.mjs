@@ -182,7 +182,7 @@ describe('any window and any text', () => {
     data.summary = ['RMS', 'P95', 'Maximum'].map(label => ({ label, unit: 'mm', uncompensated: 133.513, compensated: 11.268 }));
     data.claims = [{ figure: '16', claim: 'The signal follows.', paper: '−80 %', measured: '81 % ± 2 %', verdict: 'does not hold' }];
     data.figures = figures().figures.filter(f => f.number === '16');
-    page = await open(data);
+    page = await open(data, { viewport: { width: 320, height: 800 } });
   });
   const widen = async width => {
     await page.setViewportSize({ width, height: 800 });

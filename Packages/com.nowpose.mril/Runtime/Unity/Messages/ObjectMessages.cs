@@ -11,8 +11,8 @@ namespace Nowpose.Unity.Messages
         public const string Disabled = "the component is disabled; enable or remove it";
 
         public const string DisabledByItself =
-            "one of its events has disabled it, or has switched off its object or a parent, so it raises no more events; let the event switch "
-            + "another object, such as a child";
+            "one of its events has disabled it, or has switched off its object or a parent, so it raises no more events; select another "
+            + "object in the event, such as a child";
 
         public const string MovedTwice = "moved by another component";
         public const string SignalNotCurrent = "signal not current";
