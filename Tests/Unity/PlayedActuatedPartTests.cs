@@ -34,6 +34,24 @@ public class PlayedActuatedPartTests : PlayedParts
         Assert.That(part.Share, Is.EqualTo(1).Within(1e-6));
     }
 
+    // While it is switched off, an object may be copied or, in a pool, get another place.
+    [Test]
+    public void ActuatedPart_ObjectIsSwitchedOff_ReturnsToThePoseForZero([Values(0f, 0.3f)] float place)
+    {
+        var part = Below<ActuatedPart>("jaw", _session.transform).With("_wayMetres", new Vector3(0, 0, 0.02f)).With("_strokeMs", 0f);
+        Run(1);
+        SendSignal("jaw", _cell.Now - 1, 1);
+        Run(0.5);
+
+        part.gameObject.SetActive(false);
+        Assert.That((part.Share, part.transform.localPosition), Is.EqualTo((0f, Vector3.zero)));
+        part.transform.localPosition = new Vector3(0, 0, place);
+        part.gameObject.SetActive(true);
+        Run(0.5);
+
+        Assert.That(part.transform.localPosition.z, Is.EqualTo(place + 0.02f).Within(1e-6));
+    }
+
     // A model in millimetres has the scale 0.001. A cell in miniature is scaled as a whole.
     [TestCase(0.001f, 1f)]
     [TestCase(0.001f, 0.1f)]

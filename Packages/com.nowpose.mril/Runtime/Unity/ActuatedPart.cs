@@ -110,6 +110,8 @@ namespace Nowpose.Unity
             _follower = null;
             _source.Movers.Remove(this);
             if (_conflict != null) SetOther(default);
+            // An object that is switched off may get another place, or be copied, before it is switched on again.
+            else if (!gameObject.activeInHierarchy) Move(0);
             _source = null;
         }
 
