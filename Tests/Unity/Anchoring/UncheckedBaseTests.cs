@@ -46,6 +46,19 @@ public class UncheckedBaseTests
         Assert.That(states, Is.EqualTo(new[] { BaseAnchorState.Searching, BaseAnchorState.Locked, BaseAnchorState.Moved }));
     }
 
+    // Unity does not let a listener switch objects on or off at that time.
+    [Test]
+    public void Object_SwitchedOff_RaisesNoEvent()
+    {
+        _played.PlayLocked();
+        var raised = 0;
+        _played.Anchor.StateChanged += () => raised++;
+
+        _played.Anchor.gameObject.SetActive(false);
+
+        Assert.That((_played.Anchor.State, raised), Is.EqualTo((BaseAnchorState.Searching, 0)));
+    }
+
     [Test]
     public void Component_DisabledFromTheStart_BaseLooksNotLocked()
     {
@@ -71,7 +84,7 @@ public class UncheckedBaseTests
     [TestCase(1f, true, 0)]
     [TestCase(0.5f, false, 0)]
     [TestCase(0.5f, true, 1)]
-    public void Scale_OfAParent_IsLoggedOnceIfThereAreMarkers(float scale, bool hasMarkers, int logged)
+    public void Scale_OfAParent_IsLoggedEachTimeItBecomesWrongIfThereAreMarkers(float scale, bool hasMarkers, int logged)
     {
         _played.Session.transform.localScale = scale * Vector3.one;
         if (hasMarkers) _played.PlayOne();
@@ -80,6 +93,12 @@ public class UncheckedBaseTests
         _played.Cell.Run(2, _played.Session);
 
         var words = BaseMessages.Scaled(_played.Anchor.transform.lossyScale);
-        Assert.That(_played.Logged.Count(message => message.EndsWith(words)), Is.EqualTo(logged));
+        int Logged() => _played.Logged.Count(message => message.EndsWith(words));
+        Assert.That(Logged(), Is.EqualTo(logged));
+        _played.Session.transform.localScale = Vector3.one;
+        _played.Cell.Run(1, _played.Session);
+        _played.Session.transform.localScale = scale * Vector3.one;
+        _played.Cell.Run(1, _played.Session);
+        Assert.That(Logged(), Is.EqualTo(2 * logged));
     }
 }

@@ -83,7 +83,7 @@ namespace Nowpose.Unity
         /// <summary>Raised when <see cref="Place"/> or <see cref="Nudge"/> moves the anchor.</summary>
         public event Action Moved;
 
-        /// <summary>Raised when <see cref="State"/> or <see cref="Words"/> changes.</summary>
+        /// <summary>Raised when <see cref="State"/> or <see cref="Words"/> changes, except when the object is switched off.</summary>
         public event Action StateChanged;
 
         /// <summary>Name of the robot cell, under which the headset saves the pose. If the name is empty, the pose is not saved.</summary>
@@ -180,7 +180,11 @@ namespace Nowpose.Unity
             Notify();
         }
 
-        void OnDisable() => Notify();
+        // While Unity switches an object off, or ends the scene, listeners must not switch objects on or off.
+        void OnDisable()
+        {
+            if (gameObject.activeInHierarchy) Notify();
+        }
 
         void OnDestroy() => Tracker?.Release();
 
@@ -227,9 +231,9 @@ namespace Nowpose.Unity
 
         void ReportScale()
         {
-            if (_loggedScale || !IsScaledWithMarkers) return;
-            _loggedScale = true;
-            ConsoleLog.Warn(this, ComponentMessages.Of("base anchor", name, BaseMessages.Scaled(transform.lossyScale)));
+            var wasScaled = _loggedScale;
+            _loggedScale = IsScaledWithMarkers;
+            if (!wasScaled && _loggedScale) ConsoleLog.Warn(this, ComponentMessages.Of("base anchor", name, BaseMessages.Scaled(transform.lossyScale)));
         }
 
         void TrackFields()

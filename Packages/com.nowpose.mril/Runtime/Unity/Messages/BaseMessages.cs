@@ -17,7 +17,7 @@ namespace Nowpose.Unity.Messages
             $"its scale in the scene is ({scale.x:0.###}, {scale.y:0.###}, {scale.z:0.###}), so the robot has another size than the real robot, at ")
             + "which the markers place it; set the scale of the object and of its parents to 1";
 
-        public const string Disabled = "the component Base Anchor is disabled, so nothing checks the base; enable it";
+        public const string Disabled = "the Base Anchor or its object is disabled, so nothing checks the base; enable both";
         public const string Destroyed = "its Base Anchor was destroyed; add another one, and disable and enable this object";
 
         public const string NoMarkerSource =
