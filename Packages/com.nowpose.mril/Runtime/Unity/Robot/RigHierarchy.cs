@@ -15,13 +15,14 @@ namespace Nowpose.Unity.Robot
         readonly Transform[] _links;
         readonly JointDrive[] _drives;
 
-        /// <summary>Constructs the hierarchy, and moves all links except the root to joint position 0.</summary>
+        /// <summary>Constructs the hierarchy, and moves all links to joint position 0, and the root link to the rig.</summary>
         /// <param name="links">One transform per link of the model, in the order of the model.</param>
         RigHierarchy(RobotModel model, Transform[] links)
         {
             _model = model;
             _links = links;
             _drives = new JointDrive[model.MovingJoints.Count];
+            links[0].Place(RigidTransform.Identity);
             for (var i = 1; i < links.Length; i++)
             {
                 var joint = model.Links[i].ParentJoint;

@@ -122,6 +122,20 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
+        public void Bind_RootLinkIsMoved_IsPlacedAtTheRig()
+        {
+            var model = UrdfFiles.Robot("ur5");
+            var rig = NewRig();
+            var root = _scene.Links(model, rig.transform)["base_link"];
+            root.localPosition = new Vector3(0.1f, 0, 0);
+            root.localRotation = Quaternion.Euler(0, 90, 0);
+
+            rig.Bind(model);
+
+            Assert.That((root.localPosition, root.localRotation), Is.EqualTo((Vector3.zero, Quaternion.identity)));
+        }
+
+        [Test]
         public void Bind_ScaledRig_IsAccepted()
         {
             var rig = NewRig();
