@@ -46,8 +46,9 @@ namespace Nowpose.Session.Cell
             {
                 var isKnown = _values.TryGetValue(arrived.Value.Name, out var kept);
                 if (!isKnown && _values.Count >= ProtocolLimits.Signals) return DropReason.TooManySignals;
-                _values[arrived.Value.Name] = isKnown ? Newest(kept, arrived) : (arrived, arrived);
-                return isKnown ? DropReason.SlowReader : DropReason.None;
+                var isDropped = false;
+                _values[arrived.Value.Name] = isKnown ? Newest(kept, arrived, out isDropped) : (arrived, arrived);
+                return isDropped ? DropReason.SlowReader : DropReason.None;
             }
         }
 
@@ -66,11 +67,17 @@ namespace Nowpose.Session.Cell
             }
         }
 
-        static (ArrivedSignal First, ArrivedSignal Newest) Newest(in (ArrivedSignal First, ArrivedSignal Newest) kept, in ArrivedSignal arrived)
+        static (ArrivedSignal First, ArrivedSignal Newest) Newest(
+            in (ArrivedSignal First, ArrivedSignal Newest) kept, in ArrivedSignal arrived, out bool isDropped)
         {
-            var newest = LateValues.IsOvertaken(arrived.Stamp, kept.Newest.Stamp) ? kept.Newest : arrived;
-            if (arrived.Value.Value == kept.Newest.Value.Value) return (kept.First, newest);
-            // One of the two values is dropped.
+            var isOvertaken = LateValues.IsOvertaken(arrived.Stamp, kept.Newest.Stamp);
+            var newest = isOvertaken ? kept.Newest : arrived;
+            if (arrived.Value.Value == kept.Newest.Value.Value)
+            {
+                isDropped = isOvertaken || kept.Newest.Arrival != kept.First.Arrival;
+                return (kept.First, newest);
+            }
+            isDropped = true;
             newest = newest.AfterLostChange();
             return (newest, newest);
         }
