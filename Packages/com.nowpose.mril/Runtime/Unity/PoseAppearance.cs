@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using Nowpose.Session;
-using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
@@ -50,8 +49,6 @@ namespace Nowpose.Unity
         MaterialPropertyBlock _block;
         PoseLabel _label;
         DisplayFrame _frame;
-        BaseAnchor _anchor;
-        BaseLook _base;
         bool _isOn, _isEnded, _isDestroyed;
         float _opacity = 1;
 
@@ -130,8 +127,6 @@ namespace Nowpose.Unity
             _places.Add(transform, transform, _frame, _source);
             GetComponentsInChildren(true, _below);
             _below.RemoveAll(each => each == this || !each.IsOwner);
-            _anchor = CellPlace.AnchorOf(this, _source);
-            _base = BaseLook.Of(_anchor);
             _carrier = PoseCarrier.Of(transform, _carrier);
             _carriers.Add(_carrier);
             foreach (var each in _found)
@@ -212,11 +207,11 @@ namespace Nowpose.Unity
 
         MrilSession Searched => this.SessionOfParts(_session, _rig);
 
-        /// <summary>Follows the session, rig and anchor again if they have changed.</summary>
+        /// <summary>Follows the session and rig again if they have changed.</summary>
         internal void FindSession()
         {
             if (!isActiveAndEnabled) return;
-            if (Searched == _source && _rig == GetComponentInParent<RobotRig>() && _anchor == CellPlace.AnchorOf(this, _source)) return;
+            if (Searched == _source && _rig == GetComponentInParent<RobotRig>()) return;
             OnDisable();
             OnEnable();
         }
@@ -238,9 +233,6 @@ namespace Nowpose.Unity
             (_frame, _isEnded) = (frame, false);
             hasChanged |= _carriers.Update();
             hasChanged |= _signals.Update();
-            var known = BaseLook.Of(_anchor);
-            hasChanged |= !known.IsSameAs(_base);
-            _base = known;
             if (hasChanged) Draw();
             else FollowMaterials();
         }
@@ -270,7 +262,7 @@ namespace Nowpose.Unity
         PoseLook LookOf(PartPlace place)
         {
             if (_isEnded) return PoseLook.NoSession;
-            var look = _base.Over(place.State.IsUnplaced ? PoseLook.Unplaced : PoseLook.Of(place.State.Pose, place.OutsideRange));
+            var look = place.Base.Over(place.State.IsUnplaced ? PoseLook.Unplaced : PoseLook.Of(place.State.Pose, place.OutsideRange));
             return look.IsDrawn && _carriers.Unmoved is PoseCarrier unmoved ? unmoved.Unmoved(look) : look;
         }
 

@@ -71,6 +71,9 @@ namespace Nowpose.Unity
 
         internal bool IsOf(MrilSession session) => this.IsOf(_session, session);
 
+        /// <summary>The transform that is the frame <c>world</c>; null while the rig is disabled, equal to null if it was destroyed.</summary>
+        internal Transform World => _source != null ? _robot.World : null;
+
         /// <summary>Namespace of the robot in the cell; empty for the session's own robot.</summary>
         public string RobotNamespace => _robotNamespace ?? "";
 
@@ -218,8 +221,7 @@ namespace Nowpose.Unity
         void Start()
         {
             if (_source != null) FollowRobot();
-            else if (Model == null)
-                ConsoleLog.Warn(this, ComponentMessages.RigWithoutSession(name));
+            else if (Model == null) ConsoleLog.Warn(this, ComponentMessages.RigWithoutSession(name));
         }
 
         void OnDestroy()
@@ -273,8 +275,7 @@ namespace Nowpose.Unity
             var look = new PlainLook(_armMaterial != null ? _armMaterial : plain, _toolMaterial != null ? _toolMaterial : plain);
             var links = RigBuilder.Build(model, transform, look);
             made = look.Made;
-            if (look.LacksMaterial && !_isMaterialReported)
-                ConsoleLog.Warn(this, RigMessages.NoMaterial(name, made != null));
+            if (look.LacksMaterial && !_isMaterialReported) ConsoleLog.Warn(this, RigMessages.NoMaterial(name, made != null));
             _isMaterialReported |= look.LacksMaterial;
             return links;
         }

@@ -61,6 +61,8 @@ namespace Nowpose.Unity
 
         MrilSession IFollowsSession.AssignedSession => _session;
 
+        Transform ICellObject.World => _followed?.World;
+
         bool ICellObject.IsUnplaced => _followed != null && !_followed.IsKnown;
 
         bool ICellObject.IsFixed => _followed != null && _followed.IsFixed;

@@ -53,6 +53,8 @@ namespace Nowpose.Unity
 
         MrilSession IFollowsSession.AssignedSession => _session;
 
+        Transform ICellObject.World => _followed?.World;
+
         bool ICellObject.IsUnplaced => false;
 
         bool ICellObject.IsFixed => _followed != null && _followed.IsFixed;

@@ -1,4 +1,5 @@
 using Nowpose.Session;
+using UnityEngine;
 
 namespace Nowpose.Unity.Cell
 {
@@ -7,6 +8,11 @@ namespace Nowpose.Unity.Cell
     {
         /// <summary>State of the object's pose. If the object is not shown where it is at the display time, the state gives the reason.</summary>
         PoseState State { get; }
+
+        /// <summary>
+        /// The transform that is the frame <c>world</c> for this object; null while the object follows no frame, equal to null if it was destroyed.
+        /// </summary>
+        Transform World { get; }
 
         /// <summary>Whether the object is still at its pose from the scene, because neither the user nor a source has placed it.</summary>
         bool IsUnplaced { get; }

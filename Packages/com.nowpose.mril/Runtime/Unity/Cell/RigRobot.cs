@@ -19,7 +19,6 @@ namespace Nowpose.Unity.Cell
         readonly RobotDescriptionAsset _description;
         readonly MrilSession _source;
         readonly JointStatusLine _missingJoints = new JointStatusLine(isOfMissing: true, () => DateTime.Now);
-        Transform _world;
         CompensationSession _session;
         SessionRobot _robot;
         string _sameRobot;
@@ -97,7 +96,7 @@ namespace Nowpose.Unity.Cell
         bool IsSecond => _sameRobot != null && _source.Robots.FirstDisplayed(_robot, _session) != this;
 
         // The rig follows the base, but its frame was destroyed.
-        bool HasLostBase => _world == null && _robot != null && _robot.HasRootFrame;
+        bool HasLostBase => World == null && _robot != null && _robot.HasRootFrame;
 
         bool IsOwn => _name.Length == 0;
 
@@ -107,11 +106,14 @@ namespace Nowpose.Unity.Cell
         /// <summary>The robot in the session of the last frame; null while the session has no such robot.</summary>
         public SessionRobot Robot => _robot;
 
+        /// <summary>The transform that is the frame <c>world</c>; equal to null if it was destroyed. The base then stays where it is.</summary>
+        public Transform World { get; private set; }
+
         /// <summary>Returns the state of the robot's pose in a frame of the session.</summary>
         public PoseState StateIn(DisplayFrame frame)
         {
             var state = IsOwn ? _source.StateIn(frame) : _robot == null ? PoseState.Incomplete : _robot.Frame.State;
-            return HasLostBase ? CellPlace.StateIn(_world, state) : state;
+            return HasLostBase ? CellPlace.StateIn(World, state) : state;
         }
 
         /// <summary>Returns the robot that this rig shows in a session; null if it has not been added.</summary>
@@ -133,7 +135,7 @@ namespace Nowpose.Unity.Cell
         }
 
         /// <summary>Finds the frame <c>world</c>. Call it when the rig or one of its parents has got a new parent.</summary>
-        public void FindWorld() => _world = CellPlace.WorldOf(_rig, _source);
+        public void FindWorld() => World = CellPlace.WorldOf(_rig, _source);
 
         /// <summary>Removes the robot from the session's parts.</summary>
         public void Leave()
@@ -153,9 +155,9 @@ namespace Nowpose.Unity.Cell
         /// <returns>Whether the cell has this frame.</returns>
         public bool PlaceBase()
         {
-            if (_robot == null || !_robot.HasRootFrame || _world == null) return false;
+            if (_robot == null || !_robot.HasRootFrame || World == null) return false;
             var tree = _session.Frames.Tree;
-            _rig.transform.PlaceIn(_world, _rig.Shows == RigPose.Held ? tree.HeldOf(tree.IndexOf(_robot.Root)) : _robot.RootPose);
+            _rig.transform.PlaceIn(World, _rig.Shows == RigPose.Held ? tree.HeldOf(tree.IndexOf(_robot.Root)) : _robot.RootPose);
             return true;
         }
 

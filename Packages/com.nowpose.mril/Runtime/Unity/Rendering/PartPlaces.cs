@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>The parts of an appearance that one object, rig or gripper moves, with the state of their pose that was last drawn.</summary>
+    /// <summary>The parts of an appearance that one object, rig, gripper or anchor moves, with the state of their pose that was last drawn.</summary>
     sealed class PartPlace
     {
         public PartPlace(Transform mover) => Mover = mover;
@@ -15,14 +15,18 @@ namespace Nowpose.Unity.Rendering
 
         public OutsideRangeResponse OutsideRange { get; private set; }
 
+        /// <summary>The look that the state of the anchor requires.</summary>
+        public BaseLook Base { get; private set; }
+
         /// <summary>Reads the state again.</summary>
         /// <returns>Whether it has changed.</returns>
         public bool Update(DisplayFrame frame, MrilSession source)
         {
-            var before = State;
+            var (before, known) = (State, Base);
             State = PlacedState.Of(Mover, frame, source);
             OutsideRange = frame.OutsideRange;
-            return State.Pose != before.Pose || State.IsUnplaced != before.IsUnplaced;
+            Base = BaseLook.Of(State.Anchor);
+            return State.Pose != before.Pose || State.IsUnplaced != before.IsUnplaced || !Base.IsSameAs(known);
         }
     }
 
@@ -36,7 +40,7 @@ namespace Nowpose.Unity.Rendering
 
         public int Count => _places.Count;
 
-        /// <summary>Whether an object, rig or gripper that moves parts was destroyed, so that its group no longer has a state. Allocates nothing.</summary>
+        /// <summary>Whether an object, rig, gripper or anchor that moves parts was destroyed, so that its group no longer has a state. Allocates nothing.</summary>
         public bool HasLostMover
         {
             get

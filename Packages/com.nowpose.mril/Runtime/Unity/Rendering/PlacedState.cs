@@ -11,13 +11,20 @@ namespace Nowpose.Unity.Rendering
     /// </remarks>
     readonly struct PlacedState
     {
-        PlacedState(PoseState pose, bool isUnplaced = false)
+        PlacedState(PoseState pose, BaseAnchor anchor, bool isUnplaced = false)
         {
             Pose = pose;
+            Anchor = anchor;
             IsUnplaced = isUnplaced;
         }
 
         public PoseState Pose { get; }
+
+        /// <summary>
+        /// The anchor that places the parts: that in whose frame the cell gives their pose, or else the one above them. Null if there is none: their
+        /// place does not depend on the base.
+        /// </summary>
+        public BaseAnchor Anchor { get; }
 
         /// <summary>Whether the parts are on an object that neither the user nor a source has placed.</summary>
         public bool IsUnplaced { get; }
@@ -33,14 +40,15 @@ namespace Nowpose.Unity.Rendering
                 if (RigAt(at) is RobotRig rig) return Of(rig, frame);
                 if (at.TryGetComponent<ICellObject>(out var shown)) return Of(shown);
             }
-            return new PlacedState(IsOfSignal(parts) && source.Session != null ? source.Session.Frames.StateOfTime : source.StateIn(frame));
+            var state = IsOfSignal(parts) && source.Session != null ? source.Session.Frames.StateOfTime : source.StateIn(frame);
+            return new PlacedState(state, Above(parts));
         }
 
-        /// <summary>Returns the nearest object, rig or gripper at or above a part and below the root; the root if there is none.</summary>
+        /// <summary>Returns the nearest object, rig, gripper or anchor at or above a part and below the root; the root if there is none.</summary>
         public static Transform MoverOf(Transform part, Transform root)
         {
             for (var at = part; at != root; at = at.parent)
-                if (RigAt(at) != null || at.TryGetComponent<ICellObject>(out _)) return at;
+                if (RigAt(at) != null || at.TryGetComponent<ICellObject>(out _) || at.TryGetComponent<BaseAnchor>(out _)) return at;
             return root;
         }
 
@@ -53,14 +61,14 @@ namespace Nowpose.Unity.Rendering
             return at.TryGetComponent<RobotRig>(out var rig) ? rig : null;
         }
 
-        static PlacedState Of(ICellObject shown) => new PlacedState(shown.State, shown.IsUnplaced);
+        static PlacedState Of(ICellObject shown) => new PlacedState(shown.State, On(shown.World), shown.IsUnplaced);
 
         static PlacedState Of(RobotRig rig, DisplayFrame frame)
         {
             var own = rig.StateIn(frame);
-            if (own == PoseState.Incomplete || rig.Robot?.HasRootFrame == true) return new PlacedState(own);
+            if (rig.Robot?.HasRootFrame == true) return new PlacedState(own, On(rig.World));
             var below = OfBase(rig, frame);
-            return new PlacedState(below.Pose < own ? below.Pose : own, below.IsUnplaced);
+            return new PlacedState(below.Pose < own ? below.Pose : own, below.Anchor, below.IsUnplaced && own != PoseState.Incomplete);
         }
 
         // The object that moves the base may be the rig's own object.
@@ -70,9 +78,13 @@ namespace Nowpose.Unity.Rendering
             {
                 if (at.TryGetComponent<ICellObject>(out var shown)) return Of(shown);
                 if (at.TryGetComponent<RobotRig>(out var other) && other != rig)
-                    return other.IsFollowing ? Of(other, frame) : new PlacedState(PoseState.Incomplete);
+                    return other.IsFollowing ? Of(other, frame) : new PlacedState(PoseState.Incomplete, Above(at));
             }
-            return new PlacedState(PoseState.Current);
+            return new PlacedState(PoseState.Current, Above(rig.transform));
         }
+
+        static BaseAnchor Above(Transform parts) => parts.GetComponentInParent<BaseAnchor>(true);
+
+        static BaseAnchor On(Transform world) => world != null && world.TryGetComponent<BaseAnchor>(out var anchor) ? anchor : null;
     }
 }
