@@ -192,6 +192,41 @@ public class ChangedPartsTests : PlayedParts
         Assert.That((IsHatched(moved), appearance.Look.Label), Is.EqualTo((false, "")));
     }
 
+    // A refresh would find the part that the test adds.
+    [TestCaseSource(nameof(OfSignals))]
+    public void Component_SwitchedOffAndOnAtTheSamePlace_DoesNotRefreshTheAppearance(Type component)
+    {
+        var appearance = Child("cabinet", _session.transform).AddComponent<PoseAppearance>();
+        var lamp = Part("lamp", appearance.transform);
+        lamp.gameObject.AddComponent(component);
+        Run(0.1);
+        Part("later", appearance.transform);
+
+        lamp.gameObject.SetActive(false);
+        lamp.gameObject.SetActive(true);
+
+        Assert.That(appearance.PartCount, Is.EqualTo(1));
+    }
+
+    [TestCaseSource(nameof(OfSignals))]
+    public void Component_ReturnedWhileInactive_IsAPartAgain(Type component)
+    {
+        var appearance = Child("cabinet", _session.transform).AddComponent<PoseAppearance>();
+        var lamp = Part("lamp", appearance.transform);
+        lamp.gameObject.AddComponent(component);
+        Run(0.1);
+        lamp.gameObject.SetActive(false);
+        lamp.transform.SetParent(null, false);
+        appearance.Refresh();
+        Assert.That(appearance.PartCount, Is.Zero);
+        lamp.transform.SetParent(appearance.transform, false);
+
+        lamp.gameObject.SetActive(true);
+        Run(0.1);
+
+        Assert.That((appearance.PartCount, IsHatched(lamp)), Is.EqualTo((1, true)), "the signal has no value");
+    }
+
     [Test]
     public void ActuatedPart_Destroyed_StaysWhereItIsWithoutAFault()
     {

@@ -95,7 +95,7 @@ namespace Nowpose.Unity
             TakeRest();
             _stroke = new ActuatedStroke(0, 1, _strokeMs / 1000.0);
             _follower = SignalFollower.Of(this, _session, "actuated part", Signal, Take, restarted: Take);
-            _appearances.Refresh(this);
+            _appearances.RefreshIfMoved(this);
             _source = this.SessionOr(_session);
             if (_source == null) return;
             _world = CellPlace.WorldOf(this, _source);

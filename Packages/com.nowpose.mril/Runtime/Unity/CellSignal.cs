@@ -120,7 +120,7 @@ namespace Nowpose.Unity
         {
             _isOn = null;
             _follower = SignalFollower.Of(this, _session, "signal", Signal, Take, judged: Judge);
-            _appearances.Refresh(this);
+            _appearances.RefreshIfMoved(this);
         }
 
         // Before the session computes its first frame, the value is not current. In OnEnable, other objects may not be ready for the event yet.

@@ -11,6 +11,16 @@ namespace Nowpose.Unity.Rendering
     {
         readonly List<Transform> _above = new List<Transform>();
 
+        /// <summary>
+        /// Refreshes the same appearances as <see cref="Refresh"/>, unless the component has the same parents as at the last call. Call it when the
+        /// component is enabled.
+        /// </summary>
+        public void RefreshIfMoved(Component component)
+        {
+            // A signal may switch its parts on and off at any time. The appearances list inactive and disabled components as well.
+            if (!IsBelowSameParents(component.transform)) Refresh(component);
+        }
+
         /// <summary>Refreshes the appearances above the component, those that were above it at the last call, and those below it.</summary>
         public void Refresh(Component component)
         {
@@ -22,6 +32,14 @@ namespace Nowpose.Unity.Rendering
             for (var i = _above.Count - 1; i >= 0; i--) RefreshAt(_above[i]);
             foreach (var below in component.GetComponentsInChildren<PoseAppearance>(true))
                 if (below.transform != component.transform) below.Refresh();
+        }
+
+        bool IsBelowSameParents(Transform component)
+        {
+            var count = 0;
+            for (var at = component; at != null; at = at.parent, count++)
+                if (count == _above.Count || _above[count] != at) return false;
+            return count == _above.Count;
         }
 
         static void RefreshAt(Transform place)
