@@ -178,7 +178,7 @@ public class ChangedPartsTests : PlayedParts
         jaw.enabled = false;
         SendSignal("jaw", _cell.Now - Latency, 0);
         Run(0.5);
-        Assert.That((jaw.transform.localPosition, jaw.Fault), Is.EqualTo((end, ObjectMessages.Disabled)));
+        Assert.That((jaw.transform.localPosition, jaw.Fault), Is.EqualTo((end, ObjectMessages.Disabled("actuated part", "jaw"))));
         Assert.That((IsHatched(moved), appearance.Look.Label), Is.EqualTo((true, ObjectMessages.SignalNotCurrent)));
 
         jaw.gameObject.SetActive(false);

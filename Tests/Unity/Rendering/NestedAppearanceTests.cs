@@ -201,6 +201,6 @@ public class NestedAppearanceTests : PlayedParts
         signal.enabled = false;
         Run(0.1, Send);
         Assert.That((IsHatched(lamp), IsHatched(belt)), Is.EqualTo((true, false)), "a disabled component follows no signal");
-        Assert.That(conveyor.GetComponent<PoseAppearance>().Look.Reason, Is.EqualTo(ObjectMessages.Disabled));
+        Assert.That(conveyor.GetComponent<PoseAppearance>().Look.Reason, Is.EqualTo(ObjectMessages.Disabled("signal", "lamp")));
     }
 }

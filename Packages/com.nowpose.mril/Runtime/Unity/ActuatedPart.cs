@@ -46,7 +46,7 @@ namespace Nowpose.Unity
         Vector3 _restPosition;
         Quaternion _restRotation;
         (Component Mover, RobotJoint Joint) _other;
-        string _conflict, _title;
+        string _conflict, _title, _disabled;
 
         /// <summary>Name of the signal.</summary>
         public string Signal => _follower != null ? _follower.Name : string.IsNullOrEmpty(_signal) ? name : _signal;
@@ -59,7 +59,8 @@ namespace Nowpose.Unity
         /// none.
         /// </summary>
         public string Fault =>
-            _conflict ?? (_follower != null ? _follower.Fault : enabled ? StatusMessages.NoSession : ObjectMessages.Disabled);
+            _conflict ?? (_follower != null ? _follower.Fault : enabled ? StatusMessages.NoSession
+                : (_disabled ??= ObjectMessages.Disabled("actuated part", name)));
 
         MrilSession IFollowsSession.AssignedSession => _session;
 
@@ -96,6 +97,7 @@ namespace Nowpose.Unity
             _stroke = new ActuatedStroke(0, 1, _strokeMs / 1000.0);
             _follower = SignalFollower.Of(this, _session, "actuated part", Signal, Take, restarted: Take);
             _appearances.RefreshIfMoved(this);
+            _disabled = null;
             _source = this.SessionOr(_session);
             if (_source == null) return;
             _world = CellPlace.WorldOf(this, _source);

@@ -71,6 +71,7 @@ namespace Nowpose.Unity
         readonly AppearancesOfParts _appearances = new AppearancesOfParts();
         SignalFollower _follower;
         bool? _isOn;
+        string _disabled;
 
         /// <summary>Name of the signal.</summary>
         public string Signal => _follower != null ? _follower.Name : string.IsNullOrEmpty(_signal) ? name : _signal;
@@ -82,7 +83,8 @@ namespace Nowpose.Unity
         public ControlTime? Since => _follower?.Track?.Since;
 
         /// <summary>Reason why the value is not current, in one line; null if it is current.</summary>
-        public string Fault => _follower != null ? _follower.Fault : enabled ? StatusMessages.NoSession : ObjectMessages.Disabled;
+        public string Fault => _follower != null ? _follower.Fault : enabled ? StatusMessages.NoSession
+            : (_disabled ??= ObjectMessages.Disabled("signal", name));
 
         /// <summary>The events of the Inspector.</summary>
         internal UnityEventBase[] Events => new UnityEventBase[]
@@ -121,6 +123,7 @@ namespace Nowpose.Unity
             _isOn = null;
             _follower = SignalFollower.Of(this, _session, "signal", Signal, Take, judged: Judge);
             _appearances.RefreshIfMoved(this);
+            _disabled = null;
         }
 
         // Before the session computes its first frame, the value is not current. In OnEnable, other objects may not be ready for the event yet.

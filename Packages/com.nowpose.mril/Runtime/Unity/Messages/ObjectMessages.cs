@@ -8,7 +8,6 @@ namespace Nowpose.Unity.Messages
     static class ObjectMessages
     {
         public const string OtherMover = "the tracked or stationary object on the same object moves it; put the actuated part on a child object";
-        public const string Disabled = "the component is disabled; enable or remove it";
 
         public const string DisabledByItself =
             "one of its events has disabled it, or has switched off its object or a parent, so it raises no more events; select another "
@@ -21,6 +20,8 @@ namespace Nowpose.Unity.Messages
         public const string FromGripper = "a gripper";
         public const string PlacedByHand = "placed by hand";
         public const string RobotUnknown = "its robot is unknown";
+
+        public static string Disabled(string kind, string component) => $"{kind} '{component}' is disabled; enable or remove it";
 
         public static string MovedByJoint(string rig, string joint) =>
             $"joint '{joint}' of the rig '{rig}' moves the same object; put the actuated part on a child object";
