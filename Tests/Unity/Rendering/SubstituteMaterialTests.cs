@@ -1,3 +1,4 @@
+using Nowpose.Session;
 using Nowpose.Unity;
 using Nowpose.Unity.Messages;
 using Nowpose.UnityPlayer;
@@ -106,6 +107,43 @@ public sealed class SubstituteMaterialTests
         Assert.That(said[0].Message, Does.Contain("'Substitute'").And.Contain("NowposePose.hlsl"));
     }
 
+    // Several materials also include those that are replaced only because a property block sets the alpha of all of them.
+    [Test]
+    public void Show_UnsuitableMaterialAssignedLater_LogsOnce([Values] bool current, [Values] bool substitute, [Values] bool several)
+    {
+        List<PlayerLogEntry> Said() => [.. _played.Cell.Player.Logs.Where(l => l.Message.Contains("of 'Tool'", StringComparison.Ordinal))];
+        if (!substitute) _played.Appearance.With("_substitute", null);
+        _played.Tool.sharedMaterial = NewMaterial("Hologram", ("_Fade", 0), ("_Hatch", 0));
+        _played.BeCurrent();
+        if (!current) _played.Hold();
+
+        _played.Tool.sharedMaterials = several ? [Blended("_Color", 0.8f), Blended("_Color", 0.8f)] : [NewMaterial("Steel")];
+        if (current) _played.Hold();
+        else _played.Cell.Frame(_played.Session);
+        var said = Said();
+        _played.Appearance.Refresh();
+
+        Assert.That(said.Select(l => l.Type), Is.EqualTo(new[] { substitute ? LogType.Log : LogType.Warning }));
+        Assert.That(said[0].Message, Does.Contain(several ? "'Glass'" : "'Steel'"));
+        Assert.That(Said(), Has.Count.EqualTo(1));
+    }
+
+    // The LateUpdate of the appearance has already run, so only the computation right before rendering can mark the material in the same frame.
+    [Test]
+    public void Show_MaterialAssignedAfterLateUpdate_IsMarkedBeforeRendering()
+    {
+        _played.Session.Settings = new SessionSettings(
+            PlayedCell.Offline.Connection, PlayedCell.Offline.Visualisation, rewriteBeforeRender: true);
+        _played.Tool.sharedMaterial = NewMaterial("Steel");
+        _played.BeCurrent();
+        _played.Hold();
+
+        _played.Tool.gameObject.AddComponent<LatePainter>().Assigned = NewMaterial("Brass");
+        _played.Cell.Frame(_played.Session);
+
+        Assert.That(_played.Tool.sharedMaterial, Is.SameAs(_played.Substitute));
+    }
+
     [Test]
     public void Show_OpaqueWithoutASubstitute_IsHiddenAndWarnsOnce()
     {
@@ -131,5 +169,13 @@ public sealed class SubstituteMaterialTests
         _played.Hold();
 
         Assert.That(_played.Tool.isVisible, Is.False);
+    }
+
+    [DefaultExecutionOrder(MrilSession.ExecutionOrder + 2)]
+    sealed class LatePainter : MonoBehaviour
+    {
+        public Material Assigned { get; set; }
+
+        void LateUpdate() => GetComponent<Renderer>().sharedMaterial = Assigned;
     }
 }

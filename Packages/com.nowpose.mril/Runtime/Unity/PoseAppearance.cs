@@ -50,6 +50,7 @@ namespace Nowpose.Unity
         PoseLabel _label;
         DisplayFrame _frame;
         bool _isOn, _isEnded, _isDestroyed;
+        int _followedFrame;
         float _opacity = 1;
 
         /// <summary>
@@ -136,7 +137,6 @@ namespace Nowpose.Unity
                 part.Place = _places.Add(each.transform, transform, _frame, _source);
                 _carriers.Add(part.Carrier);
                 _signals.Add(part.Signals);
-                if (part.HasUnsuitableMaterial) _unsuitable.Report(this, part.UnsuitableMaterial, each, _materials.Substitute);
             }
             Draw();
         }
@@ -219,6 +219,7 @@ namespace Nowpose.Unity
         void LateUpdate()
         {
             _label.Face(_words);
+            _followedFrame = Time.frameCount;
             FollowMaterials();
             // An appearance on an inactive object is disabled or destroyed without a message to its script.
             if (_below.Exists(each => each == null || !each.IsOwner)) Refresh();
@@ -234,7 +235,8 @@ namespace Nowpose.Unity
             hasChanged |= _carriers.Update();
             hasChanged |= _signals.Update();
             if (hasChanged) Draw();
-            else FollowMaterials();
+            // Otherwise LateUpdate follows them; it does not run after the computation right before rendering.
+            else if (_followedFrame == Time.frameCount) FollowMaterials();
         }
 
         void ShowNoSession()
@@ -249,6 +251,7 @@ namespace Nowpose.Unity
             {
                 if (_isEnded) part.ShowNoSession(_opacity);
                 else part.Draw(WithSignal(LookOf(part.Place), _signals.Of(part)), _opacity);
+                _unsuitable.Report(this, part, _materials.Substitute);
             }
             _label.Set(_words, Look.Label);
         }
@@ -256,7 +259,8 @@ namespace Nowpose.Unity
         // A script or an event may assign another material at any time.
         void FollowMaterials()
         {
-            foreach (var part in _parts.Values) part.FollowMaterials();
+            foreach (var part in _parts.Values)
+                if (part.FollowMaterials()) _unsuitable.Report(this, part, _materials.Substitute);
         }
 
         PoseLook LookOf(PartPlace place)

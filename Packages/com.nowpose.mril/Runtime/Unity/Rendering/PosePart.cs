@@ -37,6 +37,9 @@ namespace Nowpose.Unity.Rendering
             _materials = materials;
         }
 
+        /// <summary>The renderer; equal to null if it was destroyed.</summary>
+        public Renderer Renderer => _renderer;
+
         public bool IsDrawn => _isPoseDrawn && !_isHidden;
 
         /// <summary>The group of parts to which the part belongs, with the state of their pose.</summary>
@@ -51,17 +54,18 @@ namespace Nowpose.Unity.Rendering
         /// </summary>
         public List<MonoBehaviour> Signals { get; } = new List<MonoBehaviour>();
 
-        /// <summary>Whether one of the part's materials cannot mark a pose as not current.</summary>
-        public bool HasUnsuitableMaterial => _material.Means == PoseMeans.None;
+        /// <summary>Whether one of the part's materials, when it was last drawn, cannot mark a pose as not current.</summary>
+        public bool HasUnsuitableMaterial => _material.Means == PoseMeans.None && _renderer != null;
 
         /// <summary>The first material of a part that cannot mark a pose as not current; null if that material is missing.</summary>
         public Material UnsuitableMaterial
         {
             get
             {
-                foreach (var material in _isSubstituted ? new List<Material>(_own) : _materials.In(_renderer))
-                    if (_materials.Of(material).Means == PoseMeans.None) return material;
-                return _renderer.sharedMaterial;
+                var own = _isSubstituted ? (IReadOnlyList<Material>)_own : _materials.In(_renderer);
+                for (var i = 0; i < own.Count; i++)
+                    if (_materials.Of(own[i]).Means == PoseMeans.None) return own[i];
+                return own.Count > 0 ? own[0] : null;
             }
         }
 
@@ -102,9 +106,12 @@ namespace Nowpose.Unity.Rendering
         public void ShowNoSession(float opacity) => Show(PoseLook.NoSession, opacity);
 
         /// <summary>Draws the part again if it is marked, and its materials have changed since it was drawn. Allocates nothing if they have not.</summary>
-        public void FollowMaterials()
+        /// <returns>Whether the part was drawn again.</returns>
+        public bool FollowMaterials()
         {
-            if (_isMarked && _renderer != null && !IsSame(_materials.In(_renderer), _drawn)) Show(_look, _opacity);
+            if (!_isMarked || _renderer == null || IsSame(_materials.In(_renderer), _drawn)) return false;
+            Show(_look, _opacity);
+            return true;
         }
 
         /// <summary>Restores the original look of the renderer.</summary>
@@ -117,10 +124,7 @@ namespace Nowpose.Unity.Rendering
                 else if (_isPatternSet) SetPattern(_ownFade, _ownHatch);
                 _renderer.forceRenderingOff = _isOwnOff;
             }
-            _isTaken = false;
-            _isMarked = false;
-            _isPatternSet = false;
-            _isHidden = false;
+            _isTaken = _isMarked = _isPatternSet = _isHidden = false;
             _isPoseDrawn = true;
         }
 

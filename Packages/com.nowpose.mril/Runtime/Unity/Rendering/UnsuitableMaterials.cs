@@ -11,13 +11,16 @@ namespace Nowpose.Unity.Rendering
         readonly HashSet<Object> _reported = new HashSet<Object>();
 
         /// <param name="appearance">The component that a click on the logged line selects.</param>
-        /// <param name="material">The material; null if the renderer has none.</param>
+        /// <param name="part">A part that was drawn with its present materials.</param>
         /// <param name="substitute">Material that is drawn instead; null if the part is hidden.</param>
-        public void Report(Component appearance, Material material, Renderer part, Material substitute)
+        public void Report(Component appearance, PosePart part, Material substitute)
         {
+            if (!part.HasUnsuitableMaterial) return;
+            var material = part.UnsuitableMaterial;
             var isMissing = material == null;
-            if (!_reported.Add(isMissing ? (Object)part : material)) return;
-            var problem = isMissing ? AppearanceMessages.NoMaterial(part.name) : AppearanceMessages.NotFadeable(material.name, part.name);
+            if (!_reported.Add(isMissing ? (Object)part.Renderer : material)) return;
+            var name = part.Renderer.name;
+            var problem = isMissing ? AppearanceMessages.NoMaterial(name) : AppearanceMessages.NotFadeable(material.name, name);
             var remedy = isMissing ? AppearanceMessages.AssignMaterial : AppearanceMessages.ChangeShader;
             if (substitute != null) ConsoleLog.Info(appearance, AppearanceMessages.Substituted(appearance.name, problem, substitute.name, remedy));
             else ConsoleLog.Warn(appearance, AppearanceMessages.Hidden(appearance.name, problem, remedy));
