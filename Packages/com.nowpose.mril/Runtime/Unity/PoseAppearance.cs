@@ -113,6 +113,7 @@ namespace Nowpose.Unity
         /// <summary>
         /// Updates the list of renderers below this object. Call it after renderers were added or removed; after a move, call it first for the former
         /// appearance. It is called when this component is enabled or moved, a rig is built, or a signal, actuated part or gripper is added or moved.
+        /// The move of an object that has never been active is not reported to its scripts.
         /// </summary>
         public void Refresh()
         {

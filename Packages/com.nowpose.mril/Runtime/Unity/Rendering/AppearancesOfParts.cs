@@ -22,6 +22,10 @@ namespace Nowpose.Unity.Rendering
         }
 
         /// <summary>Refreshes the appearances above the component, those that were above it at the last call, and those below it.</summary>
+        /// <remarks>
+        /// A component whose object was never active has not called this method, because Unity calls none of its methods. If the object is moved before
+        /// it is first active, its former appearances therefore keep its parts.
+        /// </remarks>
         public void Refresh(Component component)
         {
             // An appearance restores the parts that it no longer draws. It must do this before another one stores their original look.
