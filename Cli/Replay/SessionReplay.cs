@@ -46,7 +46,7 @@ sealed class SessionReplay
         _stampErrors = new RandomStream(settings.Seed, 3);
         var prediction = PredictionOf(session.Header.Prediction, settings);
         _followsPlans = prediction.FollowsPlans;
-        _joints = [.. session.Header.Joints.Select(joint => prediction.Create(prediction.Bounded(joint.Limits, joint.Unit == "rad")))];
+        _joints = [.. session.Header.Joints.Select(joint => prediction.Create(joint.BoundedBy(prediction)))];
         _runs = new JointRun[_joints.Length];
         _errors = [.. _joints.Select(_ => new AxisError())];
     }

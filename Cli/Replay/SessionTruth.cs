@@ -9,7 +9,7 @@ sealed class SessionTruth
     public SessionTruth(RecordedSession session)
     {
         var prediction = session.Header.Prediction;
-        var isEndless = session.Header.Joints.Select(joint => prediction.Bounded(joint.Limits, joint.Unit == "rad").IsEndless).ToArray();
+        var isEndless = session.Header.Joints.Select(joint => joint.BoundedBy(prediction).IsEndless).ToArray();
         _joints = [.. isEndless.Select(_ => (new List<int>(), new List<RecordedTruth>()))];
         foreach (var sample in session.Events)
         {

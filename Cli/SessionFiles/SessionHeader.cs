@@ -11,5 +11,9 @@ namespace Nowpose.Cli.SessionFiles;
 sealed record SessionHeader(string Robot, int RobotJoints, IReadOnlyList<SessionHeader.Joint> Joints, PredictionSettings Prediction)
 {
     /// <param name="Unit">Unit of the position: rad or m.</param>
-    public readonly record struct Joint(string Name, string Unit, JointLimits Limits);
+    public readonly record struct Joint(string Name, string Unit, JointLimits Limits)
+    {
+        /// <inheritdoc cref="PredictionSettings.Bounded"/>
+        public JointLimits BoundedBy(PredictionSettings prediction) => prediction.Bounded(Limits, Unit == "rad");
+    }
 }
