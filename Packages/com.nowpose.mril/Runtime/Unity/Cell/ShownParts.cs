@@ -92,7 +92,8 @@ namespace Nowpose.Unity.Cell
             Summary = _count == 0 ? "" : _notCurrent == 0 ? _count + " current" : StatusMessages.NotCurrent(_notCurrent);
         }
 
-        // Parts whose time is unknown come first, for example those without data yet, then those that failed last, as in the diagnostics. Otherwise, the order is that of the scene.
+        // Parts whose time is unknown come first, for example those without data yet, then those that failed last, as in the diagnostics. Otherwise, the
+        // order is that of the scene.
         // List.Sort is not stable, and allocates on Mono.
         void AddFault((string Title, string Fault, ControlTime? Since) fault)
         {
