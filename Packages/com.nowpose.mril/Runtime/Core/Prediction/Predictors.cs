@@ -164,8 +164,8 @@ namespace Nowpose.Prediction
                 new Candidate(components, new MeanForecaster(), new CandidateGate(MeanGate, MeanGate, untestedRatio: MeanGate))
             };
             if (Has(parts, PredictionParts.Repetition))
-                candidates.Add(new Candidate(components, new TemplateForecaster(components, history, matchInterval), new CandidateGate(TemplateGate, StartGate)));
-            if (Has(parts, PredictionParts.Braking)) candidates.Add(new Candidate(components, new BrakingForecaster(components, history), braking));
+                candidates.Add(new Candidate(components, new TemplateForecaster(history, matchInterval), new CandidateGate(TemplateGate, StartGate)));
+            if (Has(parts, PredictionParts.Braking)) candidates.Add(new Candidate(components, new BrakingForecaster(history), braking));
             if (Has(parts, PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
                 candidates.Add(new Candidate(components, new ProfileForecaster(limits), new CandidateGate(ProfileGate, ProfileGate)));
             return new Mixture(components, limits, parts, forecasters, candidates.ToArray(), jumps);

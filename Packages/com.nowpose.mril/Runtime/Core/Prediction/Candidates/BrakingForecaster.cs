@@ -43,9 +43,8 @@ namespace Nowpose.Prediction.Candidates
         // Index of the time m in the history.
         double _match;
 
-        /// <param name="components">Number of components of a position.</param>
         /// <param name="history">The past of this motion, which candidates share.</param>
-        public BrakingForecaster(int components, MotionHistory history) => (_components, _history) = (components, history);
+        public BrakingForecaster(MotionHistory history) => (_components, _history) = (history.Components, history);
 
         /// <returns>False if the motion does not brake as it has accelerated.</returns>
         public override bool Solve(MotionState motion)

@@ -55,17 +55,16 @@ namespace Nowpose.Prediction.Candidates
         int _refinedNext;
         double _matchedAt;
 
-        /// <param name="components">Number of components of a position.</param>
         /// <param name="history">The past of this motion, which candidates share.</param>
         /// <param name="matchInterval">
         /// Minimum interval between two comparisons with the history, in s; samples between them keep the last matches.
         /// </param>
-        public TemplateForecaster(int components, MotionHistory history, double matchInterval)
+        public TemplateForecaster(MotionHistory history, double matchInterval)
         {
-            (_components, _history, _matchInterval) = (components, history, matchInterval);
+            (_components, _history, _matchInterval) = (history.Components, history, matchInterval);
             _overlay = new MotionOverlay(history);
             _search = new LagSearch(history);
-            _offsets = new double[LagSearch.Kept * components];
+            _offsets = new double[LagSearch.Kept * _components];
         }
 
         /// <returns>False if the history contains no similar motion.</returns>

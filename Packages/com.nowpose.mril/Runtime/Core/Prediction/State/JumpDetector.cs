@@ -1,5 +1,3 @@
-using System;
-
 namespace Nowpose.Prediction.State
 {
     /// <summary>
@@ -22,7 +20,7 @@ namespace Nowpose.Prediction.State
         public void Add(MotionState motion)
         {
             if (motion.Count < 2) Reset();
-            else SamplesSince = IsDiscontinuity(motion) ? 1 : Math.Min(SamplesSince, int.MaxValue - 1) + 1;
+            else SamplesSince = IsDiscontinuity(motion) ? 1 : SampleCount.Next(SamplesSince);
         }
 
         public virtual void Reset() => (SamplesSince, IsUnconfirmed) = (int.MaxValue, false);

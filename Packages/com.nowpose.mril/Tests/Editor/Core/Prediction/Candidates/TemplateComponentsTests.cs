@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             public Fed(params Func<double, double>[] components)
             {
                 _components = components;
-                _forecaster = new TemplateForecaster(components.Length, new MotionHistory(components.Length, maximumGap: 1), matchInterval: 0);
+                _forecaster = new TemplateForecaster(new MotionHistory(components.Length, maximumGap: 1), matchInterval: 0);
                 _motion = new MotionState(components.Length, 0, 8, _buffer.Timing);
             }
 
