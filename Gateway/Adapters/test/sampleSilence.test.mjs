@@ -24,22 +24,6 @@ describe('silence', () => {
     assert.equal(cell.lines.filter(line => line.includes('a fault')).length, 1);
   });
 
-  it('Motion_InterruptedThenReconnected_JointIsInFaultUntilANewerSample', () => {
-    const cell = plant();
-    moveAndStop(cell, 1);
-    const since = cell.status.values()['joint/a'].split(' ')[1];
-
-    // The first value of a new connection, or of a node that is monitored again, is the last value with its old time stamp.
-    cell.output.restart();
-    cell.output.publish([{ joint: 0, value: 0.44, stamp: T + 490n * MS, isFirst: true }]);
-    moveAndStop(cell, 2);
-
-    const [state, later] = cell.status.values()['joint/a'].split(' ');
-    assert.deepEqual([state, cell.stateOf('b'), cell.status.level, later], ['fault', 'live', 2, since]);
-    cell.value(0, 0.9);
-    assert.equal(cell.stateOf('a'), 'live');
-  });
-
   for (const [maxDeceleration, limit, basis] of [[undefined, 12, 'assumed'], [20, 20, 'configured']]) {
     it(`Motion_InterruptedWith${maxDeceleration === undefined ? 'out' : ''}MaxDeceleration_ReasonContainsTheLimitAndItsSource`, () => {
       const cell = plant([{ joint: 'a', maxDeceleration }, { joint: 'b' }]);

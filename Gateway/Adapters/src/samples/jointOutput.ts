@@ -59,8 +59,11 @@ export class JointOutput {
   readonly #ends: EndOfData[];
   /** Joints whose end of data has already been judged since their last sample. */
   readonly #judged = new Set<number>();
-  /** Joints whose data ended during a motion. Only a newer sample ends this state, because a new connection starts with the last value again. */
-  readonly #ended = new Set<number>();
+  /**
+   * Joints whose data have ended, with their last position (null if unknown): during a motion, or by a silence that is longer than the setting allows.
+   * Only a newer value, or the loss of a silent joint's variable, ends this state, because a new connection starts with the last value again.
+   */
+  readonly #ended = new Map<number, { how: 'in-motion' | 'silent'; position: number | null }>();
   /**
    * #repeated: joints whose newest sample has been repeated. #unobserved: for each joint whose last stop would need a deceleration above all observed
    * ones, this deceleration.
@@ -128,18 +131,19 @@ export class JointOutput {
   checkSilence(): void {
     const faults = new Set(this.silence.check());
     this.joints.forEach(({ joint }, i) => {
-      if (faults.has(joint)) this.#resting.forget(i);
+      if (faults.has(joint)) this.#ended.set(i, { how: 'silent', position: this.#resting.forget(i) });
     });
   }
 
   /** Whether the joint's data ended during a motion. */
   hasEnded(joint: number): boolean {
-    return this.#ended.has(joint);
+    return this.#ended.get(joint)?.how === 'in-motion';
   }
 
   /** Reports that the control system no longer has the variable of this joint. */
   lose(joint: number, refusal: Refusal): void {
     this.#resting.forget(joint);
+    if (!this.hasEnded(joint)) this.#ended.delete(joint);
     this.status.joints.fault(this.joints[joint].joint, refusal);
   }
 
@@ -202,9 +206,14 @@ export class JointOutput {
 
   #end(joint: number, reason: string): void {
     const { joint: name } = this.joints[joint];
-    this.#resting.forget(joint);
-    this.#ended.add(joint);
+    this.#ended.set(joint, { how: 'in-motion', position: this.#resting.forget(joint) });
     this.status.joints.fault(name, { reason: ENDED_IN_MOTION, text: silenceMessages.endedBecause(reason) }, this.silence.lastSample(name));
+  }
+
+  /** Whether a first value is the one with which the data of the joint have ended. */
+  #isEnd(joint: number, position: number, stamp: Nanoseconds | null): boolean {
+    const end = this.#ended.get(joint);
+    return end !== undefined && (stamp === null ? position === end.position : !this.#rule.isNewer(joint, stamp));
   }
 
   /** Gets the reason why the joint may not be at rest; an empty string if there is none. */
@@ -249,7 +258,8 @@ export class JointOutput {
     }
     const refusal = this.#rule.judge(joint, stamp, now);
     if (refusal !== null && isFirst === true && now !== null && OF_LONG_AGO.includes(refusal.reason)) {
-      if (this.#ended.has(joint) && refusal.reason === 'stamp-not-newer') return null;
+      if (this.#isEnd(joint, position, stamp)) return null;
+      this.#ended.delete(joint);
       // Does not publish the value before the joint is known to be at rest. If the stamps come from a clock other than the control clock, the next
       // value is refused.
       this.#resting.heard({ joint, position, stamp: now });

@@ -52,6 +52,12 @@ export class StampRule {
     return null;
   }
 
+  /** Whether a stamp is newer than the newest accepted stamp of the joint. */
+  isNewer(joint: number, stamp: Nanoseconds): boolean {
+    const newest = this.#newest[joint];
+    return newest === null || stamp > newest;
+  }
+
   #against(now: Nanoseconds, stamp: Nanoseconds): Refusal | null {
     const { ahead, behind, farApart } = refusalMessages;
     const isFar = stamp > now + FAR || stamp < now - FAR;
