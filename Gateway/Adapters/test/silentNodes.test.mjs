@@ -7,8 +7,7 @@ import { messages } from './messages.mjs';
 
 const { nodeMessages } = messages;
 
-const { SilentNodes, NotificationReader, AdapterStatus, Log, PlantOutput } = await parts(
-  'opcua/silentNodes', 'opcua/notificationReader', 'gateway/status', 'log', 'samples/plantOutput');
+const { SilentNodes } = await parts('opcua/silentNodes');
 
 const good = (value, ms) => new DataValue({
   value: new Variant({ dataType: DataType.Double, value }), statusCode: StatusCodes.Good, sourceTimestamp: ms === undefined ? null : new Date(ms),
@@ -40,82 +39,6 @@ function server(answers = [good(1), good(2)]) {
   cell.hear(1, good(2));
   return cell;
 }
-
-/** Simulates a server with one node, and an adapter that reads it with notifications and read requests. */
-function adapter() {
-  const status = new AdapterStatus('opcua', new Log('plant/test', [], () => {}));
-  const label = 'joint a', joint = { joint: 'a', robot: '', name: 'a', scale: 1, offset: 0 };
-  const configuration = { joints: [joint], frames: [], wholeFrames: [], signals: [], values: [{ label, address: { node: 'n0' }, path: ['joints', 0] }], plant: {} };
-  const clock = { now: BigInt(Date.now()) * 1_000_000n, isSettled: true };
-  const output = new PlantOutput(configuration, { tolerance: 1_000_000n, oldest: 10_000_000_000n }, clock, { publish: () => {}, publishNewest: () => {}, publishKept: () => {}, forgetKept: () => {} }, status);
-  const reader = new NotificationReader({ configuration, output, status, clock }, { time: null, timestamp: 'source' });
-  const cell = { status, reader, now: 0, value: good(1, Date.now()) };
-  status.enter('connected');
-  cell.connect = () => {
-    reader.restart();
-    cell.nodes = new SilentNodes({ readAll: async () => [cell.value], monitorAgain: async () => null }, reader, ['0'], () => 'joints[0].node', () => cell.now);
-  };
-  cell.notify = value => {
-    cell.value = value;
-    cell.nodes.heard([{ node: 0, value }]);
-    reader.read([{ node: 0, value }]);
-  };
-  cell.look = () => {
-    cell.now += 500;
-    return cell.nodes.read();
-  };
-  cell.connect();
-  cell.notify(cell.value);
-  return cell;
-}
-
-const gone = bad(StatusCodes.BadNodeIdUnknown);
-
-describe('deletions of nodes', () => {
-  for (const [found, report] of [
-    ['ByARead', async cell => {
-      cell.value = gone;
-      await cell.look();
-      await cell.look();
-    }],
-    ['ByANotification', async cell => {
-      cell.notify(gone);
-      await cell.look();
-    }],
-    ['ByAReadThenByANotification', async cell => {
-      cell.value = gone;
-      await cell.look();
-      cell.notify(gone);
-    }],
-    ['ByAReadInTwoConnections', async cell => {
-      cell.value = gone;
-      await cell.look();
-      cell.connect();
-      await cell.look();
-    }],
-  ]) {
-    it(`Deletion_Found${found}_IsCountedOnce`, async () => {
-      const cell = adapter();
-
-      await report(cell);
-
-      assert.equal(cell.status.refusals('node-gone'), 1);
-      assert.match(cell.status.values()['joint/a'], /^fault /);
-    });
-  }
-
-  it('Deletion_AfterTheNodeWasRestored_IsCountedAgain', async () => {
-    const cell = adapter();
-    cell.value = gone;
-    await cell.look();
-
-    cell.notify(good(2, Date.now()));
-    cell.value = gone;
-    await cell.look();
-
-    assert.equal(cell.status.refusals('node-gone'), 2);
-  });
-});
 
 describe('silent nodes', () => {
   it('Node_RecentlyNotified_IsNotRead', async () => {

@@ -22,7 +22,7 @@ export class NotificationReader {
   readonly #addresses: NodeAddress[];
   readonly #readers: number[][];
   readonly #time: TimeVariable | null;
-  /** Nodes for which this connection has received a value. */
+  /** Nodes whose newest value in this connection was good. The next value of any other node may be old. */
   readonly #received = new Set<number>();
   /** For each node that cannot be read, the reason that was counted. It is kept when the adapter reconnects, so that a deletion is counted once. */
   readonly #lost = new Map<number, string>();
@@ -133,7 +133,9 @@ export class NotificationReader {
     this.#lost.delete(node);
     const isFirst = !this.#received.has(node) && this.#hasStamp(value);
     const bad = statusRefusal(value);
-    this.#received.add(node);
+    // The first good value after a bad one may have the old stamp again, because a server may keep the stamp of a value at rest.
+    if (bad === null) this.#received.add(node);
+    else this.#received.delete(node);
     const stamp = bad === null ? this.#stampOf(value) : null;
     const refusal = bad ?? (stamp === null && !isFirst && this.#time !== null && this.#hasStamp(value) ? this.#unmatched : null);
     return this.#readers[node].map((index): PlantValue => {

@@ -21,7 +21,7 @@ interface JointValue {
   velocity?: number;
   /** Time stamp; null if the value has no readable one. */
   stamp: Nanoseconds | null;
-  /** Whether this is the first value of a connection, whose stamp may be old. */
+  /** Whether this is the first value of a connection, or the first one after bad ones. Its stamp may be old. */
   isFirst?: boolean;
   /** The reason why the value is unusable; absent for a usable value. */
   refusal?: Refusal;
