@@ -5,14 +5,18 @@ import { parts } from './parts.mjs';
 import { until } from './program.mjs';
 import { RosbridgeDouble } from './rosbridge.mjs';
 
+/** The set-points of a robot without a namespace and of one with a namespace. */
+const PLANS = ['/joint_trajectory', '/arm1/joint_trajectory'];
+
 const { GatewayLink, Log } = await parts('gateway/link', 'log');
 
 describe('kept messages', () => {
-  it('StationaryFrame_RefusedByTheGateway_IsSentAgainUntilItIsAccepted', async t => {
+  it('StationaryFrameOrSetPoints_RefusedByTheGateway_AreSentAgainUntilAccepted', async t => {
     t.mock.timers.enable({ apis: ['setInterval'] });
     const bridge = await RosbridgeDouble.start(t), ending = new AbortController(), refusals = [];
     const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}), 'gateway', { refused: status => refusals.push(status) });
     for (const key of ['fixture', 'rail']) link.publishKept('/tf_static', { key }, key);
+    for (const topic of PLANS) link.publishKept(topic, {});
     link.publishKept('/robot_description', { data: '<robot/>' });
     link.forgetKept('rail');
     const running = link.run(ending.signal);
@@ -25,11 +29,20 @@ describe('kept messages', () => {
       t.mock.timers.tick(10_000);
       await until(() => sent() === i + 1, 'the next attempt');
     }
+    const refuse = async (topic, reason) => {
+      const before = refusals.length;
+      bridge.send({ op: 'status', level: 'error', msg: `publish ${topic} dropped: rule (${reason})` });
+      await until(() => refusals.length > before, 'the refusal');
+    };
+    await refuse(PLANS[0], 'JointTaken');
+    await refuse(PLANS[1], 'Unsynchronised');
     t.mock.timers.tick(60_000);
     link.publish('/last', {});
     await until(() => bridge.published('/last').length === 1, 'a later message');
 
     assert.deepEqual([sent(), bridge.published('/robot_description').length], [3, 1]);
+    // Only a gateway that is still measuring the clock accepts the same set-points later.
+    assert.deepEqual(PLANS.map(topic => bridge.published(topic).length), [1, 2]);
     ending.abort();
     await running;
   });

@@ -1,7 +1,8 @@
 import type { AdapterContext } from '../adapter';
-import { description, JOINT_TRAJECTORY, ROBOT_DESCRIPTION, topicOf } from '../gateway/messages';
+import { description, ROBOT_DESCRIPTION, topicOf } from '../gateway/messages';
 import { JointNames, type OutJoint } from '../ros/jointNames';
 import { JointStates } from '../ros/jointStates';
+import { SetPoints } from '../ros/setPoints';
 import { passedTrajectory } from '../ros/trajectory';
 import { ALIVE, below, BrokerLink, DESCRIPTION, type Presence, STATES, STATUS, TRAJECTORY } from './brokerLink';
 import { kindOf } from './objectTopics';
@@ -11,7 +12,7 @@ import type { BrokerSettings } from './settings';
 import { runUpstreamClock } from './upstreamClock';
 import { brokerMessages, malformedMessages } from '../messages/broker';
 
-/** Interval of the attempts to send signals that wait for the clock. */
+/** Interval of the attempts to send signals and set-points that wait for the clock. */
 const CHECK_MS = 250;
 
 /** Maximum length of the name of a topic in the log. */
@@ -29,6 +30,7 @@ export async function subscribe(
   const robots = new Map(settings.namespaces.map(robot => [robot, new JointNames([], robot)]));
   const reported = new ReportedJoints({ find: joint => named(robots, joint as string) }, status, silence);
   const objects = new ReceivedObjects(gateway, clock, status);
+  const setPoints = new SetPoints(clock, gateway);
   const take = new Map<string, (message: Record<string, unknown>) => void>([[STATUS, message => reported.hear(message)]]);
   for (const [robot, names] of robots) {
     const states = new JointStates(names, settings.oldest, clock, gateway, status, silence);
@@ -36,7 +38,7 @@ export async function subscribe(
     take.set(below(robot, TRAJECTORY), message => {
       const passed = passedTrajectory(message, names);
       if (passed === null) return status.refuse('malformed', 'trajectory', malformedMessages.trajectory);
-      gateway.publishKept(topicOf(robot, JOINT_TRAJECTORY), passed);
+      setPoints.add(robot, passed);
     });
     take.set(below(robot, DESCRIPTION), ({ data }) => {
       if (typeof data !== 'string' || !data.includes('<robot')) return status.refuse('malformed', 'robot description', malformedMessages.noRobot);
@@ -102,7 +104,10 @@ export async function subscribe(
     objects.leave();
   }
 
-  const checks = setInterval(() => objects.check(), CHECK_MS);
+  const checks = setInterval(() => {
+    objects.check();
+    setPoints.check();
+  }, CHECK_MS);
   const invalid = (reason: string): void => status.count(reason);
   await Promise.all([broker.run(stopping), settings.clock === null ? undefined : runUpstreamClock(settings.clock, clock, log, stopping, invalid)]);
   clearInterval(checks);

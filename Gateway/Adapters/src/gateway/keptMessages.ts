@@ -1,12 +1,17 @@
 import { TF_STATIC } from '../cell/messages';
+import { UNSYNCHRONISED } from './statusMessages';
 
-/** Interval at which stationary frames and signals that the gateway refuses are sent again. */
+/** Interval at which stationary frames, signals and set-points that the gateway refuses are sent again. */
 export const REFUSED_EVERY_MS = 10_000;
 
-/** Messages that the gateway must have. They are sent again after a reconnection; stationary frames also after the gateway has refused some. */
+/**
+ * Messages that the gateway must have. They are sent again after a reconnection, and also after a refusal that can end by itself: another source may
+ * release a stationary frame, and the gateway may measure the clock of set-points.
+ */
 export class KeptMessages {
   readonly #messages = new Map<string, { topic: string; text: string }>();
-  #isRefused = false;
+  /** Topics with such a refusal since the last call of `takeRefused`. */
+  readonly #refused = new Set<string>();
 
   /** All messages. */
   get all(): string[] {
@@ -24,13 +29,14 @@ export class KeptMessages {
 
   /** @param status A status message of the gateway about a dropped message. */
   refused(status: string): void {
-    this.#isRefused ||= status.includes(TF_STATIC);
+    for (const { topic } of this.#messages.values())
+      if (status.includes(` ${topic} `) && (topic === TF_STATIC || UNSYNCHRONISED.test(status))) this.#refused.add(topic);
   }
 
-  /** Returns the stationary frames if the gateway has refused some since the last call: another source may have released them in the meantime. */
+  /** Returns the messages of the topics that the gateway has refused since the last call. */
   takeRefused(): string[] {
-    if (!this.#isRefused) return [];
-    this.#isRefused = false;
-    return [...this.#messages.values()].filter(({ topic }) => topic === TF_STATIC).map(({ text }) => text);
+    const again = [...this.#messages.values()].filter(({ topic }) => this.#refused.has(topic)).map(({ text }) => text);
+    this.#refused.clear();
+    return again;
   }
 }

@@ -97,7 +97,7 @@ export class GatewayLink {
   }
 
   /**
-   * Publishes a message now and after each reconnection; a stationary frame also repeatedly while the gateway refuses stationary frames.
+   * Publishes a message now and after each reconnection; stationary frames and set-points also repeatedly while the gateway refuses them.
    * @param key Identifies the message. A later message with the same key replaces it.
    */
   publishKept(topic: string, msg: object, key = topic): void {

@@ -8,7 +8,7 @@ const MAX_STATUSES = 32;
  * Matches the status message of a gateway that does not know the clock of the stamps yet, for example because it is still measuring this clock. The
  * measurement takes up to MEASURING_MS.
  */
-const UNSYNCHRONISED = /\(Unsynchronised\)$/;
+export const UNSYNCHRONISED = /\(Unsynchronised\)$/;
 const MEASURING_MS = 20_000;
 
 /** The status messages with which a gateway reports dropped messages. Logs equal ones only once per connection. */

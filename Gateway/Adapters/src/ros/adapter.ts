@@ -1,12 +1,13 @@
 import type { AdapterContext } from '../adapter';
 import { pause } from '../backoff';
 import { GatewayLink } from '../gateway/link';
-import { description, JOINT_TRAJECTORY, ROBOT_DESCRIPTION, topicOf } from '../gateway/messages';
+import { description, ROBOT_DESCRIPTION, topicOf } from '../gateway/messages';
 import { TopicValues } from '../samples/topicValues';
 import { ofRosTime } from '../times';
 import { RosFrames } from './frames';
 import { JointNames } from './jointNames';
 import { JointStates } from './jointStates';
+import { SetPoints } from './setPoints';
 import { settingsOf } from './settings';
 import { passedTrajectory } from './trajectory';
 import { malformedMessages } from '../messages/broker';
@@ -29,6 +30,7 @@ const DATA = 'data';
 export async function run(context: AdapterContext): Promise<void> {
   const { configuration, gateway, clock, status, log, stopping } = context;
   const settings = settingsOf(configuration);
+  const setPoints = new SetPoints(clock, gateway);
   let connection = new AbortController();
   if (!settings.hasClock) void clock.doWithout(stopping);
   const robot = new GatewayLink({ url: settings.endpoint, token: null, pin: settings.pin }, log, 'rosbridge', {
@@ -50,10 +52,14 @@ export async function run(context: AdapterContext): Promise<void> {
   async function attach(ended: AbortSignal): Promise<void> {
     while (!ended.aborted) {
       try {
-        if (await clock.attach(readTime, ended)) return log.resume('clock', rosMessages.clockAvailable);
+        if (await clock.attach(readTime, ended)) {
+          setPoints.check();
+          return log.resume('clock', rosMessages.clockAvailable);
+        }
       } catch (error) {
         if (ended.aborted) return;
         void clock.doWithout(stopping);
+        setPoints.check();
         log.change('clock', rosMessages.noClock((error as Error).message));
         await pause(CLOCK_RETRY_MS, ended);
       }
@@ -104,7 +110,7 @@ export async function run(context: AdapterContext): Promise<void> {
     const passed = passedTrajectory(message, names);
     if (passed === null) return status.refuse('malformed', 'trajectory', malformedMessages.forwardedTrajectory);
     status.accept('trajectory');
-    gateway.publish(topicOf(namespace, JOINT_TRAJECTORY), passed);
+    setPoints.add(namespace, passed);
   }
 
   status.detail('endpoint', settings.endpoint);

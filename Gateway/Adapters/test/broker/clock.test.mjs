@@ -1,8 +1,9 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
+import { until } from '../program.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
-import { bridge, clockOf, halls, served } from './halls.mjs';
+import { bridge, clockOf, halls, publish, served, state } from './halls.mjs';
 import { missing, Mosquitto } from './mosquitto.mjs';
 import { SyncServer } from './syncServer.mjs';
 
@@ -32,6 +33,21 @@ describe('clock of a gateway behind a broker', { skip: missing, concurrency: 3 }
     await sync.listen(sync.port);
 
     await served(far);
+  });
+
+  it('Clock_NotKnownYet_SetPointsWaitForIt', async t => {
+    const { near, broker, sync } = await halls(t);
+    const points = [{ positions: [1], velocities: [], accelerations: [], time_from_start: { sec: 1, nanosec: 0 } }];
+    publish(near, '/joint_trajectory', { header: state(sync.now()).header, joint_names: ['a'], points });
+    publish(near, '/robot_description', { data: '<robot name="r"/>' });
+
+    const far = await RosbridgeDouble.start(t);
+    bridge(t, 'subscribe', far, broker, clockOf(sync));
+
+    await until(() => far.published('/joint_trajectory').length > 0, 'the set-points');
+    const topics = far.heard.flatMap(({ op, topic }) => (op === 'advertise_service' ? [op] : op === 'publish' ? [topic] : []));
+    assert.ok(topics.indexOf('/joint_trajectory') > topics.indexOf('advertise_service'), `${topics}`);
+    assert.ok(topics.includes('advertise_service'), `${topics}`);
   });
 
   it('Clock_TokenConfigured_IsRequestedWithTheToken', async t => {

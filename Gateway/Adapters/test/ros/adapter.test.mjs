@@ -11,7 +11,7 @@ const { configurationMessages, rosMessages, silenceMessages } = messages;
 
 /** Starts a robot, a test double of the gateway, and an adapter that connects them, with `launch`. Waits until the adapter has subscribed. */
 async function cell(t, options = {}, { plant = '', rest = '', launch = start } = {}) {
-  const robot = await Robot.start(t, options), bridge = await RosbridgeDouble.start(t);
+  const robot = options.robot ?? await Robot.start(t, options), bridge = await RosbridgeDouble.start(t);
   const path = temporaryFile('ros.yaml', `gateway: { url: "${bridge.url}" }\nplant:\n  kind: ros\n  name: arm\n  endpoint: ${robot.url}\n${plant}${rest}`);
   const adapter = launch(t, [path]);
   await until(() => robot.isHeardBy('/joint_states') && bridge.clients.length > 0, () => adapter.err);
@@ -23,7 +23,7 @@ async function cell(t, options = {}, { plant = '', rest = '', launch = start } =
 const states = (bridge, count = 1) => until(
   () => bridge.jointStates.length >= count && bridge.jointStates, () => `${count} joint states: ${JSON.stringify(bridge.state)}`);
 
-const plan = (robot, points) => robot.publish('/plan', { header: { stamp: robot.time(robot.now()) }, joint_names: ['a'], points });
+const plan = (robot, points, options) => robot.publish('/plan', { header: { stamp: robot.time(robot.now()) }, joint_names: ['a'], points }, options);
 
 describe('ros', { concurrency: 4 }, () => {
   for (const ros of [1, 2])
@@ -100,6 +100,20 @@ describe('ros', { concurrency: 4 }, () => {
     const [trajectory] = await until(() => bridge.published('/joint_trajectory').length && bridge.published('/joint_trajectory'), 'the trajectory');
     assert.deepEqual(trajectory.joint_names, ['arm_joint_2', 'arm_joint_1']);
     assert.deepEqual(trajectory.points[0], { positions: [2, -0.5], velocities: [], accelerations: [], time_from_start: { sec: 1, nanosec: 0 } });
+  });
+
+  it('SetPoints_ArriveBeforeTheClock_AreSentAfterItAndAfterAReconnection', async t => {
+    const robot = await Robot.start(t, { aheadMs: 60_000 });
+    plan(robot, [{ positions: [1], time_from_start: { sec: 1, nanosec: 0 } }], { isLatched: true });
+    const { bridge } = await cell(t, { robot }, { plant: '  topics: { joint_trajectory: /plan }\n' });
+    const sent = () => bridge.heard.filter(({ op, topic }) => op === 'publish' && topic === '/joint_trajectory');
+    await until(() => sent().length === 1, 'the set-points');
+
+    bridge.clients[0].terminate();
+
+    await until(() => sent().length === 2, 'the set-points after a reconnection');
+    const offered = bridge.heard.findIndex(({ op }) => op === 'advertise_service');
+    assert.ok(bridge.heard.indexOf(sent()[0]) > offered, JSON.stringify(bridge.heard.map(({ op, topic }) => [op, topic])));
   });
 
   for (const [name, send, reason] of [
