@@ -8,7 +8,7 @@ import { isGone, isOverflown, NODE_GONE, type NodeAddress, statusRefusal, valueO
 import type { NodeValue } from './readOnlySession';
 import type { OpcUaSettings } from './settings';
 import { serverStamp, sourceStamp, timeIn } from './stamps';
-import { TimeVariable } from './timeVariable';
+import { type CycleTime, TimeVariable } from './timeVariable';
 import { nodeMessages } from '../messages/opcua';
 
 const GROUP_MS = 0.5;
@@ -59,12 +59,13 @@ export class NotificationReader {
   read(values: NodeValue[]): void {
     const timeNode = this.#readers.length;
     // Reads the times first, because the values of a cycle may precede its time in a notification.
-    const times = values.filter(v => v.node === timeNode).map(({ value }) => this.#learn(value));
+    const times = values.filter(v => v.node === timeNode).flatMap(({ value }) => this.#cycleTimeIn(value) ?? []);
+    this.#time?.learn(times);
     const found = values.filter(v => v.node < timeNode).flatMap(({ node, value }) => this.#valuesOf(node, value));
     // Confirms unchanged values up to the time of the previous notification. Earlier changes would be in this notification.
     if (this.#known !== null) this.hold(this.#known, new Set(values.filter(v => v.node < timeNode).flatMap(v => this.#readers[v.node])));
     this.context.output.publish(found);
-    this.#note(this.#time === null ? found.filter(({ refusal }) => refusal === undefined).map(({ stamp }) => stamp) : times);
+    this.#note(this.#time === null ? found.filter(({ refusal }) => refusal === undefined).map(({ stamp }) => stamp) : times.map(({ time }) => time));
   }
 
   /** Confirms unchanged values at a control time up to which all changes are known. */
@@ -109,8 +110,8 @@ export class NotificationReader {
       if (time !== null && now !== null && time <= now && (this.#known === null || time > this.#known || this.#known > now)) this.#known = time;
   }
 
-  /** Gets the time in the time variable and stores it; null if the time is invalid. */
-  #learn(value: DataValue): Nanoseconds | null {
+  /** Gets the time in the time variable; null if it is invalid. */
+  #cycleTimeIn(value: DataValue): CycleTime | null {
     const { status } = this.context;
     const { node, unit } = this.settings.time!;
     const label = labelOf(value);
@@ -118,8 +119,8 @@ export class NotificationReader {
     const time = refusal === null ? timeIn(value.value, unit) : null;
     if (refusal !== null) status.refuse(refusal.reason, node, refusal.text);
     else if (time === null || label === null) status.refuse('time-type', node, nodeMessages.notTime);
-    else this.#time!.learn(label, time);
-    return time;
+    else return { label, time };
+    return null;
   }
 
   #valuesOf(node: number, value: DataValue): PlantValue[] {

@@ -3,7 +3,7 @@ import { describe, it } from 'node:test';
 import { DataType, DataValue, Variant, VariantArrayType } from './library.mjs';
 import { parts } from '../parts.mjs';
 
-const { ofDate, sourceStamp, timeIn, TimeVariable } = await parts('opcua/stamps', 'opcua/timeVariable');
+const { ofDate, sourceStamp, timeIn } = await parts('opcua/stamps');
 const T = 1_795_209_379_993_125_900n;
 const halves = value => [Number(BigInt.asUintN(64, value) >> 32n), Number(value & 0xffffffffn)];
 const variant = (dataType, value) => new Variant({ dataType, arrayType: VariantArrayType.Scalar, value });
@@ -41,17 +41,4 @@ describe('stamps of OPC UA', () => {
 
     assert.ok(Math.abs(Number(time - T)) <= 240, `${time - T} ns`);
   });
-});
-
-describe('time variable', () => {
-  const time = new TimeVariable(500n);
-
-  it('At_TimeStampNearACycle_ReturnsTheTimeOfTheCycle', () => {
-    time.learn(1000n, 77n);
-    time.learn(2000n, 88n);
-
-    assert.deepEqual([time.at(1400n), time.at(1600n), time.at(2000n)], [77n, 88n, 88n]);
-  });
-
-  it('At_TimeStampFarFromAllCycles_ReturnsNull', () => assert.equal(time.at(2501n), null));
 });
