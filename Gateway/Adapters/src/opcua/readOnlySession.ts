@@ -13,12 +13,13 @@ import {
   TimestampsToReturn,
   type UserIdentityInfo,
 } from 'node-opcua-client';
+import { RequestParts } from './requestParts';
 import type { OpcUaSettings } from './settings';
 import { applicationUri, type OwnCertificate } from './security/ownCertificate';
 import type { TrustList } from './security/trustList';
 import { opcuaMessages } from '../messages/opcua';
 
-/** Initial maximum number of nodes per read request. It is halved if a server does not accept it. */
+/** Initial maximum number of nodes per read request. */
 const NODES_PER_READ = 64;
 
 const TIMEOUT_MS = 5000;
@@ -74,7 +75,9 @@ export class ReadOnlySession {
   #items: ClientMonitoredItem[] = [];
   #places = new Map<number, number>();
   #canTriggerByStamp = true;
-  #nodesPerRead = NODES_PER_READ;
+  readonly #reads = new RequestParts(NODES_PER_READ);
+  /** At first all nodes in one request, because a server samples the items of a request at the same time. */
+  readonly #monitorings = new RequestParts();
   #heard: (values: NodeValue[]) => void = () => {};
   /** Notifications that arrived before their monitored items were known; null when all items are known. */
   #early: unknown[] | null = [];
@@ -139,22 +142,12 @@ export class ReadOnlySession {
   async readAll(nodes: string[]): Promise<DataValue[]> {
     const session = this.#session;
     if (session === null) throw new Error(opcuaMessages.notConnected);
-    const values: DataValue[] = [];
-    while (values.length < nodes.length) {
-      const part = nodes.slice(values.length, values.length + this.#nodesPerRead);
-      try {
-        values.push(
-          ...(await session.read(
-            part.map(nodeId => ({ nodeId, attributeId: AttributeIds.Value })),
-            0,
-          )),
-        );
-      } catch (error) {
-        if (!String(error).includes('BadTooManyOperations') || part.length === 1) throw error;
-        this.#nodesPerRead = Math.ceil(part.length / 2);
-      }
-    }
-    return values;
+    return this.#reads.each(nodes, part =>
+      session.read(
+        part.map(nodeId => ({ nodeId, attributeId: AttributeIds.Value })),
+        0,
+      ),
+    );
   }
 
   /**
@@ -166,7 +159,7 @@ export class ReadOnlySession {
     this.#places.delete(old.monitoringParameters.clientHandle);
     if (old.statusCode.isGood()) await old.terminate().catch(() => {});
     this.#early ??= [];
-    const group = await this.#group(this.#subscription!, [id], this.#canTriggerByStamp ? BY_STAMP() : null);
+    const [group] = await this.#groups(this.#subscription!, [id], this.#canTriggerByStamp ? BY_STAMP() : null);
     this.#items[node] = group.monitoredItems[0] as ClientMonitoredItem;
     const {
       statusCode,
@@ -242,26 +235,33 @@ export class ReadOnlySession {
   // Monitors the nodes with a filter on time stamps, so that the server also sends values at rest. Omits the filter if the server does not support
   // it.
   async #monitored(subscription: ClientSubscription, nodes: string[]): Promise<ClientMonitoredItem[]> {
-    if (nodes.length === 0) return [];
-    const byStamp = await this.#group(subscription, nodes, BY_STAMP());
-    const items = byStamp.monitoredItems as ClientMonitoredItem[];
-    if (!items.some(item => item.statusCode.name.includes('Filter'))) return items;
-    await byStamp.terminate();
+    const byStamp = await this.#groups(subscription, nodes, BY_STAMP());
+    if (!itemsOf(byStamp).some(item => item.statusCode.name.includes('Filter'))) return itemsOf(byStamp);
+    for (const group of byStamp) await group.terminate();
     this.#canTriggerByStamp = false;
-    return (await this.#group(subscription, nodes, null)).monitoredItems as ClientMonitoredItem[];
+    return itemsOf(await this.#groups(subscription, nodes, null));
   }
 
-  #group(subscription: ClientSubscription, nodes: string[], filter: DataChangeFilter | null): Promise<ClientMonitoredItemGroup> {
+  /** Creates the monitored items of nodes. Returns one group of items per request. */
+  async #groups(subscription: ClientSubscription, nodes: string[], filter: DataChangeFilter | null): Promise<ClientMonitoredItemGroup[]> {
     const { samplingMs } = this.settings;
     // Uses the publishing interval granted by the server, which may be longer than the requested one.
     const queueSize = 2 + Math.ceil((4 * subscription.publishingInterval) / samplingMs);
-    return subscription.monitorItems(
-      nodes.map(nodeId => ({ nodeId, attributeId: AttributeIds.Value })),
-      { samplingInterval: samplingMs, queueSize, discardOldest: true, filter: filter ?? undefined },
-      TimestampsToReturn.Both,
-    );
+    const groups: ClientMonitoredItemGroup[] = [];
+    await this.#monitorings.each(nodes, async part => {
+      const group = await subscription.monitorItems(
+        part.map(nodeId => ({ nodeId, attributeId: AttributeIds.Value })),
+        { samplingInterval: samplingMs, queueSize, discardOldest: true, filter: filter ?? undefined },
+        TimestampsToReturn.Both,
+      );
+      groups.push(group);
+      return group.monitoredItems;
+    });
+    return groups;
   }
 }
+
+const itemsOf = (groups: ClientMonitoredItemGroup[]): ClientMonitoredItem[] => groups.flatMap(group => group.monitoredItems as ClientMonitoredItem[]);
 
 const BY_STAMP = (): DataChangeFilter => new DataChangeFilter({ trigger: DataChangeTrigger.StatusValueTimestamp });
 

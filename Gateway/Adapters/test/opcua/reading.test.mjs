@@ -136,6 +136,16 @@ describe('reading over OPC UA', () => {
     assert.equal(Number(counts.refused), counted);
   });
 
+  it('Nodes_ServerMonitorsTwoNodesPerRequest_AreAllReadAtOnce', async t => {
+    const limited = await serverFor(t, { itemsPerCall: 2 }), joints = [0, 1, 2, 3, 4];
+
+    const { states, state } = await adapterFor(t, limited, OPEN, joints.map(i => ({ joint: `j${i}`, node: `ns=1;s=arm_joint_${i + 1}` })));
+
+    const { reconnects } = await state(s => joints.every(i => s[`joint/j${i}`]?.startsWith('live'))), received = await states(20);
+    assert.equal(reconnects, '0');
+    for (const i of joints) assert.ok(worst(received, i, `j${i}`) < 1e-12, `joint ${i}`);
+  });
+
   it('Node_Unknown_IsReportedWithItsLine', async t => {
     const { state, path } = await adapterFor(t, server, OPEN, [{ joint: 'z', node: 'ns=1;s=nowhere' }]);
 

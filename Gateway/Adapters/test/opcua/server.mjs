@@ -89,12 +89,13 @@ export class YoubotServer {
    * @param cycleUs Cycle time in µs; values change only at the start of a cycle.
    * @param clockStepUs Resolution of CurrentTime in µs.
    * @param nodesPerRead Maximum number of nodes in a read request.
+   * @param itemsPerCall Maximum number of nodes in a request that creates or deletes monitored items.
    */
   constructor({
     port = 0, clock = new ControlClock(), security = ['none'], users = null, cycleUs = 10_000, clockStepUs = 0.1, own = null, trusted = null,
-    nodesPerRead = 1000,
+    nodesPerRead = 1000, itemsPerCall = 1000,
   } = {}) {
-    Object.assign(this, { nodesPerRead, port, clock, security, users, cycle: BigInt(cycleUs * 1000), clockStep: BigInt(clockStepUs * 1000), own, trusted });
+    Object.assign(this, { nodesPerRead, itemsPerCall, port, clock, security, users, cycle: BigInt(cycleUs * 1000), clockStep: BigInt(clockStepUs * 1000), own, trusted });
   }
 
   get endpoint() { return `opc.tcp://127.0.0.1:${this.port}`; }
@@ -111,7 +112,7 @@ export class YoubotServer {
       port: this.port, hostname: '127.0.0.1', host: '127.0.0.1',
       nodeset_filename: [nodeset],
       serverInfo: { applicationUri: URI },
-      serverCapabilities: { operationLimits: { maxNodesPerRead: this.nodesPerRead } },
+      serverCapabilities: { operationLimits: { maxNodesPerRead: this.nodesPerRead, maxMonitoredItemsPerCall: this.itemsPerCall } },
       securityModes: this.security.map(mode => mode === 'none' ? MessageSecurityMode.None : MessageSecurityMode.SignAndEncrypt),
       securityPolicies: [
         ...this.security.includes('none') ? [SecurityPolicy.None] : [],
