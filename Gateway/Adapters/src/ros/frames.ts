@@ -7,6 +7,7 @@ import type { Publisher } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
 import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
+import { bare } from './settings';
 import { malformedMessages } from '../messages/broker';
 import { rosMessages } from '../messages/ros';
 
@@ -33,9 +34,6 @@ interface Names {
   /** The text before the names of these links in ROS; empty if there is none. */
   linkPrefix: string;
 }
-
-/** Gets a frame's name without the leading slash that ROS 1 allowed. */
-const bare = (name: unknown): string => (typeof name === 'string' ? name.replace(/^\//, '') : '');
 
 /** Forwards the configured frames of a robot with their own stamps. */
 export class RosFrames {

@@ -62,6 +62,9 @@ interface FrameEntry {
 
 const sectionOf = (configuration: Configuration): PlantSection => configuration.plant as unknown as PlantSection;
 
+/** Gets a frame's name without the leading slash that ROS 1 allowed, and that its tools print. */
+export const bare = (name: unknown): string => (typeof name === 'string' ? name.replace(/^\//, '') : '');
+
 export function settingsOf(configuration: Configuration): RosSettings {
   const section = sectionOf(configuration);
   const { endpoint, pin, plain, clock, oldest_ms: oldest, topics, world, namespace, link_prefix: linkPrefix, frames } = section;
@@ -74,11 +77,11 @@ export function settingsOf(configuration: Configuration): RosSettings {
     jointTrajectory: topics?.joint_trajectory ?? null,
     tf: topics?.tf ?? '/tf',
     tfStatic: topics?.tf_static ?? '/tf_static',
-    frames: (frames ?? []).map(({ frame, source, topic, type }) => ({ frame, source: source ?? frame, topic: topic ?? null, type })),
+    frames: (frames ?? []).map(({ frame, source, topic, type }) => ({ frame, source: bare(source ?? frame), topic: topic ?? null, type })),
     types: new Map(configuration.values.flatMap(({ address: { topic, type } }) => (topic === undefined ? [] : [[topic, type!]]))),
-    world: world ?? WORLD,
+    world: bare(world ?? WORLD),
     namespace: namespace ?? '',
-    linkPrefix: linkPrefix ?? '',
+    linkPrefix: bare(linkPrefix),
     hasClock: clock,
     maxDeceleration: section.max_deceleration ?? null,
     oldest: ofMilliseconds(oldest ?? OLDEST_MS),
@@ -96,9 +99,10 @@ export const ros: Kind = {
     (configuration.plant as { frames?: object[] }).frames = frames.filter(({ position }) => position === undefined);
     // If the source is invalid, the name is not the source either.
     const known = (path: Path, source: unknown): unknown => (file.isInvalid([...path, 'source']) ? undefined : source);
-    const names = frames.map(({ frame, source }, i) => known(['frames', i], source ?? frame));
+    const names = frames.map(({ frame, source }, i) => known(['frames', i], bare(source ?? frame)));
     frames.forEach(({ source, topic, position }, i) => {
-      if (source !== undefined && names.indexOf(source) < i) file.report(['frames', i, 'source'], configurationMessages.valueTwice(source, 'frame'));
+      if (source !== undefined && names.indexOf(bare(source)) < i)
+        file.report(['frames', i, 'source'], configurationMessages.valueTwice(source, 'frame'));
       if (source !== undefined && position !== undefined && !file.isInvalid(['frames', i, 'position']))
         file.report(['frames', i, 'source'], rosMessages.sourceAndPosition);
       const isRead = configuration.values.some(({ path: [section, index] }) => section === 'frames' && index === i);

@@ -231,6 +231,7 @@ describe('configuration of frames, signals and robots', () => {
     ['RosTopicOfTwoTypes', ROS, 'signals:', 'signals:\n  - { signal: other, topic: /gripper/closed, type: std_msgs/Int8 }', `line 10: signals[1].type: ${rosMessages.twoTypes('std_msgs/Bool', 9, 'std_msgs/Int8', '/gripper/closed')}`],
     ['RosJointSourceAndTopic', ROS, 'frames:', 'joints:\n  - { joint: a, source: b, topic: /a, type: std_msgs/Float64 }\nframes:', `line 7: joints[0].source: ${rosMessages.sourceAndTopic}`],
     ['RosFrameTwice', ROS, 'signals:', '  - { frame: other, source: detected_part }\nsignals:', `line 8: frames[1].source: ${configurationMessages.valueTwice('detected_part', 'frame')}`],
+    ['RosFrameTwiceWithSlash', ROS, 'signals:', '  - { frame: other, source: /detected_part }\nsignals:', `line 8: frames[1].source: ${configurationMessages.valueTwice('/detected_part', 'frame')}`],
     ['RosInvalidType', ROS, 'std_msgs/Bool', 'Bool', 'line 9: signals[0].type: value "Bool"; '],
     ['RosInvalidTopic', ROS, '/gripper/closed', 'gripper closed', 'line 9: signals[0].topic: value "gripper closed"; '],
   ])

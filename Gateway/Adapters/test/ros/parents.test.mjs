@@ -1,7 +1,10 @@
 // Tests in virtual time which parent an object of ROS has in the cell.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
+import { parts } from '../parts.mjs';
 import { rosCell } from './frames.mjs';
+
+const { settingsOf } = await parts('ros/settings');
 
 /** Returns the parent in the cell of an object whose parent in ROS is `source`. */
 function parentOf(source, names) {
@@ -25,4 +28,12 @@ describe('parents in ROS', () => {
     ['arm2/tool0', { linkPrefix: 'arm2/' }, 'tool0'],
   ])
     it(`Parent_${source}With${JSON.stringify(names)}_Is${expected}`, () => assert.equal(parentOf(source, names), expected));
+
+  it('NamesInTheFile_WithALeadingSlash_AreThoseInTheMessages', () => {
+    const plant = { endpoint: 'ws://robot:9090', world: '/map', link_prefix: '/right_', frames: [{ frame: 'part', source: '/detected_part' }, { frame: 'pallet' }] };
+
+    const { frames, world, linkPrefix } = settingsOf({ plant, values: [] });
+
+    assert.deepEqual([world, linkPrefix, frames.map(({ source }) => source)], ['map', 'right_', ['detected_part', 'pallet']]);
+  });
 });
