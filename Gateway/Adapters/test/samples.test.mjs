@@ -3,7 +3,7 @@ import { describe, it } from 'node:test';
 import { parts } from './parts.mjs';
 import { messages } from './messages.mjs';
 
-const { stateMessages } = messages;
+const { refusalMessages, stateMessages } = messages;
 
 const { grouped, StampRule, JointOutput, AdapterStatus, Log } =
   await parts('samples/grouping', 'samples/stampRule', 'samples/jointOutput', 'gateway/status', 'log');
@@ -56,6 +56,12 @@ describe('stamps', () => {
       assert.equal(refusal?.reason ?? null, reason);
     });
   }
+
+  it('TimeStamp_ZeroOrBefore1970_HasItsOwnText', () => {
+    const rule = new StampRule(1, 10n * S);
+
+    assert.deepEqual([rule.judge(0, 0n, T).text, rule.judge(0, -1n, T).text], [refusalMessages.zeroStamp, refusalMessages.before1970]);
+  });
 
   it('TimeStamp_NotNewerForOneJoint_IsRefusedForThisJointOnly', () => {
     const rule = new StampRule(2, 10n * S);

@@ -54,7 +54,6 @@ export const malformedMessages = {
   trajectory: 'it has no joints, or one of its positions is not a number',
   forwardedTrajectory: 'it has no joint that is forwarded, or one of its positions is not a number',
   jointStates: 'its names and positions are not two lists of the same length',
-  transform: (source: string) => `its transform from ${source} has no parent, no finite position or no unit quaternion`,
 };
 
 /** Messages about the sync port of the plant's gateway. */

@@ -1,3 +1,4 @@
+import { shown } from '../configuration/problem';
 import { wrongValue } from './configuration';
 
 /** Messages about a robot that is connected over rosbridge. */
@@ -8,6 +9,9 @@ export const rosMessages = {
   noClock: (reason: string) => `the robot's clock is not available: ${reason}; start rosapi, or set plant.clock: false`,
   noTime: (service: string) => `${service} returns no time; if the robot uses use_sim_time, start the simulation`,
   noTransforms: 'the message has no list of transforms',
+  noParent: (source: string) => `the pose from ${source} has no parent; let its publisher set header.frame_id`,
+  notFinite: (field: string, source: string, value: unknown) =>
+    `${field} of the pose from ${source} is ${shown(value ?? null)}; allowed: a finite number`,
   sourceAndTopic: 'source and topic are both set, but a joint with its own topic has no source; remove one of the two',
   sourceAndPosition:
     'source and position are both set, but source is the name of a frame whose whole pose arrives in one message; remove one of the two',

@@ -2,7 +2,9 @@ import { shown } from '../configuration/problem';
 
 /** Reasons why a value is refused. */
 export const refusalMessages = {
-  noStamp: 'the value has no time stamp; choose another timestamp in the configuration',
+  noStamp:
+    'the value has no time stamp; let the source send the time of the value (header.stamp in ROS), or select another timestamp of OPC UA in the configuration',
+  zeroStamp: 'the time stamp is 0; let the source set it to the time of the value (header.stamp in ROS)',
   before1970: 'the time stamp is before 1970; set the clock of the control system',
   sameStamp: 'the time stamp is the same as that of the previous value; check that the clock of the control system runs',
   notNewer: (apartMs: number) => `the time stamp is not newer than that of the previous value (${apartMs.toFixed(1)} ms older)`,

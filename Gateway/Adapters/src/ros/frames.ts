@@ -5,11 +5,11 @@ import type { OfferedClock } from '../clock/offeredClock';
 import { WORLD } from '../configuration/frames';
 import type { Publisher } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
-import { StampRule } from '../samples/stampRule';
+import { type Refusal, StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
 import { bare } from './settings';
-import { malformedMessages } from '../messages/broker';
 import { rosMessages } from '../messages/ros';
+import { refusalMessages } from '../messages/values';
 
 /** A frame of the cell and its name in ROS. */
 export interface RosFrame {
@@ -109,19 +109,15 @@ export class RosFrames {
   #read(index: number, { header, transform: pose }: RosTransform): { index: number; pose: Pose; stamp: Nanoseconds | null }[] {
     const { frame, source, topic } = this.names.frames[index];
     const parent = bare(header?.frame_id);
-    const position = numbers(pose?.translation, ['x', 'y', 'z']);
-    const turn = numbers(pose?.rotation, ['x', 'y', 'z', 'w']);
-    const quaternion = turn === null ? null : unit(turn);
-    if (position === null || quaternion === null || parent === '') {
-      this.status.refuse('malformed', frame, malformedMessages.transform(topic ?? source), this.status.frames);
+    const position = ['x', 'y', 'z'].map(axis => pose?.translation?.[axis]);
+    const turn = ['x', 'y', 'z', 'w'].map(part => pose?.rotation?.[part]);
+    const refusal = refusalOf(parent, position, turn, topic ?? source);
+    if (refusal !== null) {
+      this.status.refuse(refusal.reason, frame, refusal.text, this.status.frames);
       return [];
     }
-    const far = tooFar(position);
-    if (far !== null) {
-      this.status.refuse(far.reason, frame, far.text, this.status.frames);
-      return [];
-    }
-    return [{ index, pose: { frame, parent: this.#parentOf(parent), position, rotation: quaternion }, stamp: ofRosTime(header?.stamp) }];
+    const [metres, rotation] = [position as number[], unit(turn as number[])!];
+    return [{ index, pose: { frame, parent: this.#parentOf(parent), position: metres, rotation }, stamp: ofRosTime(header?.stamp) }];
   }
 
   #parentOf(source: string): string {
@@ -141,8 +137,14 @@ function ofPose({ header, pose }: Record<string, unknown>): RosTransform {
   return { header: header as RosTransform['header'], transform: { translation: position, rotation: orientation } };
 }
 
-/** Gets the numbers with these names from a message; null if one of them is not a finite number. */
-function numbers(vector: Record<string, unknown> | undefined, names: string[]): number[] | null {
-  const found = names.map(name => vector?.[name]);
-  return found.every(value => typeof value === 'number' && Number.isFinite(value)) ? (found as number[]) : null;
+const FIELDS = ['position x', 'position y', 'position z', 'quaternion x', 'quaternion y', 'quaternion z', 'quaternion w'];
+
+/** Gets the reason why a parent, a position and a quaternion are not a valid pose; null if they are. */
+function refusalOf(parent: string, position: unknown[], quaternion: unknown[], source: string): Refusal | null {
+  if (parent === '') return { reason: 'malformed', text: rosMessages.noParent(source) };
+  const values = [...position, ...quaternion];
+  const wrong = values.findIndex(value => typeof value !== 'number' || !Number.isFinite(value));
+  if (wrong >= 0) return { reason: 'malformed', text: rosMessages.notFinite(FIELDS[wrong], source, values[wrong]) };
+  if (unit(quaternion as number[]) === null) return { reason: 'not-unit', text: refusalMessages.quaternion(Math.hypot(...(quaternion as number[]))) };
+  return tooFar(position as number[]);
 }

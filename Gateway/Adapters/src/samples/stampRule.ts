@@ -37,7 +37,7 @@ export class StampRule {
    */
   judge(joint: number, stamp: Nanoseconds | null, now: Nanoseconds | null): Refusal | null {
     if (stamp === null) return { reason: 'stamp-missing', text: refusalMessages.noStamp };
-    if (stamp <= 0n) return { reason: 'stamp-zero', text: refusalMessages.before1970 };
+    if (stamp <= 0n) return { reason: 'stamp-zero', text: stamp === 0n ? refusalMessages.zeroStamp : refusalMessages.before1970 };
     const refusal = now === null ? null : this.#against(now, stamp);
     if (refusal !== null) return refusal;
     const newest = this.#newest[joint];

@@ -5,7 +5,10 @@ import { start, until } from '../program.mjs';
 import { Robot } from '../ros/robot.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
+import { messages } from '../messages.mjs';
 import { adapterFor, changes, isArrival, poses, posesOf } from './published.mjs';
+
+const { refusalMessages, rosMessages } = messages;
 
 describe('frames, signals and robots of ROS', { concurrency: 4 }, () => {
   it('Ros_FramesSignalsAndRobot_AreForwarded', async t => {
@@ -127,12 +130,15 @@ signals:
     assert.ok(isArrival(stamp, before, now()));
   });
 
-  for (const [name, spoil, reason] of [
-    ['WithoutUnitQuaternion', one => { one.transform.rotation.w = 0.5; }, 'malformed'],
-    ['WithNaN', one => { one.transform.translation.x = null; }, 'malformed'],
-    ['WithoutStamp', one => { one.header = { frame_id: 'map' }; }, 'stamp-missing'],
-    ['WithoutParent', one => { one.header.frame_id = ''; }, 'malformed'],
-    ['WithoutPose', one => { delete one.transform; }, 'malformed'],
+  for (const [name, spoil, reason, text] of [
+    ['WithoutUnitQuaternion', one => { one.transform.rotation.w = 0.5; }, 'not-unit', refusalMessages.quaternion(0.5)],
+    ['WithZeroQuaternion', one => { one.transform.rotation.w = 0; }, 'not-unit', refusalMessages.quaternion(0)],
+    ['WithNaN', one => { one.transform.translation.x = null; }, 'malformed', rosMessages.notFinite('position x', 'part', null)],
+    ['WithTextInQuaternion', one => { one.transform.rotation.w = '1'; }, 'malformed', rosMessages.notFinite('quaternion w', 'part', '1')],
+    ['WithoutStamp', one => { one.header = { frame_id: 'map' }; }, 'stamp-missing', refusalMessages.noStamp],
+    ['WithZeroStamp', one => { one.header.stamp = { sec: 0, nanosec: 0 }; }, 'stamp-zero', refusalMessages.zeroStamp],
+    ['WithoutParent', one => { one.header.frame_id = ''; }, 'malformed', rosMessages.noParent('part')],
+    ['WithoutPose', one => { delete one.transform; }, 'malformed', rosMessages.notFinite('position x', 'part', undefined)],
   ])
     it(`Ros_Transform${name}_IsRefused`, async t => {
       const robot = await Robot.start(t);
@@ -150,6 +156,6 @@ frames:
 
       await until(() => bridge.state?.[`refused/${reason}`] === '1', () => JSON.stringify(bridge.state));
       assert.deepEqual(poses(bridge, 'part'), []);
-      assert.match(bridge.state['frame/part'], /^missing /);
+      assert.ok(bridge.state['frame/part'].startsWith('missing ') && bridge.state['frame/part'].endsWith(` ${text}`), bridge.state['frame/part']);
     });
 });
