@@ -58,6 +58,18 @@ describe('diagnostics of an adapter', () => {
     assert.ok(names.every(name => values[`uncertain/${name}`].startsWith('u')));
   });
 
+  it('DiagnosticsOf_UncertainObjectWithTheNameOfAJoint_DoesNotMakeTheJointUncertain', () => {
+    const status = adapter();
+    status.joints.rest('turntable', 0, 'the source confirms the last value');
+    status.frames.rest('turntable', 0, 'the source confirms the last value', 'the stop was not observed');
+    const certain = reportOf(status).values;
+    status.joints.rest('turntable', 0, 'the source confirms the last value', 'the value is no longer written');
+    const uncertain = reportOf(status).values;
+
+    assert.deepEqual([certain['uncertain/turntable'], uncertain['uncertain/turntable']], [undefined, 'the value is no longer written']);
+    assert.ok(certain['frame/turntable'].endsWith('the stop was not observed'));
+  });
+
   // The gateway takes a joint without a report for one that the adapter no longer has.
   it('DiagnosticsOf_NamesTooLong_ContainsTheJointsThenTheNewestFaults', () => {
     const status = adapter(), joints = named(60, 128, '\u001f'), signals = named(256, 128, '\u001f');

@@ -182,9 +182,9 @@ export class Conditions {
       since,
       values: [
         [`${this.kind}/${name}`, `${state} ${(since / 1000).toFixed(3)}${reason === '' ? '' : ` ${shortened(reason, longest)}`}`],
-        // The gateway's metrics name the reasons of joints only.
+        // These keys name no kind, and the gateway uses them for joints only. The text of the state has the uncertainty, too.
         ...(word === '' || this.kind !== 'joint' ? [] : [[`reason/${name}`, word]]),
-        ...(uncertainty === '' ? [] : [[`uncertain/${name}`, shortened(uncertainty, longest)]]),
+        ...(uncertainty === '' || this.kind !== 'joint' ? [] : [[`uncertain/${name}`, shortened(uncertainty, longest)]]),
       ],
     }));
   }

@@ -111,7 +111,7 @@ describe('the end of the data of objects', () => {
       assert.ok(limited.output.hasEnded(0));
       assert.ok(last(unlimited) > 2800, 'a stopper or a simulated belt stops an object at once');
       assert.deepEqual([unlimited.stateOf('frame/part'), unlimited.status.level], ['rest', 1]);
-      assert.match(unlimited.status.values()['uncertain/part'], like(silenceMessages.unobservedStop(ANY, unit)));
+      assert.match(unlimited.status.frames.uncertainty[1], like(silenceMessages.unobservedStop(ANY, unit)));
     });
 
   it('Frame_DataEndDuringTheMotion_IsLiveAgainWithItsNextPose', () => {
@@ -164,7 +164,7 @@ describe('the end of the data of objects', () => {
 
   it('Frame_StopsTwiceAtAStopper_IsUncertainOnlyTheFirstTime', () => {
     const uncertain = [], travel = ms => 0.0003 * (Math.min(ms, 1000) + Math.max(0, Math.min(ms, 4000) - 3000));
-    moving(ms => [travel(ms), 0], 6000, { observe: ({ status }, ms) => 'uncertain/part' in status.values() && uncertain.push(ms) });
+    moving(ms => [travel(ms), 0], 6000, { observe: ({ status }, ms) => status.frames.uncertainty !== null && uncertain.push(ms) });
 
     assert.ok(uncertain.length > 0 && uncertain.every(ms => ms > 1000 && ms < 3050), `${uncertain[0]} to ${uncertain.at(-1)} ms`);
   });
@@ -194,9 +194,9 @@ describe('the end of the data of objects', () => {
     const unwritten = moving(stopped, 3000, { observe: ({ output }, ms) => { output.sourceStopOf = () => (ms > 2000 ? stop.atRest : null); } });
 
     assert.deepEqual([uncertain.stateOf('frame/part'), uncertain.status.level], ['rest', 1]);
-    assert.match(uncertain.status.values()['uncertain/part'], like(silenceMessages.unobservedStop(ANY, 'm/s²')));
+    assert.match(uncertain.status.frames.uncertainty[1], like(silenceMessages.unobservedStop(ANY, 'm/s²')));
     assert.deepEqual([abandoned.stateOf('frame/part'), abandoned.status.level], ['fault', 2]);
-    assert.equal(unwritten.status.values()['uncertain/part'], silenceMessages.notWritten);
+    assert.equal(unwritten.status.frames.uncertainty[1], silenceMessages.notWritten);
   });
 
   it('Frame_SourceCannotConfirmAndDataEndDuringTheMotion_IsInFault', () => {
