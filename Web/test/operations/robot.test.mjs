@@ -222,12 +222,13 @@ describe('the robot', () => {
     await page.locator('.stage').scrollIntoViewIfNeeded();
     const meshes = gateway.urdf.replace(/<geometry>[^]*?<\/geometry>/g, '<geometry><mesh filename="link.stl"/></geometry>');
     const solid = gateway.urdf;
-    const whole = await bodiesDrawn(page), before = await page.evaluate(() => buffers);
+    // The number depends on whether the page has a pose of the headset at this moment. Without its links, the robot has fewer than half of the bodies.
+    const half = await bodiesDrawn(page) / 2, before = await page.evaluate(() => buffers);
 
     for (const urdf of [meshes, solid, meshes, solid]) {
       gateway.describe(urdf);
-      const bodies = await drawn(() => bodiesDrawn(page), bodies => (bodies === whole) === (urdf === solid));
-      assert.equal(bodies === whole, urdf === solid, `${bodies} of ${whole} bodies`);
+      const bodies = await drawn(() => bodiesDrawn(page), bodies => (bodies > half) === (urdf === solid));
+      assert.equal(bodies > half, urdf === solid, `${bodies} bodies, half of them are ${half}`);
     }
 
     assert.ok(before > 10, `${before} buffers`);
