@@ -8,7 +8,7 @@ import { adapters } from './program.mjs';
 import { seeded } from './seeded.mjs';
 import { temporaryFile } from './temporary.mjs';
 
-const SEED = 4711, VARIANTS = 2000;
+const SEED = 4711, VARIANTS = 1000;
 const folder = join(adapters, 'examples');
 const NAMES = readdirSync(folder, { recursive: true }).filter(name => name.endsWith('.yaml')).sort();
 const EXAMPLES = NAMES.map(name => readFileSync(join(folder, name), 'utf8'));

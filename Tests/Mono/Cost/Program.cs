@@ -17,7 +17,7 @@ namespace Nowpose.Mono.Cost
     /// </remarks>
     static class Program
     {
-        const int Runs = 10;
+        const int Runs = 4;
 
         /// <summary>Maximum ratios of the medians to the medians of the quadratic predictor. The measured ratios are about 8 and 1.3.</summary>
         const double MaxSampleRatio = 20, MaxFrameRatio = 5;
