@@ -37,6 +37,8 @@ static class EventRemedies
         _ => "Correct this, then send the set-points again.",
     };
 
+    public const string Description = "Correct it at its source; headsets cannot show the robot with it.";
+
     public static string Limits(string unit, string other) =>
         $"Check that the description belongs to this robot and that the source sends {unit}, not {other}.";
 

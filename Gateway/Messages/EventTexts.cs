@@ -96,6 +96,10 @@ static class EventTexts
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     public static string SetPointsOf(string robot) => robot.Length == 0 ? "the set-points" : $"the set-points of robot {robot}";
 
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
+    public static string InvalidDescription(string robot) =>
+        $"{(robot.Length == 0 ? "the robot description" : $"the description of robot {robot}")} is invalid";
+
     public static string SourceRefused(string source, string what) => $"source {source} is refused for {what}";
 
     public static string BeyondLimits(double position, string unit, double lower, double upper) =>

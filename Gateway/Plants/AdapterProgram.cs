@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Text.Json;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
+using Nowpose.Gateway.Recording;
 using Nowpose.Web;
 
 namespace Nowpose.Gateway.Plants;
@@ -30,6 +31,7 @@ static class AdapterProgram
             if (process.ExitCode != 0) throw new WrongEntriesException((await bad).Trim().Split('\n'));
             var lines = (await good).Trim().Split('\n', 2);
             var content = PlantContent.Read(file, lines.Length == 2 ? lines[1] : "");
+            content.RequireValidRobots(file);
             return new PlantFile(file, content.Name, lines[0].Trim())
             {
                 Joints = content.Joints, PassesUnlisted = content.PassesUnlisted, HasObjects = content.HasObjects, Robot = content.Robot,
@@ -62,7 +64,7 @@ static class AdapterProgram
 
     internal sealed record PlantContent(
         string Name, string[] Joints, bool PassesUnlisted, string Robot, Dictionary<string, string> Robots = null, bool HasObjects = false,
-        string[] Warnings = null, Dictionary<string, string[]> Frames = null, string[] Signals = null)
+        string[] Warnings = null, Dictionary<string, string[]> Frames = null, string[] Signals = null, Dictionary<string, string> DescribedBy = null)
     {
         static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
 
@@ -80,6 +82,16 @@ static class AdapterProgram
             }
 
             throw new InputException(AdapterMessages.CheckUnreadable(file));
+        }
+
+        /// <summary>Checks the robot descriptions of a valid file, because the program reads only the names in them.</summary>
+        /// <exception cref="WrongEntriesException">At least one description is invalid. The message names the entry of the file, and the line in the description.</exception>
+        public void RequireValidRobots(string file)
+        {
+            var wrong = new List<string>();
+            foreach (var (robot, urdf) in (Robots ?? []).Append(KeyValuePair.Create("", Robot)))
+                if (new DescribedRobot(urdf, DescribedBy?.GetValueOrDefault(robot) ?? file).Fault is { } fault) wrong.Add(fault);
+            if (wrong.Count > 0) throw new WrongEntriesException(wrong);
         }
     }
 }

@@ -4,26 +4,30 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Recording;
 
 /// <summary>A robot description and the model parsed from it. Thread-safe.</summary>
-sealed class DescribedRobot(string urdf)
+/// <param name="urdf">The text of the description; null if there is none.</param>
+/// <param name="source">Name of the description in the fault.</param>
+sealed class DescribedRobot(string urdf, string source = RosTopics.RobotDescription)
 {
-    readonly Lazy<RobotModel> _model = new(() => ModelOf(urdf));
+    readonly Lazy<(RobotModel Model, string Fault)> _read = new(() => Read(urdf, source));
 
     /// <summary>The text of the description; null if there is none.</summary>
     public string Urdf => urdf;
 
     /// <summary>The model; null without a valid description. The first call is slow, so do not make it under a lock.</summary>
-    public RobotModel Model => _model.Value;
+    public RobotModel Model => _read.Value.Model;
 
-    // Returns null for an invalid description, which headsets cannot use either.
-    static RobotModel ModelOf(string urdf)
+    /// <summary>The reason why the description is invalid, so that headsets cannot use it; null if there is none. As slow as <see cref="Model"/>.</summary>
+    public string Fault => _read.Value.Fault;
+
+    static (RobotModel, string) Read(string urdf, string source)
     {
         try
         {
-            return urdf == null ? null : UrdfReader.Read(urdf, RosTopics.RobotDescription);
+            return (urdf == null ? null : UrdfReader.Read(urdf, source), null);
         }
-        catch (InputException)
+        catch (InputException invalid)
         {
-            return null;
+            return (null, invalid.Message);
         }
     }
 }

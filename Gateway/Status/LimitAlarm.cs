@@ -39,6 +39,15 @@ sealed class LimitAlarm : IDisposable
         }
     }
 
+    /// <summary>The namespaces of the robots whose description is invalid, each with the reason.</summary>
+    public IReadOnlyList<(string Namespace, string Fault)> Invalid
+    {
+        get
+        {
+            lock (_lock) return [.. _robots.Where(robot => robot.Value.Fault != null).Select(robot => (robot.Key, robot.Value.Fault))];
+        }
+    }
+
     /// <summary>Joints whose current position is beyond their limits, with their cell-wide names.</summary>
     public IReadOnlyList<(string Name, JointBeyondLimits Found)> Beyond
     {
@@ -86,11 +95,11 @@ sealed class LimitAlarm : IDisposable
     // Parses the description, which is slow.
     void Follow(WatchedRobot robot, DescribedRobot described)
     {
-        var model = described.Model;
+        var (model, fault) = (described.Model, described.Fault);
         lock (_lock)
         {
             if (described != robot.Described) return;
-            (robot.Model, robot.Logged) = (model, 0);
+            (robot.Model, robot.Fault, robot.Logged) = (model, fault, 0);
             robot.Watch = model == null ? null : new LimitWatch(model);
         }
     }
@@ -124,6 +133,9 @@ sealed class LimitAlarm : IDisposable
 
         /// <summary>Null without a valid description, or while the description is being parsed.</summary>
         public RobotModel Model { get; set; }
+
+        /// <summary>The reason why the description is invalid; null if it is valid, or while it is being parsed for the first time.</summary>
+        public string Fault { get; set; }
 
         public LimitWatch Watch { get; set; }
 

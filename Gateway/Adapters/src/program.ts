@@ -83,6 +83,7 @@ function contentOf(kind: Kind, configuration: Configuration): object {
     signals: configuration.signals.map(({ signal }) => signal),
     robot: configuration.robot,
     robots: configuration.robots,
+    described_by: configuration.describedBy,
     warnings: configuration.warnings,
   };
 }

@@ -38,7 +38,7 @@ sealed class Conditions(
             .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(reports)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfUncertainRests(joints))
                 .Concat(OfCell("frame", AdapterReport.FramePrefix)).Concat(OfCell("signal", AdapterReport.SignalPrefix))
                 .Concat(OfFrames(joints)).Concat(OfSignals())
-                .Concat(reports.SelectMany(Of)).Concat(refusals.Read()).Concat(OfLimits(joints)).Concat(OfRecording())
+                .Concat(reports.SelectMany(Of)).Concat(refusals.Read()).Concat(limits.Invalid.Select(OfDescription)).Concat(OfLimits(joints)).Concat(OfRecording())
                 .Concat(connections.Read()).Concat(AccessConditions.Of(options))
                 .DistinctBy(condition => condition.Key).OrderByDescending(condition => condition.Level),
         ];
@@ -233,6 +233,14 @@ sealed class Conditions(
 
     static string ReasonOf(string pose, string missing) =>
         string.IsNullOrEmpty(missing) ? EventTexts.Pose(pose) : EventTexts.MissingJoints(pose, missing);
+
+    // Does not affect the gateway's readiness, because a headset can have a description of its own.
+    static Condition OfDescription((string Namespace, string Fault) one) =>
+        new("description", RobotTopic.NameOf(one.Namespace, RosTopics.RobotDescription), EventTexts.IsInvalid, one.Fault, Level.Error)
+        {
+            Headline = EventTexts.InvalidDescription(one.Namespace),
+            Remedy = EventRemedies.Description,
+        };
 
     // The position of a joint without current data is not known, and the joint has a condition of its own unless its source has ended normally.
     IEnumerable<Condition> OfLimits(IReadOnlyList<JointSnapshot> joints) =>

@@ -72,7 +72,7 @@ public class CellStatusTests
     [Test]
     public async Task State_DescribedRobotsReplacedByUndescribedRobots_IsOkWithObjectsOnly()
     {
-        for (var i = 0; i < ProtocolLimits.Robots; i++) await _source.SendAsync(RosbridgeWriter.PublishString($"/old{i}/robot_description", "<robot/>"));
+        for (var i = 0; i < ProtocolLimits.Robots; i++) await _source.SendAsync(RosbridgeWriter.PublishString($"/old{i}/robot_description", "<robot><link name=\"a\"/></robot>"));
         await _source.RoundTripAsync();
         _source.Dispose();
         await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 0, "the source has disconnected");

@@ -54,6 +54,21 @@ public class AdapterCheckTests : PlantFileFixture
     }
 
     [Test]
+    public void Check_InvalidRobotDescriptions_NamesTheEntryAndTheFaultOfEach()
+    {
+        const string Xacro = "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/>\n<joint name=\"j\" type=\"fixed\"><parent link=\"a\"/><child link=\"b\"/>"
+            + "<origin rpy=\"0 0 ${pi/2}\"/></joint></robot>";
+        Write(Xacro, "xacro.urdf");
+        Write(RobotFiles.LoadText("ur5") + "<", "damaged.urdf");
+        var path = Write(Good.Replace("joint: a", "joint: arm2/elbow_joint") + "\nrobot: xacro.urdf\nrobots: { arm1: damaged.urdf, arm2: ur5 }\n");
+
+        var wrong = Assert.ThrowsAsync<WrongEntriesException>(() => AdapterProcesses.CheckAsync([path], default));
+
+        Assert.That(wrong.Lines, Has.Count.EqualTo(2));
+        Assert.That(wrong.Lines, Has.One.Matches($"^{path}, line 8: robot: xacro.urdf:2: .*rpy").And.One.Matches($"^{path}, line 9: robots.arm1: damaged.urdf:[0-9]+: "));
+    }
+
+    [Test]
     public async Task Check_PlantWithRobot_ListsTheMissingJointsOfThatRobot()
     {
         var path = Write(Good.Replace("joint: a", "joint: shoulder_pan_joint") + "\nrobot: ur5\n");

@@ -116,6 +116,20 @@ public class LimitAlarmTests
     }
 
     [Test]
+    public async Task Invalid_DescriptionOfARobot_HasTheFaultUntilAValidDescription()
+    {
+        _source.Describe("<robot><link name=\"a\"/>", "arm1");
+        _source.Describe(RobotFiles.LoadText("ur5"), "arm2");
+
+        await Soon.BecomesAsync(() => _alarm.Invalid.Count == 1, "the description is read");
+        Assert.That(_alarm.Invalid[0].Namespace, Is.EqualTo("arm1"));
+        Assert.That(_alarm.Invalid[0].Fault, Does.StartWith(RosTopics.RobotDescription + ":1: "));
+        _source.Describe(RobotFiles.LoadText("ur5"), "arm1");
+
+        await Soon.BecomesAsync(() => _alarm.Invalid.Count == 0, "the valid description is read");
+    }
+
+    [Test]
     public void Joints_NoValidDescription_AreNotChecked()
     {
         for (var i = 0; i < 10; i++) Send(90);

@@ -57,6 +57,8 @@ export interface Configuration {
   robot: string | null;
   /** The URDFs of the robots with a namespace, as strings, by namespace. */
   robots: Record<string, string>;
+  /** The string "FILE, line L: path.to.entry: NAME" for each robot, by namespace, for errors in its description. */
+  describedBy: Record<string, string>;
   /** Warnings about valid entries, each with the file and the line. */
   warnings: string[];
   /** Strings that must not appear in the log. */
@@ -100,6 +102,7 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
   const joints = jointsOf(file, sections, silence);
   const values: Value[] = joints.map((joint, i) => ({ label: joint.joint, path: ['joints', i], address: addressIn(joint) }));
   const wholeFrames: FrameSettings[] = [];
+  const where = (entry: Path): string => `${path}, line ${file.lineOf(entry)}: ${pathText(entry)}`;
   const frames = kind in ADDRESS ? framesOf(file, kind, sections.frames ?? [], silence, values, wholeFrames) : [];
   const configuration: Configuration = {
     file: path,
@@ -114,10 +117,14 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
     values,
     robot: namespace === '' ? described : null,
     robots: { ...robotsOf(file, sections), ...(namespace === '' || described === null ? {} : { [namespace]: described }) },
+    describedBy: {
+      ...Object.fromEntries(Object.entries(sections.robots ?? {}).map(([robot, name]) => [robot, `${where(['robots', robot])}: ${name}`])),
+      ...(sections.robot === undefined ? {} : { [namespace]: `${where(['robot'])}: ${sections.robot}` }),
+    },
     warnings: [],
     secrets: gateway.token === null ? [] : [gateway.token],
     isSupervised: environment.NOWPOSE_SUPERVISED === '1',
-    where: entry => `${path}, line ${file.lineOf(entry)}: ${pathText(entry)}`,
+    where,
     lineOf: entry => file.lineOf(entry),
   };
   const namespaces = hasEntry(kind, 'robots') ? Object.keys(sections.robots ?? {}) : null;

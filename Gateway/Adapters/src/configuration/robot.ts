@@ -1,4 +1,4 @@
-import { readFileSync, statSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { besides } from './besides';
 import { nearest } from './nearest';
 import type { Path, YamlFile } from './yamlFile';
@@ -10,7 +10,8 @@ import ur5e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur5e.urdf
 import youbot from '../../../../Packages/com.nowpose.mril/Runtime/Robots/youbot.urdf';
 import { robotMessages } from '../messages/configuration';
 
-const DESCRIPTION_BYTES = 1024 * 1024;
+/** Maximum length of a description as a JSON string: the gateway's limit of 1 MiB for the message, less the rest of the message. */
+const DESCRIPTION_BYTES = 1024 * 1024 - 256;
 
 /** URDFs of the robots that are available by name. They are the same as in the gateway. */
 const INCLUDED: Record<string, string> = { ur3e, ur5, ur5e, ur10e, ur16e, youbot };
@@ -38,9 +39,10 @@ export function robotOf(file: YamlFile, at: Path, robot: string): string | null 
     return null;
   };
   try {
-    if (statSync(path).size > DESCRIPTION_BYTES) return report(robotMessages.tooLarge(robot));
     const text = readFileSync(path, 'utf8');
-    return text.includes('<robot') ? text : report(robotMessages.notUrdf(robot));
+    if (!text.includes('<robot')) return report(robotMessages.notUrdf(robot));
+    const bytes = Buffer.byteLength(JSON.stringify(text));
+    return bytes > DESCRIPTION_BYTES ? report(robotMessages.tooLarge(robot, bytes, DESCRIPTION_BYTES)) : text;
   } catch (error) {
     return report(robotMessages.notReadable(robot, (error as NodeJS.ErrnoException).code, Object.keys(INCLUDED)));
   }

@@ -69,7 +69,14 @@ export const frameMessages = {
 
 /** Error messages about the configuration of robots and about their descriptions. */
 export const robotMessages = {
-  tooLarge: (value: unknown) => wrongValue(value, 'the file is larger than 1 MiB; move its meshes to separate files'),
+  tooLarge: (value: unknown, bytes: number, most: number) =>
+    wrongValue(
+      value,
+      `the description is a JSON string of ${bytes} bytes; allowed: at most ${most}; `
+        + 'remove comments and the elements that headsets do not use, such as <collision>',
+    ),
+  wrongUnit: (value: unknown, name: string, type: string, allowed: string[]) =>
+    wrongValue(value, `joint ${name} is ${type} in the robot description; allowed: ${allowed.join(', ')}`),
   notUrdf: (value: unknown) => wrongValue(value, 'the file has no <robot> element; specify a URDF file'),
   notReadable: (value: unknown, code: string | undefined, included: string[]) =>
     wrongValue(value, `the file cannot be read (${code}); enter an existing URDF file or one of ${included.join(', ')}`),

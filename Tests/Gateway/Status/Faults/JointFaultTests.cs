@@ -231,6 +231,23 @@ public class JointFaultTests
     }
 
     [Test]
+    public async Task Description_Invalid_IsAnEventUntilAValidDescriptionArrives()
+    {
+        const string Topic = "/arm1" + RosTopics.RobotDescription;
+        await _gateway.StartAsync();
+        _gateway.Source.Describe("<robot><link name=\"a\"/>", "arm1");
+
+        await _gateway.BeginsAsync("description", Topic);
+
+        var one = await _gateway.EventAsync("description", Topic);
+        Assert.That(one.GetProperty("text").GetString(), Does.StartWith(EventTexts.InvalidDescription("arm1") + ": ").And.EndWith(EventRemedies.Description));
+        Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
+        await _gateway.ReadyAsync(HttpStatusCode.OK);
+        _gateway.Source.Describe(RobotFiles.LoadText("youbot"), "arm1");
+        await _gateway.EndsAsync("description", Topic);
+    }
+
+    [Test]
     public async Task Joint_OfTheRobotWithoutASource_IsReportedEverywhere()
     {
         await _gateway.StartAsync();
