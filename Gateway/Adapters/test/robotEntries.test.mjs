@@ -5,9 +5,11 @@ import { dirname, join } from 'node:path';
 import { describe, it } from 'node:test';
 import { wrongIn } from './checking.mjs';
 import { messages } from './messages.mjs';
+import { parts } from './parts.mjs';
 import { temporaryFile } from './temporary.mjs';
 
-const { robotMessages } = messages;
+const { readConfiguration } = await parts('configuration/configuration');
+const { configurationMessages, robotMessages } = messages;
 
 const ARM = `<robot name="arm">
   <joint type="revolute" name="elbow"/><joint name="turntable" type='continuous'/><joint name="axis > 1" type="prismatic"/>
@@ -20,6 +22,49 @@ function plant(joints, urdf = ARM) {
   writeFileSync(join(dirname(path), 'arm.urdf'), urdf);
   return path;
 }
+
+describe('units of joints', () => {
+  for (const [joint, unit, type, allowed] of [
+    ['elbow', 'mm', 'revolute', ['rad', 'deg']], ['turntable', 'm', 'continuous', ['rad', 'deg']], ['axis > 1', 'deg', 'prismatic', ['m', 'mm']],
+  ])
+    it(`Check_${unit}Of${type}Joint_NamesTypeAndAllowedUnits`, () => {
+      const path = plant(`  - { joint: ${joint}, node: i=1, unit: ${unit} }\n`);
+
+      assert.deepEqual(wrongIn(path), [`${path}, line 4: joints[0].unit: ${robotMessages.wrongUnit(unit, joint, type, allowed)}`]);
+    });
+
+  it('Check_UnitsThatFitOrAreAbsent_FindsNoError', () => {
+    const path = plant('  - { joint: elbow, node: i=1, unit: deg }\n  - { joint: turntable, node: i=2 }\n  - { joint: axis > 1, node: i=3, scale: 0.01 }\n');
+
+    assert.deepEqual(wrongIn(path), []);
+    assert.deepEqual(readConfiguration(path, {}, {}).joints.map(({ isLinear }) => isLinear), [false, false, true]);
+  });
+});
+
+describe('addresses of joints', () => {
+  const linesIn = (joints, others = '') => readConfiguration(temporaryFile('plant.yaml', `plant: { kind: opcua, endpoint: opc.tcp://plc }
+joints:
+${joints}${others}`), {}, {}).warnings.map(line => line.replace(/^.*?, line/, 'line'));
+
+  it('Check_TwoJointsWithTheSameAddress_WarnsOfTheSecond', () => {
+    const lines = linesIn('  - { joint: elbow, node: i=1, index: 2 }\n  - { joint: wrist, node: i=1, index: 2 }\n  - { joint: tool, node: i=1, index: 3 }\n');
+
+    assert.deepEqual(lines, [`line 4: joints[1]: ${configurationMessages.addressTwice('node i=1, index 2', 'elbow', 3)}`]);
+  });
+
+  it('Check_TwoNumbersOfAFrameWithTheSameAddress_WarnsOfTheSecond', () => {
+    const position = (x, y) => `position: { unit: m, x: { node: ${x} }, y: { node: ${y} }, z: 0 }`;
+    const lines = linesIn('  - { joint: elbow, node: i=1 }\n', `frames:
+  - { frame: part, ${position('i=1', 'i=1')} }
+  - { frame: other, ${position('i=1', 'i=2')} }
+signals:
+  - { signal: a, node: i=1 }
+  - { signal: b, node: i=1 }
+`);
+
+    assert.deepEqual(lines, [`line 5: frames[0].position.y: ${configurationMessages.addressTwice('node i=1', 'part x', 5)}`]);
+  });
+});
 
 describe('length of a robot description', () => {
   const withComment = text => ARM.replace('</robot>', `<!-- ${text} --></robot>`);

@@ -115,7 +115,7 @@ public class AdapterCheckTests : PlantFileFixture
     {
         const string Cell = """
             plant: { name: NAME, kind: mqtt, endpoint: mqtt://127.0.0.1 }
-            joints: [{ joint: a, topic: a }, { joint: NAME_only, topic: a }]
+            joints: [{ joint: a, topic: a }, { joint: NAME_only, topic: b }]
             frames: [{ frame: part, position: { unit: m, x: { topic: part }, y: 0, z: 0 } }]
             signals: [{ signal: closed, topic: gripper }]
 

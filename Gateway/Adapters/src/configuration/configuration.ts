@@ -6,6 +6,7 @@ import { linesOf } from './problem';
 import { type NamedJoint, namedIn, requireJoints, robotOf } from './robot';
 import { checkAgainstSchema, hasEntry, KINDS, knownEntries } from './schemaCheck';
 import { secretIn } from './secret';
+import { warnOfSharedAddresses } from './sharedAddresses';
 import { requireTls } from './plain';
 import { type Signal, signalsOf } from './signals';
 import { type SilenceEntry, silenceMs } from './silenceEntry';
@@ -25,8 +26,6 @@ export interface GatewayAddress {
 export interface Joint extends Address, NamedJoint {
   scale: number;
   offset: number;
-  /** Whether the position is a length in m; otherwise it is an angle in rad. */
-  isLinear?: boolean;
   /** Maximum deceleration, rad/s² or m/s²; absent if unknown. */
   maxDeceleration?: number;
   /** Time without data after which the joint has a fault, ms; absent or null if a silent joint counts as at rest. */
@@ -130,6 +129,7 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
   const namespaces = hasEntry(kind, 'robots') ? Object.keys(sections.robots ?? {}) : null;
   for (const [robot, urdf] of Object.entries({ ...configuration.robots, '': configuration.robot }))
     requireJoints(file, joints, robot, urdf, namespaces);
+  warnOfSharedAddresses(file, values);
   checkParents(file, sections.frames ?? [], { ...configuration.robots, ...(configuration.robot === null ? {} : { '': configuration.robot }) });
   ownChecks[kind]?.(file, configuration, environment);
   file.throwIfWrong();

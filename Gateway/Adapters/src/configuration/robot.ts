@@ -22,7 +22,14 @@ export interface NamedJoint {
   /** Namespace of the joint's robot; empty if the robot has no namespace. */
   robot: string;
   name: string;
+  /** Whether the position is a length in m; otherwise it is an angle in rad. */
+  isLinear?: boolean;
 }
+
+const ANGLE = ['rad', 'deg'];
+
+/** Units of the position for each type of moving joint. */
+const UNITS_OF: Record<string, string[]> = { revolute: ANGLE, continuous: ANGLE, prismatic: ['m', 'mm'] };
 
 /** Splits a joint's name, such as NAMESPACE/JOINT, into the namespace and the name without it. */
 export function namedIn(joint: string, namespaces: readonly string[]): NamedJoint {
@@ -52,21 +59,24 @@ export function robotOf(file: YamlFile, at: Path, robot: string): string | null 
 const QUALIFIED = /^([A-Za-z][A-Za-z0-9_]{0,31})\/(.+)$/;
 
 /**
- * Reports configured joints that the robot of this namespace does not have, because headsets cannot show them.
+ * Reports configured joints that the robot of this namespace does not have, because headsets cannot show them, and units that do not fit the type of
+ * a joint. Sets whether the position of a joint with a known type is a length.
  * @param urdf The description of the robot; null if the file has none.
  * @param namespaces The namespaces of the file's robots; null if this kind of plant has no robots with namespaces.
  */
 export function requireJoints(file: YamlFile, joints: NamedJoint[], robot: string, urdf: string | null, namespaces: string[] | null): void {
-  const known = urdf === null ? null : jointsIn(urdf);
-  joints.forEach(({ joint, robot: own, name }, i) => {
-    if (own !== robot || known?.has(name) === true) return;
+  const known = urdf === null ? null : typesIn(urdf);
+  joints.forEach((named, i) => {
+    const { joint, robot: own, name } = named;
+    if (own !== robot) return;
+    if (known?.has(name) === true) return requireUnit(file, named, i, known.get(name)!);
     const path = ['joints', i, 'joint'];
     if (joint.includes('/') && robot === '' && file.isInvalid(['robots'])) return;
     const [, namespace, rest] = (robot === '' ? QUALIFIED.exec(name) : null) ?? [];
     if (namespace === undefined && known !== null) {
       // The message has the form of the file. In a file with one namespace, the joints are entered without it.
       const prefix = namespaces === null ? '' : joint.slice(0, -name.length);
-      const [guess] = nearest(name, known);
+      const [guess] = nearest(name, known.keys());
       file.report(path, robotMessages.noJoint(prefix + name, guess && prefix + guess));
     } else if (namespace !== undefined && namespaces !== null)
       file.report(path, robotMessages.noRobot(joint, namespace, nearest(namespace, namespaces)[0]));
@@ -75,13 +85,34 @@ export function requireJoints(file: YamlFile, joints: NamedJoint[], robot: strin
   });
 }
 
-const JOINT = /<joint\s(?:[^>]*?\s)?name\s*=\s*(?:"([^"]*)"|'([^']*)')/g;
-const LINK = /<link\s(?:[^>]*?\s)?name\s*=\s*(?:"([^"]*)"|'([^']*)')/g;
+/** @param type Type of the joint in the robot description; empty if it is missing. */
+function requireUnit(file: YamlFile, joint: NamedJoint & { unit?: unknown }, index: number, type: string): void {
+  const allowed = UNITS_OF[type];
+  if (allowed === undefined) return;
+  joint.isLinear = type === 'prismatic';
+  if (joint.unit !== undefined && !allowed.includes(joint.unit as string))
+    file.report(['joints', index, 'unit'], robotMessages.wrongUnit(joint.unit, joint.name, type, allowed));
+}
 
-const jointsIn = (urdf: string): Set<string> => new Set(namesIn(urdf, JOINT));
+/** Gets the types of the joints in a robot description, by the name of the joint. */
+const typesIn = (urdf: string): Map<string, string> => {
+  const types = new Map<string, string>();
+  // A joint is also named in a <transmission>, without its type.
+  for (const attributes of elementsIn(urdf, 'joint')) {
+    const name = attributeIn(attributes, 'name');
+    if (name !== undefined) types.set(name, attributeIn(attributes, 'type') ?? types.get(name) ?? '');
+  }
+  return types;
+};
 
 /** Gets the names of the links in a robot description. */
-export const linksIn = (urdf: string): string[] => namesIn(urdf, LINK);
+export const linksIn = (urdf: string): string[] => elementsIn(urdf, 'link').flatMap(attributes => attributeIn(attributes, 'name') ?? []);
 
-const namesIn = (urdf: string, element: RegExp): string[] =>
-  [...urdf.replace(/<!--[^]*?-->/g, '').matchAll(element)].map(([, double, single]) => double ?? single);
+/** Gets the attributes of the elements with this name, as the text of each start tag. */
+const elementsIn = (urdf: string, element: string): string[] =>
+  [...urdf.replace(/<!--[^]*?-->/g, '').matchAll(new RegExp(`<${element}(\\s(?:"[^"]*"|'[^']*'|[^>"'])*)`, 'g'))].map(([, attributes]) => attributes);
+
+function attributeIn(attributes: string, name: string): string | undefined {
+  const [, double, single] = new RegExp(`\\s${name}\\s*=\\s*(?:"([^"]*)"|'([^']*)')`).exec(attributes) ?? [];
+  return double ?? single;
+}

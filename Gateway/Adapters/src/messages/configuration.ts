@@ -17,6 +17,9 @@ export const configurationMessages = {
   /** @param kind Kind of object that has the name, such as joint. */
   nameTwice: (value: unknown, line: number | undefined, kind: string) =>
     wrongValue(value, `line ${line} already has this ${kind}; list each ${kind} once`),
+  /** @param label The joint or the number that is also read from this address. */
+  addressTwice: (address: string, label: string, line: number) =>
+    `${address} is also the address of ${label} (line ${line}); correct it, unless both have the same value`,
   valueTwice: (value: unknown, kind: string) => `value ${shown(value)} occurs twice; list each ${kind} once`,
   unitAndScale: 'unit and scale are both set; remove one of the two',
   publishingTooShort: (publishingMs: number, samplingMs: number) => wrongValue(publishingMs, `allowed: ${samplingMs} ms (sampling_ms) to 10000 ms`),
