@@ -51,6 +51,18 @@ describe('clock of the gateway', () => {
     assert.equal(clock.now, T + 3600n * S - MS / 2n);
   });
 
+  for (const [step, isReported] of [[3600n * S, true], [-3600n * S, true], [S / 2n, false]])
+    it(`Stepped_By${step / MS}ms_Is${isReported ? '' : 'Not'}Reported`, () => {
+      let steps = 0;
+      const clock = new GatewayClock({}, () => 0n, () => { steps++; });
+      for (let i = 0n; i < 10n; i++) clock.observe(T + i * S, i * S, i * S + MS);
+
+      clock.observe(T + 10n * S + step, 10n * S, 10n * S + MS);
+      clock.observe(T + 11n * S + step, 11n * S, 11n * S + MS);
+
+      assert.equal(steps, isReported ? 1 : 0);
+    });
+
   it('PlantClock_PlantHasNoClock_ReadsTheClockOfTheGateway', async () => {
     const time = { now: 5n * S }, stop = new AbortController();
     const gateway = { offer: () => {}, call: async () => ({ time: { sec: Number(T / S), nanosec: 0 } }) };

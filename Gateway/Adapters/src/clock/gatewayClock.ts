@@ -6,6 +6,12 @@ const GET_TIME = '/rosapi/get_time';
 const EVERY_MS = 1000;
 const RETRY_MS = 200;
 
+/**
+ * Minimum step that is reported: values with stamps that are ahead of the control clock by more than this are refused, so those received before the step
+ * may have been refused, or are in the future now.
+ */
+const MIN_STEP: Nanoseconds = NS_PER_S;
+
 /** Maximum skew between the control clock and this machine's counter. Headsets use the same limit. */
 const MAX_SKEW_PPM = 700n;
 
@@ -17,10 +23,14 @@ export class GatewayClock {
   /** Lower and upper bound of control time minus counter, and the counter at the newest reading. */
   #bounds: { low: Nanoseconds; high: Nanoseconds; at: Nanoseconds } | null = null;
 
-  /** @param counter Monotonic clock of this machine, ns. */
+  /**
+   * @param counter Monotonic clock of this machine, ns.
+   * @param stepped Called after the control clock has stepped, or another clock has become the control clock.
+   */
   constructor(
     readonly gateway: Pick<GatewayLink, 'call'>,
     readonly counter: () => Nanoseconds,
+    readonly stepped: () => void = () => {},
   ) {}
 
   /** The current control time; null before the first reading. */
@@ -48,12 +58,15 @@ export class GatewayClock {
    */
   observe(time: Nanoseconds, asked: Nanoseconds, heard: Nanoseconds): void {
     let [low, high] = [time - heard, time - asked];
+    let step = 0n;
     if (this.#bounds !== null) {
       const change = ((heard - this.#bounds.at) * MAX_SKEW_PPM) / 1_000_000n;
       const [oldLow, oldHigh] = [this.#bounds.low - change, this.#bounds.high + change];
-      if (low <= oldHigh && high >= oldLow) [low, high] = [low > oldLow ? low : oldLow, high < oldHigh ? high : oldHigh];
+      step = low > oldHigh ? low - oldHigh : oldLow - high;
+      if (step <= 0n) [low, high] = [low > oldLow ? low : oldLow, high < oldHigh ? high : oldHigh];
     }
     this.#bounds = { low, high, at: heard };
+    if (step > MIN_STEP) this.stepped();
   }
 
   async #read(): Promise<boolean> {

@@ -57,6 +57,8 @@ export class OfferedClock {
   #measured: Nanoseconds | null = null;
   #measuring: Promise<void> | null = null;
   readonly #gatewayClock: GatewayClock;
+  /** Called after the gateway's clock, which stamps the values, has stepped or has been replaced by another control clock. */
+  stepped: () => void = () => {};
   /** Aborted when the plant's clock is offered. */
   readonly #offered = new AbortController();
   /** Resolves when the gateway's clock is known; null if the gateway's clock is not needed. */
@@ -74,7 +76,7 @@ export class OfferedClock {
     readonly counter = monotonicTime,
     readonly coarse: (resolution: Nanoseconds | null) => void = () => {},
   ) {
-    this.#gatewayClock = new GatewayClock(gateway, counter);
+    this.#gatewayClock = new GatewayClock(gateway, counter, () => this.stepped());
   }
 
   /** Whether samples can be sent. Before the clock is offered, the gateway would interpret the stamps as times of its own clock. */

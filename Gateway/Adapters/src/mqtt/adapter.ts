@@ -47,6 +47,11 @@ export async function run(context: AdapterContext): Promise<void> {
     },
     malformed: (topic, problem) => status.refuse('malformed', topic, problem),
   });
+  // The broker sends a retained message only once per subscription, and a message that was judged with the previous clock may have been refused.
+  clock.stepped = () => {
+    output.restart();
+    link.subscribeAgain();
+  };
   await link.run(stopping);
 }
 

@@ -61,6 +61,11 @@ export class MqttLink {
     );
   }
 
+  /** Subscribes again to all topics, so that the broker sends the retained messages again. Has no effect without a connection. */
+  subscribeAgain(): void {
+    if (this.client !== null) this.#subscribe(this.client);
+  }
+
   #connect(stop: AbortSignal): Promise<string> {
     this.#wasOpen = false;
     const client = connect(this.broker.endpoint, this.#options());
@@ -117,13 +122,19 @@ export class MqttLink {
   #open(client: MqttClient): void {
     this.#client = client;
     this.#wasOpen = true;
-    // With nl (no local), the broker does not return this client's own messages.
-    for (const topic of this.topics)
-      client.subscribe(topic, { qos: 1, nl: true }, (error, _, response) => {
+    this.#subscribe(client);
+    this.events.opened();
+  }
+
+  #subscribe(client: MqttClient): void {
+    for (const topic of this.topics) {
+      // With nl (no local), the broker does not return this client's own messages. Without resubscribe, the client would ignore a second subscription.
+      const subscription = Object.assign({ [topic]: { qos: 1 as const, nl: true } }, { resubscribe: true });
+      client.subscribe(subscription, (error, _, response) => {
         // Ignores the error of a subscription without a response, which fails because the connection ends.
         if (error && response !== undefined) this.events.refused(topic, brokerMessages.subscriptionRefused(topic, error.message));
       });
-    this.events.opened();
+    }
   }
 }
 

@@ -129,6 +129,27 @@ frames:
     await until(() => bridge.published('/arm1/joint_states')[0]?.position[0] === 0.6, () => JSON.stringify(bridge.state));
   });
 
+  it('RetainedMessages_AnotherClockBecomesTheControlClock_AreUsedWithItsTime', async t => {
+    const twoHours = 7_200_000;
+    let control = clockAhead(0);
+    const plc = clockAhead(twoHours), ms = plc() / MS;
+    const { bridge } = await cell(t, {
+      plant: TIME, rest: REST, now: () => control(),
+      prepare: async ({ send }) => {
+        await send('cell/belt', { t: Number(ms), speed: 0.5 }, { retain: true });
+        await send('cell/closed', 'true', { retain: true });
+      },
+    });
+    await until(() => bridge.state?.['signal/speed']?.includes('ahead') && changes(bridge, 'closed').length > 0, () => JSON.stringify(bridge.state));
+
+    control = plc;
+
+    await until(() => changes(bridge, 'speed').length > 0, () => JSON.stringify(bridge.state));
+    assert.deepEqual(changes(bridge, 'speed')[0], [0.5, ms * MS]);
+    await until(() => changes(bridge, 'closed').some(([value, stamp]) => value === 1 && stamp >= ms * MS), () => JSON.stringify(bridge.state));
+    assert.equal(bridge.state.reconnects, '0');
+  });
+
   it('RetainedMessage_WithRecentTime_IsUsedAsASample', async t => {
     const { bridge } = await cell(t, {
       plant: TIME, rest: REST,

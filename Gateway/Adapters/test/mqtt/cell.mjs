@@ -15,8 +15,7 @@ export const configuration = (url, endpoint, { plant = '', rest = '' }) =>
   `gateway: { url: "${url}" }\nplant:\n  kind: mqtt\n  name: twin\n  endpoint: ${endpoint}\n${plant}${rest}`;
 
 /** Starts a broker, a gateway with its own clock, and the adapter with `launch`. Resolves when the adapter has subscribed. */
-export async function cell(t, { plant, rest, lines, prepare = async () => {}, env, launch = start } = {}) {
-  const now = clockAhead(60_000);
+export async function cell(t, { plant, rest, lines, prepare = async () => {}, env, launch = start, now = clockAhead(60_000) } = {}) {
   const [broker, bridge] = await Promise.all([Mosquitto.start(t, lines), RosbridgeDouble.start(t, { now })]);
   const client = await connectAsync(broker.url, { protocolVersion: 5 });
   t.after(() => client.endAsync(true));
