@@ -184,7 +184,7 @@ sealed class GatewayStatus : IDisposable
     }
 
     // Under the hub's lock, so that no older list replaces a newer one.
-    void ReportSignals() => _hub.Exclusively(() => _signals.Report(_cell.FaultySignals(), _options.Time.GetUtcNow()));
+    void ReportSignals() => _hub.Exclusively(() => _signals.Report(_cell.FaultySignals(_clock.Now), _options.Time.GetUtcNow()));
 
     void Refuse(HubSource source, string topic, string name, HubSource owner)
     {

@@ -10,7 +10,8 @@ namespace Nowpose.Gateway.Status.Cell;
 /// <summary>The frames and signals of the cell with their states. Thread-safe.</summary>
 /// <remarks>
 /// A frame or signal whose messages are dropped because of their content is refused: a tracked frame while no valid pose arrives, a stationary frame
-/// or a signal until its next valid message, because these are sent only once.
+/// or a signal until its next valid message, because these are sent only once. A signal is also refused while its newest stamp is in the future, because
+/// headsets show its value only from then on. The gateway accepts no such stamp, but the control clock may be set back or replaced afterwards.
 /// A frame or signal stays listed after its source has ended, so that the status shows that its data are missing. If the source ended normally, the frame
 /// or signal is removed after <see cref="JointBoard.ForgottenAfter"/> without data.
 /// </remarks>
@@ -31,6 +32,9 @@ sealed class CellBoard(
 
     /// <summary>Time without a pose with another time stamp after which a tracked frame is stale.</summary>
     static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(1);
+
+    /// <summary>Assumed error bound of the control clock for stamps in the future. It is larger than the bound with which stamps are accepted.</summary>
+    static readonly TimeSpan ClockErrorBound = TimeSpan.FromSeconds(1);
 
     static readonly string RefusedState = JointDataStates.Of(JointDataState.Refused);
 
@@ -91,18 +95,20 @@ sealed class CellBoard(
     }
 
     /// <summary>
-    /// Gets the signals that an adapter reports with a fault, whose adapter is silent, or whose newest value was refused, with a short reason for headsets.
+    /// Gets the signals that an adapter reports with a fault, whose adapter is silent, or whose newest value is refused, with a short reason for headsets.
     /// </summary>
-    public IReadOnlyList<CellReport> FaultySignals()
+    public IReadOnlyList<CellReport> FaultySignals(ControlTime now)
     {
         lock (_gate)
             return
             [
                 .. SignalFaults(),
                 .. from signal in _signals
-                   where signal.Value is { Refusal: not null, IsEnded: false }
+                   where !signal.Value.IsEnded
+                   let refusal = RefusalOf(signal.Value, now)
+                   where refusal != null
                    select new CellReport(
-                       signal.Key, signal.Value.Source.Title, new AdapterReport(JointDataState.Refused, signal.Value.Refusal.Since, signal.Value.Refusal.Fault)),
+                       signal.Key, signal.Value.Source.Title, new AdapterReport(JointDataState.Refused, refusal.Since, refusal.Fault)),
             ];
     }
 
@@ -201,12 +207,20 @@ sealed class CellBoard(
         };
     }
 
-    static SignalView ViewOf(string name, SignalEntry signal, ControlTime now)
+    SignalView ViewOf(string name, SignalEntry signal, ControlTime now)
     {
         var (state, reason, since) = (CellStates.Live, (string)null, (DateTimeOffset?)null);
         if (signal.IsEnded) (state, reason, since) = (CellStates.Ended, EventTexts.SourceEnded(signal.Source.Title), signal.EndedUtc);
-        else if (signal.Refusal is { } refusal) (state, reason, since) = (RefusedState, refusal.Reason, refusal.Since);
+        else if (RefusalOf(signal, now) is { } refusal) (state, reason, since) = (RefusedState, refusal.Reason, refusal.Since);
         return new SignalView(name, signal.Value, signal.Source.Title, state, signal.HasAny ? Seconds(now - signal.Since) : null, reason) { Since = since };
+    }
+
+    // Returns null for a signal whose newest message was valid and still is.
+    DroppedMessage RefusalOf(SignalEntry signal, ControlTime now)
+    {
+        var isAhead = signal.HasAny && StampRule.IsInFuture(signal.Newest, now, ClockErrorBound);
+        signal.Ahead = isAhead ? signal.Ahead ?? new DroppedMessage(CellReasons.StampAhead, CellReasons.StampAhead, time.GetTimestamp(), time.GetUtcNow()) : null;
+        return signal.Refusal ?? signal.Ahead;
     }
 
     bool IsCurrent(FrameEntry frame) => !frame.IsEnded && !IsRefused(frame) && !IsSilent(frame) && !frame.IsOld;

@@ -65,6 +65,9 @@ sealed class SignalEntry : CellEntry
     /// <summary>Null before the first valid message.</summary>
     public double? Value { get; set; }
 
+    /// <summary>The newest valid message as a refusal, because its stamp is in the future; null if the stamp is not.</summary>
+    public DroppedMessage Ahead { get; set; }
+
     /// <summary>Stamp of the newest value.</summary>
     public ControlTime Newest { get; set; }
 

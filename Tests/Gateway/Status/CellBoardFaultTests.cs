@@ -88,14 +88,14 @@ public class CellBoardFaultTests : CellBoardFixture
         _time.Advance(TimeSpan.FromMinutes(1));
 
         Assert.That(_board.Frames(At(65)).Select(frame => frame.State).Concat(_board.Signals(At(65)).Select(signal => signal.State)), Has.Exactly(4).EqualTo("fault"));
-        Assert.That(_board.FaultySignals().Select(one => one.Name), Is.EqualTo(new[] { "grip", "lamp" }));
+        Assert.That(_board.FaultySignals(At(65)).Select(one => one.Name), Is.EqualTo(new[] { "grip", "lamp" }));
 
         _source.Dispose();
         _board.End(_source, ["grip"]);
 
         Assert.That(_board.Frames(At(65)).Select(frame => (frame.Name, frame.State)), Is.EqualTo(new[] { ("box", "stale") }));
         Assert.That(_board.Signals(At(65)).Select(signal => (signal.Name, signal.State)), Is.EqualTo(new[] { ("grip", "ended") }));
-        Assert.That(_board.FaultySignals(), Is.Empty);
+        Assert.That(_board.FaultySignals(At(65)), Is.Empty);
     }
 
     [TestCase("live 1700000000.000")]
@@ -117,12 +117,12 @@ public class CellBoardFaultTests : CellBoardFixture
 
         Assert.That(Faulty(), Is.EqualTo(new (string, string, DateTimeOffset?)[] { ("grip", "stale", last) }), "only the signal of this adapter");
         Assert.That(_board.Signals(At(8)).First().Reason, Is.EqualTo(CellReasons.AdapterSilent));
-        Assert.That(_board.FaultySignals().Select(one => (one.Name, one.Report.State)), Is.EqualTo(new[] { ("grip", JointDataState.Stale) }));
+        Assert.That(_board.FaultySignals(At(65)).Select(one => (one.Name, one.Report.State)), Is.EqualTo(new[] { ("grip", JointDataState.Stale) }));
 
         Report();
 
         Assert.That(Faulty(), Is.Empty);
-        Assert.That(_board.FaultySignals(), Is.Empty);
+        Assert.That(_board.FaultySignals(At(65)), Is.Empty);
     }
 
     [Test]

@@ -65,12 +65,31 @@ public class CellBoardRefusalTests : CellBoardFixture
         {
             ("grip", "refused", 1), ("lamp", "refused", null),
         }));
-        Assert.That(_board.FaultySignals().Select(one => one.Name), Is.EqualTo(new[] { "grip", "lamp" }));
+        Assert.That(_board.FaultySignals(At(9)).Select(one => one.Name), Is.EqualTo(new[] { "grip", "lamp" }));
 
         _board.Add(_source, new SignalsMessage(At(9), new SignalValue("grip", 1), new SignalValue("lamp", 1)));
 
         Assert.That(_board.Signals(At(9)).Select(signal => signal.State), Is.EqualTo(new[] { "live", "live" }));
-        Assert.That(_board.FaultySignals(), Is.Empty);
+        Assert.That(_board.FaultySignals(At(9)), Is.Empty);
+    }
+
+    [Test]
+    public void Signals_ControlClockSetBack_AreRefusedUntilTheyAreSentAgainOrTheirTimeHasCome()
+    {
+        var start = _time.GetUtcNow();
+        _board.Add(_source, new SignalsMessage(At(7205), new SignalValue("grip", 1), new SignalValue("lamp", 1)));
+        Assert.That(_board.Signals(At(7203.9)).Select(signal => signal.State), Is.EqualTo(new[] { "live", "live" }), "stamps up to 1 s ahead are accepted");
+
+        Assert.That(_board.Signals(At(5)).Select(signal => (signal.State, signal.Reason, signal.Since)), Is.All.EqualTo(
+            ("refused", CellReasons.StampAhead, (DateTimeOffset?)start)));
+        Assert.That(_board.FaultySignals(At(5)).Select(one => one.Name), Is.EqualTo(new[] { "grip", "lamp" }));
+
+        _time.Advance(TimeSpan.FromSeconds(1));
+        _board.Add(_source, new SignalsMessage(At(6), new SignalValue("grip", 1)));
+
+        Assert.That(_board.FaultySignals(At(6)).Select(one => (one.Name, one.Report.Since)), Is.EqualTo(new[] { ("lamp", start) }));
+        Assert.That(_board.Signals(At(7205)).Select(signal => signal.State), Is.EqualTo(new[] { "live", "live" }));
+        Assert.That(_board.FaultySignals(At(7205)), Is.Empty);
     }
 
     [Test]
