@@ -49,7 +49,18 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, AccessC
     async Task ListAsync(HttpContext context)
     {
         if (!await AdmitReaderAsync(context)) return;
-        await SmallJson.AnswerAsync(context, folder.List(), StatusRoutes.Snake);
+        IReadOnlyList<StoredRecording> listed;
+        try
+        {
+            listed = folder.List();
+        }
+        catch (IOException notRead)
+        {
+            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, notRead.Message);
+            return;
+        }
+
+        await SmallJson.AnswerAsync(context, listed, StatusRoutes.Snake);
     }
 
     async Task SendAsync(HttpContext context, string name)

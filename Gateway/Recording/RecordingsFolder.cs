@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status;
 
 namespace Nowpose.Gateway.Recording;
@@ -12,7 +13,8 @@ sealed partial class RecordingsFolder(string path)
 {
     internal const int MaxListed = 1000;
 
-    /// <summary>Gets the newest recordings, the newest first. Returns an empty list while the folder cannot be read.</summary>
+    /// <summary>Gets the newest recordings, the newest first; an empty list if no folder is configured.</summary>
+    /// <exception cref="IOException">The folder cannot be read now, so that it is not known which recordings exist.</exception>
     public IReadOnlyList<StoredRecording> List()
     {
         try
@@ -26,7 +28,7 @@ sealed partial class RecordingsFolder(string path)
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            return [];
+            throw new IOException(RecorderMessages.FolderNotRead(e.Message), e);
         }
     }
 
@@ -36,11 +38,11 @@ sealed partial class RecordingsFolder(string path)
         // A name that matches has no path separator, so the path stays inside the folder.
         if (path == null || !Name().IsMatch(name)) return null;
         var file = new FileInfo(Path.Combine(path, name));
-        return file.Exists && IsRecording(file) ? file : null;
+        return IsRecording(file) ? file : null;
     }
 
-    // Excludes symbolic links, because a link can point to a file outside the folder.
-    static bool IsRecording(FileInfo file) => file.LinkTarget == null && Name().IsMatch(file.Name);
+    // Excludes files that were deleted after the enumeration, and symbolic links, because a link can point to a file outside the folder.
+    static bool IsRecording(FileInfo file) => file.Exists && file.LinkTarget == null && Name().IsMatch(file.Name);
 
     [GeneratedRegex(@"\A[A-Za-z0-9_-]{1,100}\.jsonl\z")]
     private static partial Regex Name();

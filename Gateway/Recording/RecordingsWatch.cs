@@ -13,13 +13,13 @@ sealed class RecordingsWatch : IDisposable
     readonly EventList _events;
     readonly GuardedTask _look;
     readonly Timer _timer;
-    HashSet<string> _listed;
+    HashSet<string> _listed = [];
 
     public RecordingsWatch(Recorder recorder, RecordingsFolder folder, EventList events, Action<string> log)
     {
         (_recorder, _folder, _events) = (recorder, folder, events);
         _look = new GuardedTask(LookNow, RecorderMessages.FolderNotChecked, log);
-        _listed = [.. folder.List().Select(file => file.Name)];
+        _look.RunUnlessBusy();
         _timer = new Timer(_ => LookUnlessBusy());
         if (recorder.CanRecord) _timer.Change(Interval, Interval);
     }

@@ -159,6 +159,31 @@ public class RecordingsTests
     }
 
     [Test]
+    public async Task Recordings_FolderTemporarilyNotReadable_AreNotReportedAsDeleted()
+    {
+        await using var gateway = await StartAsync();
+        var (path, away) = (Path.Combine(_folder, "a.jsonl"), _folder + "-away");
+        File.WriteAllText(path, "{}\n");
+        var events = new EventList(TimeProvider.System, _ => { });
+        var log = new ConcurrentQueue<string>();
+        using var watch = new RecordingsWatch(gateway.Recorder, new RecordingsFolder(_folder), events, log.Enqueue);
+
+        Directory.Move(_folder, away);
+        watch.LookUnlessBusy();
+        var (status, text) = await GetAsync(gateway, "/operations/recordings");
+        Directory.Move(away, _folder);
+        watch.LookUnlessBusy();
+
+        Assert.That(status, Is.EqualTo(HttpStatusCode.ServiceUnavailable));
+        Assert.That(text.TrimEnd(), Does.Match(MessagePattern.Of(RecorderMessages.FolderNotRead(MessagePattern.Any))));
+        Assert.That(log, Has.Count.EqualTo(1).And.All.StartsWith(RecorderMessages.FolderNotChecked));
+        Assert.That(events.Read(10), Is.Empty);
+        File.Delete(path);
+        watch.LookUnlessBusy();
+        Assert.That(events.Read(10).Select(one => one.View.Which), Is.EqualTo(new[] { "a.jsonl" }));
+    }
+
+    [Test]
     public async Task Look_AddingAnEventFails_IsLogged()
     {
         await using var gateway = await StartAsync();

@@ -62,6 +62,8 @@ export const recorderLabels = {
   lost: (lines: string) => `${lines} lines are missing`,
   problem: (state: string, reason: string) => `${state}. Problem: ${reason}`,
   fileDeleted: 'the file was deleted',
+  /** Predicate of the gateway's event about a deleted recording. */
+  wasDeleted: 'was deleted',
   deleted: (files: string) => `Deleted: ${files}`,
 };
 

@@ -4,10 +4,13 @@ import { captionLabels, columnLabels } from '../messages/terms';
 import { format } from '../numbers';
 import { byId } from '../pairing/elements';
 import { LiveTable, setText } from './liveTable';
-import { ask, type State, type StoredRecording } from './state';
+import { ask, type State, type StatusEvent, type StoredRecording } from './state';
 import { localTime } from './times';
 
 const POLL_MS = 5000;
+
+/** Maximum number of deleted recordings that are named. The list of events has the others. */
+const MAX_DELETED = 5;
 
 /** Lists the recordings in the gateway's folder with their sizes and download links. Only for operators. */
 export class Recordings {
@@ -24,7 +27,7 @@ export class Recordings {
     columnLabels.file,
   );
   private listed = new Set<string>();
-  private deleted = '';
+  private trouble = '';
   private asked = -Infinity;
   private file = '';
 
@@ -32,13 +35,14 @@ export class Recordings {
     byId('recordings').append(this.table.element);
   }
 
-  show({ recording, role }: State): void {
+  show({ recording, role, events }: State): void {
     const can = recording?.can ?? false;
     const may = role === 'operator';
     byId('recordings-section').hidden = !can;
     this.table.element.hidden = !may;
     if (!can) return;
     if (!may) return setText(this.note, operationsMessages.listAsOperator);
+    setText(this.note, this.trouble || deletedWords(events ?? [], this.listed));
     const file = `${recording?.on} ${recording?.file}`;
     if (file === this.file && performance.now() - this.asked < POLL_MS) return;
     this.file = file;
@@ -48,15 +52,22 @@ export class Recordings {
 
   private async read(): Promise<void> {
     const answer = await ask<StoredRecording[]>('recordings');
-    if ('trouble' in answer) return setText(this.note, operationsMessages.notListed(answer.trouble));
-    const names = new Set(answer.value.map(file => file.name));
-    const deleted = [...this.listed].filter(name => !names.has(name));
-    // The names of deleted files stay on the page until further files are deleted.
-    if (deleted.length > 0) this.deleted = recorderLabels.deleted(deleted.join(', '));
-    setText(this.note, this.deleted);
-    this.listed = names;
+    this.trouble = 'trouble' in answer ? operationsMessages.notListed(answer.trouble) : '';
+    if ('trouble' in answer) return;
+    this.listed = new Set(answer.value.map(file => file.name));
     this.table.show(answer.value);
   }
+}
+
+/**
+ * Names the recordings that were deleted last. Uses the gateway's events, because a file can also be missing from the list because newer files fill it,
+ * or because the gateway was started with another folder.
+ */
+function deletedWords(events: StatusEvent[], listed: Set<string>): string {
+  const names = events
+    .filter(({ kind, what, which }) => kind === 'recording' && what === recorderLabels.wasDeleted && !listed.has(which))
+    .map(({ which }) => which);
+  return names.length === 0 ? '' : recorderLabels.deleted([...new Set(names)].slice(0, MAX_DELETED).join(', '));
 }
 
 function linkTo(name: string): Node {

@@ -7,7 +7,9 @@ import { messages } from '../messages.mjs';
 import { readElement } from '../qr.mjs';
 import { becomes, cells, gateway, nextState, open, showsToolError, withGraphics } from './page.mjs';
 
-const { gatewayReasons, operationsMessages, recorderLabels } = messages;
+const { emptyMessages, gatewayReasons, operationsMessages, recorderLabels } = messages;
+
+const ago = seconds => new Date(Date.now() - 1000 * seconds).toISOString();
 
 /** Returns the minimum contrast between the text of the content and the background of the page, after opacity and greyscale. */
 const weakestText = page => page.evaluate(() => {
@@ -65,7 +67,10 @@ describe('actions', () => {
     assert.match(download.url(), /\/operations\/recordings\/press-1\.jsonl$/);
 
     gateway.recordings = [];
-    await becomes(page, '#recordings-note', 'Deleted: press-1.jsonl');
+    await becomes(page, '#recordings', emptyMessages.recordings);
+    assert.equal(await page.textContent('#recordings-note'), '', 'a recording of another folder is not deleted');
+    gateway.state.events = [{ id: 7, kind: 'recording', which: 'press-1.jsonl', what: 'was deleted', reason: '', level: 'warning', since_utc: ago(1), until_utc: ago(1) }];
+    await becomes(page, '#recordings-note', recorderLabels.deleted('press-1.jsonl'));
     gateway.state.recording = { can: true, on: false, file: 'press-1.jsonl', lines: 5, bytes: 10, lost: 0, deleted: true };
     await becomes(page, '#recording', `last press-1.jsonl: ${recorderLabels.fileDeleted}`);
   });
