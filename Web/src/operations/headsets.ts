@@ -4,11 +4,8 @@ import { stateLabels } from '../messages/states';
 import { captionLabels, columnLabels } from '../messages/terms';
 import { format } from '../numbers';
 import { LiveTable } from './liveTable';
-import { type Headset, numberOf, textOf } from './state';
+import { type Headset, isSilent, numberOf, textOf } from './state';
 import { stateWords } from './stateWords';
-
-/** Time without a report after which the values of a headset count as outdated. */
-const SILENT_S = 3;
 
 const number = (label: string, key: string, digits = (v: number) => v) => ({
   label,
@@ -76,9 +73,7 @@ export class Headsets {
 }
 
 function stateOf(headset: Headset): string {
-  return headset.seen_s_ago > SILENT_S
-    ? stateLabels.silent(`${Math.round(headset.seen_s_ago)} s`)
-    : withError(headset, 'state') || stateLabels.notKnown;
+  return isSilent(headset) ? stateLabels.silent(`${Math.round(headset.seen_s_ago)} s`) : withError(headset, 'state') || stateLabels.notKnown;
 }
 
 /** Returns the state of the clock or of the pose as text. For a coarse clock, adds the error that the headset reports. */
@@ -87,11 +82,11 @@ function withError(headset: Headset, key: string): string {
 }
 
 function poseOf(headset: Headset): string {
-  return headset.seen_s_ago > SILENT_S ? stateLabels.notKnown : withError(headset, 'pose') || stateLabels.notReported;
+  return isSilent(headset) ? stateLabels.notKnown : withError(headset, 'pose') || stateLabels.notReported;
 }
 
 function poseLevel(headset: Headset): string {
-  if (headset.seen_s_ago > SILENT_S) return 'warning';
+  if (isSilent(headset)) return 'warning';
   const pose = textOf(headset, 'pose');
   return pose === '' ? '' : pose === 'current' || pose === 'coarse' ? 'ok' : 'warning';
 }
@@ -125,6 +120,7 @@ function partsOf(
 }
 
 function rangeOf(headset: Headset): string {
+  if (isSilent(headset)) return stateLabels.notKnown;
   const range = textOf(headset, 'range');
   const word = range === 'inside' ? stateLabels.inRange : range === 'outside' ? stateLabels.outOfRange : range || stateLabels.noRange;
   const render = numberOf(headset, 'render_ms');

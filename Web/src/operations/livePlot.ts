@@ -10,6 +10,12 @@ import type { Look } from '../traces';
 /** Length of the displayed history, in seconds. */
 export const WINDOW_S = 120;
 
+/**
+ * Maximum time between two points that are connected, in seconds. While the gateway does not respond or the browser's tab is not visible, no point is
+ * added.
+ */
+const MAX_GAP_S = 3;
+
 interface LiveTrace {
   label: string;
   look: Look;
@@ -59,12 +65,22 @@ export class LivePlot {
   }
 
   add(time: number, values: (number | null)[]): void {
-    this.times.push(time);
-    values.forEach((value, i) => this.values[i].push(value));
+    const last = this.times[this.times.length - 1];
+    if (time - last > MAX_GAP_S)
+      this.append(
+        (last + time) / 2,
+        values.map(() => null),
+      );
+    this.append(time, values);
     const old = this.times.findIndex(t => t >= time - WINDOW_S);
     for (const list of [this.times, ...this.values]) list.splice(0, old);
     this.chart.show(this.data(), [-WINDOW_S, 0]);
     if ((this.chart.plot.cursor.left ?? -1) < 0) this.showValues(null);
+  }
+
+  private append(time: number, values: (number | null)[]): void {
+    this.times.push(time);
+    values.forEach((value, i) => this.values[i].push(value));
   }
 
   /** Clears the plot when another headset is selected. */

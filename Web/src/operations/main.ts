@@ -18,7 +18,7 @@ import { Recorder } from './recorder';
 import { Recordings } from './recordings';
 import { RobotPanel } from './robotPanel';
 import { Rosbridge } from './rosbridge';
-import { ask, type State } from './state';
+import { ask, type State, withoutOld } from './state';
 
 /** Polling interval. With half a second, the page shows a repair of the plant within two seconds in the worst case of all intervals. */
 const POLL_MS = 500;
@@ -110,12 +110,14 @@ function show(state: State): void {
   );
   setText(byId('role'), state.role ?? '–');
   byId('pairing').hidden = !state.pairs_headsets;
-  headsets.show(state.headsets ?? []);
+  const shown = (state.headsets ?? []).map(withoutOld);
+  headsets.show(shown);
   robot.setJoints(state.joints ?? []);
   robot.setFrames(state.frames ?? []);
-  robot.choose(state.headsets?.find(h => h.name === headsets.chosen) ?? null);
-  budget.show(state.headsets ?? []);
-  plots.add(performance.now() / 1000, state, headsets.chosen);
+  const chosen = shown.find(h => h.name === headsets.chosen) ?? null;
+  robot.choose(chosen);
+  budget.show(shown);
+  plots.add(performance.now() / 1000, state, chosen);
   plants.show(state);
   cell.show(state);
   recorder.show(state);

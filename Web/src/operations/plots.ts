@@ -3,7 +3,7 @@ import { livePlotDescriptions } from '../messages/operations';
 import { axisLabels, traceLabels } from '../messages/plots';
 import { LOOKS } from '../traces';
 import { LivePlot } from './livePlot';
-import { numberOf, type State } from './state';
+import { type Headset, numberOf, type State } from './state';
 
 const DASHED = { ink: '--quadratic', width: 2, dash: [8, 4] } as const;
 
@@ -32,9 +32,11 @@ export class Plots {
     this.element = el('div', { class: 'plots' }, ...[this.latency, this.clock, this.error, this.rate].map(plot => plot.element));
   }
 
-  /** @param time Local time in seconds. */
-  add(time: number, state: State, chosen: string | null): void {
-    const headset = state.headsets?.find(h => h.name === chosen);
+  /**
+   * @param time Local time in seconds.
+   * @param headset The selected headset; null if none is selected.
+   */
+  add(time: number, state: State, headset: Headset | null): void {
     const of = (key: string) => (headset ? numberOf(headset, key) : null);
     const rates = (state.sources ?? []).map(s => s.rate_hz);
     this.latency.add(time, [of('l_app_ms'), of('l_visu_ms'), of('rtt_ms')]);

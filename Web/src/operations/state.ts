@@ -141,6 +141,14 @@ export interface Recording {
   deleted?: boolean;
 }
 
+/** Time without a report after which the values of a headset count as outdated. */
+const SILENT_S = 3;
+
+export const isSilent = ({ seen_s_ago: ago }: Words): boolean => ago > SILENT_S;
+
+/** Removes the values of a silent headset, because its last values would look current. */
+export const withoutOld = (headset: Headset): Headset => (isSilent(headset) ? { name: headset.name, seen_s_ago: headset.seen_s_ago } : headset);
+
 /** Response of the gateway, or the reason why it did not respond. */
 export type Answer<T> = { value: T } | { trouble: string; status: number };
 

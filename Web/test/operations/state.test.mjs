@@ -68,8 +68,12 @@ describe('the shown state', () => {
     assert.deepEqual(left.slice(0, 10), ['synchronised', 'current', '98.7', '2.10', '31', '93.2', '410', '3.20', '82', '40']);
     assert.ok(left[10].startsWith(`${stateLabels.inRange}, 11`), left[10]);
     assert.deepEqual(left.slice(11), ['900', '1']);
-    assert.deepEqual(right.slice(0, 2), [stateLabels.silent('8 s'), stateLabels.notKnown]);
-    assert.ok(right[10].startsWith(stateLabels.outOfRange), right[10]);
+    const unknown = Array(8).fill('–');
+    assert.deepEqual(right, [stateLabels.silent('8 s'), stateLabels.notKnown, ...unknown, stateLabels.notKnown, '–', '–'], 'a silent headset has no values');
+    assert.equal(await page.locator('#budget tr:has-text("right door")').count(), 0);
+    gateway.state.headsets[1].seen_s_ago = 0.3;
+    await page.waitForFunction(() => document.querySelector('#budget').textContent.includes('right door'));
+    assert.ok((await cells(page, 'right door'))[10].startsWith(stateLabels.outOfRange));
     assert.deepEqual(page.complaints, []);
   });
 
@@ -188,7 +192,32 @@ describe('the shown state', () => {
     assert.match(second, /410\s*µs[^]*120\s*µs/);
   });
 
+  it('does not connect the points before and after a time without data', async () => {
+    const page = await open({ hasVirtualTime: true });
+    await becomes(page, '#plots', '82');
+
+    // A browser runs the timers of a page in the background rarely.
+    await page.clock.fastForward(60_000);
+    await nextState(page);
+    const plot = page.locator('#plots .u-over').first(), { width, height } = await plot.boundingBox();
+    await plot.hover({ position: { x: 0.75 * width, y: height / 2 } });
+
+    assert.match(await page.locator('#plots .legend .position').first().innerText(), /[23]\d/);
+    assert.deepEqual(await page.locator('#plots .legend').first().locator('.value').allInnerTexts(), ['–', '–', '–']);
+  });
+
+  it('has no points of a headset that is silent', async () => {
+    const page = await open();
+    await becomes(page, '#plots', '82');
+
+    gateway.state.headsets[0].seen_s_ago = 3.5;
+    await nextState(page);
+
+    assert.deepEqual(await page.locator('#plots .legend').first().locator('.value').allInnerTexts(), ['–', '–', '–']);
+  });
+
   it('changes to another headset with the keyboard', async () => {
+    gateway.state.headsets[1].seen_s_ago = 0.3;
     const page = await open();
 
     await page.locator('input[value="left door"]').focus();
@@ -200,6 +229,7 @@ describe('the shown state', () => {
   });
 
   it('keeps the focus and the chosen headset while numbers and headsets change', async () => {
+    gateway.state.headsets[1].seen_s_ago = 0.3;
     const page = await open();
     await page.locator('input[value="right door"]').check();
 
