@@ -21,6 +21,7 @@ export class Overall {
     this.title = [cell || operationsLabels.operations, host, version && operationsLabels.product(version)].filter(Boolean).join(' · ');
     document.title = level === 'ok' ? this.title : `${levelLabels[level]}: ${this.title}`;
     this.setLine(level, status ? `${levelLabels[level]}: ${status.text}` : operationsMessages.stateNotReported);
+    this.alarms.classList.remove('stale');
     this.showAlarms((events ?? []).filter(event => !event.until_utc));
   }
 
@@ -28,6 +29,7 @@ export class Overall {
   lose(): void {
     document.title = `${levelLabels.unknown}: ${this.title}`;
     this.setLine('unknown', operationsMessages.noState);
+    this.alarms.classList.add('stale');
   }
 
   private setLine(level: Level | 'unknown', text: string): void {

@@ -2,12 +2,11 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { messages } from '../messages.mjs';
-import { becomes, cells, gateway, open } from './page.mjs';
+import { ago, becomes, cells, gateway, open } from './page.mjs';
 
 const { emptyMessages, captionLabels, clockLabels, levelLabels, operationsLabels, operationsMessages, stateLabels } = messages;
 
 describe('the operations page with faults', () => {
-  const ago = seconds => new Date(Date.now() - 1000 * seconds).toISOString();
   const refused = { state: 'refused', since_utc: ago(95), age_s: 95.2, rate_hz: 0, reason: 'status Bad of node ns=2;s=Axis3' };
   const event = (id, level, more = {}) => ({
     id, kind: 'joint', which: 'arm_joint_3 (press)', what: 'is refused', reason: refused.reason, level, since_utc: ago(95), ...more,
@@ -55,6 +54,20 @@ describe('the operations page with faults', () => {
     assert.ok(await page.locator('#alarms').isHidden());
     assert.match(await page.textContent('#events'), /ended.*arm_joint_3 \(press\) is refused/);
     assert.deepEqual(page.complaints, []);
+  });
+
+  it('marks the alarms as old while the gateway does not respond', async () => {
+    gateway.state.events = [event(7, 'error')];
+    const page = await open({ hasVirtualTime: true });
+
+    gateway.isSilent = true;
+    // The page waits 4 s for a response.
+    await Promise.all([page.waitForEvent('requestfailed'), page.clock.runFor(5000)]);
+
+    await page.waitForSelector('#alarms.stale');
+    assert.match(await page.locator('#alarms li').first().evaluate(alarm => getComputedStyle(alarm).filter), /grayscale/);
+    gateway.isSilent = false;
+    await page.waitForSelector('#alarms:not(.stale)');
   });
 
   it('shows the gateway\'s text of a fault', async () => {

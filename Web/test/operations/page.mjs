@@ -48,6 +48,9 @@ export async function nextState(page) {
   for (let i = 0; i < 3; i++) await page.waitForRequest(/\/state$/);
 }
 
+/** Returns the time some seconds ago as the gateway writes it. */
+export const ago = seconds => new Date(Date.now() - 1000 * seconds).toISOString();
+
 export const cells = (page, row) => page.locator(`tr:has(th:has-text("${row}"))`).first().locator('td').allInnerTexts();
 
 export const becomes = (page, selector, part) => page.waitForFunction(

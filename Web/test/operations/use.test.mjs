@@ -5,11 +5,10 @@ import { describe, it } from 'node:test';
 import { contrast, luminance } from '../inks.mjs';
 import { messages } from '../messages.mjs';
 import { readElement } from '../qr.mjs';
-import { becomes, cells, gateway, nextState, open, showsToolError, withGraphics } from './page.mjs';
+import { ago, becomes, cells, gateway, nextState, open, showsToolError, withGraphics } from './page.mjs';
 
 const { emptyMessages, gatewayReasons, operationsMessages, recorderLabels } = messages;
 
-const ago = seconds => new Date(Date.now() - 1000 * seconds).toISOString();
 
 /** Returns the minimum contrast between the text of the content and the background of the page, after opacity and greyscale. */
 const weakestText = page => page.evaluate(() => {
