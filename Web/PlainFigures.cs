@@ -27,7 +27,7 @@ public static class PlainFigures
         Append(html, $"<h2>Fig. {number}: {Text(figure, "title")}</h2>\n<p>The paper: {Text(figure, "claim")}</p>\n");
         Append(html, $"<p>Verdict: <strong>{Text(figure, "verdict")}</strong>. {Text(figure, "beyond")}</p>\n");
         Table(html, "What decides", ["Criterion", "Measured", "Met"], Items(figure, "criteria").Select(
-            c => (IEnumerable<string>)[Text(c, "statement"), Text(c, "measured"), c.GetProperty("is_met").GetBoolean() ? "yes" : "no"]));
+            c => (IEnumerable<string>)[Text(c, "statement"), Text(c, "measured"), Met(c)]));
         foreach (var drawing in Items(figure, "drawings"))
             Append(html, $"<figure>{drawing.GetProperty("svg").GetString()}<figcaption>{Text(drawing, "title")}. {Text(drawing, "description")}</figcaption></figure>\n");
         if (figure.TryGetProperty("summary", out var summary) && summary.ValueKind == JsonValueKind.Object)
@@ -38,4 +38,12 @@ public static class PlainFigures
         Table(html, $"Data of Fig. {number}", Cells(table.GetProperty("columns")), Items(table, "rows").Select(Cells));
         html.Append("</details>\n");
     }
+
+    // A criterion that was not measured, or whose value is too uncertain, is neither met nor not met.
+    static string Met(JsonElement criterion) => criterion.GetProperty("is_met").ValueKind switch
+    {
+        JsonValueKind.True => "yes",
+        JsonValueKind.False => "no",
+        _ => criterion.TryGetProperty("is_undecided", out var undecided) && undecided.ValueKind == JsonValueKind.True ? "undecided" : "not measured",
+    };
 }

@@ -47,7 +47,7 @@ public static class PlainReport
         const string Header = "<th>Figure</th><th>Claim</th><th>Paper</th><th>Measured</th><th>Verdict</th>";
         AppendTable(page, report, "claims", PlainTexts.Claims, Header, claim =>
             $"<th>Fig. {Encode(Text(claim, "figure"))}</th><td>{Encode(Text(claim, "claim"))}</td><td>{Encode(Text(claim, "paper"))}</td>"
-            + $"<td>{Encode(Text(claim, "measured"))}</td><td>{(claim.GetProperty("holds").GetBoolean() ? "holds" : "does not hold")}</td>");
+            + $"<td>{Encode(Text(claim, "measured"))}</td><td>{Encode(Text(claim, "verdict"))}</td>");
     }
 
     static void AppendFacts(StringBuilder page, JsonElement report, string section, string caption)

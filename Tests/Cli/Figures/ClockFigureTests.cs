@@ -1,9 +1,11 @@
+using System.Text.Json;
 using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Field;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
 using Nowpose.Sync;
+using Nowpose.Web;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
@@ -169,6 +171,18 @@ public class ClockFigureTests
         var steps = Steps(0.05, 0.8, 3, 0.5).Select(step => step.Seconds >= from && step.Seconds < to ? step with { FitMs = null, SkewPpm = null } : step);
 
         Assert.That(SyncClaims.Of([.. steps])[1].IsMet, Is.Null);
+    }
+
+    [Test]
+    public void PlainPage_ClaimsOfAShortLog_AreNotMeasured()
+    {
+        var steps = Steps(0.05, 0.8, 3, 0.5)[..60];
+        using var data = JsonDocument.Parse(FiguresJson.Of("Log", "", [], [], [SyncFigure.Of(steps, SyncClaims.Of(steps), "")]));
+
+        var page = PlainFigures.Render(data.RootElement);
+
+        var measured = $"<td>{Figure08Texts.TooFewExchanges(10, 20)}</td><td>{Verdict.NotMeasured.Words()}</td>";
+        Assert.That(page.Split(measured), Has.Length.EqualTo(4), page);
     }
 
     [Test]
