@@ -33,18 +33,15 @@ static class NudgePage
     public static CalibrationSection Section(NudgeMarks marks, NudgeResult result)
     {
         var visuMs = result.Visualisation.Length.TotalMilliseconds;
-        // The page requires distinct x values.
-        const double Apart = 1e-3;
         // Extends the line so that the marks do not lie on the plot's edges.
         const double Beyond = 1.2;
         var v = marks.SpeedMmPerS;
-        double[] velocities = [.. marks.BackwardMm.Select((_, i) => -v + i * Apart), .. marks.ForwardMm.Select((_, i) => v + i * Apart)];
         double? At(double velocity) => result.OffsetMm + velocity * (visuMs - marks.ConfiguredMs) / 1000;
         return new(NudgePageTexts.OffsetOverVelocity, null,
             NudgePageTexts.OffsetOverVelocityNote,
             [new("Offset", new("velocity", "mm/s"), new("offset", "mm"),
             [
-                new("marks", Looks.Hold, velocities, [.. marks.BackwardMm.Concat(marks.ForwardMm).Select(each => (double?)each)]) { Scattered = true },
+                PlotTrace.Points("marks", Looks.Hold, [.. marks.BackwardMm.Select(each => (-v, each)), .. marks.ForwardMm.Select(each => (v, each))]),
                 new("line", Looks.Adaptive, [-Beyond * v, Beyond * v], [At(-Beyond * v), At(Beyond * v)]),
             ])]);
     }

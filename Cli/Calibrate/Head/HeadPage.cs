@@ -50,14 +50,7 @@ static class HeadPage
     static CalibrationSection OverSpeed(HeadResult result) => new(CalibrationPageTexts.OffsetOverSpeed, null,
         CalibrationPageTexts.OffsetOverSpeedNote,
         [new("Over the speed", new(CalibrationPageTexts.ControlCodeSpeedAxis, "px/s"), new(CalibrationPageTexts.CodeOffsetAxis, "px"),
-        [
-            new(
-                "pictures", Looks.Adaptive, [.. result.Used.Select(picture => picture.Speed)],
-                [.. result.Used.Select(picture => (double?)picture.Offset)])
-            {
-                Scattered = true,
-            },
-        ])]);
+            [PlotTrace.Points("pictures", Looks.Adaptive, result.Used.Select(picture => (picture.Speed, picture.Offset)))])]);
 
     static string Ms(double value) => value.ToString("0.00", CultureInfo.InvariantCulture) + " ms";
 

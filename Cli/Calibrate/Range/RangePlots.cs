@@ -50,7 +50,8 @@ static class RangePlots
         PlotTrace[] range = fit == null
             ? []
             : [new("L_visu of the profile", Looks.Quadratic, [sorted[0].RenderMs.Value, fit.ValidToRenderMs], [fit.VisuMs, fit.VisuMs])];
-        return new FigurePlot("Over render time", Render, Visu, [Points(sorted), .. range])
+        var points = PlotTrace.Points("pictures", Looks.Adaptive, sorted.Select(each => (each.RenderMs.Value, each.VisuMs)));
+        return new FigurePlot("Over render time", Render, Visu, [points, .. range])
         {
             FromZero = true, Marks = fit?.LimitRenderMs is double limit ? [new(FormattableString.Invariant($"limit {limit:0.##} ms"), limit)] : [],
         };
@@ -67,14 +68,5 @@ static class RangePlots
             // More labels would overlap.
             if (loads <= MaxLabels || vertices % RoundLoad == 0) yield return new(FormattableString.Invariant($"{vertices / 1e6:0.##} M"), i + 1);
         }
-    }
-
-    // The page joins traces by their x values, which must therefore be distinct.
-    static PlotTrace Points(MeasuredPicture[] sorted)
-    {
-        const double Step = 1e-4;
-        var x = new double[sorted.Length];
-        for (var i = 0; i < x.Length; i++) x[i] = Math.Max(Math.Round(sorted[i].RenderMs.Value, 4), i == 0 ? 0 : x[i - 1] + Step);
-        return new("pictures", Looks.Adaptive, x, [.. sorted.Select(each => (double?)each.VisuMs)]) { Scattered = true };
     }
 }

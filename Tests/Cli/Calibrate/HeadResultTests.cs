@@ -2,6 +2,7 @@ using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Head;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Cli.Messages;
+using Nowpose.Latency.Conditions;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
@@ -42,6 +43,19 @@ public sealed class HeadResultTests
         var result = ResultOf(new SwungPictures { LatencyMs = 12, LaterMs = 6, Scale = 1.1, Distortion = 1e-4 });
 
         Assert.That(result.LatencyMs, Is.EqualTo(12).Within(0.7));
+    }
+
+    [Test]
+    public void HeadPage_PicturesInTheOrderOfTime_PlotsEachOffsetAtItsSpeedInIncreasingOrder()
+    {
+        var result = ResultOf(new SwungPictures { LatencyMs = 12 });
+
+        var trace = HeadPage.Of(result, null, new DisplayConditions()).Sections[0].Plots[0].Traces[0];
+
+        Assert.That(trace.X, Is.Ordered.Ascending.And.Unique);
+        var expected = result.Used.OrderBy(picture => picture.Speed).ToArray();
+        Assert.That(trace.X, Is.EqualTo(expected.Select(picture => picture.Speed)).Within(0.01));
+        Assert.That(trace.Y, Is.EqualTo(expected.Select(picture => picture.Offset)));
     }
 
     [Test]
