@@ -1,6 +1,8 @@
+using System.Text.Json;
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
 using Nowpose.Web;
 
@@ -37,11 +39,14 @@ sealed class DemoOutput
     /// <summary>Creates the folder and checks that it is writable. The files of an earlier run stay until <see cref="RemoveEarlier"/>.</summary>
     /// <param name="isPaper">Whether the run also writes the files of <c>--paper</c>. Without it, these files are kept.</param>
     /// <param name="inputs">Paths of the input files, which are never removed; null for an input that was not given.</param>
-    /// <exception cref="InputException">The folder or the calibration in it is not writable, or an input is among the files to write.</exception>
+    /// <exception cref="InputException">
+    /// The folder or the calibration in it is not writable, or an input or a file of other origin is among the files to write.
+    /// </exception>
     public static DemoOutput At(string folder, bool isPaper, params string[] inputs) => OptionPath.InFolder("--out", folder, full =>
     {
         var output = new DemoOutput(full, isPaper);
         OptionPath.RequireNoInput("--out", [output.ReportPath, output.SessionPath, output.ResultPath], inputs);
+        output.RequireOwn();
         if (isPaper) CalibrationOutput.At(output.Folder);
         return output;
     });
@@ -56,6 +61,34 @@ sealed class DemoOutput
         foreach (var path in new[] { ReportPath, SessionPath, ResultPath }) File.Delete(path);
         if (_isPaper) PaperOutput.RemoveEarlier(Folder);
     });
+
+    // The report has no mark of its own. It is recognised by the result, which is written before it and removed after it.
+    void RequireOwn()
+    {
+        // The result of the command headset has errors of the tool, too, but no simulated network.
+        var isResult = Is(ResultPath, File.ReadAllText, result =>
+            result.TryGetProperty("tool_error_mm", out _) && result.TryGetProperty("network", out _));
+        var isSession = Is(SessionPath, path => File.ReadLines(path).First(), header =>
+            header.TryGetProperty("headset", out var name) && name.ValueKind == JsonValueKind.String && name.ValueEquals(DemoStage.HeadsetName));
+        foreach (var (path, isOwn) in new[] { (ResultPath, isResult), (ReportPath, isResult), (SessionPath, isSession) })
+            if (HasContent(path) && !isOwn) throw new InputException(DemoMessages.OtherFile(path));
+    }
+
+    static bool HasContent(string path) => new FileInfo(path) is { Exists: true, Length: > 0 };
+
+    static bool Is(string path, Func<string, string> read, Func<JsonElement, bool> isOwn)
+    {
+        try
+        {
+            if (!HasContent(path)) return false;
+            using var json = JsonDocument.Parse(read(path));
+            return json.RootElement.ValueKind == JsonValueKind.Object && isOwn(json.RootElement);
+        }
+        catch (JsonException)
+        {
+            return false;
+        }
+    }
 
     /// <param name="figures">The paper's figures from this run; null without <c>--paper</c>.</param>
     public void Write(DemoScore score, DemoRun run, DemoResult result, IReadOnlyList<Figure> figures = null)

@@ -15,6 +15,9 @@ static class DemoStage
     /// <summary>Skew of the control clock relative to the headset clock: a typical difference between two quartz oscillators.</summary>
     const double ControlSkew = 37e-6;
 
+    /// <summary>Name of the simulated headset, also in its recording.</summary>
+    public const string HeadsetName = "demo";
+
     /// <summary>Time of the control clock when it is created. It is large, as if the control clock showed Unix time.</summary>
     static readonly ControlTime ControlEpoch = ControlTime.FromSeconds(1_700_000_000);
 
@@ -31,7 +34,7 @@ static class DemoStage
         cell.PublishInto(gateway.Hub);
         using var syncRelay = new DelayRelay(gateway.SyncEndPoint, settings.Network, settings.Seed * 1000 + 1);
         using var webSocketRelay = new DelayRelay(gateway.WebSocketEndPoint, settings.Network, settings.Seed * 1000 + 501);
-        var connection = new ConnectionSettings(IPAddress.Loopback.ToString(), syncRelay.Port, webSocketRelay.Port, headsetName: "demo");
+        var connection = new ConnectionSettings(IPAddress.Loopback.ToString(), syncRelay.Port, webSocketRelay.Port, headsetName: HeadsetName);
         var truth = new DemoTruth(control, cell);
         // Uses a separate thread, like a headset's frame loop: the thread pool has only two threads here, and the sockets need them.
         return await Task.Factory.StartNew(

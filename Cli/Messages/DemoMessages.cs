@@ -28,6 +28,9 @@ static class DemoMessages
     public static string PaperSeconds(double seconds, double min) =>
         FormattableString.Invariant($"--seconds: {seconds} s is out of range; allowed with --paper: {min} to 3600 s");
 
+    public static string OtherFile(string path) =>
+        $"--out: {path} is not from an earlier demo and would be replaced; use another folder, or move the file";
+
     public static string AssumedVisu(double ms) =>
         FormattableString.Invariant($"--visu-ms plus --visu-error-ms: {ms} ms is out of range; allowed: 0 to 500 ms");
 

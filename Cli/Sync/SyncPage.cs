@@ -19,7 +19,8 @@ static class SyncPage
     public static void Write(string path, string log, string instants, IReadOnlyList<SyncExchange> exchanges, string estimator)
     {
         var data = Path.ChangeExtension(path, ".csv");
-        OptionPath.RequireNoInput("--page", [path, data], log, instants);
+        // The unpacked log can be beside the compressed one.
+        OptionPath.RequireNoInput("--page", [path, data], log, instants, Unpacked(log), Unpacked(instants));
         if (path == data) throw new InputException(SyncPageTexts.WouldOverwritePage(path));
         var steps = SyncSteps.Of(exchanges, estimator);
         var figure = SyncFigure.Of(steps, SyncClaims.Of(steps), SyncPageTexts.Conditions(exchanges.Count, steps.Count))
@@ -38,4 +39,6 @@ static class SyncPage
             OutputFile.Write(data, figure.Table.WriteCsv);
         });
     }
+
+    static string Unpacked(string path) => path?.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) == true ? path[..^".gz".Length] : null;
 }

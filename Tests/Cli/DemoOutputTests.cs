@@ -1,4 +1,5 @@
 using Nowpose.Cli.Demo;
+using Nowpose.Cli.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli;
@@ -61,6 +62,37 @@ public sealed class DemoOutputTests
 
         Assert.That(() => DemoOutput.At(folder.Path, isPaper: false, null, input), Throws.TypeOf<InputException>());
         Assert.That(Names(folder), Is.EquivalentTo(OfDemo.Concat(OfPaper)));
+    }
+
+    [TestCase("result.json", "{\"passed\": 12}")]
+    [TestCase("result.json", "{\"clock\": {}, \"tool_error_mm\": {}}")]
+    [TestCase("result.json", "no JSON")]
+    [TestCase("report.html", "<h1>Tests</h1>")]
+    [TestCase("session.jsonl", "{\"kind\":\"session\",\"headset\":\"headless\"}\n{\"kind\":\"frame\"}\n")]
+    [TestCase("session.jsonl", "{\"kind\":\"session\",\"recorded_by\":\"gateway\"}\n")]
+    public void At_FileOfAnotherOrigin_ThrowsAndKeepsIt(string name, string text)
+    {
+        using var folder = new TemporaryFolder();
+        var path = Path.Combine(folder.Path, name);
+        File.WriteAllText(path, text);
+
+        Assert.That(
+            () => DemoOutput.At(folder.Path, isPaper: false),
+            Throws.TypeOf<InputException>().With.Message.EqualTo(DemoMessages.OtherFile(path)));
+        Assert.That(File.ReadAllText(path), Is.EqualTo(text));
+    }
+
+    [Test]
+    public void At_FilesOfAnEarlierDemo_AcceptsThem()
+    {
+        using var folder = new TemporaryFolder();
+        File.WriteAllText(Path.Combine(folder.Path, "result.json"), "{\"network\": \"lan\", \"tool_error_mm\": {}}");
+        File.WriteAllText(Path.Combine(folder.Path, "report.html"), "<h1>Nowpose demo</h1>");
+        File.WriteAllText(Path.Combine(folder.Path, "session.jsonl"), "{\"kind\":\"session\",\"headset\":\"demo\"}\n{\"kind\":");
+
+        DemoOutput.At(folder.Path, isPaper: false).RemoveEarlier();
+
+        Assert.That(Names(folder), Is.Empty);
     }
 
     [Test]

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate;
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Sync;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Verbs;
@@ -27,10 +28,25 @@ public sealed class OutputFailureTests
         NudgeVerb.Create(), "calibration.html",
         "nudge", "--speed-mm-s", "100", "--forward-mm", "1", "--backward-mm", "-1", "--out", _folder.Path);
 
+    const string Log = "t1_ns,t2_ns,t3_ns,t4_ns\n0,500000,500000,1000000\n1000000000,1000500000,1000500000,1001000000\n";
+
+    [Test]
+    public async Task Sync_PageOverwritesTheUnpackedLog_IsRefused()
+    {
+        using var file = new TemporaryFile(Log, ".csv.gz");
+        var log = file.Path[..^".gz".Length];
+
+        var run = await CliRun.OfAsync("sync", file.Path, "--page", Path.ChangeExtension(log, ".html"));
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.Contain(OptionValueMessages.WouldOverwriteInput("--page", log)));
+        Assert.That(File.Exists(log), Is.False);
+    }
+
     [Test]
     public Task Sync_CannotComplete_KeepsTheEarlierPage()
     {
-        File.WriteAllText(At("log.csv"), "t1_ns,t2_ns,t3_ns,t4_ns\n0,500000,500000,1000000\n1000000000,1000500000,1000500000,1001000000\n");
+        File.WriteAllText(At("log.csv"), Log);
         return AssertKeptAsync(SyncVerb.Create(), "sync.html", "sync", At("log.csv"), "--page", At("sync.html"));
     }
 
