@@ -13,6 +13,10 @@ static class ReplayMessages
         FormattableString.Invariant($"{path}: {seconds:G6} s is too long to replay at {hertz} frames per second and a sample every ")
         + FormattableString.Invariant($"{samplingMs:G6} ms; check that the time column is in seconds");
 
+    public static string CoarseRows(double intervalMs, double samplingMs) =>
+        FormattableString.Invariant($"the rows are {intervalMs:G6} ms apart (median), but a sample is taken every {samplingMs:G6} ms: samples ")
+        + "between rows are interpolated, so the error of the predictors is too small; check that the time is in s, or increase --sampling-ms";
+
     public static string TooShort(double seconds, double neededSeconds) =>
         FormattableString.Invariant($"{seconds:G6} s is too short: a frame is evaluated only after sample 4 has arrived, which takes up ")
         + FormattableString.Invariant($"to {neededSeconds:G6} s; record a longer motion");

@@ -60,7 +60,8 @@ static class RecommendVerb
         if (motion.IsBody)
             throw new InputException(RecommendMessages.RigidBody(path));
         var joints = motion.Names.Select((name, joint) => new JointSeries(name, motion.Times, motion.PositionsOf(joint)));
-        return (new RecordingTraits([.. joints]), [.. conditions.Select(c => new MotionSubject(path, motion, c.SamplingMs, c.LatencyMs))]);
+        var subjects = conditions.Select(c => new MotionSubject(path, motion, c.SamplingMs, c.LatencyMs));
+        return (new RecordingTraits([.. joints], conditions.Min(c => c.SamplingMs)), [.. subjects]);
     }
 
     static (RecordingTraits Traits, ISubject[] Subjects) OfSession(string path)

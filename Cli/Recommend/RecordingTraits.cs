@@ -1,4 +1,5 @@
 using Nowpose.Cli.Messages;
+using Nowpose.Cli.Replay;
 
 namespace Nowpose.Cli.Recommend;
 
@@ -17,8 +18,12 @@ sealed class RecordingTraits
     const double NoticeableSpread = 0.2;
     const double NoticeableRepeats = 0.01;
 
-    public RecordingTraits(IReadOnlyList<JointSeries> joints)
+    readonly double? _samplingMs;
+
+    /// <param name="samplingMs">Smallest sampling interval T_s of the evaluation, ms; null if the recording contains the samples.</param>
+    public RecordingTraits(IReadOnlyList<JointSeries> joints, double? samplingMs = null)
     {
+        _samplingMs = samplingMs;
         var moving = joints.Where(joint => joint.Positions.Count > 1).ToList();
         Duration = moving.Select(joint => joint.Times[^1] - joint.Times[0]).DefaultIfEmpty().Max();
         var intervals = moving.SelectMany(joint => joint.Times.Zip(joint.Times.Skip(1), (a, b) => b - a)).ToList();
@@ -58,6 +63,8 @@ sealed class RecordingTraits
             yield return RecommendMessages.NoMotion(MaxRange);
         if (Duration < MinDuration)
             yield return RecommendMessages.Short(Duration, MinDuration);
+        if (_samplingMs is double samplingMs && RowInterval.WarningOf(Interval, samplingMs) is { } coarse)
+            yield return coarse;
         if (IntervalP95 - IntervalP5 > NoticeableSpread * Interval)
             yield return RecommendMessages.LateStamps(1e3 * IntervalP5, 1e3 * IntervalP95);
         if (Repeats > NoticeableRepeats)

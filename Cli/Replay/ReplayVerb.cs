@@ -74,15 +74,26 @@ static class ReplayVerb
             if (recording.IsBody)
             {
                 var replay = new BodyReplay(path, recording, settings);
-                Print(WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation)), json);
+                var result = WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation));
+                WarnOfRows(path, recording, settings);
+                Print(result, json);
             }
             else
             {
                 var replay = new ReplayRun(path, recording, settings);
-                Print(WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation)), json);
+                var result = WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation));
+                WarnOfRows(path, recording, settings);
+                Print(result, json);
             }
         }
         return ExitStatus.Done;
+    }
+
+    // Called only after a replay, because invalid input gives only one line.
+    static void WarnOfRows(string path, MotionRecording recording, ReplaySettings settings)
+    {
+        if (RowInterval.WarningOf(recording, settings.SamplingInterval * MsPerSecond) is { } warning)
+            Console.Error.WriteLine(ConsoleMessages.Line($"{path}: {warning}"));
     }
 
     static void Print(ReplayResult result, bool json)

@@ -54,6 +54,18 @@ public class RecordingTraitsTests
         Assert.That(spread[1], Is.InRange(12, 14), $"P95, ms; seed {Seed}");
     }
 
+    [TestCase(9.0, true)]
+    [TestCase(10.0, false)]
+    [TestCase(null, false)]
+    public void Warnings_RowsCoarserThanTheSamples_StateBothIntervals(double? samplingMs, bool warns)
+    {
+        var times = Enumerable.Range(0, 1201).Select(i => i * 0.01).ToArray();
+
+        var traits = new RecordingTraits([new JointSeries("a", times, [.. times.Select(Math.Sin)])], samplingMs);
+
+        Assert.That(traits.Warnings(), Is.EqualTo(warns ? new[] { ReplayMessages.CoarseRows(10, 9) } : []));
+    }
+
     [Test]
     public void Repeats_RecordingRateAboveTheUpdateRate_IsTheShareOfRepeatedSamples()
     {

@@ -99,6 +99,40 @@ public class ReplayVerbTests
             .And.Contain("uncompensated RMS").And.Contain("motion.csv: adaptive"));
     }
 
+    // A motion with one row every 10 ms, whose time stamps are in the given unit.
+    string Stamped(double perSecond, string header, Func<double, string> positions)
+    {
+        File.WriteAllLines(_file, [header, .. Enumerable.Range(0, 2001).Select(i =>
+            FormattableString.Invariant($"{0.01 * perSecond * i},") + positions(0.01 * i))]);
+        return _file;
+    }
+
+    static string Swing(double t) => FormattableString.Invariant($"{Math.Sin(t)}");
+
+    static string Shift(double t) => FormattableString.Invariant($"{Math.Sin(t)},0,0,0,0,0,1");
+
+    [TestCase("t,a")]
+    [TestCase("t_s,x,y,z,qx,qy,qz,qw")]
+    public async Task Replay_TimeStampsInMilliseconds_WarnsThatSamplesAreInterpolated(string header)
+    {
+        var run = await Run(Stamped(1000, header, header == "t,a" ? Swing : Shift), "--json");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(run.Complaints, Is.EqualTo(new[] { ConsoleMessages.Line($"{_file}: {ReplayMessages.CoarseRows(10_000, 50)}") }));
+        Assert.That(() => JsonDocument.Parse(run.Output), Throws.Nothing);
+    }
+
+    [TestCase("9.5", true)]
+    [TestCase("10", false)]
+    [TestCase("50", false)]
+    public async Task Replay_RowsAboutAsOftenAsSamples_WarnsOnlyIfTheyAreCoarser(string samplingMs, bool warns)
+    {
+        var run = await Run(Stamped(1.06, "t,a", Swing), "--sampling-ms", samplingMs);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(run.Complaints.Length, Is.EqualTo(warns ? 1 : 0), run.Errors);
+    }
+
     [TestCase("--sampling-ms", "0", "0.1 to 10000 ms")]
     [TestCase("--sampling-ms", "-5", "0.1 to 10000 ms")]
     [TestCase("--sampling-ms", "NaN", "0.1 to 10000 ms")]
