@@ -20,6 +20,12 @@ static class RecommendMessages
         FormattableString.Invariant($"the intervals between time stamps are {p5Ms:0.0} to {p95Ms:0.0} ms long (P5 to P95): late time stamps reduce ")
         + "the accuracy; take the time stamps from the controller";
 
+    public static string LinesLost(long lines) =>
+        $"{lines} lines of the session are missing, because the recording was slower than the session; record to a faster disk";
+
+    public static string Interrupted(int done, int all) =>
+        $"the evaluation was interrupted after {done} of {all} runs, so another predictor or blend can be better; run it again";
+
     public static string Repeats(double percent) =>
         FormattableString.Invariant($"{percent:0.0} % of a moving joint's samples repeat the previous one: the robot's sampling interval ")
         + "or resolution is coarser than that of the recording; record at the robot's own rate";

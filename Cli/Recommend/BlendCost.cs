@@ -18,6 +18,7 @@ sealed class BlendCost
         var plain = Try(recommendation, 0, report, cancellation);
         var blended = Try(recommendation, PredictionSettings.DefaultBlendMs, report, cancellation);
         if (plain == null || blended == null) return;
+        RecommendedMs = -blended.GainOver(plain) > MaxShare ? 0 : PredictionSettings.DefaultBlendMs;
         Share = -blended.GainOver(plain);
         ShareOfHalves = [-blended.GainOver(plain, Half.First), -blended.GainOver(plain, Half.Second)];
     }
@@ -31,8 +32,8 @@ sealed class BlendCost
     /// <summary>Relative increase of the RMS error for each half of the recording.</summary>
     public IReadOnlyList<double?> ShareOfHalves { get; } = [null, null];
 
-    /// <summary>Recommended time constant of the blend, ms.</summary>
-    public double RecommendedMs => Share > MaxShare ? 0 : PredictionSettings.DefaultBlendMs;
+    /// <summary>Recommended time constant of the blend, ms; null after a cancellation.</summary>
+    public double? RecommendedMs { get; }
 
     static Trial Try(Recommendation recommendation, double blendMs, Action report, CancellationToken cancellation)
     {

@@ -10,6 +10,9 @@ sealed class CandidateEvaluation(IReadOnlyList<ISubject> subjects)
 
     public int Runs => subjects.Count * Candidates.Names.Count * 2;
 
+    /// <summary>Number of finished runs.</summary>
+    public int Done => _results.Count;
+
     /// <param name="report">Receives the number of finished runs. Called from several threads, but never concurrently.</param>
     /// <param name="cancellation">Stops the evaluation. Finished runs are kept.</param>
     /// <exception cref="InputException">The recording cannot be scored.</exception>

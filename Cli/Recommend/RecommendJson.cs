@@ -3,16 +3,21 @@ namespace Nowpose.Cli.Recommend;
 /// <summary>Formats the recommendation as JSON, with all digits of the numbers.</summary>
 static class RecommendJson
 {
-    public static string Of(string path, RecordingTraits traits, IReadOnlyList<(Recommendation Recommendation, BlendCost Blend)> results) => JsonText.Of(new
+    /// <param name="warnings">Warnings about the reliability of the recommendation.</param>
+    public static string Of(
+        string path, RecordingTraits traits, IEnumerable<string> warnings, IReadOnlyList<(Recommendation Recommendation, BlendCost Blend)> results)
     {
-        File = path,
-        Seconds = traits.Duration,
-        IntervalMs = new { Median = 1e3 * traits.Interval, P5 = 1e3 * traits.IntervalP5, P95 = 1e3 * traits.IntervalP95 },
-        Repeated = traits.Repeats,
-        Rounding = traits.RoundingSteps.ToDictionary(joint => joint.Name, joint => joint.Step),
-        Warnings = traits.Warnings(),
-        Conditions = results.Select(result => Condition(result.Recommendation, result.Blend)),
-    });
+        return JsonText.Of(new
+        {
+            File = path,
+            Seconds = traits.Duration,
+            IntervalMs = new { Median = 1e3 * traits.Interval, P5 = 1e3 * traits.IntervalP5, P95 = 1e3 * traits.IntervalP95 },
+            Repeated = traits.Repeats,
+            Rounding = traits.RoundingSteps.ToDictionary(joint => joint.Name, joint => joint.Step),
+            Warnings = warnings,
+            Conditions = results.Select(result => Condition(result.Recommendation, result.Blend)),
+        });
+    }
 
     static object Condition(Recommendation recommendation, BlendCost blend) => new
     {

@@ -10,13 +10,16 @@ namespace Nowpose.Cli.Recommend;
 /// </summary>
 static class RecommendTable
 {
-    public static void Write(IAnsiConsole console, string path, RecordingTraits traits, IReadOnlyList<(Recommendation Recommendation, BlendCost Blend)> results)
+    /// <param name="warnings">Warnings about the reliability of the recommendation.</param>
+    public static void Write(
+        IAnsiConsole console, string path, RecordingTraits traits, IEnumerable<string> warnings,
+        IReadOnlyList<(Recommendation Recommendation, BlendCost Blend)> results)
     {
         var spread = Text($"P5 {1e3 * traits.IntervalP5:0.0}, P95 {1e3 * traits.IntervalP95:0.0}");
         console.WriteLine(RecommendTexts.Recording(Path.GetFileName(path), traits.Duration, 1e3 * traits.Interval, spread, 100 * traits.Repeats));
         foreach (var joints in traits.RoundingSteps.GroupBy(joint => joint.Step))
             console.WriteLine(Text($"rounded to {joints.Key:G4}: ") + string.Join(", ", joints.Select(joint => joint.Name)));
-        foreach (var warning in traits.Warnings()) console.WriteLine("note: " + warning);
+        foreach (var warning in warnings) console.WriteLine("note: " + warning);
         foreach (var (recommendation, blend) in results) Write(console, recommendation, blend);
     }
 
@@ -39,7 +42,9 @@ static class RecommendTable
         console.WriteLine(RecommendTexts.Reduction(reduction, Percent(recommendation.Recommended.First.Reduction, "0"), Percent(recommendation.Recommended.Second.Reduction, "0")));
         // The run was cancelled before the blend was evaluated.
         if (blend.Share == null) return;
-        console.WriteLine(RecommendTexts.Blend(blend.RecommendedMs, PredictionSettings.DefaultBlendMs, Percent(blend.Share), Percent(blend.ShareOfHalves[0]), Percent(blend.ShareOfHalves[1])));
+        console.WriteLine(RecommendTexts.Blend(
+            blend.RecommendedMs.Value, PredictionSettings.DefaultBlendMs, Percent(blend.Share), Percent(blend.ShareOfHalves[0]),
+            Percent(blend.ShareOfHalves[1])));
     }
 
     static string Condition(ISubject subject) => subject.SamplingMs is double sampling

@@ -49,24 +49,35 @@ static class RecommendVerb
         var runs = 0;
         ConsoleProgress.Run("trying the blend", "runs", BlendCost.Runs * recommendations.Count, report => results.AddRange(
             recommendations.Select(recommendation => (recommendation, new BlendCost(recommendation, () => report(++runs), cancel)))));
-        if (json) Console.Out.WriteLine(RecommendJson.Of(path, recording.Traits, results));
-        else RecommendTable.Write(ResultConsole.Create(), path, recording.Traits, results);
+        var all = evaluation.Runs + BlendCost.Runs * recording.Subjects.Length;
+        string[] warnings = [.. WarningsOf(recording.Lost, evaluation.Done + runs, all), .. recording.Traits.Warnings()];
+        if (json) Console.Out.WriteLine(RecommendJson.Of(path, recording.Traits, warnings, results));
+        else RecommendTable.Write(ResultConsole.Create(), path, recording.Traits, warnings, results);
         return ExitStatus.Done;
     }
 
-    static (RecordingTraits Traits, ISubject[] Subjects) OfMotion(string path, (double SamplingMs, double LatencyMs)[] conditions)
+    /// <summary>Gets the warnings that the evaluation or the recording is incomplete.</summary>
+    /// <param name="lost">Number of lines that the recording of a session lost.</param>
+    /// <param name="done">Number of finished runs; smaller than <paramref name="all"/> only after Ctrl-C.</param>
+    internal static IEnumerable<string> WarningsOf(long lost, int done, int all)
+    {
+        if (done < all) yield return RecommendMessages.Interrupted(done, all);
+        if (lost > 0) yield return RecommendMessages.LinesLost(lost);
+    }
+
+    static (RecordingTraits Traits, ISubject[] Subjects, long Lost) OfMotion(string path, (double SamplingMs, double LatencyMs)[] conditions)
     {
         var motion = MotionRecording.Read(path);
         if (motion.IsBody)
             throw new InputException(RecommendMessages.RigidBody(path));
         var joints = motion.Names.Select((name, joint) => new JointSeries(name, motion.Times, motion.PositionsOf(joint)));
         var subjects = conditions.Select(c => new MotionSubject(path, motion, c.SamplingMs, c.LatencyMs));
-        return (new RecordingTraits([.. joints], conditions.Min(c => c.SamplingMs)), [.. subjects]);
+        return (new RecordingTraits([.. joints], conditions.Min(c => c.SamplingMs)), [.. subjects], 0);
     }
 
-    static (RecordingTraits Traits, ISubject[] Subjects) OfSession(string path)
+    static (RecordingTraits Traits, ISubject[] Subjects, long Lost) OfSession(string path)
     {
         var session = RecordedSession.Read(path);
-        return (new RecordingTraits(SessionSeries.Of(session)), [new SessionSubject(path, session)]);
+        return (new RecordingTraits(SessionSeries.Of(session)), [new SessionSubject(path, session)], session.Lost);
     }
 }

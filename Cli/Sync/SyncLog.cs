@@ -8,16 +8,25 @@ namespace Nowpose.Cli.Sync;
 static class SyncLog
 {
     /// <summary>Reads the exchanges of a log without checking them.</summary>
-    public static IReadOnlyList<LoggedExchange> Read(string path) => RecordingText.IsSession(path) ? OfSession(path) : OfTable(path);
+    /// <param name="lost">Number of lines that the recording of a session lost.</param>
+    public static IReadOnlyList<LoggedExchange> Read(string path, out long lost)
+    {
+        lost = 0;
+        return RecordingText.IsSession(path) ? OfSession(path, ref lost) : OfTable(path);
+    }
 
     static List<LoggedExchange> OfTable(string path) => IntegerTable.Read(path, "t1_ns", "t2_ns", "t3_ns", "t4_ns")
         .ConvertAll(row => LoggedExchange.Of(new LoggedStamps(row[0], row[1], row[2], row[3])));
 
-    static List<LoggedExchange> OfSession(string path)
+    static List<LoggedExchange> OfSession(string path, ref long lost)
     {
         using var file = new SessionFileReader(path);
-        var exchanges = file.Lines().OfType<SyncLine>()
-            .Select(line => new LoggedExchange(line.T4Nanoseconds, line.Exchange, Stamps: null)).ToList();
+        var exchanges = new List<LoggedExchange>();
+        foreach (var line in file.Lines())
+        {
+            if (line is SyncLine sync) exchanges.Add(new LoggedExchange(sync.T4Nanoseconds, sync.Exchange, Stamps: null));
+            if (line is LostLine missing) lost += missing.Count;
+        }
         return exchanges.Count > 0 ? exchanges : throw new InputException(ExchangeFileMessages.NoExchange(path));
     }
 

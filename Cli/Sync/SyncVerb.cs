@@ -38,7 +38,8 @@ static class SyncVerb
     /// <param name="page">Path of the page; null to write none.</param>
     static async Task<int> RunAsync(string file, string estimator, string at, bool json, string page, CancellationToken cancel)
     {
-        var (log, instants) = await Invocation.ReadAsync(() => (SyncLog.Read(file), at == null ? null : SyncLog.ReadInstants(at)), cancel);
+        var (log, instants, lost) = await Invocation.ReadAsync(
+            () => (SyncLog.Read(file, out var missing), at == null ? null : SyncLog.ReadInstants(at), missing), cancel);
         var replay = new SyncReplay(estimator);
         var estimates = at == null ? replay.AfterEach(log) : replay.At(instants, log);
         if (page != null)
@@ -47,6 +48,7 @@ static class SyncVerb
             await Console.Error.WriteLineAsync(page);
         }
         Print(estimates.TakeWhile(_ => !cancel.IsCancellationRequested), instants?.Count ?? log.Count, at != null, json);
+        if (lost > 0) Console.Error.WriteLine(ConsoleMessages.LostLines(file, lost));
         foreach (var (fault, count) in replay.Dropped)
             Console.Error.WriteLine(ConsoleMessages.DroppedExchanges(file, count, log.Count, fault));
         if (replay.Steps > 0)

@@ -22,7 +22,7 @@ public class BlendCostTests
     [TestCase(1)]
     [TestCase(2)]
     [TestCase(4)]
-    public void BlendCost_CancelledDuringARun_HasNoShare(int run)
+    public void BlendCost_CancelledDuringARun_HasNoShareAndNoRecommendation(int run)
     {
         using var end = new CancellationTokenSource();
         var subject = new Subject(_ =>
@@ -33,7 +33,7 @@ public class BlendCostTests
 
         var cost = new BlendCost(Of(subject), () => { }, end.Token);
 
-        Assert.That(cost.Share, Is.Null);
+        Assert.That((cost.Share, cost.RecommendedMs), Is.EqualTo(((double?)null, (double?)null)));
         Assert.That(run, Is.Zero, "no run after the cancellation");
     }
 

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using System.Text.Json;
 using Nowpose.Cli.Messages;
+using Nowpose.Cli.Recommend;
 using Nowpose.Gateway.Messages;
 using Nowpose.Headless.Tests.Cli;
 using Nowpose.Headless.Tests.Cli.SessionFiles;
@@ -112,6 +113,24 @@ public class RecommendVerbTests
         Assert.That(Candidate(condition, "quadratic").GetProperty("reduction").GetDouble(), Is.GreaterThan(0.6));
         Assert.That(Candidate(condition, "quadratic").GetProperty("halves")[0].GetProperty("frames").GetInt32(), Is.GreaterThan(500));
     }
+
+    [Test]
+    public async Task Recommend_SessionWithMissingLines_WarnsOfThem()
+    {
+        using var folder = new TemporaryFolder();
+        var path = Path.Combine(folder.Path, "session.jsonl");
+        VirtualRecording.To(path, seconds: 30);
+        await File.AppendAllTextAsync(path, "{\"kind\":\"lost\",\"count\":12}\n");
+
+        var result = await JsonOf(path);
+
+        Assert.That(result.GetProperty("warnings").Deserialize<string[]>(), Is.EqualTo(new[] { RecommendMessages.LinesLost(12) }));
+    }
+
+    [TestCase(48, true)]
+    [TestCase(52, false)]
+    public void WarningsOf_SomeRunsMissing_ReportsTheInterruption(int done, bool warns) =>
+        Assert.That(RecommendVerb.WarningsOf(lost: 0, done, all: 52), Is.EqualTo(warns ? new[] { RecommendMessages.Interrupted(48, 52) } : []));
 
     [Test]
     public async Task Recommend_UnsuitableRecording_PrintsANote()

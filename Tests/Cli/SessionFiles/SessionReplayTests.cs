@@ -247,6 +247,18 @@ public class SessionReplayTests : SessionReplayFixture
     }
 
     [Test]
+    public async Task Sync_SessionWithMissingLines_ReportsThem()
+    {
+        VirtualRecording.To(_path);
+        await File.AppendAllTextAsync(_path, "{\"kind\":\"lost\",\"count\":12}\n");
+
+        var run = await Run("sync", _path);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(run.Complaints, Has.One.EqualTo(ConsoleMessages.LostLines(_path, 12)));
+    }
+
+    [Test]
     public async Task SyncPage_Session_HasTheDataOfItsExchanges()
     {
         var recording = VirtualRecording.To(_path);
