@@ -82,12 +82,12 @@ sealed class DemoHeadset : IDemoHeadset
     }
 
     /// <summary>Ends the recording and waits until its last line is written.</summary>
-    /// <returns>The reason if the recording ended early; otherwise null.</returns>
-    public string EndRecording()
+    /// <returns>The reason if the recording ended early, otherwise null; and the number of lost lines.</returns>
+    public (string Problem, long LostLines) EndRecording()
     {
         _recorder?.Dispose();
         _recorder?.Ended.Wait();
-        return _recorder?.Problem;
+        return (_recorder?.Problem, _recorder?.LostLines ?? 0);
     }
 
     public void Dispose()

@@ -23,7 +23,7 @@ static class DemoReport
         return JsonSerializer.Serialize(new
         {
             Title = DemoTexts.ReportTitle(run.Settings.Robot.Name),
-            Subtitle = DemoTexts.Subtitle,
+            Subtitle = string.Join(' ', [DemoTexts.Subtitle, .. (result.Notes ?? []).Select(note => DemoTexts.Note(note) + ".")]),
             Settings = Settings(run.Settings),
             Summary = Summary(score, result.ToolErrorMm),
             Facts = Facts(result, new DemoRangeRows(run.Settings, result, score.Range), new DemoDelayRows(run.Frames)),

@@ -13,6 +13,10 @@ sealed record DemoResult(
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public IReadOnlyList<PaperClaim> Claims { get; init; }
 
+    /// <summary>Reasons why the results can mislead a reader, in one line each; null if there are none.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public IReadOnlyList<string> Notes { get; init; }
+
     /// <summary>Latencies in milliseconds. <see cref="Visu"/> is the simulated headset's true L_visu.</summary>
     public sealed record Latencies(double? AppP50, double? AppP95, double Visu, double? TotalErrorP95);
 

@@ -1,4 +1,5 @@
 using Nowpose.Cli.Messages;
+using Nowpose.Kinematics;
 using Nowpose.Session;
 using Nowpose.Sync;
 
@@ -21,6 +22,24 @@ sealed record DemoRun(
 
     /// <summary>The sync exchanges that the runtime received, in order.</summary>
     public IReadOnlyList<SyncExchange> Exchanges { get; init; } = [];
+
+    /// <summary>The joints whose samples were outside their limits, and therefore drawn at the limit.</summary>
+    public IReadOnlyList<JointBeyondLimits> BeyondLimits { get; init; } = [];
+
+    /// <summary>Reason why the recording of the session ended early, in one line; null if it did not.</summary>
+    public string RecordingProblem { get; init; }
+
+    /// <summary>Number of lines that the recording of the session lost.</summary>
+    public long LostLines { get; init; }
+
+    /// <summary>Gets the reasons why the results or the recording can mislead a reader, in one line each; null if there are none.</summary>
+    /// <param name="interruption">Message that the run is incomplete; null if it is complete.</param>
+    public IReadOnlyList<string> Notes(string interruption)
+    {
+        var lost = LostLines > 0 ? DemoMessages.LinesLost(LostLines) : null;
+        string[] notes = [interruption, Settings.MotionWarning, .. BeyondLimits.Select(joint => joint.Words), RecordingProblem, lost];
+        return notes.All(note => note == null) ? null : [.. notes.Where(note => note != null)];
+    }
 
     /// <summary>Gets the reason why the run is invalid; null if it is valid.</summary>
     /// <param name="needsClock">Whether a run is also invalid if the clock was never synchronised.</param>

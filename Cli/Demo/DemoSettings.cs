@@ -24,6 +24,9 @@ sealed record DemoSettings
     /// <summary>Name of the motion in the report.</summary>
     public string MotionName { get; init; }
 
+    /// <summary>Warning about the recorded motion, in one line; null if there is none.</summary>
+    public string MotionWarning { get; init; }
+
     public string Predictor { get; init; }
 
     /// <summary>Blend time of the prediction's sections, ms.</summary>

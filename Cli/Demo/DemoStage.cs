@@ -71,10 +71,13 @@ static class DemoStage
         using var never = new ManualResetEventSlim();
         var loop = new DemoFrameLoop(settings, headset, clock, truth, time => PreciseWait.While(() => time - clock.Now, never));
         ConsoleProgress.Run(settings.Seconds, report => loop.Run(report, cancel));
-        if (headset.EndRecording() is string problem) Console.Error.WriteLine(ConsoleMessages.Line(problem));
+        var (problem, lostLines) = headset.EndRecording();
         if (headset.Complaint is string complaint) throw new DemoFailedException(DemoMessages.SceneError(complaint));
         return new DemoRun(settings, truth, loop.Frames, headset.Log.ApplicationLatencies, headset.Session.Statistics(clock.Now),
             session.Range?.Limit, headset.Alarms)
-        { Bodies = loop.Bodies, Signals = loop.Signals, Exchanges = headset.Log.Exchanges() };
+        {
+            Bodies = loop.Bodies, Signals = loop.Signals, Exchanges = headset.Log.Exchanges(), BeyondLimits = headset.Session.BeyondLimits,
+            RecordingProblem = problem, LostLines = lostLines,
+        };
     }
 }

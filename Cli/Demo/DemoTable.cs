@@ -11,6 +11,7 @@ static class DemoTable
         var settings = run.Settings;
         var console = ResultConsole.Create();
         console.WriteLine(DemoTexts.Title(settings.Robot.Name, settings.Predictor, result.Network));
+        foreach (var note in result.Notes ?? []) console.WriteLine(DemoTexts.Note(note));
         console.Write(Errors(score, result));
         console.Write(Facts(result, new DemoRangeRows(settings, result, score.Range), new DemoDelayRows(run.Frames)));
         foreach (var (label, path) in output.Written) console.WriteLine(label.PadRight(8) + path);

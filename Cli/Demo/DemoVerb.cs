@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Messages;
+using Nowpose.Cli.Replay;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
@@ -109,7 +110,7 @@ static class DemoVerb
 
     static bool IsGiven(ParseResult parsed, Option option) => parsed.GetResult(option) is { Implicit: false };
 
-    static DemoSettings Settings(ParseResult parsed)
+    internal static DemoSettings Settings(ParseResult parsed)
     {
         var assumed = parsed.GetValue(Visualisation) + parsed.GetValue(VisualisationError);
         if (assumed is < 0 or > 500)
@@ -119,7 +120,7 @@ static class DemoVerb
             throw new InputException(DemoMessages.VisuWithLoad(parsed.GetValue(Visualisation), renders, MinWithLoadMs));
         if (IsGiven(parsed, Repeats) && !parsed.GetValue(Paper)) throw new InputException(DemoMessages.RepeatsWithoutPaper);
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
-        var recording = parsed.GetValue(Recording);
+        var recording = parsed.GetValue(Recording) is { } path ? MotionRecording.Read(path) : null;
         return new DemoSettings
         {
             Seconds = parsed.GetValue(Seconds),
@@ -128,9 +129,10 @@ static class DemoVerb
             RobotText = urdf,
             Motion = recording == null
                 ? new CellMotion(new CellWork(robot, new PickAndPlaceMotion(robot)))
-                : new CellMotion(new RecordedMotion(MotionRecording.Read(recording), robot)),
+                : new CellMotion(new RecordedMotion(recording, robot)),
             MotionName = recording == null
-                ? DemoTexts.PickAndPlace : DemoTexts.Recording(Path.GetFileName(recording)),
+                ? DemoTexts.PickAndPlace : DemoTexts.Recording(Path.GetFileName(recording.Source)),
+            MotionWarning = recording == null ? null : RowInterval.WarningOf(recording, parsed.GetValue(Sampling)),
             Predictor = parsed.GetValue(Predictor),
             Estimator = parsed.GetValue(Estimator),
             Profile = RuntimeOptions.ProfileOf(parsed, Profile, VisualisationError),
@@ -161,8 +163,9 @@ static class DemoVerb
         if (!isInterrupted && run.Failure() is string failure) throw new DemoFailedException(failure);
         var score = new DemoScore(run);
         var result = score.Result();
+        result = result with { Notes = run.Notes(isInterrupted ? DemoMessages.Interrupted(result.Seconds, run.Settings.Seconds) : null) };
         output.Write(score, run, result);
         DemoTable.Print(run, score, result, output);
-        return isInterrupted ? ExitStatus.Interrupted : ExitStatus.Done;
+        return isInterrupted ? ExitStatus.Interrupted : run.RecordingProblem == null ? ExitStatus.Done : ExitStatus.Failed;
     }
 }

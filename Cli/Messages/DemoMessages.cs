@@ -28,6 +28,17 @@ static class DemoMessages
     public static string PaperSeconds(double seconds, double min) =>
         FormattableString.Invariant($"--seconds: {seconds} s is out of range; allowed with --paper: {min} to 3600 s");
 
+    public static string Interrupted(double seconds, double allSeconds) =>
+        FormattableString.Invariant($"the run was interrupted after {seconds:0.0} of {allSeconds} s, so the results are those of this part; ")
+        + "run it again";
+
+    public static string RepeatsInterrupted(int complete, int repeats) => complete == 0
+        ? "the run was interrupted in its first repeat, so no claim was judged, and the other results are those of a part of it; run it again"
+        : $"the run was interrupted, so the claims are judged by {complete} of {repeats} repeats; run it again";
+
+    public static string LinesLost(long lines) =>
+        FormattableString.Invariant($"session.jsonl: {lines} lines are missing, because the disk was too slow; set --out to a faster disk");
+
     public static string OtherFile(string path) =>
         $"--out: {path} is not from an earlier demo and would be replaced; use another folder, or move the file";
 

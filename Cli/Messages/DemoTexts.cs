@@ -75,6 +75,7 @@ static class DemoTexts
     public const string Subtitle =
         "What the headset would have shown, compared with the true position of the simulated robot at the display time.";
 
+    public static string Note(string text) => $"Note: {text}";
     public static string FrameRate(int framesPerSecond) => $"{framesPerSecond} fps, less under load";
 
     public const string MeasuredReduction = "Reduction, measured by the headset";

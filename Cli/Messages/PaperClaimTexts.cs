@@ -35,6 +35,7 @@ static class PaperClaimTexts
         + "RMS over the swings).";
 
     public const string ClockUnknown = "the clock offset was never known";
+    public const string Interrupted = "the run was interrupted";
     public const string TooShort = "the run was too short";
 
     public static string ClockKnownFrom(double seconds) => FormattableString.Invariant($"the clock offset was known only from {seconds:0.0} s on");

@@ -31,7 +31,8 @@ static class PaperClaims
     ];
 
     /// <param name="repeats">
-    /// One repeat or more. A claim is judged by the mean over the repeats that measured its value, and by the confidence interval of the mean.
+    /// The complete repeats; empty if the first one was interrupted. A claim is judged by the mean over the repeats that measured its value, and by
+    /// the confidence interval of the mean.
     /// </param>
     public static IReadOnlyList<PaperClaim> Of(IReadOnlyList<PaperMeasures> repeats) => [.. Rules.Select(rule => Judge(rule, repeats))];
 
@@ -59,6 +60,7 @@ static class PaperClaims
 
     static string ReasonOf(PaperRule rule, IReadOnlyList<PaperMeasures> repeats)
     {
+        if (repeats.Count == 0) return PaperClaimTexts.Interrupted;
         var repeat = repeats.First(each => !(rule.Measure(each) is double number && double.IsFinite(number)));
         return rule.NeedsSwings ? repeat.SwingProblem : repeat.ClockProblem;
     }

@@ -19,6 +19,7 @@ static class PaperSession
         var scenario = PaperScenario.Of(given, swing);
         PaperCalibration firstCalibration = null;
         var runs = new List<PaperRun>();
+        var complete = 0;
         for (var repeat = 1; repeat <= repeats && !cancel.IsCancellationRequested; repeat++)
         {
             if (repeats > 1) await Console.Error.WriteLineAsync(ConsoleMessages.Repeat(repeat, repeats));
@@ -35,11 +36,13 @@ static class PaperSession
             var run = await DemoStage.PlayAsync(settings with { Profile = calibration.Profile }, repeat == 1 ? output.SessionPath : null, cancel);
             // A clock that was never synchronised is a valid result: its claim does not hold.
             if (!cancel.IsCancellationRequested && run.Failure(needsClock: false) is string failure) throw new DemoFailedException(failure);
+            if (!cancel.IsCancellationRequested) complete++;
             // Judging needs complete repeats. If the first repeat was interrupted, it is kept for the demo's own results.
             if (repeat == 1 || !cancel.IsCancellationRequested) runs.Add(new PaperRun(repeat, run, swing));
         }
-        if (runs.Count > 0) Finish(runs, firstCalibration, output);
-        return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+        if (runs.Count > 0) Finish(runs, complete, repeats, firstCalibration, output);
+        if (cancel.IsCancellationRequested) return ExitStatus.Interrupted;
+        return runs[0].Run.RecordingProblem == null ? ExitStatus.Done : ExitStatus.Failed;
     }
 
     /// <summary>Writes the page of a calibration that the user interrupted. The profile is not written, because no run has used it.</summary>
@@ -51,12 +54,20 @@ static class PaperSession
         Console.Error.WriteLine(ConsoleMessages.CalibrationInterrupted(files.PagePath));
     }
 
-    static void Finish(List<PaperRun> runs, PaperCalibration calibration, DemoOutput output)
+    /// <summary>Writes and prints the results.</summary>
+    /// <param name="runs">The repeats; only the first one if it was interrupted.</param>
+    /// <param name="complete">Number of complete repeats.</param>
+    /// <param name="repeats">Number of requested repeats.</param>
+    internal static void Finish(IReadOnlyList<PaperRun> runs, int complete, int repeats, PaperCalibration calibration, DemoOutput output)
     {
-        var claims = PaperClaims.Of([.. runs.Select(PaperMeasures.Of)]);
+        var claims = PaperClaims.Of([.. runs.Take(complete).Select(PaperMeasures.Of)]);
         var figures = PaperFigures.Of(runs, claims);
         var score = new DemoScore(runs[0].Run);
-        var result = score.Result() with { Claims = claims };
+        var result = score.Result() with
+        {
+            Claims = claims,
+            Notes = runs[0].Run.Notes(complete == repeats ? null : DemoMessages.RepeatsInterrupted(complete, repeats)),
+        };
         // The result and the report are written first, because they exist even if another file cannot be written.
         output.Write(score, runs[0].Run, result, figures);
         PaperOutput.Write(output.Folder, runs, calibration, figures);

@@ -62,7 +62,9 @@ sealed class VirtualStage
         return new DemoRun(
             _settings, _truth, loop.Frames, _headset.Log.ApplicationLatencies, _headset.Session.Statistics(_clock.Read),
             _headset.Session.Range?.Limit, _headset.Alarms)
-        { Bodies = loop.Bodies, Signals = loop.Signals, Exchanges = _headset.Log.Exchanges() };
+        {
+            Bodies = loop.Bodies, Signals = loop.Signals, Exchanges = _headset.Log.Exchanges(), BeyondLimits = _headset.Session.BeyondLimits,
+        };
     }
 
     void AdvanceTo(HeadsetTime time)

@@ -3,6 +3,9 @@ using System.Text.RegularExpressions;
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Virtual;
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway.MotionRecordings;
+using Nowpose.Gateway.Plants;
+using Nowpose.Simulation.Work;
 using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
@@ -49,6 +52,64 @@ public class DemoFilesTests
         else Assert.That((await FinishAsync(run, isInterrupted)).Status, Is.EqualTo(130));
 
         Assert.That(File.Exists(Path.Combine(_folder.Path, "result.json")), Is.EqualTo(isInterrupted));
+    }
+
+    [Test]
+    public async Task Finish_Interrupted_MarksResultReportAndTable()
+    {
+        var run = Play(5);
+
+        var (_, output, _) = await FinishAsync(run with { Settings = run.Settings with { Seconds = 20 } }, isInterrupted: true);
+
+        AssertNotes(output, DemoMessages.Interrupted(5, 20));
+    }
+
+    [Test]
+    public async Task Finish_MotionInDegrees_NotesTheLimits()
+    {
+        using var file = new TemporaryFile("t,a\n0,100\n100,200\n");
+        var settings = VirtualDemo.Settings(5, "lan", 1, "quadratic");
+        var run = VirtualStage.Play(
+            settings with { Motion = new CellMotion(new RecordedMotion(MotionRecording.Read(file.Path), settings.Robot)) }, hasScene: false);
+
+        var (status, output, _) = await FinishAsync(run);
+
+        Assert.That(status, Is.EqualTo(0));
+        Assert.That(run.BeyondLimits, Has.Count.EqualTo(1));
+        AssertNotes(output, run.BeyondLimits[0].Words);
+    }
+
+    [TestCase("recording session.jsonl has stopped", 0, 1)]
+    [TestCase(null, 3, 0)]
+    public async Task Finish_IncompleteRecording_NotesItAndFailsIfItEndedEarly(string problem, int lost, int expected)
+    {
+        var (status, output, _) = await FinishAsync(Play(5) with { RecordingProblem = problem, LostLines = lost });
+
+        Assert.That(status, Is.EqualTo(expected));
+        AssertNotes(output, problem ?? DemoMessages.LinesLost(lost));
+    }
+
+    [Test]
+    public async Task Settings_RecordingInMilliseconds_HaveAWarningThatIsWritten()
+    {
+        using var file = new TemporaryFile("t,a\n0,0\n10,1\n20,0\n");
+
+        var settings = DemoVerb.Settings(DemoVerb.Create().Parse(["--recording", file.Path]));
+
+        Assert.That(settings.MotionWarning, Is.EqualTo(ReplayMessages.CoarseRows(10_000, 50)));
+        var run = Play(5);
+        var (_, output, _) = await FinishAsync(run with { Settings = run.Settings with { MotionWarning = settings.MotionWarning } });
+        AssertNotes(output, settings.MotionWarning);
+    }
+
+    void AssertNotes(string output, string note)
+    {
+        var notes = JsonDocument.Parse(Written("result.json")).RootElement.GetProperty("notes").Deserialize<string[]>();
+        Assert.That(notes, Is.EqualTo(new[] { note }));
+        // The console breaks the sentence at the end of a line.
+        static string Unbroken(string text) => string.Concat(text.Where(c => !char.IsWhiteSpace(c)));
+        Assert.That(Unbroken(output), Does.Contain(Unbroken(DemoTexts.Note(note))));
+        Assert.That(Written("report.html"), Does.Contain(DemoTexts.Note(note).Split('\'')[0]));
     }
 
     static void AssertFields(JsonElement result)

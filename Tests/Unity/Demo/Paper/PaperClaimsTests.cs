@@ -52,6 +52,16 @@ public class PaperClaimsTests
     }
 
     [Test]
+    public void Claims_NoCompleteRepeat_AreNotMeasured()
+    {
+        var claims = PaperClaims.Of([]);
+
+        Assert.That(claims, Has.Count.EqualTo(PaperClaims.Of([Good]).Count));
+        Assert.That(claims.Select(claim => (claim.Measured, claim.Holds)), Is.All.EqualTo(((double?)null, false)));
+        Assert.That(claims.Select(claim => claim.NotMeasured), Is.All.EndsWith(PaperClaimTexts.Interrupted));
+    }
+
+    [Test]
     public void Claims_NotMeasured_HaveNoVerdict()
     {
         var claims = PaperClaims.Of([Good with { Clock = null, Swings = null, LightErrorMs = null }]);

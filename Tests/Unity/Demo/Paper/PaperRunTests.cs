@@ -1,3 +1,5 @@
+using System.Text.Json;
+using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Figures.Clocks;
@@ -175,6 +177,28 @@ public class PaperRunTests
         Assert.That(run.Run.Exchanges, Is.Empty);
         Assert.That(figures.Select(figure => (figure.Number, figure.Plots.Count, figure.Table.Rows.Count)), Is.EqualTo(new[] { ("8", 0, 0) }));
         Assert.That(claims.Select(claim => claim.Verdict), Is.Not.Empty.And.All.EqualTo(Verdict.NotMeasured.Words()));
+    }
+
+    [TestCase(0, 1, true)]
+    [TestCase(1, 3, true)]
+    [TestCase(1, 1, false)]
+    public async Task Finish_SomeRepeatsComplete_JudgesOnlyTheseAndNotesTheInterruption(int complete, int repeats, bool isInterrupted)
+    {
+        using var folder = new TemporaryFolder();
+        var calibration = new PaperCalibration(PaperScene.ProfileOf(PaperScene.VisuMs), new CalibrationPageData("Visible light", "", []));
+        var run = PaperScene.Play(1, seconds: 12);
+
+        await CapturedConsole.OfAsync(() =>
+        {
+            PaperSession.Finish([run], complete, repeats, calibration, DemoOutput.At(folder.Path, isPaper: true));
+            return Task.FromResult(0);
+        });
+
+        var result = JsonDocument.Parse(await File.ReadAllTextAsync(Path.Combine(folder.Path, "result.json"))).RootElement;
+        var measured = result.GetProperty("claims").EnumerateArray().Select(claim => claim.GetProperty("measured").ValueKind);
+        Assert.That(measured.Contains(JsonValueKind.Number), Is.EqualTo(complete > 0));
+        Assert.That(result.TryGetProperty("notes", out var notes), Is.EqualTo(isInterrupted));
+        if (isInterrupted) Assert.That(notes[0].GetString(), Is.EqualTo(DemoMessages.RepeatsInterrupted(complete, repeats)));
     }
 
     [Test]
