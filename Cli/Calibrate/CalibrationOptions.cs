@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 
@@ -32,6 +33,11 @@ sealed class CalibrationOptions
     /// <summary>Writes the profile and the page, and prints the result.</summary>
     /// <param name="profile">The profile; null if there is none.</param>
     /// <param name="json">Creates the JSON that is printed instead of the table on request.</param>
-    public void Finish(ParseResult parsed, CalibrationOutput output, LatencyProfile profile, CalibrationPageData page, Func<string> json) =>
-        CalibrationTable.Print(page, output.Write(profile, page), output.PagePath, parsed.GetValue(_json) ? json() : null);
+    /// <param name="isInterrupted">Whether the user interrupted the measurement, so that pictures are missing.</param>
+    public void Finish(
+        ParseResult parsed, CalibrationOutput output, LatencyProfile profile, CalibrationPageData page, Func<string> json, bool isInterrupted = false)
+    {
+        if (isInterrupted) page = page.WithWarning(CalibrationMessages.Interrupted);
+        CalibrationTable.Print(page, output.Write(profile, page, isInterrupted), output.PagePath, parsed.GetValue(_json) ? json() : null);
+    }
 }

@@ -21,6 +21,9 @@ sealed class CalibrationOutput
     /// <summary>Path for a new profile without a render time limit. Used if the existing profile has a limit.</summary>
     public string UnlimitedProfilePath => Path.Combine(_folder, "profile-without-limit.json");
 
+    /// <summary>Path for the profile of an interrupted measurement.</summary>
+    public string InterruptedProfilePath => Path.Combine(_folder, "profile-interrupted.json");
+
     /// <summary>Path of the table that <c>calibrate range</c> reads.</summary>
     public string PairsPath => Path.Combine(_folder, "pairs.csv");
 
@@ -31,21 +34,23 @@ sealed class CalibrationOutput
     {
         var output = new CalibrationOutput(full);
         // Opens the files of an earlier calibration without changing them.
-        string[] written = [output.ProfilePath, output.UnlimitedProfilePath, output.PagePath];
+        string[] written = [output.ProfilePath, output.UnlimitedProfilePath, output.InterruptedProfilePath, output.PagePath];
         foreach (var path in written.Concat(hasPairs ? [output.PairsPath] : []).Where(Path.Exists))
             File.Open(path, FileMode.Open, FileAccess.Write).Dispose();
         return output;
     });
 
     /// <summary>
-    /// Writes the profile and then the page. An existing profile that has a limit is not replaced by one without a limit.
+    /// Writes the profile and then the page. An existing profile that has a limit is not replaced by one without a limit, and none is replaced by the
+    /// profile of an interrupted measurement.
     /// </summary>
     /// <param name="profile">The profile; null if there is none.</param>
     /// <returns>Path of the written profile; null if none was written.</returns>
     /// <exception cref="InputException">A file cannot be written.</exception>
-    public string Write(LatencyProfile profile, CalibrationPageData page)
+    public string Write(LatencyProfile profile, CalibrationPageData page, bool isInterrupted = false)
     {
-        var path = profile == null ? null : profile.Range == null && EarlierLimit() is TimeSpan limit ? PathBeside(limit) : ProfilePath;
+        var path = profile == null ? null : isInterrupted ? InterruptedProfilePath
+            : profile.Range == null && EarlierLimit() is TimeSpan limit ? PathBeside(limit) : ProfilePath;
         if (profile != null) OptionPath.Write("--out", path, () => LatencyProfileFile.Save(path, profile));
         OptionPath.Write("--out", PagePath, () => OutputFile.Write(PagePath, CalibrationPage.Render(CalibrationJson.Of(page))));
         return path;

@@ -12,6 +12,9 @@ sealed record CalibrationPageData(string Title, string Result, IReadOnlyList<str
     public IReadOnlyList<string> Warnings { get; init; } = [];
 
     public IReadOnlyList<CalibrationSection> Sections { get; init; } = [];
+
+    /// <summary>Returns the page with another warning before the present ones.</summary>
+    public CalibrationPageData WithWarning(string warning) => this with { Warnings = [warning, .. Warnings] };
 }
 
 /// <summary>A section of the page: one or more plots with an explanation and a table.</summary>

@@ -54,7 +54,7 @@ static class HeadVerb
         if (ResultOf(read, arguments[0], cancel) is not { } result) return ExitStatus.Interrupted;
         var profile = earlier.With(new HeadMotionLatency(result.LatencyMs, result.UncertaintyMs));
         var page = earlier.WithWarnings(HeadPage.Of(result, profile, earlier.Conditions));
-        Shared.Finish(parsed, output, profile, page, result.Json);
+        Shared.Finish(parsed, output, profile, page, result.Json, cancel.IsCancellationRequested);
         return ExitStatus.Done;
     }
 

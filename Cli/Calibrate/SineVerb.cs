@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Sine;
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
@@ -52,18 +53,30 @@ static class SineVerb
         var path = parsed.GetValue(Recording);
         var way = SineWay.Of(parsed.GetValue(Application), parsed.GetValue(Sampling), parsed.GetValue(Configured) ?? parsed.GetValue(Former));
         var earlier = await Invocation.ReadAsync(() => EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed)), cancel);
-        var tracks = PictureFiles.IsVideo(path)
-            ? FilmedJog.Track(path, parsed.GetValue(RobotBox), parsed.GetValue(HologramBox), cancel)
-            : await Invocation.ReadAsync(() => Table(parsed, path), cancel);
-        if (parsed.GetValue(Inverted)) tracks = tracks with { Shown = [.. tracks.Shown.Select(each => -each)] };
-        var lag = InputPlace.In(path, () => LagEstimator.Of(tracks));
+        var isVideo = PictureFiles.IsVideo(path);
+        SineTracks tracks;
+        LagEstimate lag;
+        try
+        {
+            tracks = isVideo
+                ? FilmedJog.Track(path, parsed.GetValue(RobotBox), parsed.GetValue(HologramBox), cancel)
+                : await Invocation.ReadAsync(() => Table(parsed, path), cancel);
+            if (parsed.GetValue(Inverted)) tracks = tracks with { Shown = [.. tracks.Shown.Select(each => -each)] };
+            lag = InputPlace.In(path, () => LagEstimator.Of(tracks));
+        }
+        catch (InputException fault) when (isVideo && cancel.IsCancellationRequested)
+        {
+            // The pictures so far are too few.
+            await Console.Error.WriteLineAsync(ConsoleMessages.Line(fault.Message));
+            return ExitStatus.Interrupted;
+        }
         // Long tables take seconds.
-        cancel.ThrowIfCancellationRequested();
+        if (!isVideo) cancel.ThrowIfCancellationRequested();
         var result = new SineResult(tracks, lag, way);
         var output = Shared.Output(parsed);
         var profile = result.VisuMs is double visuMs ? earlier.With(visuMs, result.DeviationMs, CalibrationMethod.Sine, measurements: 1) : null;
         var page = earlier.WithWarnings(SinePage.Of(result, profile, path));
-        Shared.Finish(parsed, output, profile, page, result.Json);
+        Shared.Finish(parsed, output, profile, page, result.Json, cancel.IsCancellationRequested);
         return ExitStatus.Done;
     }
 

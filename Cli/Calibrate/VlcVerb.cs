@@ -53,7 +53,8 @@ static class VlcVerb
         var status = cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
         if (result.Pictures.Count == 0) return status;
         var evaluation = new VlcEvaluation(result, sweep, earlier);
-        Shared.Finish(parsed, output, evaluation.Profile, evaluation.Page, () => VlcJson.Of(result, evaluation.Profile));
+        Shared.Finish(
+            parsed, output, evaluation.Profile, evaluation.Page, () => VlcJson.Of(result, evaluation.Profile), status == ExitStatus.Interrupted);
         if (sweep != null && result.Read.Count > 0) output.WritePairs(evaluation.Pictures);
         return status != ExitStatus.Done || evaluation.Profile != null ? status : result.Read.Count > 0 ? ExitStatus.Failed : ExitStatus.BadInput;
     }

@@ -11,6 +11,9 @@ static class CalibrationMessages
         $"--profile: {path} was measured with {label} '{calibrated}', but this measurement has '{actual}'; the values that are kept from the "
         + "profile may be wrong: repeat the load sweep";
 
+    public const string Interrupted =
+        "the measurement was interrupted, so the result and the other warnings are those of the pictures so far; run it again";
+
     public const string NoSpeed = "--speed-mm-s is missing; allowed: 1 to 10000 mm/s";
 
     public static string NoOffset(string option) => $"{option} is missing; give at least one offset for each direction of motion";

@@ -32,6 +32,7 @@ public sealed class InterruptedPaperTests
     {
         var calibration = Calibration(pictures, isInterrupted: true);
 
+        Assert.That(calibration.Page.Warnings[0], Is.EqualTo(CalibrationMessages.Interrupted));
         Assert.That(calibration.Page.Facts, Has.One.EqualTo(new[] { "Pictures", FormattableString.Invariant($"{pictures}") }));
     }
 

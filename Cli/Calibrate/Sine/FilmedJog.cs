@@ -11,6 +11,8 @@ static class FilmedJog
     /// <summary>Minimum match score. Below it, the patch is lost.</summary>
     const double MinScore = 0.5;
 
+    /// <summary>Tracks both patches to the end of the video, or until the user cancels.</summary>
+    /// <exception cref="OperationCanceledException">The user cancelled before the first picture.</exception>
     /// <exception cref="InputException">A box is missing or outside the picture, a patch is lost, or the video cannot be read.</exception>
     public static SineTracks Track(string path, PictureBox? robotBox, PictureBox? hologramBox, CancellationToken cancel)
     {
@@ -22,8 +24,7 @@ static class FilmedJog
         {
             foreach (var (width, height, bytes) in VideoFrames.Read(path))
             {
-                if (places.Count == times.Length) break;
-                cancel.ThrowIfCancellationRequested();
+                if (places.Count == times.Length || cancel.IsCancellationRequested) break;
                 if (places.Count == 0) RequireWithin(robot, width, height, "--robot-box");
                 if (places.Count == 0) RequireWithin(hologram, width, height, "--hologram-box");
                 places.Add(tracker.Follow(width, height, bytes));
@@ -31,6 +32,7 @@ static class FilmedJog
                 report(places.Count);
             }
         });
+        if (places.Count == 0) cancel.ThrowIfCancellationRequested();
         var axis = MotionAxis.Of([.. places.Select(each => (each[0].X, each[0].Y))]);
         double[] Along(int patch) => [.. places.Select(each => axis.LengthOf((each[patch].X, each[patch].Y), default))];
         return SineTracks.Of(times[..places.Count], Along(0), Along(1), path);

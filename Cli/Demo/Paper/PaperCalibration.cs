@@ -52,7 +52,8 @@ sealed record PaperCalibration(LatencyProfile Profile, CalibrationPageData Page)
         var evaluation = new VlcEvaluation(result, sweep, EarlierProfile.Read(null, conditions));
         if (evaluation.Profile == null && !isInterrupted)
             throw new DemoFailedException(DemoMessages.NoCalibration(result.Read.Count, pictures));
-        return new PaperCalibration(WithError(evaluation.Profile, errorMs), evaluation.Page);
+        var page = isInterrupted ? evaluation.Page.WithWarning(CalibrationMessages.Interrupted) : evaluation.Page;
+        return new PaperCalibration(WithError(evaluation.Profile, errorMs), page);
     }
 
     static LatencyProfile WithError(LatencyProfile measured, double errorMs) => measured == null || errorMs == 0 ? measured : new LatencyProfile(

@@ -42,6 +42,18 @@ public sealed class CalibrationOutputTests : CalibrationFolder
     }
 
     [Test]
+    public void Write_Interrupted_WritesTheProfileBesideTheExistingOne()
+    {
+        var output = CalibrationOutput.At(Out);
+        output.Write(Profile, Page);
+        var before = File.ReadAllText(ProfilePath);
+
+        Assert.That(output.Write(Profile, Page, isInterrupted: true), Is.EqualTo(output.InterruptedProfilePath));
+        Assert.That(File.ReadAllText(ProfilePath), Is.EqualTo(before));
+        Assert.That(LatencyProfileFile.Load(output.InterruptedProfilePath).Device, Is.EqualTo("HoloLens 2"));
+    }
+
+    [Test]
     public void Write_PageIsNotWritable_ThrowsAndKeepsTheProfile()
     {
         var output = CalibrationOutput.At(Out);

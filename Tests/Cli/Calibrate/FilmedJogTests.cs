@@ -1,6 +1,8 @@
 using System.Globalization;
 using System.Text.Json;
+using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Options;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
@@ -76,6 +78,35 @@ public class FilmedJogTests : VideoFolder
             "calibrate", "sine", video, "--robot-box", Box(RobotAt(0.002)), "--hologram-box", Box(HologramAt(0.002)), "--json", "--out", Out);
 
         Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+    }
+
+    // The stand-in of ffmpeg waits after its first pictures until the command has been interrupted.
+    [TestCase(150, true)]
+    [TestCase(20, false)]
+    public async Task Sine_VideoInterrupted_EvaluatesThePicturesSoFar(int pictures, bool areEnough)
+    {
+        var video = Video();
+        var (half, go) = (Path.Combine(Folder, "half"), Path.Combine(Folder, "go"));
+        var bytes = 3 * Width * Height * pictures;
+        Script("ffmpeg", $"head -c {bytes} '{FramesPath}'; mkfifo '{go}'; : > '{half}'; cat '{go}' > /dev/null; tail -c +{bytes + 1} '{FramesPath}'");
+        string[] args =
+        [
+            "calibrate", "sine", video, "--robot-box", Box(RobotAt(0.002)), "--hologram-box", Box(HologramAt(0.002)), "--visu-ms", "0", "--out", Out,
+        ];
+        using var ctrlC = new CancellationTokenSource();
+        var running = Task.Run(() => CapturedConsole.OfAsync(
+            () => Invocation.RunAsync(Invocation.Root("nowpose", "", CalibrateVerb.Create()), args, cancel: ctrlC.Token)));
+        await Soon.BecomesAsync(() => File.Exists(half), () => "the first pictures are read");
+
+        await ctrlC.CancelAsync();
+        // The stand-in reads to the end of this pipe.
+        await (await Task.Run(() => new FileStream(go, FileMode.Open, FileAccess.Write)).Bounded()).DisposeAsync();
+
+        var run = await running.Bounded();
+        Assert.That(run.Status, Is.EqualTo(130), run.Errors);
+        Assert.That(File.Exists(Path.Combine(Out, "profile.json")), Is.False);
+        Assert.That(File.Exists(Path.Combine(Out, "profile-interrupted.json")), Is.EqualTo(areEnough), run.Errors);
+        Assert.That(run.Errors, Does.Contain(areEnough ? CalibrationMessages.Interrupted : "at least 60"));
     }
 
     [Test]

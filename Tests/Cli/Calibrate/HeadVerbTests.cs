@@ -76,6 +76,29 @@ public sealed class HeadVerbTests : CalibrationFolder
     }
 
     [Test]
+    public async Task Head_Interrupted_KeepsTheProfileAndWarns()
+    {
+        Directory.CreateDirectory(Out);
+        await File.WriteAllTextAsync(ProfilePath, "earlier");
+        var parsed = HeadVerb.Create().Parse([Write("picture.png", []), "--profile", SavedProfile(), "--out", Out]);
+        var readings = new VlcResult(new SwungPictures { LatencyMs = 2, VisuMs = 42 }.Take());
+        using var ctrlC = new CancellationTokenSource();
+
+        var run = await CapturedConsole.OfAsync(() => HeadVerb.RunAsync(parsed, _ => Interrupted(), ctrlC.Token));
+
+        Assert.That(await File.ReadAllTextAsync(ProfilePath), Is.EqualTo("earlier"));
+        Assert.That(LatencyProfileFile.Load(Path.Combine(Out, "profile-interrupted.json")).HeadMotion, Is.Not.Null);
+        Assert.That(run.Errors, Does.Contain(CalibrationMessages.Interrupted));
+        Assert.That(await File.ReadAllTextAsync(Path.Combine(Out, "calibration.html")), Does.Contain(CalibrationMessages.Interrupted));
+
+        VlcResult Interrupted()
+        {
+            ctrlC.Cancel();
+            return readings;
+        }
+    }
+
+    [Test]
     public async Task Head_TooFewPictures_AreRejected()
     {
         var folder = Path.Combine(Folder, "few");
