@@ -13,6 +13,10 @@ static class SineMessages
         FormattableString.Invariant($"recording: {seconds:0.0} s is too short to find lags up to {maxLagSeconds} s; record at least ten ")
         + "seconds";
 
+    public static string IntervalTooLong(double seconds, double maxSeconds) =>
+        FormattableString.Invariant($"recording: the pictures are {seconds:G4} s apart; at most {maxSeconds} s are allowed; check that the time ")
+        + "is in s";
+
     public static string NoMotion(string what) => $"recording: {what} does not move; jog a joint back and forth while it is filmed";
 
     public static string NoCorrelation(double correlation, double min) =>
@@ -38,6 +42,8 @@ static class SineMessages
 
     public static string ColumnsNeeded(string path, int columns) =>
         $"{path}: {columns} columns after the time; name the columns of robot and hologram with --columns ROBOT,HOLOGRAM";
+
+    public static string SameColumn(string column) => $"--columns: '{column}' is given for both robot and hologram; name two columns";
 
     public static string ColumnNeeded(string path, int columns, string option) =>
         $"{path}: {columns} columns after the time; name one: {option} NAME";

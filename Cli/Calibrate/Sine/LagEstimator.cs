@@ -27,9 +27,12 @@ static class LagEstimator
 
     const int MaxSteps = 5;
 
-    /// <exception cref="InputException">Nothing moves, the two motions differ, or the motion repeats within the tested lags.</exception>
+    /// <exception cref="InputException">
+    /// The interval exceeds the tested lags, nothing moves, the two motions differ, or the motion repeats within the tested lags.
+    /// </exception>
     public static LagEstimate Of(SineTracks tracks)
     {
+        if (tracks.Interval > MaxLag) throw new InputException(SineMessages.IntervalTooLong(tracks.Interval, MaxLag));
         var first = (int)Math.Ceiling(MinLag / tracks.Interval);
         var last = (int)Math.Floor(MaxLag / tracks.Interval);
         RequireMotion(tracks.Robot, "the robot");

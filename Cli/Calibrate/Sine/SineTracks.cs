@@ -1,4 +1,5 @@
 using Nowpose.Cli.Messages;
+using Nowpose.Cli.Replay;
 using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Calibrate.Sine;
@@ -36,6 +37,7 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
         if (names == null && recording.Names.Count == 2) return (0, 1);
         if (names?.Length != 2)
             throw new InputException(SineMessages.ColumnsNeeded(path, recording.Names.Count));
+        if (names[0] == names[1]) throw new InputException(SineMessages.SameColumn(names[0]));
         return (IndexOf(recording, path, names[0], "--columns"), IndexOf(recording, path, names[1], "--columns"));
     }
 
@@ -57,7 +59,7 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
     public static SineTracks Of(double[] times, double[] robot, double[] shown, string path)
     {
         Func<double, double> At(double[] places) => time => Between(times, places, time);
-        return OnGrid(times[0], times[^1], IntervalOf(times), At(robot), At(shown), path);
+        return OnGrid(times[0], times[^1], RowInterval.Of(times), At(robot), At(shown), path);
     }
 
     static SineTracks OnGrid(MotionRecording robot, MotionRecording shown, int robotColumn, int shownColumn, string path)
@@ -72,7 +74,7 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
             };
         }
         return OnGrid(
-            Math.Max(robot.Start, shown.Start), Math.Min(robot.Start + robot.Duration, shown.Start + shown.Duration), IntervalOf(shown.Times),
+            Math.Max(robot.Start, shown.Start), Math.Min(robot.Start + robot.Duration, shown.Start + shown.Duration), RowInterval.Of(shown.Times),
             At(robot, robotColumn), At(shown, shownColumn), path);
     }
 
@@ -84,8 +86,6 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
         double[] times = [.. Enumerable.Range(0, count).Select(i => start + i * interval)];
         return new SineTracks(start, interval, [.. times.Select(robot)], [.. times.Select(shown)]);
     }
-
-    static double IntervalOf(IReadOnlyList<double> times) => Quantile.Of(times.Zip(times.Skip(1), (from, to) => to - from), 0.5);
 
     static double Between(double[] times, double[] places, double time)
     {

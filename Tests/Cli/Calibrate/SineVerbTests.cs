@@ -178,6 +178,21 @@ public class SineVerbTests : CalibrationFolder
         Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90) { Period = 0.3 }.Lines())),
             Does.EndWith("jog.csv: " + SineMessages.Ambiguous(0.3)));
 
+    [Test]
+    public async Task Sine_TimeStampsInMilliseconds_NamesTheInterval()
+    {
+        var rows = new Jog(90).Lines().Skip(1).Select((line, i) => string.Create(CultureInfo.InvariantCulture, $"{10 * i},") + line.Split(',', 2)[1]);
+
+        Assert.That(await RefusalOf("sine", Write("jog.csv", rows.Prepend("t,robot,hologram")), "--visu-ms", "40"),
+            Does.EndWith("jog.csv: " + SineMessages.IntervalTooLong(10, 0.6)));
+    }
+
+    [Test]
+    public async Task Sine_SameColumnTwice_IsRefused() =>
+        Assert.That(
+            await RefusalOf("sine", Write("jog.csv", new Jog(90).Lines()), "--columns", "robot_px,robot_px", "--visu-ms", "40"),
+            Is.EqualTo(ConsoleMessages.Line(SineMessages.SameColumn("robot_px"))));
+
     [TestCase("t_s,a,b\n0,1,2\n1,1,2", "at least 60")]
     [TestCase("t_s,a,b,c\n0,1,2,3\n1,2,3,4", "--columns ROBOT,HOLOGRAM")]
     [TestCase("t_s,a,b\n0,1,2\n1,NaN,2", ":3: field 'a': 'NaN' is not a finite number")]
