@@ -10,7 +10,9 @@ using Nowpose.Session;
 namespace Nowpose.Cli.Headset;
 
 /// <summary>Runs the headset runtime without a display against an existing gateway, at the frame rate of a display.</summary>
-/// <param name="say">Receives a line of text when the pose stops being current and when it becomes current again.</param>
+/// <param name="say">
+/// Receives a line of text when the pose stops being current, when it becomes current again, and when the recording ends early.
+/// </param>
 sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
 {
     static readonly RobotModel Placeholder = UrdfReader.Read("<robot name='none'><link name='base'/></robot>", "no robot");
@@ -39,13 +41,13 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             return undescribed;
         }
         using var session = Open(robot);
-        var recorder = file == null
-            ? null : new SessionRecorder(session, new RecordingSettings(settings.RecordingPath, () => Emptied(file), startedUtc: DateTime.UtcNow));
+        var recorder = file == null ? null : new SessionRecorder(
+            session, new RecordingSettings(settings.RecordingPath, () => Emptied(file), settings.RecordingMegabytes, DateTime.UtcNow));
         session.Robots[0].Hindcast.ToolJudged += _stretches.AddError;
         _parts = new CellParts(session);
         session.Connect();
         var start = _clock.Now;
-        Frames(session, start, report, cancel);
+        Frames(session, recorder, start, report, cancel);
         recorder?.Dispose();
         recorder?.Ended.Wait(CancellationToken.None);
         RecordingFault = recorder == null ? null : HeadsetVerdict.RecordingFaultOf(recorder.Problem, recorder.LostLines);
@@ -68,10 +70,13 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
 
     public bool HasFailed => WhyFailed != null || RecordingFault != null;
 
-    void Frames(CompensationSession session, HeadsetTime start, Action<double, Func<string>> report, CancellationToken cancel)
+    // The recorder is null without a recording.
+    void Frames(
+        CompensationSession session, SessionRecorder recorder, HeadsetTime start, Action<double, Func<string>> report, CancellationToken cancel)
     {
         var startCount = Stopwatch.GetTimestamp();
         var count = (int)(settings.Seconds * settings.FramesPerSecond);
+        var isStopReported = false;
         for (; _frames < count && !cancel.IsCancellationRequested; _frames++)
         {
             // Computes the time from the frame's number, so that a late frame does not delay the following ones.
@@ -80,6 +85,11 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             var frame = session.Tick(now);
             _parts.Update();
             Count(now - start, frame, session);
+            if (!isStopReported && recorder?.Problem is { } problem)
+            {
+                isStopReported = true;
+                say(HeadsetMessages.RecordingStopped((now - start).TotalSeconds, problem));
+            }
             if (frame.ClockState is ClockState.Coarse or ClockState.Synchronised) _coarseAfter ??= now - start;
             if (frame.ClockState == ClockState.Synchronised) _synchronisedAfter ??= now - start;
             report((now - start).TotalSeconds, () => ConsoleProgress.Describe(session, _clock.Now));

@@ -37,4 +37,9 @@ sealed record HeadsetSettings
 
     /// <summary>Path of the session's recording; null to record nothing.</summary>
     public string RecordingPath { get; init; }
+
+    /// <summary>Maximum size of the recording, MB of 10⁶ bytes.</summary>
+    public double RecordingMegabytes { get; init; } = DefaultRecordingMegabytes;
+
+    public const double DefaultRecordingMegabytes = 500;
 }

@@ -46,6 +46,8 @@ static class HeadsetVerb
     {
         Description = "File for a recording of the session, .jsonl; the exit status is 1 if it is incomplete", HelpName = "FILE",
     };
+    static readonly Option<double> RecordMegabytes = NumberOption.Create(
+        "--record-max-mb", "Maximum size of the recording, which ends at this size", HeadsetSettings.DefaultRecordingMegabytes, 0.001, 100_000, "MB");
     static readonly Option<bool> Json = new("--json") { Description = "Print the result as JSON" };
 
     public static Command Create()
@@ -55,7 +57,7 @@ static class HeadsetVerb
             + "pose was current for less than half of the run, from its start.")
         {
             Host, SyncPort, WebSocketPort, Pin, TokenFile, InsecureLan, Name, Robot, Namespace, Predictor, Estimator, Profile, Visualisation,
-            FramesPerSecond, Seconds, Record, Json,
+            FramesPerSecond, Seconds, Record, RecordMegabytes, Json,
         };
         verb.SetAction(async (parsed, cancel) =>
         {
@@ -97,9 +99,14 @@ static class HeadsetVerb
             Visualisation = new VisualisationLatency(TimeSpan.FromMilliseconds(parsed.GetValue(Visualisation))),
             Seconds = parsed.GetValue(Seconds),
             FramesPerSecond = parsed.GetValue(FramesPerSecond),
-            RecordingPath = parsed.GetValue(Record),
+            RecordingPath = RecordingPathOf(parsed.GetValue(Record)),
+            RecordingMegabytes = parsed.GetValue(RecordMegabytes),
         };
     }
+
+    // The commands that read a recording would take it for a compressed file or for a motion.
+    static string RecordingPathOf(string given) => Path.GetExtension(given)?.ToLowerInvariant() is ".gz" or ".csv"
+        ? throw new InputException(HeadsetMessages.RecordingName(given)) : given;
 
     static string NamespaceOf(string given) => given == null || RobotTopic.IsNamespace(given)
         ? given ?? "" : throw new InputException(HeadsetMessages.NamespaceInvalid(given, ProtocolLimits.NamespaceLength));

@@ -25,6 +25,11 @@ static class HeadsetMessages
     public static string LinesLost(long lines) =>
         FormattableString.Invariant($"--record: {lines} lines are missing, because the disk was too slow; record to a faster disk");
 
+    public static string RecordingName(string path) =>
+        $"--record: {path}: the recording is neither compressed nor a table; use a name that ends in .jsonl";
+
+    public static string RecordingStopped(double seconds, string problem) => FormattableString.Invariant($"at {seconds:0.0} s: {problem}");
+
     public static string NoClock(string reason) => $"the clock was never synchronised: {reason}; run longer (--seconds), or check the connection to the gateway";
 
     /// <param name="reason">Fault of the connection; null if there is none.</param>

@@ -12,6 +12,7 @@ using Nowpose.Gateway.Security;
 using Nowpose.Headless.Tests.Gateway;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
+using Nowpose.Messages;
 using Nowpose.Motion;
 using Nowpose.Network;
 using Nowpose.Prediction;
@@ -80,6 +81,35 @@ public class HeadsetVerbTests
         Assert.That(run.HasFailed, Is.True);
     }
 
+    [TestCase("night.jsonl.gz")]
+    [TestCase("night.CSV")]
+    public async Task Headset_RecordingNamedLikeAnotherFormat_IsRefused(string name)
+    {
+        using var folder = new TemporaryFolder();
+        var path = Path.Combine(folder.Path, name);
+
+        var run = await CliRun.OfAsync("headset", "--sync-port", "1", "--ws-port", "1", "--record", path);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Complaints, Is.EqualTo(new[] { ConsoleMessages.Line(HeadsetMessages.RecordingName(path)) }));
+        Assert.That(File.Exists(path), Is.False);
+    }
+
+    [Test]
+    public async Task Play_RecordingReachesItsMaximumSize_ReportsItDuringTheRun()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var cell = Simulate(gateway);
+        using var recording = new TemporaryFile("", ".jsonl");
+        var lines = new List<string>();
+
+        var (run, _) = await PlayAsync(
+            gateway, _ => lines.Any(line => line.Contains(recording.Path)), recording.Path, say: lines.Add, megabytes: 0.02);
+
+        Assert.That(run.RecordingFault, Is.EqualTo(RecordingMessages.MaxSize(recording.Path, "0.02")));
+        Assert.That(lines, Has.One.EndsWith(": " + run.RecordingFault));
+    }
+
     [Test]
     public async Task Play_RecordingReplacesALongerFile_LeavesNothingOfIt()
     {
@@ -97,7 +127,8 @@ public class HeadsetVerbTests
 
     // Ends the run when the status of a frame shows that there is enough, instead of after a fixed time, because a busy machine synchronises later.
     static async Task<(HeadsetRun, HeadsetResult)> PlayAsync(
-        GatewayServer gateway, Func<string, bool> isEnough, string recordingPath = null, string robot = null)
+        GatewayServer gateway, Func<string, bool> isEnough, string recordingPath = null, string robot = null, Action<string> say = null,
+        double megabytes = HeadsetSettings.DefaultRecordingMegabytes)
     {
         var settings = new HeadsetSettings
         {
@@ -108,6 +139,7 @@ public class HeadsetVerbTests
             Seconds = Soon.Limit.TotalSeconds,
             FramesPerSecond = 60,
             RecordingPath = recordingPath,
+            RecordingMegabytes = megabytes,
             Robot = robot == null ? null : RobotFiles.Load(robot),
         };
         using var enough = new CancellationTokenSource();
@@ -116,7 +148,7 @@ public class HeadsetVerbTests
             if (isEnough(status())) enough.Cancel();
         }
 
-        var run = new HeadsetRun(settings, _ => { });
+        var run = new HeadsetRun(settings, say ?? (_ => { }));
         var result = await Task.Factory.StartNew(
             () => run.Play(Look, enough.Token), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         Assert.That(enough.IsCancellationRequested, Is.True, result.Json());

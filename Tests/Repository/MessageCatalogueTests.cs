@@ -79,7 +79,10 @@ public sealed partial class MessageCatalogueTests
             "FileLine", "FiniteNumber", "FrameNotCurrent", "FrameUnknown", "List", "MayBeGripped", "NoPose", "NotCurrent", "Object", "OfFrame",
             "OfTransform", "PosesStopped", "PosesTooRare", "Text",
         ],
-        ["HeadsetMessages"] = ["AtEnd", "BaseNotCurrent", "CurrentAgain", "NeverCurrent", "NoJointsOfRobot", "OtherNamespaces", "Pose"],
+        ["HeadsetMessages"] =
+        [
+            "AtEnd", "BaseNotCurrent", "CurrentAgain", "NeverCurrent", "NoJointsOfRobot", "OtherNamespaces", "Pose", "RecordingStopped",
+        ],
         ["KeyFileMessages"] = ["Renewed"],
         ["KinematicsMessages"] = ["BeyondLimits", "FixedJoint", "Title", "UnknownJoint"],
         ["LimitMessages"] = ["MoreLines"],
