@@ -5,6 +5,7 @@ namespace Nowpose.Cli.Headset;
 
 /// <summary>The result of a headset run, written as JSON in snake case. A value is null if it was never known.</summary>
 /// <param name="Robot">Name of the robot; null if the gateway did not describe it.</param>
+/// <param name="OutagesNotListed">Number of further outages, which are shorter.</param>
 /// <param name="ObjectsNotCurrent">Objects of the cell that are not current at the end of the run, apart from reasons that affect all of them.</param>
 /// <param name="SignalsNotCurrent">The same for signals.</param>
 /// <param name="ObjectsNotFollowed">Objects on robots that the session does not show. They are not among the objects that are not current.</param>
@@ -13,7 +14,7 @@ sealed record HeadsetResult(
     double Seconds, int Frames, string Robot, long Samples, long Dropped,
     HeadsetResult.ClockResult Clock, HeadsetResult.LatencyResult LatencyMs, HeadsetResult.PoseResult Pose, HeadsetResult.ErrorResult ToolErrorMm,
     IReadOnlyList<string> MissingJoints, IReadOnlyList<HeadsetResult.JointResult> Joints, IReadOnlyList<HeadsetResult.StretchResult> Stretches,
-    IReadOnlyList<HeadsetResult.OutageResult> Outages, IReadOnlyList<HeadsetResult.PartResult> ObjectsNotCurrent,
+    IReadOnlyList<HeadsetResult.OutageResult> Outages, int OutagesNotListed, IReadOnlyList<HeadsetResult.PartResult> ObjectsNotCurrent,
     IReadOnlyList<HeadsetResult.PartResult> SignalsNotCurrent, IReadOnlyList<HeadsetResult.OtherPartResult> ObjectsNotFollowed,
     string VersionMismatch)
 {

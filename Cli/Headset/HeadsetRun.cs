@@ -168,7 +168,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
                 statistics.VisualisationLatency.TotalMilliseconds, statistics.EndToEndLatency?.TotalMilliseconds),
             pose, _stretches.Total,
             [.. statistics.JointStatuses.Where(joint => joint.IsMissing).Select(joint => joint.Joint)],
-            [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result(), _outages.Result(),
+            [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result(), _outages.Result(), _outages.NotListed,
             objects, signals, _parts?.NotFollowed() ?? [], statistics.VersionMismatch);
     }
 }

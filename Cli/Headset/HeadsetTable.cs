@@ -41,6 +41,7 @@ static class HeadsetTable
             Row(
                 HeadsetTexts.Outage(Text(outage.FromS, "0.0", ""), Text(outage.ToS ?? result.Seconds, "0.0", " s")),
                 outage.Pose + (outage.Reason.Length == 0 ? "" : ": " + outage.Reason));
+        if (result.OutagesNotListed > 0) Row(HeadsetTexts.MoreOutages, HeadsetTexts.NotListed(result.OutagesNotListed));
         AddErrors(Row, "", result.ToolErrorMm);
         if (pose.NotCurrentS > 0) Row(HeadsetTexts.NotScored, HeadsetTexts.NotCurrent(Text(pose.NotCurrentS, "0.00", " s")));
         // A single stretch is the complete run, which is already shown.

@@ -11,7 +11,7 @@ sealed class PoseOutages(Action<string> say)
     /// </summary>
     internal static readonly TimeSpan MinLength = TimeSpan.FromSeconds(0.5), MinLengthAtStart = TimeSpan.FromSeconds(3);
 
-    /// <summary>Maximum number of outages in the result.</summary>
+    /// <summary>Maximum number of finished outages in the result. Of more outages, the result has the longest ones.</summary>
     internal const int MaxCount = 100;
 
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(0.25);
@@ -56,6 +56,9 @@ sealed class PoseOutages(Action<string> say)
         if (isNew) say(HeadsetMessages.Pose(time.TotalSeconds, pose, reason));
     }
 
+    /// <summary>Number of finished outages that are not in the result. None of them is longer than those in the result.</summary>
+    public int NotListed { get; private set; }
+
     public IReadOnlyList<HeadsetResult.OutageResult> Result() => _now == null ? _outages : [.. _outages, _now];
 
     void End(TimeSpan time)
@@ -63,7 +66,12 @@ sealed class PoseOutages(Action<string> say)
         _wasCurrent = true;
         if (_now != null)
         {
-            if (_outages.Count < MaxCount) _outages.Add(_now with { ToS = time.TotalSeconds });
+            _outages.Add(_now with { ToS = time.TotalSeconds });
+            if (_outages.Count > MaxCount)
+            {
+                _outages.Remove(_outages.MinBy(outage => outage.ToS - outage.FromS));
+                NotListed++;
+            }
             say(HeadsetMessages.CurrentAgain(time.TotalSeconds, (time - _since.Value).TotalSeconds));
         }
 

@@ -20,7 +20,7 @@ public class HeadsetTableTests
             new HeadsetResult.StretchResult(1.5, 8, 1, new HeadsetResult.ErrorResult(20, 40, 1, 2, 0.95, 0.01)),
             new HeadsetResult.StretchResult(12, 16, 0.98, new HeadsetResult.ErrorResult(20, 40, 4, 8, 0.8, 0.02)),
         ],
-        [new HeadsetResult.OutageResult(8, 12, "held", ["a3"], "joint a3: no data: node deleted")],
+        [new HeadsetResult.OutageResult(8, 12, "held", ["a3"], "joint a3: no data: node deleted")], 0,
         [new HeadsetResult.PartResult("box", 4.2, "no poses")], [new HeadsetResult.PartResult("closed", null, "no source")],
         [new HeadsetResult.OtherPartResult("lid", "arm2/tool0")], null);
 
@@ -63,6 +63,13 @@ public class HeadsetTableTests
         Assert.That(text, HasRow(HeadsetTexts.Outage("8.0", "12.0 s"), "held: joint a3: no data: node deleted"));
         Assert.That(text, HasRow(HeadsetTexts.Stretch(1) + HeadsetTexts.PoseRow, HeadsetTexts.CurrentShare("100.0 %", "1.5", "8.0 s")));
         Assert.That(text, HasRow(HeadsetTexts.Compensated(HeadsetTexts.Stretch(2)), HeadsetTexts.RmsP95("4.00 mm", "8.00 mm")));
+    }
+
+    [Test]
+    public void Print_OutagesNotListed_StatesTheirNumber()
+    {
+        Assert.That(Printed(Result() with { OutagesNotListed = 44 }), HasRow(HeadsetTexts.MoreOutages, HeadsetTexts.NotListed(44)));
+        Assert.That(Printed(Result()), Does.Not.Contain(HeadsetTexts.MoreOutages));
     }
 
     [Test]

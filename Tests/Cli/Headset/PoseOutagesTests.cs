@@ -77,6 +77,22 @@ public class PoseOutagesTests
         Assert.That(_lines, Has.Count.EqualTo(1));
     }
 
+    [Test]
+    public void Add_MoreOutagesThanTheResultHas_KeepsTheLongestInOrderAndCountsTheOthers()
+    {
+        for (var i = 0; i < PoseOutages.MaxCount + 5; i++)
+        {
+            Play(1, true);
+            Play(i == PoseOutages.MaxCount + 4 ? 20 : i < 4 ? 1 : 2, false);
+        }
+        Play(1, true);
+
+        var lengths = _outages.Result().Select(outage => outage.ToS - outage.FromS).ToList();
+        Assert.That((lengths.Count, lengths.Min(), lengths[^1]), Is.EqualTo((PoseOutages.MaxCount, 2.0, 20.0)).Within(1e-6));
+        Assert.That(_outages.Result().Select(outage => outage.FromS), Is.Ordered);
+        Assert.That(_outages.NotListed, Is.EqualTo(5));
+    }
+
     [TestCase(0.3)]
     [TestCase(0.45)]
     public void Add_ShortGap_ReportsNothing(double seconds)
