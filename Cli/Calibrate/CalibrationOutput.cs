@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
 using Nowpose.Latency;
@@ -57,13 +58,18 @@ sealed class CalibrationOutput
     }
 
     /// <exception cref="InputException">The file cannot be written.</exception>
-    public void WritePairs(IEnumerable<MeasuredPicture> pictures) => OptionPath.Write("--out", PairsPath, () => OutputFile.Write(PairsPath, file =>
+    public void WritePairs(IEnumerable<MeasuredPicture> pictures, PairOrigin origin) =>
+        OptionPath.Write("--out", PairsPath, () => OutputFile.Write(PairsPath, file => WritePairs(file, pictures, origin)));
+
+    static void WritePairs(TextWriter file, IEnumerable<MeasuredPicture> pictures, PairOrigin origin)
     {
-        file.Write("file,vertices,render_ms,visu_ms\n");
+        file.Write($"file,vertices,render_ms,visu_ms,{string.Join(',', PairOrigin.Columns)}\n");
+        var ends = string.Join(',', origin.Values.Select(Quoted));
         foreach (var picture in pictures.Where(each => each.RenderMs.HasValue))
             file.Write(string.Create(
-                CultureInfo.InvariantCulture, $"{Quoted(picture.File)},{picture.Vertices},{picture.RenderMs:0.####},{picture.VisuMs:0.####}\n"));
-    }));
+                CultureInfo.InvariantCulture,
+                $"{Quoted(picture.File)},{picture.Vertices},{picture.RenderMs:0.####},{picture.VisuMs:0.####},{ends}\n"));
+    }
 
     // Gets the path for a profile without a limit, and prints a message that the existing profile is kept.
     string PathBeside(TimeSpan limit)

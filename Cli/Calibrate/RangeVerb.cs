@@ -2,6 +2,7 @@ using System.CommandLine;
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
+using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate;
 
@@ -25,22 +26,34 @@ static class RangeVerb
 
     internal static async Task<int> RunAsync(ParseResult parsed, CancellationToken cancel)
     {
-        var (file, source, conditions) = (parsed.GetValue(Pairs), parsed.GetValue(Source), Shared.Conditions(parsed));
-        var kind = DeviceOptions.KindOf(source);
+        var (file, given) = (parsed.GetValue(Pairs), Shared.Conditions(parsed));
         // The files of millions of pairs take seconds.
-        var (pictures, fit) = await Invocation.ReadAsync(() => Read(file, source), cancel);
+        var (pictures, origin, fit) = await Invocation.ReadAsync(() => Read(parsed, file), cancel);
         var output = Shared.Output(parsed);
-        var profile = RangeProfile.Of(fit, conditions, kind);
-        var page = RangeProfile.Page("Constant-latency range", profile, fit, pictures, [["Pairs of", file]]);
+        var profile = RangeProfile.Of(fit, given.Or(origin.Conditions), origin.Source);
+        var warnings = origin.Conditions.MismatchesWith(given)
+            .Select(each => PairFileMessages.OtherCondition(file, each.Label, each.Calibrated, each.Actual));
+        var page = RangeProfile.Page("Constant-latency range", profile, fit, pictures, [["Pairs of", file]], warnings);
         Shared.Finish(parsed, output, profile, page, fit.Json);
         return ExitStatus.Done;
     }
 
-    static (IReadOnlyList<MeasuredPicture> Pictures, RangeFitResult Fit) Read(string file, string source)
+    static (IReadOnlyList<MeasuredPicture> Pictures, PairOrigin Origin, RangeFitResult Fit) Read(ParseResult parsed, string file)
     {
-        var pictures = PairTable.Read(file);
-        RequireRise(pictures, file, source);
-        return (pictures, InputPlace.In(file, () => RangeFit.Fit([.. pictures.Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))])));
+        var (pictures, origin) = PairTable.Read(file);
+        origin = origin with { Source = SourceOf(parsed, file, origin.Source) };
+        RequireRise(pictures, file, LatencyNames.RenderTimeSource.NameOf(origin.Source));
+        var pairs = pictures.Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs));
+        return (pictures, origin, InputPlace.In(file, () => RangeFit.Fit([.. pairs])));
+    }
+
+    // A source in the table takes precedence over the default of the option. The option must not contradict it.
+    static RenderTimeSourceKind SourceOf(ParseResult parsed, string file, RenderTimeSourceKind recorded)
+    {
+        var option = DeviceOptions.KindOf(parsed.GetValue(Source));
+        if (recorded == RenderTimeSourceKind.None || recorded == option) return option;
+        if (parsed.GetResult(Source) is not { Implicit: false }) return recorded;
+        throw new InputException(PairFileMessages.OtherSource(file, parsed.GetValue(Source), LatencyNames.RenderTimeSource.NameOf(recorded)));
     }
 
     // Throws if the render time does not increase with the load, because no limit can then be found or monitored. Skipped for fewer than three loads.

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
@@ -55,7 +56,7 @@ static class VlcVerb
         var evaluation = new VlcEvaluation(result, sweep, earlier);
         Shared.Finish(
             parsed, output, evaluation.Profile, evaluation.Page, () => VlcJson.Of(result, evaluation.Profile), status == ExitStatus.Interrupted);
-        if (sweep != null && result.Read.Count > 0) output.WritePairs(evaluation.Pictures);
+        if (sweep != null && result.Read.Count > 0) output.WritePairs(evaluation.Pictures, new PairOrigin(evaluation.Source, earlier.Conditions));
         return status != ExitStatus.Done || evaluation.Profile != null ? status : result.Read.Count > 0 ? ExitStatus.Failed : ExitStatus.BadInput;
     }
 

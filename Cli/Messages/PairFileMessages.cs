@@ -13,6 +13,15 @@ static class PairFileMessages
 
     public static string ColumnTwice(string path, string column) => $"{path}:1: column {column} occurs twice; remove one";
 
+    public static string TwoOrigins(string path, int row, string column, string first, string other) =>
+        $"{path}:{row}: {column}: is '{other}', but '{first}' in the rows above; a profile is valid for one of them only: use a table for each";
+
+    public static string OtherSource(string path, string option, string source) =>
+        $"--source: is {option}, but the render times of {path} have the source {source}; remove the option";
+
+    public static string OtherCondition(string path, string label, string recorded, string given) =>
+        $"{path} was measured with {label} '{recorded}', but the options state '{given}'; correct the option, or repeat the measurement";
+
     public static string NotMilliseconds(string path, int row, string column, string text) =>
         $"{path}:{row}: {column}: '{text}' is not a number of milliseconds; use a point as the decimal separator";
 

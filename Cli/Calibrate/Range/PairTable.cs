@@ -5,7 +5,10 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Range;
 
-/// <summary>Reads pairs of render time and L_visu from the columns render_ms and visu_ms. Other columns are ignored.</summary>
+/// <summary>
+/// Reads pairs of render time and L_visu from the columns render_ms and visu_ms, and optionally vertices, file and those of
+/// <see cref="PairOrigin"/>. Other columns are ignored.
+/// </summary>
 static class PairTable
 {
     const string Render = "render_ms", Visu = "visu_ms", Vertices = "vertices", File = "file";
@@ -18,22 +21,28 @@ static class PairTable
     const int MaxRows = 10_000_000;
 
     /// <exception cref="InputException">The file cannot be read or has another format. The message names file, line and field.</exception>
-    public static IReadOnlyList<MeasuredPicture> Read(string path) => RecordingText.Read(path, text => Rows(text, path));
+    public static (IReadOnlyList<MeasuredPicture> Pairs, PairOrigin Origin) Read(string path) => RecordingText.Read(path, text => Rows(text, path));
 
-    static List<MeasuredPicture> Rows(TextReader text, string path)
+    static (IReadOnlyList<MeasuredPicture> Pairs, PairOrigin Origin) Rows(TextReader text, string path)
     {
         using var csv = new CsvRows(text);
         var header = csv.Next() ? csv.Fields() : [];
         int render = Column(header, Render, path), visu = Column(header, Visu, path);
         int vertices = Array.IndexOf(header, Vertices), file = Array.IndexOf(header, File);
         var pairs = new List<MeasuredPicture>();
+        var origin = new Dictionary<string, string>();
+        var origins = PairOrigin.Columns.Select(name => (name, Index: Array.IndexOf(header, name))).Where(column => column.Index >= 0).ToArray();
         while (csv.Next())
         {
             if (csv.Count != header.Length) throw new InputException(PairFileMessages.FieldCount(path, csv.Line, csv.Count, header.Length));
             if (pairs.Count == MaxRows) throw new InputException(PairFileMessages.TooManyRows(path, csv.Line, MaxRows));
             pairs.Add(Picture(csv, path, render, visu, vertices, file));
+            foreach (var (name, index) in origins)
+                if (!origin.TryAdd(name, csv[index]) && origin[name] != csv[index])
+                    throw new InputException(PairFileMessages.TwoOrigins(path, csv.Line, name, origin[name], csv[index]));
         }
-        return pairs.Count > 0 ? pairs : throw new InputException(PairFileMessages.NoRows(path, RangeFit.MinPairs));
+        if (pairs.Count == 0) throw new InputException(PairFileMessages.NoRows(path, RangeFit.MinPairs));
+        return (pairs, InputPlace.In(path, () => PairOrigin.Parse(origin.GetValueOrDefault)));
     }
 
     static int Column(string[] header, string name, string path)

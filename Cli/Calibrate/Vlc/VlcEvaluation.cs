@@ -33,7 +33,7 @@ sealed class VlcEvaluation
         // If no picture could be read, the sweep is not evaluated.
         if (result.Read.Count == 0) sweep = null;
         var sensitivity = sweep == null ? null : LoadSensitivity.Judge(sweep);
-        if (sweep != null) Pictures = Joined(sweep, sensitivity.Source);
+        if (sweep != null) (Source, Pictures) = (sensitivity.Source, Joined(sweep, sensitivity.Source));
         var fit = sensitivity == null ? null : FitOf(sensitivity);
         Profile = fit != null
             ? RangeProfile.Of(fit, earlier.Conditions, sensitivity.Source, earlier.Profile?.HeadMotion)
@@ -43,6 +43,9 @@ sealed class VlcEvaluation
 
     /// <summary>The pictures with the values of their frames in the sweep; empty without a sweep.</summary>
     public IReadOnlyList<MeasuredPicture> Pictures { get; } = [];
+
+    /// <summary>Source of the render times of the pictures; <see cref="RenderTimeSourceKind.None"/> without a sweep.</summary>
+    public RenderTimeSourceKind Source { get; }
 
     /// <summary>The profile, or null if there are too few pictures.</summary>
     public LatencyProfile Profile { get; }

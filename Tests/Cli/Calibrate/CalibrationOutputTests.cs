@@ -1,5 +1,7 @@
 using Nowpose.Cli.Calibrate;
+using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
 using NUnit.Framework;
 
@@ -39,6 +41,20 @@ public sealed class CalibrationOutputTests : CalibrationFolder
 
         Assert.That(File.ReadAllText(ProfilePath), Is.EqualTo(before));
         Assert.That(Directory.GetFiles(Out), Has.Length.EqualTo(2));
+    }
+
+    [Test]
+    public void WritePairs_Table_IsReadWithItsOrigin()
+    {
+        var output = CalibrationOutput.At(Out, hasPairs: true);
+        var conditions = new DisplayConditions("A, \"B\"", 59.94, "Vulkan", rewritesBeforeRender: true);
+        var origin = new PairOrigin(RenderTimeSourceKind.GpuCompletion, conditions);
+
+        output.WritePairs([new MeasuredPicture("1.png", 5, 4.5, 40), new MeasuredPicture("2.png", 5, null, 41)], origin);
+
+        var (pairs, read) = PairTable.Read(output.PairsPath);
+        Assert.That(pairs, Is.EqualTo(new[] { new MeasuredPicture("1.png", 5, 4.5, 40) }));
+        Assert.That(read, Is.EqualTo(origin));
     }
 
     [Test]

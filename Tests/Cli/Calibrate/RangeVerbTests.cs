@@ -100,8 +100,46 @@ public class RangeVerbTests : CalibrationFolder
         Assert.That(limits[1], Is.InRange(15, 18));
     }
 
+    static IEnumerable<string> SweepOf(string source, string device) =>
+        Sweep(7, 2).Select((line, i) => line + (i == 0 ? ",source,device,display_hz,graphics_api" : $",{source},{device},90,Vulkan"));
+
+    [Test]
+    public async Task Range_TableWithItsOrigin_WritesItToTheProfile()
+    {
+        var run = await CliRun.OfAsync("calibrate", "range", Write("pairs.csv", SweepOf("engine_gpu_time", "Quest 3")), "--out", Out);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        var profile = LatencyProfileFile.Load(ProfilePath);
+        Assert.That(profile.Range.Source, Is.EqualTo(RenderTimeSourceKind.EngineGpuTime));
+        Assert.That((profile.RefusalFor("Quest 3", 90), profile.Conditions.GraphicsApi), Is.EqualTo(((string)null, "Vulkan")));
+        Assert.That(profile.RefusalFor("HoloLens 2", 90), Is.Not.Null);
+    }
+
+    [Test]
+    public async Task Range_OptionDiffersFromTheTable_IsRefusedForTheSourceAndElseWarnsOnly()
+    {
+        var file = Write("pairs.csv", SweepOf("engine_gpu_time", "Quest 3"));
+
+        Assert.That(
+            await RefusalOf("range", file, "--source", "display_gpu_time"),
+            Is.EqualTo(ConsoleMessages.Line(PairFileMessages.OtherSource(file, "display_gpu_time", "engine_gpu_time"))));
+        var run = await CliRun.OfAsync("calibrate", "range", file, "--device", "HoloLens 2", "--out", Out);
+
+        Assert.That(run.Complaints, Has.One.EqualTo(ConsoleMessages.Line(PairFileMessages.OtherCondition(file, "device", "Quest 3", "HoloLens 2"))));
+        Assert.That(LatencyProfileFile.Load(ProfilePath).Device, Is.EqualTo("HoloLens 2"));
+    }
+
+    [Test]
+    public async Task Range_TableOfTwoHeadsets_IsRefused()
+    {
+        var file = Write("pairs.csv", SweepOf("gpu_completion", "A").Take(41).Concat(SweepOf("gpu_completion", "B").Skip(41)));
+
+        Assert.That(await RefusalOf("range", file), Is.EqualTo(ConsoleMessages.Line(PairFileMessages.TwoOrigins(file, 42, "device", "A", "B"))));
+    }
+
     static readonly string[][] InvalidTables =
     [
+        ["render_ms,visu_ms,source\n5,40,guess", ": " + SweepFileMessages.UnknownSource("source", "guess", LatencyNames.RenderTimeSource.All)],
         ["render_ms,visu_ms\n5,40\n0,40", ":3: " + InvalidRenderTime(0)],
         ["render_ms,visu_ms\nNaN,40", ":2: " + InvalidRenderTime(double.NaN)],
         ["render_ms,visu_ms\n5,NaN", ":2: " + InvalidVisu(double.NaN)],
