@@ -3,9 +3,10 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Results and error messages of the command <c>calibrate simulate</c>.</summary>
 static class SimulationMessages
 {
-    public static string Read(int pictures, int read, double readPercent, int misread, double misreadMs) =>
-        FormattableString.Invariant($"{pictures} pictures, {read} read ({readPercent:0.0} % of those without a defect), {misread} misread ")
-        + FormattableString.Invariant($"by more than {misreadMs} ms");
+    /// <param name="readPercent">Null if all pictures have a defect.</param>
+    public static string Read(int pictures, int read, double? readPercent, int misread, double misreadMs) =>
+        FormattableString.Invariant($"{pictures} pictures, {read} read ({RunTexts.Number(readPercent, "0.0", " %")} of those without a defect), ")
+        + FormattableString.Invariant($"{misread} misread by more than {misreadMs} ms");
 
     public static string Error(double meanMs, double p95Ms) =>
         FormattableString.Invariant($"error of L_visu: mean {meanMs:0.000} ms, P95 {p95Ms:0.000} ms");

@@ -41,8 +41,9 @@ sealed class SimulationCheck
 
     public int Misread => Wrong().Count();
 
-    /// <summary>Share of the pictures without a defect that were read.</summary>
-    public double ReadOfGood => _pictures.Values.Where(picture => picture.Defect.Length == 0).Select(picture => picture.Result.IsRead ? 1.0 : 0).DefaultIfEmpty(1).Average();
+    /// <summary>Share of the pictures without a defect that were read; null if all have one.</summary>
+    public double? ReadOfGood =>
+        _pictures.Values.Where(picture => picture.Defect.Length == 0).Average(picture => picture.Result.IsRead ? 1.0 : (double?)0);
 
     /// <summary>Mean error of all pictures that were read, ms.</summary>
     public double MeanErrorMs => Errors().DefaultIfEmpty(double.NaN).Average();
@@ -54,7 +55,7 @@ sealed class SimulationCheck
     public IEnumerable<string> Lines()
     {
         yield return SimulationMessages.Read(Pictures, Read, 100 * ReadOfGood, Misread, MisreadMs);
-        yield return SimulationMessages.Error(MeanErrorMs, ErrorP95Ms);
+        if (Read > 0) yield return SimulationMessages.Error(MeanErrorMs, ErrorP95Ms);
         foreach (var group in _pictures.Values.GroupBy(picture => picture.Defect).OrderBy(group => group.Key, StringComparer.Ordinal))
             yield return Text($"{(group.Key.Length == 0 ? "no defect" : group.Key)}: {group.Count()} pictures, {group.Count(picture => picture.Result.IsRead)} read");
         foreach (var fault in _pictures.Values.Where(picture => !picture.Result.IsRead).GroupBy(picture => picture.Result.Fault).OrderByDescending(fault => fault.Count()))

@@ -34,6 +34,10 @@ public sealed class SimulateVerbTests
     }
 
     [Test]
+    public void Lines_NoPicture_StateNoShareAndNoError() =>
+        Assert.That(new SimulationCheck().Lines(), Is.EqualTo(new[] { SimulationMessages.Read(0, 0, null, 0, SimulationCheck.MisreadMs) }));
+
+    [Test]
     public void Write_Cancelled_ListsOnlyTheFinishedPictures()
     {
         using var folder = new TemporaryFolder();
