@@ -40,13 +40,13 @@ sealed class DemoOutput
     /// <param name="isPaper">Whether the run also writes the files of <c>--paper</c>. Without it, these files are kept.</param>
     /// <param name="inputs">Paths of the input files, which are never removed; null for an input that was not given.</param>
     /// <exception cref="InputException">
-    /// The folder or the calibration in it is not writable, or an input or a file of other origin is among the files to write.
+    /// The folder or the calibration in it is not writable, or an input or a recording of another program is among the files to write.
     /// </exception>
     public static DemoOutput At(string folder, bool isPaper, params string[] inputs) => OptionPath.InFolder("--out", folder, full =>
     {
         var output = new DemoOutput(full, isPaper);
         OptionPath.RequireNoInput("--out", [output.ReportPath, output.SessionPath, output.ResultPath], inputs);
-        output.RequireOwn();
+        output.RequireNoRecording();
         if (isPaper) CalibrationOutput.At(output.Folder);
         return output;
     });
@@ -62,27 +62,21 @@ sealed class DemoOutput
         if (_isPaper) PaperOutput.RemoveEarlier(Folder);
     });
 
-    // The report has no mark of its own. It is recognised by the result, which is written before it and removed after it.
-    void RequireOwn()
+    // A result or a report can be computed again, but a recording of another program cannot.
+    void RequireNoRecording()
     {
-        // The result of the command headset has errors of the tool, too, but no simulated network.
-        var isResult = Is(ResultPath, File.ReadAllText, result =>
-            result.TryGetProperty("tool_error_mm", out _) && result.TryGetProperty("network", out _));
-        var isSession = Is(SessionPath, path => File.ReadLines(path).First(), header =>
-            header.TryGetProperty("headset", out var name) && name.ValueKind == JsonValueKind.String && name.ValueEquals(DemoStage.HeadsetName));
-        foreach (var (path, isOwn) in new[] { (ResultPath, isResult), (ReportPath, isResult), (SessionPath, isSession) })
-            if (HasContent(path) && !isOwn) throw new InputException(DemoMessages.OtherFile(path));
+        if (new FileInfo(SessionPath) is { Exists: true, Length: > 0 } && IsRecordingOfAnother(File.ReadLines(SessionPath).First()))
+            throw new InputException(DemoMessages.OtherRecording(SessionPath));
     }
 
-    static bool HasContent(string path) => new FileInfo(path) is { Exists: true, Length: > 0 };
-
-    static bool Is(string path, Func<string, string> read, Func<JsonElement, bool> isOwn)
+    static bool IsRecordingOfAnother(string header)
     {
         try
         {
-            if (!HasContent(path)) return false;
-            using var json = JsonDocument.Parse(read(path));
-            return json.RootElement.ValueKind == JsonValueKind.Object && isOwn(json.RootElement);
+            using var json = JsonDocument.Parse(header);
+            var root = json.RootElement;
+            return root.ValueKind == JsonValueKind.Object && root.TryGetProperty("kind", out _)
+                && !(root.TryGetProperty("headset", out var name) && name.ValueKind == JsonValueKind.String && name.ValueEquals(DemoStage.HeadsetName));
         }
         catch (JsonException)
         {

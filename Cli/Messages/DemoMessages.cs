@@ -39,8 +39,8 @@ static class DemoMessages
     public static string LinesLost(long lines) =>
         FormattableString.Invariant($"session.jsonl: {lines} lines are missing, because the disk was too slow; set --out to a faster disk");
 
-    public static string OtherFile(string path) =>
-        $"--out: {path} is not from an earlier demo and would be replaced; use another folder, or move the file";
+    public static string OtherRecording(string path) =>
+        $"--out: {path} is a recording that is not from an earlier demo and would be replaced; use another folder, or move the file";
 
     public static string AssumedVisu(double ms) =>
         FormattableString.Invariant($"--visu-ms plus --visu-error-ms: {ms} ms is out of range; allowed: 0 to 500 ms");

@@ -64,31 +64,28 @@ public sealed class DemoOutputTests
         Assert.That(Names(folder), Is.EquivalentTo(OfDemo.Concat(OfPaper)));
     }
 
-    [TestCase("result.json", "{\"passed\": 12}")]
-    [TestCase("result.json", "{\"clock\": {}, \"tool_error_mm\": {}}")]
-    [TestCase("result.json", "no JSON")]
-    [TestCase("report.html", "<h1>Tests</h1>")]
-    [TestCase("session.jsonl", "{\"kind\":\"session\",\"headset\":\"headless\"}\n{\"kind\":\"frame\"}\n")]
-    [TestCase("session.jsonl", "{\"kind\":\"session\",\"recorded_by\":\"gateway\"}\n")]
-    public void At_FileOfAnotherOrigin_ThrowsAndKeepsIt(string name, string text)
+    [TestCase("{\"kind\":\"session\",\"headset\":\"headless\"}\n{\"kind\":\"frame\"}\n")]
+    [TestCase("{\"kind\":\"session\",\"recorded_by\":\"gateway\"}\n")]
+    public void At_RecordingOfAnotherProgram_ThrowsAndKeepsIt(string text)
     {
         using var folder = new TemporaryFolder();
-        var path = Path.Combine(folder.Path, name);
+        var path = Path.Combine(folder.Path, "session.jsonl");
         File.WriteAllText(path, text);
 
         Assert.That(
             () => DemoOutput.At(folder.Path, isPaper: false),
-            Throws.TypeOf<InputException>().With.Message.EqualTo(DemoMessages.OtherFile(path)));
+            Throws.TypeOf<InputException>().With.Message.EqualTo(DemoMessages.OtherRecording(path)));
         Assert.That(File.ReadAllText(path), Is.EqualTo(text));
     }
 
-    [Test]
-    public void At_FilesOfAnEarlierDemo_AcceptsThem()
+    [TestCase("{\"kind\":\"session\",\"headset\":\"demo\"}\n{\"kind\":")]
+    [TestCase("no recording")]
+    [TestCase("")]
+    public void At_FilesOfAnEarlierDemoOrWithoutARecording_AcceptsThem(string session)
     {
         using var folder = new TemporaryFolder();
-        File.WriteAllText(Path.Combine(folder.Path, "result.json"), "{\"network\": \"lan\", \"tool_error_mm\": {}}");
-        File.WriteAllText(Path.Combine(folder.Path, "report.html"), "<h1>Nowpose demo</h1>");
-        File.WriteAllText(Path.Combine(folder.Path, "session.jsonl"), "{\"kind\":\"session\",\"headset\":\"demo\"}\n{\"kind\":");
+        foreach (var (name, text) in new[] { ("result.json", "{}"), ("report.html", "<h1>Tests</h1>"), ("session.jsonl", session) })
+            File.WriteAllText(Path.Combine(folder.Path, name), text);
 
         DemoOutput.At(folder.Path, isPaper: false).RemoveEarlier();
 
