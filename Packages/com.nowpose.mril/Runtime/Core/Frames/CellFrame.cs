@@ -98,6 +98,12 @@ namespace Nowpose.Frames
 
         public FrameState State { get; private set; }
 
+        /// <summary>
+        /// The parent in the newest received pose if the tree cannot take it, for example because of a cycle; null if that pose was used. The frame is then
+        /// held: its source says that it is elsewhere.
+        /// </summary>
+        public string RefusedParent { get; set; }
+
         /// <summary>Whether new poses of a held frame arrive, but are too old to be predicted until the next one.</summary>
         public bool ReceivesOldPoses => State == FrameState.Held && _displayed - _oldArrival <= MaxSilence;
 
@@ -125,6 +131,7 @@ namespace Nowpose.Frames
         public DropReason Add(in FrameTransform pose, bool isStationary, ControlTime epoch)
         {
             IsOutdated = IsPlacedByHand = false;
+            RefusedParent = null;
             _handOver.EndRefusals();
             if (_parent == null) Begin(pose, isStationary);
             if (pose.Parent == _parent && isStationary == _isStationary && _handOver.Count == 0)
@@ -201,7 +208,7 @@ namespace Nowpose.Frames
             if (!double.IsNaN(time)) SetDisplayed(time);
             var pose = PoseInParent(time, out var kind);
             State = kind == PredictionKind.None ? FrameState.Missing
-                : kind == PredictionKind.Held ? FrameState.Held
+                : kind == PredictionKind.Held || (RefusedParent != null && _grips.Shown == null) ? FrameState.Held
                 : _grips.IsUnknown ? FrameState.GripUnknown
                 : isParentCurrent ? FrameState.Current : FrameState.ParentNotCurrent;
             if (kind != PredictionKind.None) _shown.Show(time, parent * pose);

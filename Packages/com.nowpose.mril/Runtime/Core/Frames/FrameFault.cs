@@ -17,7 +17,8 @@ namespace Nowpose.Frames
                 case FrameState.Current: return null;
                 case FrameState.Missing: return FrameMessages.NoPose;
                 case FrameState.Held:
-                    return frame.HasStationarySource ? FrameMessages.OlderThanConnection
+                    return frame.RefusedParent != null ? Kept(frame.State, frame.RefusedParent)
+                        : frame.HasStationarySource ? FrameMessages.OlderThanConnection
                         : frame.ReceivesOldPoses ? FrameMessages.PosesTooOld : frame.ReceivesRarePoses ? FrameMessages.PosesTooRare : FrameMessages.PosesStopped;
                 case FrameState.GripUnknown: return Kept(frame.State, frame.GripFault);
                 default: return Kept(frame.State, tree.ReasonAbove(frame, out _, out _));
@@ -27,7 +28,8 @@ namespace Nowpose.Frames
         string Kept(FrameState state, string of)
         {
             if (state == _kept.State && of == _kept.Of) return _kept.Text;
-            _kept = (state, of, of == FrameMessages.CarrierMoved ? of : state == FrameState.GripUnknown ? FrameMessages.MayBeGripped(of)
+            _kept = (state, of, state == FrameState.Held ? FrameMessages.ParentRefused(of)
+                : of == FrameMessages.CarrierMoved ? of : state == FrameState.GripUnknown ? FrameMessages.MayBeGripped(of)
                 : state == FrameState.Orphan ? FrameMessages.FrameUnknown(of) : FrameMessages.FrameNotCurrent(of));
             return _kept.Text;
         }

@@ -62,7 +62,11 @@ namespace Nowpose.Frames
                 return DropReason.LateSample;
             }
             var reason = TrySetParent(pose, replaced);
-            if (reason != DropReason.None) return reason;
+            if (reason != DropReason.None)
+            {
+                if (index >= 0) _frames[index].RefusedParent = pose.Parent;
+                return reason;
+            }
             if (!isStationary) _epoch ??= pose.Stamp;
             if (index < 0) index = AddFrame(pose.Child, replaced);
             reason = _frames[index].Add(pose, isStationary, _epoch ?? default);

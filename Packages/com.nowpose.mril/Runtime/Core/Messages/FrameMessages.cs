@@ -15,6 +15,10 @@ namespace Nowpose.Messages
         public const string PosesTooOld = "its poses arrive too late to be displayed; check the clock of its source";
         public const string OlderThanConnection = "no pose since the connection was restored; check its source";
 
+        /// <param name="parent">The parent that the frame's source reports.</param>
+        public static string ParentRefused(string parent) =>
+            $"its source reports the parent {Above(parent)}, which is the frame itself, a frame on it, or too deep in the tree; correct header.frame_id";
+
         /// <param name="frame">A frame above the object.</param>
         public static string FrameUnknown(string frame) => $"frame {Above(frame)}, on which it depends, is unknown";
 
