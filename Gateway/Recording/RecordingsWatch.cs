@@ -14,6 +14,7 @@ sealed class RecordingsWatch : IDisposable
     readonly GuardedTask _look;
     readonly Timer _timer;
     HashSet<string> _listed = [];
+    bool _isUnreadable;
 
     public RecordingsWatch(Recorder recorder, RecordingsFolder folder, EventList events, Action<string> log)
     {
@@ -34,11 +35,31 @@ sealed class RecordingsWatch : IDisposable
     void LookNow()
     {
         _recorder.NoticeDeletion();
-        var present = _folder.List().Select(file => file.Name).ToHashSet();
+        if (Present() is not { } present) return;
         var stopped = _recorder.Status is { Problem: not null } status ? status.File : null;
         // Checks the file itself, because an old file also disappears from the list when newer files fill the list.
         foreach (var name in _listed.Where(name => !present.Contains(name) && name != stopped && _folder.Find(name) == null))
             _events.Note(new Condition("recording", name, "was deleted", "", Level.Warning));
         _listed = present;
+    }
+
+    // Returns null while the folder cannot be read. Only the first failure throws, so that it is logged once.
+    HashSet<string> Present()
+    {
+        try
+        {
+            HashSet<string> present = [.. _folder.List().Select(file => file.Name)];
+            _isUnreadable = false;
+            return present;
+        }
+        catch (IOException) when (_isUnreadable)
+        {
+            return null;
+        }
+        catch (IOException)
+        {
+            _isUnreadable = true;
+            throw;
+        }
     }
 }

@@ -169,7 +169,7 @@ public class RecordingsTests
         using var watch = new RecordingsWatch(gateway.Recorder, new RecordingsFolder(_folder), events, log.Enqueue);
 
         Directory.Move(_folder, away);
-        watch.LookUnlessBusy();
+        for (var look = 0; look < 3; look++) watch.LookUnlessBusy();
         var (status, text) = await GetAsync(gateway, "/operations/recordings");
         Directory.Move(away, _folder);
         watch.LookUnlessBusy();
