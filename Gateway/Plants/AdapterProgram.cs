@@ -85,6 +85,7 @@ static class AdapterProgram
         }
 
         /// <summary>Checks the robot descriptions of a valid file, because the program reads only the names in them.</summary>
+        /// <remarks>An invalid description from a source is only an event, because the gateway has no entry that the user could correct.</remarks>
         /// <exception cref="WrongEntriesException">At least one description is invalid. The message names the entry of the file, and the line in the description.</exception>
         public void RequireValidRobots(string file)
         {

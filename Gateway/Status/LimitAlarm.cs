@@ -76,7 +76,7 @@ sealed class LimitAlarm : IDisposable
 
     void Describe(HubMessage message)
     {
-        var described = new DescribedRobot((string)message.Content);
+        var described = new DescribedRobot((string)message.Content, message.Topic);
         lock (_lock)
         {
             if (!_robots.TryGetValue(message.Robot, out var robot)) _robots.Add(message.Robot, robot = new WatchedRobot());

@@ -33,7 +33,7 @@ sealed class CellBoard(
     /// <summary>Time without a pose with another time stamp after which a tracked frame is stale.</summary>
     static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(1);
 
-    /// <summary>Assumed error bound of the control clock for stamps in the future. It is larger than the bound with which stamps are accepted.</summary>
+    /// <summary>Assumed error bound of the control clock for stamps in the future. It is larger than that of a synchronised clock, with which stamps are accepted.</summary>
     static readonly TimeSpan ClockErrorBound = TimeSpan.FromSeconds(1);
 
     static readonly string RefusedState = JointDataStates.Of(JointDataState.Refused);
@@ -218,8 +218,7 @@ sealed class CellBoard(
     // Returns null for a signal whose newest message was valid and still is.
     DroppedMessage RefusalOf(SignalEntry signal, ControlTime now)
     {
-        var isAhead = signal.HasAny && StampRule.IsInFuture(signal.Newest, now, ClockErrorBound);
-        signal.Ahead = isAhead ? signal.Ahead ?? new DroppedMessage(CellReasons.StampAhead, CellReasons.StampAhead, time.GetTimestamp(), time.GetUtcNow()) : null;
+        signal.SetAhead(signal.HasAny && StampRule.IsInFuture(signal.Newest, now, ClockErrorBound) ? signal.Newest - now : null, time);
         return signal.Refusal ?? signal.Ahead;
     }
 

@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Status.Cell;
 
@@ -66,11 +67,19 @@ sealed class SignalEntry : CellEntry
     public double? Value { get; set; }
 
     /// <summary>The newest valid message as a refusal, because its stamp is in the future; null if the stamp is not.</summary>
-    public DroppedMessage Ahead { get; set; }
+    public DroppedMessage Ahead { get; private set; }
 
     /// <summary>Stamp of the newest value.</summary>
     public ControlTime Newest { get; set; }
 
     /// <summary>Stamp of the message with which the value changed.</summary>
     public ControlTime Since { get; set; }
+
+    /// <summary>Sets <see cref="Ahead"/>. Its reason states how far the stamp was ahead at first, so that it does not change with the time.</summary>
+    /// <param name="by">How far the stamp is in the future; null if it is not.</param>
+    public void SetAhead(TimeSpan? by, TimeProvider time)
+    {
+        var reason = by == null ? null : CellReasons.StampAhead(by.Value.TotalSeconds);
+        Ahead = reason == null ? null : Ahead ?? new DroppedMessage(reason, reason, time.GetTimestamp(), time.GetUtcNow());
+    }
 }

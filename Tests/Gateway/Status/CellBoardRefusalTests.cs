@@ -81,7 +81,7 @@ public class CellBoardRefusalTests : CellBoardFixture
         Assert.That(_board.Signals(At(7203.9)).Select(signal => signal.State), Is.EqualTo(new[] { "live", "live" }), "stamps up to 1 s ahead are accepted");
 
         Assert.That(_board.Signals(At(5)).Select(signal => (signal.State, signal.Reason, signal.Since)), Is.All.EqualTo(
-            ("refused", CellReasons.StampAhead, (DateTimeOffset?)start)));
+            ("refused", CellReasons.StampAhead(7200), (DateTimeOffset?)start)));
         Assert.That(_board.FaultySignals(At(5)).Select(one => one.Name), Is.EqualTo(new[] { "grip", "lamp" }));
 
         _time.Advance(TimeSpan.FromSeconds(1));

@@ -123,7 +123,7 @@ public class LimitAlarmTests
 
         await Soon.BecomesAsync(() => _alarm.Invalid.Count == 1, "the description is read");
         Assert.That(_alarm.Invalid[0].Namespace, Is.EqualTo("arm1"));
-        Assert.That(_alarm.Invalid[0].Fault, Does.StartWith(RosTopics.RobotDescription + ":1: "));
+        Assert.That(_alarm.Invalid[0].Fault, Does.StartWith(RobotTopic.NameOf("arm1", RosTopics.RobotDescription) + ":1: "));
         _source.Describe(RobotFiles.LoadText("ur5"), "arm1");
 
         await Soon.BecomesAsync(() => _alarm.Invalid.Count == 0, "the valid description is read");
