@@ -22,11 +22,14 @@ sealed class CalibrationOutput
     /// <summary>Path for a new profile without a render time limit. Used if the existing profile has a limit.</summary>
     public string UnlimitedProfilePath => Path.Combine(_folder, "profile-without-limit.json");
 
-    /// <summary>Path for the profile of an interrupted measurement.</summary>
+    /// <summary>Path for the profile of an interrupted measurement. Used if there is an earlier profile.</summary>
     public string InterruptedProfilePath => Path.Combine(_folder, "profile-interrupted.json");
 
     /// <summary>Path of the table that <c>calibrate range</c> reads.</summary>
     public string PairsPath => Path.Combine(_folder, "pairs.csv");
+
+    /// <summary>Path for the table of an interrupted measurement. Used if there is an earlier table.</summary>
+    public string InterruptedPairsPath => Path.Combine(_folder, "pairs-interrupted.csv");
 
     /// <summary>Creates the folder and checks that its files can be written, so that a long measurement does not fail at its end.</summary>
     /// <param name="hasPairs">Whether <see cref="WritePairs"/> will be called. Without it, the table may be an input of the command.</param>
@@ -36,21 +39,21 @@ sealed class CalibrationOutput
         var output = new CalibrationOutput(full);
         // Opens the files of an earlier calibration without changing them.
         string[] written = [output.ProfilePath, output.UnlimitedProfilePath, output.InterruptedProfilePath, output.PagePath];
-        foreach (var path in written.Concat(hasPairs ? [output.PairsPath] : []).Where(Path.Exists))
+        foreach (var path in written.Concat(hasPairs ? [output.PairsPath, output.InterruptedPairsPath] : []).Where(Path.Exists))
             File.Open(path, FileMode.Open, FileAccess.Write).Dispose();
         return output;
     });
 
     /// <summary>
     /// Writes the profile and then the page. An existing profile that has a limit is not replaced by one without a limit, and none is replaced by the
-    /// profile of an interrupted measurement.
+    /// profile of an interrupted measurement. The same applies to the table.
     /// </summary>
     /// <param name="profile">The profile; null if there is none.</param>
     /// <returns>Path of the written profile; null if none was written.</returns>
     /// <exception cref="InputException">A file cannot be written.</exception>
     public string Write(LatencyProfile profile, CalibrationPageData page, bool isInterrupted = false)
     {
-        var path = profile == null ? null : isInterrupted ? InterruptedProfilePath
+        var path = profile == null ? null : isInterrupted && Path.Exists(ProfilePath) ? InterruptedProfilePath
             : profile.Range == null && EarlierLimit() is TimeSpan limit ? PathBeside(limit) : ProfilePath;
         if (profile != null) OptionPath.Write("--out", path, () => LatencyProfileFile.Save(path, profile));
         OptionPath.Write("--out", PagePath, () => OutputFile.Write(PagePath, CalibrationPage.Render(CalibrationJson.Of(page))));
@@ -58,8 +61,11 @@ sealed class CalibrationOutput
     }
 
     /// <exception cref="InputException">The file cannot be written.</exception>
-    public void WritePairs(IEnumerable<MeasuredPicture> pictures, PairOrigin origin) =>
-        OptionPath.Write("--out", PairsPath, () => OutputFile.Write(PairsPath, file => WritePairs(file, pictures, origin)));
+    public void WritePairs(IEnumerable<MeasuredPicture> pictures, PairOrigin origin, bool isInterrupted = false)
+    {
+        var path = isInterrupted && Path.Exists(PairsPath) ? InterruptedPairsPath : PairsPath;
+        OptionPath.Write("--out", path, () => OutputFile.Write(path, file => WritePairs(file, pictures, origin)));
+    }
 
     static void WritePairs(TextWriter file, IEnumerable<MeasuredPicture> pictures, PairOrigin origin)
     {

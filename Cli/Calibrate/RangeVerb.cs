@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Messages;
+using Nowpose.Cli.Replay;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 
@@ -52,7 +53,7 @@ static class RangeVerb
     {
         var option = DeviceOptions.KindOf(parsed.GetValue(Source));
         if (recorded == RenderTimeSourceKind.None || recorded == option) return option;
-        if (parsed.GetResult(Source) is not { Implicit: false }) return recorded;
+        if (!RecordingOptions.IsGiven(parsed, Source)) return recorded;
         throw new InputException(PairFileMessages.OtherSource(file, parsed.GetValue(Source), LatencyNames.RenderTimeSource.NameOf(recorded)));
     }
 

@@ -54,9 +54,10 @@ static class VlcVerb
         var status = cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
         if (result.Pictures.Count == 0) return status;
         var evaluation = new VlcEvaluation(result, sweep, earlier);
-        Shared.Finish(
-            parsed, output, evaluation.Profile, evaluation.Page, () => VlcJson.Of(result, evaluation.Profile), status == ExitStatus.Interrupted);
-        if (sweep != null && result.Read.Count > 0) output.WritePairs(evaluation.Pictures, new PairOrigin(evaluation.Source, earlier.Conditions));
+        var isInterrupted = status == ExitStatus.Interrupted;
+        Shared.Finish(parsed, output, evaluation.Profile, evaluation.Page, () => VlcJson.Of(result, evaluation.Profile), isInterrupted);
+        if (sweep != null && result.Read.Count > 0)
+            output.WritePairs(evaluation.Pictures, new PairOrigin(evaluation.Source, earlier.Conditions), isInterrupted);
         return status != ExitStatus.Done || evaluation.Profile != null ? status : result.Read.Count > 0 ? ExitStatus.Failed : ExitStatus.BadInput;
     }
 

@@ -37,12 +37,14 @@ static class PairTable
             if (csv.Count != header.Length) throw new InputException(PairFileMessages.FieldCount(path, csv.Line, csv.Count, header.Length));
             if (pairs.Count == MaxRows) throw new InputException(PairFileMessages.TooManyRows(path, csv.Line, MaxRows));
             pairs.Add(Picture(csv, path, render, visu, vertices, file));
-            foreach (var (name, index) in origins)
-                if (!origin.TryAdd(name, csv[index]) && origin[name] != csv[index])
+            // A value may be missing in some rows: a sweep's log lacks those that the headset does not know yet.
+            foreach (var (name, index) in origins.Where(column => csv[column.Index].Length > 0))
+                if (origin.TryAdd(name, csv[index])) InputPlace.In($"{path}:{csv.Line}", () => PairOrigin.Parse(each => each == name ? csv[index] : null));
+                else if (origin[name] != csv[index])
                     throw new InputException(PairFileMessages.TwoOrigins(path, csv.Line, name, origin[name], csv[index]));
         }
         if (pairs.Count == 0) throw new InputException(PairFileMessages.NoRows(path, RangeFit.MinPairs));
-        return (pairs, InputPlace.In(path, () => PairOrigin.Parse(origin.GetValueOrDefault)));
+        return (pairs, PairOrigin.Parse(origin.GetValueOrDefault));
     }
 
     static int Column(string[] header, string name, string path)

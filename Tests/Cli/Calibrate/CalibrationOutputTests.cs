@@ -61,12 +61,37 @@ public sealed class CalibrationOutputTests : CalibrationFolder
     public void Write_Interrupted_WritesTheProfileBesideTheExistingOne()
     {
         var output = CalibrationOutput.At(Out);
-        output.Write(Profile, Page);
+        Assert.That(output.Write(Profile, Page, isInterrupted: true), Is.EqualTo(ProfilePath));
         var before = File.ReadAllText(ProfilePath);
 
         Assert.That(output.Write(Profile, Page, isInterrupted: true), Is.EqualTo(output.InterruptedProfilePath));
         Assert.That(File.ReadAllText(ProfilePath), Is.EqualTo(before));
         Assert.That(LatencyProfileFile.Load(output.InterruptedProfilePath).Device, Is.EqualTo("HoloLens 2"));
+    }
+
+    [Test]
+    public void WritePairs_Interrupted_WritesTheTableBesideTheExistingOne()
+    {
+        var output = CalibrationOutput.At(Out, hasPairs: true);
+        var origin = new PairOrigin(RenderTimeSourceKind.GpuCompletion, new DisplayConditions("HoloLens 2"));
+        MeasuredPicture[] complete = [new("1.png", 5, 4.5, 40), new("2.png", 5, 4.6, 40)];
+        output.WritePairs(complete, origin, isInterrupted: true);
+
+        output.WritePairs(complete[..1], origin, isInterrupted: true);
+
+        Assert.That(PairTable.Read(output.PairsPath).Pairs, Is.EqualTo(complete));
+        Assert.That(PairTable.Read(output.InterruptedPairsPath).Pairs, Is.EqualTo(complete[..1]));
+    }
+
+    // A sweep's log lacks the values that the headset does not know at first.
+    [Test]
+    public void Read_ValueMissingInSomeRows_TakesItFromTheOthers()
+    {
+        using var file = new TemporaryFile("render_ms,visu_ms,source,display_hz\n5,40,,\n5,40,gpu_completion,59.94\n5,40,gpu_completion,\n", ".csv");
+
+        var (pairs, origin) = PairTable.Read(file.Path);
+
+        Assert.That((pairs.Count, origin.Source, origin.Conditions.DisplayHz), Is.EqualTo((3, RenderTimeSourceKind.GpuCompletion, 59.94)));
     }
 
     [Test]

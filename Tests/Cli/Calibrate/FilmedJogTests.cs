@@ -88,7 +88,7 @@ public class FilmedJogTests : VideoFolder
         var video = Video();
         var (half, go) = (Path.Combine(Folder, "half"), Path.Combine(Folder, "go"));
         var bytes = 3 * Width * Height * pictures;
-        Script("ffmpeg", $"head -c {bytes} '{FramesPath}'; mkfifo '{go}'; : > '{half}'; cat '{go}' > /dev/null; tail -c +{bytes + 1} '{FramesPath}'");
+        Script("ffmpeg", $"head -c {bytes} '{FramesPath}'; : > '{half}'; until [ -e '{go}' ]; do sleep 0.02; done; tail -c +{bytes + 1} '{FramesPath}'");
         string[] args =
         [
             "calibrate", "sine", video, "--robot-box", Box(RobotAt(0.002)), "--hologram-box", Box(HologramAt(0.002)), "--visu-ms", "0", "--out", Out,
@@ -99,13 +99,11 @@ public class FilmedJogTests : VideoFolder
         await Soon.BecomesAsync(() => File.Exists(half), () => "the first pictures are read");
 
         await ctrlC.CancelAsync();
-        // The stand-in reads to the end of this pipe.
-        await (await Task.Run(() => new FileStream(go, FileMode.Open, FileAccess.Write)).Bounded()).DisposeAsync();
+        await File.WriteAllTextAsync(go, "");
 
         var run = await running.Bounded();
         Assert.That(run.Status, Is.EqualTo(130), run.Errors);
-        Assert.That(File.Exists(Path.Combine(Out, "profile.json")), Is.False);
-        Assert.That(File.Exists(Path.Combine(Out, "profile-interrupted.json")), Is.EqualTo(areEnough), run.Errors);
+        Assert.That(File.Exists(Path.Combine(Out, "profile.json")), Is.EqualTo(areEnough), run.Errors);
         Assert.That(run.Errors, Does.Contain(areEnough ? CalibrationMessages.Interrupted : "at least 60"));
     }
 

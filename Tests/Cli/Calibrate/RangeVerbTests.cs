@@ -139,7 +139,7 @@ public class RangeVerbTests : CalibrationFolder
 
     static readonly string[][] InvalidTables =
     [
-        ["render_ms,visu_ms,source\n5,40,guess", ": " + SweepFileMessages.UnknownSource("source", "guess", LatencyNames.RenderTimeSource.All)],
+        ["render_ms,visu_ms,source\n5,40,\n5,40,guess", ":3: " + SweepFileMessages.UnknownSource("source", "guess", LatencyNames.RenderTimeSource.All)],
         ["render_ms,visu_ms\n5,40\n0,40", ":3: " + InvalidRenderTime(0)],
         ["render_ms,visu_ms\nNaN,40", ":2: " + InvalidRenderTime(double.NaN)],
         ["render_ms,visu_ms\n5,NaN", ":2: " + InvalidVisu(double.NaN)],
