@@ -72,6 +72,7 @@ static class DemoStage
         var loop = new DemoFrameLoop(settings, headset, clock, truth, time => PreciseWait.While(() => time - clock.Now, never));
         ConsoleProgress.Run(settings.Seconds, report => loop.Run(report, cancel));
         var (problem, lostLines) = headset.EndRecording();
+        if (problem != null) Console.Error.WriteLine(ConsoleMessages.Line(problem));
         if (headset.Complaint is string complaint) throw new DemoFailedException(DemoMessages.SceneError(complaint));
         return new DemoRun(settings, truth, loop.Frames, headset.Log.ApplicationLatencies, headset.Session.Statistics(clock.Now),
             session.Range?.Limit, headset.Alarms)

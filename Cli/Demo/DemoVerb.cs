@@ -166,6 +166,6 @@ static class DemoVerb
         result = result with { Notes = run.Notes(isInterrupted ? DemoMessages.Interrupted(result.Seconds, run.Settings.Seconds) : null) };
         output.Write(score, run, result);
         DemoTable.Print(run, score, result, output);
-        return isInterrupted ? ExitStatus.Interrupted : run.RecordingProblem == null ? ExitStatus.Done : ExitStatus.Failed;
+        return isInterrupted ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 }

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Net;
 using Nowpose.Cli.Messages;
+using Nowpose.Cli.Replay;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
@@ -99,14 +100,18 @@ static class HeadsetVerb
             Visualisation = new VisualisationLatency(TimeSpan.FromMilliseconds(parsed.GetValue(Visualisation))),
             Seconds = parsed.GetValue(Seconds),
             FramesPerSecond = parsed.GetValue(FramesPerSecond),
-            RecordingPath = RecordingPathOf(parsed.GetValue(Record)),
+            RecordingPath = RecordingPathOf(parsed),
             RecordingMegabytes = parsed.GetValue(RecordMegabytes),
         };
     }
 
     // The commands that read a recording would take it for a compressed file or for a motion.
-    static string RecordingPathOf(string given) => Path.GetExtension(given)?.ToLowerInvariant() is ".gz" or ".csv"
-        ? throw new InputException(HeadsetMessages.RecordingName(given)) : given;
+    static string RecordingPathOf(ParseResult parsed)
+    {
+        var given = parsed.GetValue(Record);
+        if (given == null && RecordingOptions.IsGiven(parsed, RecordMegabytes)) throw new InputException(HeadsetMessages.MaximumWithoutRecording);
+        return Path.GetExtension(given)?.ToLowerInvariant() is ".gz" or ".csv" ? throw new InputException(HeadsetMessages.RecordingName(given)) : given;
+    }
 
     static string NamespaceOf(string given) => given == null || RobotTopic.IsNamespace(given)
         ? given ?? "" : throw new InputException(HeadsetMessages.NamespaceInvalid(given, ProtocolLimits.NamespaceLength));

@@ -28,6 +28,8 @@ static class HeadsetMessages
     public static string RecordingName(string path) =>
         $"--record: {path}: the recording is neither compressed nor a table; use a name that ends in .jsonl";
 
+    public const string MaximumWithoutRecording = "--record-max-mb: only a recording has a maximum size; use it with --record";
+
     public static string RecordingStopped(double seconds, string problem) => FormattableString.Invariant($"at {seconds:0.0} s: {problem}");
 
     public static string NoClock(string reason) => $"the clock was never synchronised: {reason}; run longer (--seconds), or check the connection to the gateway";

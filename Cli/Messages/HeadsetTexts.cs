@@ -25,7 +25,7 @@ static class HeadsetTexts
     public static string Duration(string time) => $" for {time}";
     public static string Outage(string from, string to) => $"outage from {from} to {to}";
     public const string MoreOutages = "more outages";
-    public static string NotListed(int outages) => $"{outages}, each shorter than those listed";
+    public static string NotListed(int outages) => $"{outages}, none longer than the finished ones in the list";
     public static string Stretch(int number) => $"stretch {number}: ";
     public static string Uncompensated(string prefix) => $"{prefix}tool, uncompensated";
     public static string Compensated(string prefix) => $"{prefix}tool, compensated";

@@ -41,12 +41,14 @@ sealed class BlendCost
         var (subject, predictor) = (recommendation.Subject, recommendation.Recommended.Predictor);
         try
         {
+            // A cancelled run is incomplete.
             var first = subject.Try(predictor, Half.First, blendMs, cancellation);
+            if (cancellation.IsCancellationRequested) return null;
             report();
             var second = subject.Try(predictor, Half.Second, blendMs, cancellation);
+            if (cancellation.IsCancellationRequested) return null;
             report();
-            // A cancelled run is incomplete.
-            return cancellation.IsCancellationRequested ? null : new Trial(predictor, first, second);
+            return new Trial(predictor, first, second);
         }
         catch (OperationCanceledException)
         {

@@ -20,7 +20,7 @@ static class SyncPage
     {
         var data = Path.ChangeExtension(path, ".csv");
         // The unpacked log can be beside the compressed one.
-        OptionPath.RequireNoInput("--page", [path, data], log, instants, Unpacked(log), Unpacked(instants));
+        OptionPath.RequireNoInput("--page", [path, data], [log, instants, .. new[] { log, instants }.Select(Unpacked).Where(File.Exists)]);
         if (path == data) throw new InputException(SyncPageTexts.WouldOverwritePage(path));
         var steps = SyncSteps.Of(exchanges, estimator);
         var figure = SyncFigure.Of(steps, SyncClaims.Of(steps), SyncPageTexts.Conditions(exchanges.Count, steps.Count))

@@ -81,18 +81,20 @@ public class HeadsetVerbTests
         Assert.That(run.HasFailed, Is.True);
     }
 
-    [TestCase("night.jsonl.gz")]
-    [TestCase("night.CSV")]
-    public async Task Headset_RecordingNamedLikeAnotherFormat_IsRefused(string name)
-    {
-        using var folder = new TemporaryFolder();
-        var path = Path.Combine(folder.Path, name);
+    static readonly string[][] InvalidRecordings =
+    [
+        ["--record night.jsonl.gz", HeadsetMessages.RecordingName("night.jsonl.gz")],
+        ["--record night.CSV", HeadsetMessages.RecordingName("night.CSV")],
+        ["--record-max-mb 5", HeadsetMessages.MaximumWithoutRecording],
+    ];
 
-        var run = await CliRun.OfAsync("headset", "--sync-port", "1", "--ws-port", "1", "--record", path);
+    [TestCaseSource(nameof(InvalidRecordings))]
+    public async Task Headset_InvalidRecording_IsRefused(string options, string message)
+    {
+        var run = await CliRun.OfAsync(["headset", "--sync-port", "1", "--ws-port", "1", .. options.Split(' ')]);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Complaints, Is.EqualTo(new[] { ConsoleMessages.Line(HeadsetMessages.RecordingName(path)) }));
-        Assert.That(File.Exists(path), Is.False);
+        Assert.That(run.Complaints, Is.EqualTo(new[] { ConsoleMessages.Line(message) }));
     }
 
     [Test]

@@ -35,12 +35,14 @@ public sealed class OutputFailureTests
     {
         using var file = new TemporaryFile(Log, ".csv.gz");
         var log = file.Path[..^".gz".Length];
+        File.WriteAllText(log, Log);
 
         var run = await CliRun.OfAsync("sync", file.Path, "--page", Path.ChangeExtension(log, ".html"));
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
         Assert.That(run.Errors, Does.Contain(OptionValueMessages.WouldOverwriteInput("--page", log)));
-        Assert.That(File.Exists(log), Is.False);
+        Assert.That(File.ReadAllText(log), Is.EqualTo(Log));
+        File.Delete(log);
     }
 
     [Test]

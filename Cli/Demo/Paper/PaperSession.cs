@@ -41,8 +41,7 @@ static class PaperSession
             if (repeat == 1 || !cancel.IsCancellationRequested) runs.Add(new PaperRun(repeat, run, swing));
         }
         if (runs.Count > 0) Finish(runs, complete, repeats, firstCalibration, output);
-        if (cancel.IsCancellationRequested) return ExitStatus.Interrupted;
-        return runs[0].Run.RecordingProblem == null ? ExitStatus.Done : ExitStatus.Failed;
+        return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 
     /// <summary>Writes the page of a calibration that the user interrupted. The profile is not written, because no run has used it.</summary>

@@ -19,20 +19,26 @@ public class BlendCostTests
         Assert.That(runs, Is.EqualTo(BlendCost.Runs));
     }
 
-    [TestCase(1)]
-    [TestCase(2)]
-    [TestCase(4)]
-    public void BlendCost_CancelledDuringARun_HasNoShareAndNoRecommendation(int run)
+    // A cancelled run of a recording returns the result so far if it has one.
+    [TestCase(1, true)]
+    [TestCase(2, true)]
+    [TestCase(4, true)]
+    [TestCase(1, false)]
+    [TestCase(BlendCost.Runs, false)]
+    public void BlendCost_CancelledDuringARun_HasNoShareAndNoRecommendation(int run, bool throws)
     {
+        var (cancelled, reports) = (run, 0);
         using var end = new CancellationTokenSource();
         var subject = new Subject(_ =>
         {
             if (--run == 0) end.Cancel();
+            if (throws) end.Token.ThrowIfCancellationRequested();
             return 0.2;
         });
 
-        var cost = new BlendCost(Of(subject), () => { }, end.Token);
+        var cost = new BlendCost(Of(subject), () => reports++, end.Token);
 
+        Assert.That(reports, Is.EqualTo(cancelled - 1), "finished runs");
         Assert.That((cost.Share, cost.RecommendedMs), Is.EqualTo(((double?)null, (double?)null)));
         Assert.That(run, Is.Zero, "no run after the cancellation");
     }
@@ -48,11 +54,6 @@ public class BlendCostTests
         public double? SamplingMs => 50;
         public double? LatencyMs => 100;
 
-        public ReplayResult Try(string predictor, Half half, double? blendMs, CancellationToken cancellation)
-        {
-            var rms = rmsOf(blendMs);
-            cancellation.ThrowIfCancellationRequested();
-            return Result(rms);
-        }
+        public ReplayResult Try(string predictor, Half half, double? blendMs, CancellationToken cancellation) => Result(rmsOf(blendMs));
     }
 }
