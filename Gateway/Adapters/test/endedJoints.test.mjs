@@ -54,6 +54,16 @@ describe('a joint whose data have ended', () => {
       assert.ok(sent > 0);
     });
 
+    it(`FirstValue_${end}ReconnectedAfterTheClockOfTheSourceWasSetBack_JointIsAtRest`, () => {
+      const cell = make({ joint: 'a' });
+
+      cell.time.setBackMs = 3_600_000;
+      const sent = reconnected(cell, 20_000, { stamp: T - 3_599_000n * MS });
+
+      assert.deepEqual([cell.stateOf('a'), cell.output.hasEnded(0)], ['rest', false]);
+      assert.ok(sent > 0);
+    });
+
     for (const [value, expected] of [[0.44, 'fault'], [0.9, 'rest']])
       it(`FirstValue_${end}Reconnected${expected === 'fault' ? 'AtTheSame' : 'AtAnother'}PositionWithoutStamp_JointIsIn${expected === 'fault' ? 'Fault' : 'Rest'}`, () => {
         const cell = make({ joint: 'a' });

@@ -6,12 +6,12 @@ const { AdapterStatus, Log, JointOutput } = await parts('gateway/status', 'log',
 export const MS = 1_000_000n, S = 1000n * MS;
 export const T = 1_700_000_000n * S;
 
-/** Creates the output of an adapter. `time.ms` is the time since the start on all clocks. */
+/** Creates the output of an adapter. `time.ms` is the time since the start on all clocks, and `time.setBackMs` the step back of the control clock. */
 export function plant(joints = [{ joint: 'a' }, { joint: 'b' }], options = {}) {
-  const lines = [], sent = [], time = { ms: 0 };
+  const lines = [], sent = [], time = { ms: 0, setBackMs: 0 };
   const status = new AdapterStatus('opcua', new Log('plant/test', [], line => lines.push(line), () => {}), undefined,
     () => Number(T / MS) + time.ms);
-  const clock = { get now() { return T + BigInt(time.ms) * MS; }, isSettled: true };
+  const clock = { get now() { return T + BigInt(time.ms - time.setBackMs) * MS; }, isSettled: true };
   const output = new JointOutput(joints.map(joint => ({ scale: 1, offset: 0, robot: '', name: joint.joint, ...joint })), { tolerance: MS, oldest: 10n * S, ...options },
     clock, { publish: (topic, msg) => sent.push(msg) }, status, () => time.ms);
   for (const { joint } of joints) status.joints.expect(joint);

@@ -7,7 +7,7 @@ import type { SourceStop } from '../samples/jointOutput';
 import { numberIn } from '../samples/number';
 import type { PlantValue } from '../samples/plantOutput';
 import { ENDED_IN_MOTION, type SampleSilence } from '../samples/sampleSilence';
-import { OF_LONG_AGO, type Refusal, StampRule } from '../samples/stampRule';
+import { isNewer, OF_LONG_AGO, type Refusal, StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { ComponentTrack } from './component';
 import { FrameStates } from './frameStates';
@@ -166,7 +166,7 @@ export class PoseOutput {
       for (const track of this.#tracksOf(index)) {
         // The frame has moved since its last pose, so its motion did not end there.
         if (isChange) track.motion.restart();
-        this.#arrive(track, stamp);
+        this.#arrive(track, stamp, now);
       }
       return undefined;
     }
@@ -174,8 +174,8 @@ export class PoseOutput {
   }
 
   /** Reports a first value. If its stamp shows that the source has not written it since, it does not end the fault of a frame. */
-  #arrive(track: Track, stamp: Nanoseconds | null): void {
-    const isKnown = stamp !== null && (track.changed === null || stamp <= track.changed);
+  #arrive(track: Track, stamp: Nanoseconds | null, now: Nanoseconds | null): void {
+    const isKnown = stamp !== null && (track.changed === null || !isNewer(stamp, track.changed, now));
     if (track.end !== null && isKnown) return;
     track.end = null;
     this.silence.arrived(track.frame.frame);

@@ -211,9 +211,9 @@ export class JointOutput {
   }
 
   /** Whether a first value is the one with which the data of the joint have ended. */
-  #isEnd(joint: number, position: number, stamp: Nanoseconds | null): boolean {
+  #isEnd(joint: number, position: number, stamp: Nanoseconds | null, now: Nanoseconds): boolean {
     const end = this.#ended.get(joint);
-    return end !== undefined && (stamp === null ? position === end.position : !this.#rule.isNewer(joint, stamp));
+    return end !== undefined && (stamp === null ? position === end.position : !this.#rule.isNewer(joint, stamp, now));
   }
 
   /** Gets the reason why the joint may not be at rest; an empty string if there is none. */
@@ -258,7 +258,7 @@ export class JointOutput {
     }
     const refusal = this.#rule.judge(joint, stamp, now);
     if (refusal !== null && isFirst === true && now !== null && OF_LONG_AGO.includes(refusal.reason)) {
-      if (this.#isEnd(joint, position, stamp)) return null;
+      if (this.#isEnd(joint, position, stamp, now)) return null;
       this.#ended.delete(joint);
       // Does not publish the value before the joint is known to be at rest. If the stamps come from a clock other than the control clock, the next
       // value is refused.

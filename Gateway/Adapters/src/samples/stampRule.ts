@@ -15,6 +15,13 @@ export interface Refusal {
 /** Reasons for a refusal that are normal for the first value of a connection, whose stamp may be from before the connection. */
 export const OF_LONG_AGO = ['stamp-old', 'stamp-not-newer', 'stamp-missing'];
 
+/**
+ * Whether a stamp is newer than the newest one. After the clock was set back, the newest one is in the future. It is then ignored, so that new stamps
+ * are accepted.
+ */
+export const isNewer = (stamp: Nanoseconds, newest: Nanoseconds | null, now: Nanoseconds | null): boolean =>
+  newest === null || stamp > newest || (now !== null && newest > now + FUTURE);
+
 /** Checks whether stamps are plausible as t_k. */
 export class StampRule {
   readonly #newest: (Nanoseconds | null)[];
@@ -41,9 +48,7 @@ export class StampRule {
     const refusal = now === null ? null : this.#against(now, stamp);
     if (refusal !== null) return refusal;
     const newest = this.#newest[joint];
-    // After the clock was set back, the previous newest stamp is in the future. It is then ignored, so that new stamps are accepted.
-    const isStepped = newest !== null && now !== null && newest > now + FUTURE;
-    if (newest !== null && stamp <= newest && !isStepped)
+    if (newest !== null && !isNewer(stamp, newest, now))
       return {
         reason: 'stamp-not-newer',
         text: stamp === newest ? refusalMessages.sameStamp : refusalMessages.notNewer(toMilliseconds(newest - stamp)),
@@ -53,9 +58,8 @@ export class StampRule {
   }
 
   /** Whether a stamp is newer than the newest accepted stamp of the joint. */
-  isNewer(joint: number, stamp: Nanoseconds): boolean {
-    const newest = this.#newest[joint];
-    return newest === null || stamp > newest;
+  isNewer(joint: number, stamp: Nanoseconds, now: Nanoseconds | null): boolean {
+    return isNewer(stamp, this.#newest[joint], now);
   }
 
   #against(now: Nanoseconds, stamp: Nanoseconds): Refusal | null {

@@ -74,6 +74,18 @@ describe('the end of the data of objects', () => {
     assert.deepEqual([repeated - before, poses().length - before], [0, 1]);
   });
 
+  it('Frame_InFaultAfterSilence_IsAtRestAfterANewConnectionWithAnEarlierClock', () => {
+    const { output, take, poses, time, clock, stateOf } = moving(stopped, 4000, { faultAfterMs: 2000 }), before = poses().length;
+
+    [time.ms, time.setBackMs] = [20_000, 3_600_000];
+    output.restart();
+    take({ 0: 0.225, 1: 0 }, { stamp: clock.now - 15_000n * MS, isFirst: true });
+    time.ms += 100;
+    output.hold(clock.now - 50n * MS, 150n * MS, new Set());
+
+    assert.deepEqual([stateOf('frame/part'), poses().length - before], ['rest', 1]);
+  });
+
   it('Frame_InFaultAfterSilence_HasNotEndedDuringAMotion', () => {
     // Otherwise, each new subscription of a node would end the fault, and the next silence would begin it again.
     const { output, stateOf } = moving(stopped, 4000, { faultAfterMs: 2000 });

@@ -5,11 +5,14 @@ const { AdapterStatus, Log, PlantOutput } = await parts('gateway/status', 'log',
 
 export const MS = 1_000_000n, S = 1000n * MS, T = 1_700_000_000n * S;
 
-/** Creates an output in virtual time. `values` are the labels of all values; `time.ms` is the time since the start on all clocks. */
+/**
+ * Creates an output in virtual time. `values` are the labels of all values; `time.ms` is the time since the start on all clocks, and
+ * `time.setBackMs` the step back of the control clock.
+ */
 export function cell({ frames = [], wholeFrames = [], signals = [], values }) {
-  const sent = [], kept = [], keys = new Set(), time = { ms: 0 };
+  const sent = [], kept = [], keys = new Set(), time = { ms: 0, setBackMs: 0 };
   const status = new AdapterStatus('opcua', new Log('plant/test', [], () => {}, () => {}));
-  const clock = { get now() { return T + BigInt(time.ms) * MS; }, isSettled: true };
+  const clock = { get now() { return T + BigInt(time.ms - time.setBackMs) * MS; }, isSettled: true };
   const gateway = {
     publish: (topic, msg) => sent.push([topic, msg]),
     publishNewest: (topic, next) => { for (let msg = next(); msg !== null; msg = next()) sent.push([topic, msg]); },
