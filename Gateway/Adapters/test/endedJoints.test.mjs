@@ -74,6 +74,24 @@ describe('a joint whose data have ended', () => {
       });
   }
 
+  for (const [end, interruption, interrupt, stamp] of [
+    ['InMotion', 'AfterABadOne', output => output.refuse(0, 'BadSensorFailure', 'the sensor failed'), LAST],
+    ['Silent', 'AfterABadOne', output => output.refuse(0, 'BadSensorFailure', 'the sensor failed'), LAST],
+    ['InMotion', 'OfAReturnedVariable', output => output.lose(0, { reason: 'node-gone', text: 'the node is missing' }), null],
+  ])
+    it(`FirstValue_${end}${interruption}_ReasonIsTheEndOfTheDataAgain`, () => {
+      const cell = ENDS[end]({ joint: 'a' }), reports = () => cell.status.joints.reports(200)[0], before = reports();
+      interrupt(cell.output);
+      assert.notDeepEqual(reports(), before);
+
+      cell.time.ms += 20_000;
+      cell.output.publish([{ joint: 0, value: 0.44, stamp, isFirst: true }]);
+
+      assert.deepEqual(reports(), before);
+      cell.output.explain(0, { reason: 'retained', text: 'of unknown age' });
+      assert.deepEqual(reports(), before);
+    });
+
   it('FirstValue_SilentJointLostAndReturned_JointIsAtRest', () => {
     const cell = ENDS.Silent({ joint: 'a' });
     cell.output.lose(0, { reason: 'node-gone', text: 'the node is missing' });

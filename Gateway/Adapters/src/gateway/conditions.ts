@@ -77,6 +77,10 @@ export class Conditions {
     return this.#known.get(name)?.state;
   }
 
+  conditionOf(name: string): Condition | undefined {
+    return this.#known.get(name);
+  }
+
   reasonOf(name: string): string | undefined {
     return this.#known.get(name)?.reason;
   }
@@ -127,7 +131,7 @@ export class Conditions {
     this.#trouble(name, 'refused', reason, this.now(), false);
   }
 
-  /** Applies a report of the gateway to which the source is connected. */
+  /** Sets a condition: one that the gateway to which the source is connected reports, or one that a name had earlier. */
   report(name: string, { state, since, reason: text, word, uncertainty }: Condition): void {
     const known = this.#known.get(name);
     const reason = this.log.clean(text);

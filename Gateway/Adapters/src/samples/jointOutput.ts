@@ -1,5 +1,6 @@
 import type { OfferedClock } from '../clock/offeredClock';
 import type { Joint } from '../configuration/configuration';
+import type { Condition } from '../gateway/conditions';
 import type { Publisher } from '../gateway/link';
 import { JOINT_STATES, jointState, topicOf } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
@@ -60,10 +61,11 @@ export class JointOutput {
   /** Joints whose end of data has already been judged since their last sample. */
   readonly #judged = new Set<number>();
   /**
-   * Joints whose data have ended, with their last position (null if unknown): during a motion, or by a silence that is longer than the setting allows.
-   * Only a newer value, or the loss of a silent joint's variable, ends this state, because a new connection starts with the last value again.
+   * Joints whose data have ended, with their fault and last position (null if unknown): during a motion, or by a silence that is longer than the
+   * setting allows. Only a newer value, or the loss of a silent joint's variable, ends this state, because a new connection starts with the last value
+   * again.
    */
-  readonly #ended = new Map<number, { how: 'in-motion' | 'silent'; position: number | null }>();
+  readonly #ended = new Map<number, { fault: Condition; position: number | null }>();
   /**
    * #repeated: joints whose newest sample has been repeated. #unobserved: for each joint whose last stop would need a deceleration above all observed
    * ones, this deceleration.
@@ -131,13 +133,13 @@ export class JointOutput {
   checkSilence(): void {
     const faults = new Set(this.silence.check());
     this.joints.forEach(({ joint }, i) => {
-      if (faults.has(joint)) this.#ended.set(i, { how: 'silent', position: this.#resting.forget(i) });
+      if (faults.has(joint)) this.#storeEnd(i);
     });
   }
 
   /** Whether the joint's data ended during a motion. */
   hasEnded(joint: number): boolean {
-    return this.#ended.get(joint)?.how === 'in-motion';
+    return this.#ended.get(joint)?.fault.word === ENDED_IN_MOTION;
   }
 
   /** Reports that the control system no longer has the variable of this joint. */
@@ -149,7 +151,7 @@ export class JointOutput {
 
   /** Reports the reason why a joint is not published yet although its value has arrived. */
   explain(joint: number, reason: Refusal): void {
-    this.status.joints.explain(this.joints[joint].joint, reason);
+    if (!this.#ended.has(joint)) this.status.joints.explain(this.joints[joint].joint, reason);
   }
 
   /** Prepares for a new connection. Joints at rest may have moved since the previous one. */
@@ -206,14 +208,23 @@ export class JointOutput {
 
   #end(joint: number, reason: string): void {
     const { joint: name } = this.joints[joint];
-    this.#ended.set(joint, { how: 'in-motion', position: this.#resting.forget(joint) });
     this.status.joints.fault(name, { reason: ENDED_IN_MOTION, text: silenceMessages.endedBecause(reason) }, this.silence.lastSample(name));
+    this.#storeEnd(joint);
   }
 
-  /** Whether a first value is the one with which the data of the joint have ended. */
+  #storeEnd(joint: number): void {
+    this.#ended.set(joint, { fault: this.status.joints.conditionOf(this.joints[joint].joint)!, position: this.#resting.forget(joint) });
+  }
+
+  /**
+   * Whether a first value is the one with which the data of the joint have ended. The joint then has the fault of this end again, because the value is
+   * no longer invalid or missing.
+   */
   #isEnd(joint: number, position: number, stamp: Nanoseconds | null, now: Nanoseconds): boolean {
     const end = this.#ended.get(joint);
-    return end !== undefined && (stamp === null ? position === end.position : !this.#rule.isNewer(joint, stamp, now));
+    if (end === undefined || (stamp === null ? position !== end.position : this.#rule.isNewer(joint, stamp, now))) return false;
+    this.status.joints.report(this.joints[joint].joint, end.fault);
+    return true;
   }
 
   /** Gets the reason why the joint may not be at rest; an empty string if there is none. */
