@@ -52,6 +52,12 @@ ${joints}${others}`), {}, {}).warnings.map(line => line.replace(/^.*?, line/, 'l
     assert.deepEqual(lines, [`line 4: joints[1]: ${configurationMessages.addressTwice('node i=1, index 2', 'elbow', 3)}`]);
   });
 
+  it('Check_TwoJointsWithTheSameAddressAndAnotherScaleOrOffset_WarnsOfNone', () => {
+    const joints = ['scale: 1', 'scale: -1', 'scale: 1, offset: 0.5'].map((more, i) => `  - { joint: finger${i}, node: i=1, ${more} }\n`);
+
+    assert.deepEqual(linesIn(joints.join('')), []);
+  });
+
   it('Check_TwoNumbersOfAFrameWithTheSameAddress_WarnsOfTheSecond', () => {
     const position = (x, y) => `position: { unit: m, x: { node: ${x} }, y: { node: ${y} }, z: 0 }`;
     const lines = linesIn('  - { joint: elbow, node: i=1 }\n', `frames:

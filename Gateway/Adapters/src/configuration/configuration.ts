@@ -129,7 +129,7 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
   const namespaces = hasEntry(kind, 'robots') ? Object.keys(sections.robots ?? {}) : null;
   for (const [robot, urdf] of Object.entries({ ...configuration.robots, '': configuration.robot }))
     requireJoints(file, joints, robot, urdf, namespaces);
-  warnOfSharedAddresses(file, values);
+  warnOfSharedAddresses(file, values, joints);
   checkParents(file, sections.frames ?? [], { ...configuration.robots, ...(configuration.robot === null ? {} : { '': configuration.robot }) });
   ownChecks[kind]?.(file, configuration, environment);
   file.throwIfWrong();

@@ -19,7 +19,7 @@ export const configurationMessages = {
     wrongValue(value, `line ${line} already has this ${kind}; list each ${kind} once`),
   /** @param label The joint or the number that is also read from this address. */
   addressTwice: (address: string, label: string, line: number) =>
-    `${address} is also the address of ${label} (line ${line}); correct it, unless both have the same value`,
+    `${address} is also the address of ${label} (line ${line}); correct it, unless both are computed from this variable`,
   valueTwice: (value: unknown, kind: string) => `value ${shown(value)} occurs twice; list each ${kind} once`,
   unitAndScale: 'unit and scale are both set; remove one of the two',
   publishingTooShort: (publishingMs: number, samplingMs: number) => wrongValue(publishingMs, `allowed: ${samplingMs} ms (sampling_ms) to 10000 ms`),
