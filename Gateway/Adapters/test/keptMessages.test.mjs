@@ -8,7 +8,7 @@ import { RosbridgeDouble } from './rosbridge.mjs';
 /** The set-points of a robot without a namespace and of one with a namespace. */
 const PLANS = ['/joint_trajectory', '/arm1/joint_trajectory'];
 
-const { GatewayLink, Log } = await parts('gateway/link', 'log');
+const { GatewayLink, KeptMessages, Log, SetPoints } = await parts('gateway/link', 'gateway/keptMessages', 'log', 'ros/setPoints');
 
 describe('kept messages', () => {
   it('StationaryFrameOrSetPoints_RefusedByTheGateway_AreSentAgainUntilAccepted', async t => {
@@ -45,5 +45,30 @@ describe('kept messages', () => {
     assert.deepEqual(PLANS.map(topic => bridge.published(topic).length), [1, 2]);
     ending.abort();
     await running;
+  });
+
+  it('SetPoints_RefusedAndThenReplaced_AreNotSentAgain', () => {
+    const kept = new KeptMessages();
+    kept.set('a', PLANS[0], 'first');
+    kept.refused(`publish ${PLANS[0]} dropped: rule (Unsynchronised)`);
+
+    kept.set('a', PLANS[0], 'second');
+
+    assert.deepEqual(kept.takeRefused(), []);
+  });
+
+  it('SetPoints_SourceDisconnected_AreNoLongerKept', () => {
+    const kept = new Map(), clock = { isSettled: true };
+    const setPoints = new SetPoints(clock, { publishKept: (topic, msg) => kept.set(topic, msg), forgetKept: topic => kept.delete(topic) });
+    setPoints.add('', { plan: 1 });
+    clock.isSettled = false;
+    setPoints.add('arm1', { plan: 2 });
+    assert.deepEqual([...kept.keys()], [PLANS[0]]);
+
+    setPoints.forget();
+    clock.isSettled = true;
+    setPoints.check();
+
+    assert.deepEqual([...kept.keys()], []);
   });
 });

@@ -102,6 +102,7 @@ export async function subscribe(
     isPresent = false;
     reported.leave();
     objects.leave();
+    setPoints.forget();
   }
 
   const checks = setInterval(() => {

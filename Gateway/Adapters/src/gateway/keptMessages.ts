@@ -21,6 +21,8 @@ export class KeptMessages {
   /** @param key Identifies the message. A later message with the same key replaces it. */
   set(key: string, topic: string, text: string): void {
     this.#messages.set(key, { topic, text });
+    // The refusal was that of the previous set-points. The topic of stationary frames has other messages, which remain refused.
+    if (topic !== TF_STATIC) this.#refused.delete(topic);
   }
 
   delete(key: string): void {

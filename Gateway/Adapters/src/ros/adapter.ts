@@ -42,6 +42,7 @@ export async function run(context: AdapterContext): Promise<void> {
     away: reason => {
       connection.abort();
       clock.detach();
+      setPoints.forget();
       if (status.state === 'connected') status.reconnected();
       status.enter('waiting', reason);
     },

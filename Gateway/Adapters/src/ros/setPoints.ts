@@ -9,10 +9,12 @@ import { JOINT_TRAJECTORY, topicOf } from '../gateway/messages';
 export class SetPoints {
   /** Set-points that wait for the clock, by topic. */
   readonly #waiting = new Map<string, object>();
+  /** Topics whose newest set-points are kept messages. */
+  readonly #sent = new Set<string>();
 
   constructor(
     readonly clock: Pick<OfferedClock, 'isSettled'>,
-    readonly gateway: Pick<Publisher, 'publishKept'>,
+    readonly gateway: Pick<Publisher, 'publishKept' | 'forgetKept'>,
   ) {}
 
   add(robot: string, trajectory: object): void {
@@ -23,7 +25,16 @@ export class SetPoints {
   /** Sends the set-points that have waited, if the clock is known now. */
   check(): void {
     if (!this.clock.isSettled) return;
-    for (const [topic, trajectory] of this.#waiting) this.gateway.publishKept(topic, trajectory);
+    for (const [topic, trajectory] of this.#waiting) {
+      this.gateway.publishKept(topic, trajectory);
+      this.#sent.add(topic);
+    }
     this.#waiting.clear();
+  }
+
+  /** Discards all set-points after a disconnection from the source: its clock may have restarted, and it sends those that still apply again. */
+  forget(): void {
+    this.#waiting.clear();
+    for (const topic of this.#sent) this.gateway.forgetKept(topic);
   }
 }

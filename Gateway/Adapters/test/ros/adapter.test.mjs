@@ -116,6 +116,20 @@ describe('ros', { concurrency: 4 }, () => {
     assert.ok(bridge.heard.indexOf(sent()[0]) > offered, JSON.stringify(bridge.heard.map(({ op, topic }) => [op, topic])));
   });
 
+  it('SetPoints_RobotDisconnectedSince_AreNotSentAgainAfterAReconnection', async t => {
+    const { robot, bridge, adapter } = await cell(t, {}, { plant: '  topics: { joint_trajectory: /plan }\n' });
+    plan(robot, [{ positions: [1], time_from_start: { sec: 1, nanosec: 0 } }]);
+    await until(() => bridge.published('/joint_trajectory').length === 1, 'the set-points');
+    await robot.stop();
+    await adapter.said('waiting: ');
+    const before = bridge.heard.length;
+
+    bridge.clients[0].terminate();
+
+    await until(() => bridge.heard.slice(before).some(({ op, topic }) => op === 'publish' && topic === '/nowpose/diagnostics'), 'the reconnection');
+    assert.equal(bridge.published('/joint_trajectory').length, 1);
+  });
+
   for (const [name, send, reason] of [
     ['WithoutStamp', robot => robot.publish('/joint_states', { header: {}, name: ['a'], position: [1] }), 'stamp-missing'],
     ['ZeroStamp', robot => robot.jointState(0n, ['a'], [1]), 'stamp-zero'],
