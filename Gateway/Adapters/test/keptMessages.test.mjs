@@ -48,13 +48,15 @@ describe('kept messages', () => {
   });
 
   it('SetPoints_RefusedAndThenReplaced_AreNotSentAgain', () => {
-    const kept = new KeptMessages();
+    const queue = { pull: (_, next) => { queue.next = next; } }, kept = new KeptMessages(queue);
     kept.set('a', PLANS[0], 'first');
     kept.refused(`publish ${PLANS[0]} dropped: rule (Unsynchronised)`);
 
     kept.set('a', PLANS[0], 'second');
+    const sent = [queue.next(), queue.next()];
+    kept.repeatRefused();
 
-    assert.deepEqual(kept.takeRefused(), []);
+    assert.deepEqual([...sent, queue.next()], ['second', null, null]);
   });
 
   it('SetPoints_SourceDisconnected_AreNoLongerKept', () => {

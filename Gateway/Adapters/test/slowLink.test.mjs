@@ -39,6 +39,42 @@ describe('link to a slow gateway', () => {
     await running;
   });
 
+  it('SetPoints_ManyForASlowGateway_OnlyTheNewestWait', async t => {
+    const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
+    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}));
+    const running = link.run(ending.signal);
+    await until(() => link.isOpen && bridge.clients.length > 0, 'the link');
+    const [client] = bridge.clients;
+    client.pause();
+
+    const { dropped } = link;
+    while (link.dropped < dropped + 100) link.publish('/joint_states', LARGE);
+    for (let i = 1; i <= 1000; i++) link.publishKept('/joint_trajectory', { ...LARGE, i });
+    client.resume();
+    link.publish('/last', {});
+
+    await until(() => bridge.published('/last').length > 0, 'the last message');
+    assert.deepEqual(bridge.published('/joint_trajectory').map(({ i }) => i), [1000]);
+    ending.abort();
+    await running;
+  });
+
+  it('KeptMessages_SetWithoutAConnection_AreSentOnceAfterIt', async t => {
+    const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
+    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}));
+
+    for (const i of [1, 2]) link.publishKept('/joint_trajectory', { i });
+    link.publishKept('/tf_static', {}, 'part');
+    link.forgetKept('part');
+    const running = link.run(ending.signal);
+    link.publish('/last', {});
+
+    await until(() => bridge.published('/last').length > 0, 'the last message');
+    assert.deepEqual([bridge.published('/joint_trajectory'), bridge.published('/tf_static')], [[{ i: 2 }], []]);
+    ending.abort();
+    await running;
+  });
+
   it('Signals_ChangeWithoutAConnection_AreSentOnceAfterIt', async t => {
     const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
     const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}));

@@ -4,7 +4,7 @@ import { reconnecting } from '../backoff';
 import type { GatewayAddress } from '../configuration/configuration';
 import type { Log } from '../log';
 import { KeptMessages, REFUSED_EVERY_MS } from './keptMessages';
-import { advertisement, parsed, publication, subscription, typeOf } from './messages';
+import { advertisement, parsed, publication, subscription, text, typeOf } from './messages';
 import { PinnedAgent } from './pin';
 import { inWords, refusalInWords } from './reasons';
 import { SendQueue } from './sendQueue';
@@ -46,7 +46,7 @@ export type Publisher = Pick<GatewayLink, 'publish' | 'publishNewest' | 'publish
  */
 export class GatewayLink {
   readonly #queue = new SendQueue();
-  readonly #kept = new KeptMessages();
+  readonly #kept = new KeptMessages(this.#queue);
   readonly #topics = new Set<string>();
   readonly #services = new Map<string, { type: string; answer: Service; heard: number }>();
   readonly #subscriptions = new Map<string, { type: string; listeners: ((message: Record<string, unknown>) => void)[] }>();
@@ -102,9 +102,8 @@ export class GatewayLink {
    */
   publishKept(topic: string, msg: object, key = topic): void {
     this.#advertise(topic);
-    const text = publication(topic, msg);
-    this.#kept.set(key, topic, text);
-    this.#send(text);
+    this.#kept.set(key, topic, publication(topic, msg));
+    this.#pump();
   }
 
   /** Stops the repetition of a kept message. */
@@ -184,7 +183,10 @@ export class GatewayLink {
           this.#offerAgain();
         }
       }, PING_MS);
-      const repetition = setInterval(() => this.#kept.takeRefused().forEach(message => this.#send(message)), REFUSED_EVERY_MS);
+      const repetition = setInterval(() => {
+        this.#kept.repeatRefused();
+        this.#pump();
+      }, REFUSED_EVERY_MS);
       const hear = (): void => {
         heard = performance.now();
       };
@@ -220,7 +222,7 @@ export class GatewayLink {
     for (const topic of this.#topics) this.#send(advertisement(topic));
     for (const service of this.#services.keys()) this.#offer(service);
     for (const [topic, { type }] of this.#subscriptions) this.#send(subscription(topic, type));
-    for (const message of this.#kept.all) this.#send(message);
+    this.#kept.repeat();
     this.#pump();
     for (const { opened } of this.#watchers) opened?.();
   }
@@ -294,6 +296,3 @@ export class GatewayLink {
     if (this.isOpen) this.#queue.pump(this.#socket!, () => this.#pump());
   }
 }
-
-/** Converts any JSON value to a string. String() fails for some objects. */
-const text = (value: unknown): string => (typeof value === 'string' ? value : (JSON.stringify(value) ?? ''));

@@ -68,3 +68,6 @@ export function parsed(text: string): Record<string, unknown> | null {
     return null;
   }
 }
+
+/** Converts any JSON value to a string. String() fails for some objects. */
+export const text = (value: unknown): string => (typeof value === 'string' ? value : (JSON.stringify(value) ?? ''));
