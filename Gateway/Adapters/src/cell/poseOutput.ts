@@ -128,7 +128,14 @@ export class PoseOutput {
   /** Prepares for a new connection. Objects at rest may have moved since the previous one. */
   restart(): void {
     for (const component of this.#components) component.forget();
-    for (const track of this.#tracks) [track.newest, track.isRepeated, track.choice, track.jumped] = [null, false, null, null];
+    for (const track of this.#tracks) track.choice = null;
+    this.clockStepped();
+  }
+
+  /** Discards the stamps of the previous control clock. Components keep their numbers, because the source may not send them again. */
+  clockStepped(): void {
+    for (const component of this.#components) if (component.value !== null) component.rest(component.value);
+    for (const track of this.#tracks) [track.newest, track.isRepeated, track.jumped] = [null, false, null];
     this.states.restart();
   }
 

@@ -18,6 +18,8 @@ export class SignalOutput {
   readonly sender: SignalSender;
   /** Signals whose newest value is valid. Only these can be confirmed. */
   readonly #valid = new Set<number>();
+  /** Signals whose newest value has a stamp from before a step of the control clock. */
+  readonly #outdated = new Set<number>();
   readonly silence: SampleSilence;
 
   /**
@@ -42,7 +44,13 @@ export class SignalOutput {
   restart(): void {
     this.#rule = new StampRule(this.signals.length, ANY_AGE);
     this.#valid.clear();
-    this.sender.forget();
+    for (const { signal } of this.signals) this.sender.forget(signal);
+  }
+
+  /** Prepares for stamps of a control clock that has stepped. The next value of each signal is sent even if it is equal; until then, it keeps its value. */
+  clockStepped(): void {
+    this.#rule = new StampRule(this.signals.length, ANY_AGE);
+    for (const i of this.signals.keys()) this.#outdated.add(i);
   }
 
   /** Publishes the changes among values that arrived together. Several values of one signal are sorted, the oldest first. */
@@ -85,11 +93,13 @@ export class SignalOutput {
     const i = index - this.offset;
     const { now } = this.clock;
     const name = this.signals[i].signal;
-    if (this.sender.valueOf(name) !== number) {
+    if (this.#outdated.has(i) || this.sender.valueOf(name) !== number) {
       // Uses the current time for a first value without a stamp, because the signal certainly has the value at this time.
       const at = stamp === null && isFirst === true ? now : stamp;
       const trouble = this.#rule.judge(i, at, now);
       if (trouble !== null) return this.refuse(index, trouble);
+      // Otherwise, a stamp of the stepped clock could count as late.
+      if (this.#outdated.delete(i)) this.sender.forget(name);
       this.sender.add(name, number, at!);
     }
     this.#valid.add(i);

@@ -60,10 +60,10 @@ export class SignalSender implements LinkEvents {
     this.#send();
   }
 
-  /** Discards all values, so that the next value of each signal is sent even if it is equal. */
-  forget(): void {
-    this.#newest.clear();
-    this.#pending.clear();
+  /** Discards the value of a signal, so that the next one is sent even if it is equal. */
+  forget(name: string): void {
+    this.#newest.delete(name);
+    this.#pending.delete(name);
   }
 
   /** Sends all signals again, repeatedly for some time. Called for each new connection to the gateway. */

@@ -49,7 +49,7 @@ export async function run(context: AdapterContext): Promise<void> {
   });
   // The broker sends a retained message only once per subscription, and a message that was judged with the previous clock may have been refused.
   clock.stepped = () => {
-    output.restart();
+    output.clockStepped();
     link.subscribeAgain();
   };
   await link.run(stopping);

@@ -83,6 +83,13 @@ export class PlantOutput {
     this.signals.restart();
   }
 
+  /** Prepares for values with stamps of a control clock that has stepped. The source sends values again only if it has kept them. */
+  clockStepped(): void {
+    this.joints.restart();
+    this.frames.clockStepped();
+    this.signals.clockStepped();
+  }
+
   /** Reports that the control system no longer has this variable. */
   lose(index: number, refusal: Refusal): void {
     if (index < this.#firstOfFrames) this.joints.lose(index, refusal);
