@@ -16,7 +16,7 @@ export class RestingSamples {
     this.#newest[sample.joint] = sample;
   }
 
-  /** Removes a joint's sample, because a later value was refused or the joint has a fault. Returns its position; null if there is no sample. */
+  /** Removes a joint's sample, because a later value was refused or the joint has a fault. Returns its position, or null without a sample. */
   forget(joint: number): number | null {
     const position = this.#newest[joint]?.position ?? null;
     this.#newest[joint] = null;

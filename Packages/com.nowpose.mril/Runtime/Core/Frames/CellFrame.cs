@@ -100,7 +100,7 @@ namespace Nowpose.Frames
 
         /// <summary>
         /// The parent in the newest received pose if the tree cannot take it, for example because of a cycle; null if that pose was used. The frame is then
-        /// held: its source says that it is elsewhere.
+        /// held, because it is at another place according to its source.
         /// </summary>
         public string RefusedParent { get; set; }
 

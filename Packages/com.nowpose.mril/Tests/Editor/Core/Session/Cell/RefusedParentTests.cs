@@ -11,7 +11,7 @@ namespace Nowpose.Tests.Core.Session.Cell
     {
         static RigidTransform Along(double x) => RigidTransform.FromXyzRpy(x, 0, 0, 0, 0, 0);
 
-        // Its former place in the former parent is not where its source says that it is.
+        // The frame is no longer at its former place in the former parent.
         [Test]
         public void StateOf_SourceReportsAParentThatWouldFormACycle_IsHeldWithTheReasonUntilAnotherParent([Values] bool isStationary)
         {
