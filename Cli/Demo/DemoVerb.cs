@@ -98,7 +98,7 @@ static class DemoVerb
         ];
         if (other.Length > 0)
             throw new InputException(DemoMessages.NotWithPaper(string.Join(", ", other.Select(option => option.Name))));
-        var seconds = IsGiven(parsed, Seconds) ? parsed.GetValue(Seconds) : PaperScenario.Seconds;
+        var seconds = RecordingOptions.IsGiven(parsed, Seconds) ? parsed.GetValue(Seconds) : PaperScenario.Seconds;
         if (seconds < PaperScenario.MinSeconds)
             throw new InputException(DemoMessages.PaperSeconds(seconds, PaperScenario.MinSeconds));
         return Settings(parsed) with { Seconds = seconds };
@@ -106,9 +106,7 @@ static class DemoVerb
 
     // Returns the option if the user gave it a value other than the paper's value.
     static IEnumerable<Option> Others<T>(ParseResult parsed, Option<T> option, T papers = default) =>
-        IsGiven(parsed, option) && !EqualityComparer<T>.Default.Equals(parsed.GetValue(option), papers) ? [option] : [];
-
-    static bool IsGiven(ParseResult parsed, Option option) => parsed.GetResult(option) is { Implicit: false };
+        RecordingOptions.IsGiven(parsed, option) && !EqualityComparer<T>.Default.Equals(parsed.GetValue(option), papers) ? [option] : [];
 
     internal static DemoSettings Settings(ParseResult parsed)
     {
@@ -118,7 +116,7 @@ static class DemoVerb
         var renders = parsed.GetValue(Paper) ? Paper.Name : parsed.GetValue(Load) != null ? Load.Name : null;
         if (renders != null && parsed.GetValue(Visualisation) < MinWithLoadMs)
             throw new InputException(DemoMessages.VisuWithLoad(parsed.GetValue(Visualisation), renders, MinWithLoadMs));
-        if (IsGiven(parsed, Repeats) && !parsed.GetValue(Paper)) throw new InputException(DemoMessages.RepeatsWithoutPaper);
+        if (RecordingOptions.IsGiven(parsed, Repeats) && !parsed.GetValue(Paper)) throw new InputException(DemoMessages.RepeatsWithoutPaper);
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording) is { } path ? MotionRecording.Read(path) : null;
         return new DemoSettings

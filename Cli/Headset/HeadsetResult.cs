@@ -5,7 +5,7 @@ namespace Nowpose.Cli.Headset;
 
 /// <summary>The result of a headset run, written as JSON in snake case. A value is null if it was never known.</summary>
 /// <param name="Robot">Name of the robot; null if the gateway did not describe it.</param>
-/// <param name="OutagesNotListed">Number of further outages, which are shorter.</param>
+/// <param name="OutagesNotListed">Number of further outages, none of which is longer than the finished ones in the list.</param>
 /// <param name="ObjectsNotCurrent">Objects of the cell that are not current at the end of the run, apart from reasons that affect all of them.</param>
 /// <param name="SignalsNotCurrent">The same for signals.</param>
 /// <param name="ObjectsNotFollowed">Objects on robots that the session does not show. They are not among the objects that are not current.</param>

@@ -1,4 +1,4 @@
-using Nowpose.Cli.Messages;
+using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 
@@ -9,11 +9,9 @@ namespace Nowpose.Cli.Calibrate.Range;
 /// <param name="Conditions">Conditions of the measurement.</param>
 sealed record PairOrigin(RenderTimeSourceKind Source, DisplayConditions Conditions)
 {
-    const string SourceColumn = "source";
-
     static readonly DisplayCondition[] All = Enum.GetValues<DisplayCondition>();
 
-    public static IReadOnlyList<string> Columns { get; } = [SourceColumn, .. All.Select(DisplayConditionNames.FieldOf)];
+    public static IReadOnlyList<string> Columns { get; } = [SweepLogReader.Source, .. All.Select(DisplayConditionNames.FieldOf)];
 
     /// <summary>The values in the order of <see cref="Columns"/>; null if unknown.</summary>
     public IEnumerable<string> Values =>
@@ -21,11 +19,6 @@ sealed record PairOrigin(RenderTimeSourceKind Source, DisplayConditions Conditio
 
     /// <param name="valueOf">Gets the value of a column; null or empty if unknown.</param>
     /// <exception cref="InputException">A value is invalid.</exception>
-    public static PairOrigin Parse(Func<string, string> valueOf)
-    {
-        var source = RenderTimeSourceKind.None;
-        if (valueOf(SourceColumn) is { Length: > 0 } name && !LatencyNames.RenderTimeSource.TryParse(name, out source))
-            throw new InputException(SweepFileMessages.UnknownSource(SourceColumn, name, LatencyNames.RenderTimeSource.All));
-        return new PairOrigin(source, DisplayConditions.Parse(condition => valueOf(DisplayConditionNames.FieldOf(condition))));
-    }
+    public static PairOrigin Parse(Func<string, string> valueOf) => new(
+        SweepLogReader.SourceOf(valueOf(SweepLogReader.Source) ?? ""), DisplayConditions.Parse(condition => valueOf(DisplayConditionNames.FieldOf(condition))));
 }

@@ -13,7 +13,10 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// </summary>
 static class SweepLogReader
 {
-    const string Nanoseconds = "control_ns", Vertices = "vertices", RenderMs = "render_ms", Source = "source", DisplayHz = "display_hz";
+    /// <summary>Name of the column with the source of the render time.</summary>
+    public const string Source = "source";
+
+    const string Nanoseconds = "control_ns", Vertices = "vertices", RenderMs = "render_ms", DisplayHz = "display_hz";
 
     static readonly int Columns = SweepLog.Header.Split(',').Length;
 
@@ -82,7 +85,9 @@ static class SweepLogReader
             fields[5].Length == 0 ? double.NaN : Number(fields[5], DisplayHz, "hertz")));
     }
 
-    static RenderTimeSourceKind SourceOf(string text)
+    /// <summary>Parses a field of the column <see cref="Source"/>; an empty one is <see cref="RenderTimeSourceKind.None"/>.</summary>
+    /// <exception cref="InputException">The field is not the name of a source.</exception>
+    public static RenderTimeSourceKind SourceOf(string text)
     {
         if (LatencyNames.RenderTimeSource.TryParse(text, out var source)) return source;
         throw new InputException(SweepFileMessages.UnknownSource(Source, text, LatencyNames.RenderTimeSource.All));
