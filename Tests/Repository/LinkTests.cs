@@ -23,6 +23,29 @@ public sealed partial class LinkTests
         Assert.That(Targets(path).Where(t => !FileOf(path, t).StartsWith(Package, StringComparison.Ordinal)), Is.Empty);
     }
 
+    [Test]
+    public void ReleasedManual_Links_PointToReleasedFiles()
+    {
+        var parts = ManualInRelease().Match(RepositoryFiles.Read(".ci/release")).Groups[1].Value.Split(',');
+        var released = RepositoryFiles.All
+            .Where(file => parts.Any(part => $"{file}/".StartsWith($"{RepositoryFiles.Package}/{part}/", StringComparison.Ordinal))).ToHashSet();
+        var dead = Documents.Where(released.Contains)
+            .SelectMany(path => Targets(path).Where(target => !released.Contains(FileOf(path, target))).Select(target => $"{path}: {target}"));
+
+        Assert.That(released, Does.Contain(RepositoryFiles.Package + "/README.md"));
+        Assert.That(released, Does.Contain(RepositoryFiles.Package + "/Documentation~/command-line.md"));
+        Assert.That(dead, Is.Empty);
+    }
+
+    [TestCaseSource(nameof(Documents))]
+    public void PackageDocument_Links_HaveNoPlaceholder(string path)
+    {
+        if (!path.StartsWith(RepositoryFiles.Package + "/", StringComparison.Ordinal)) return;
+
+        // Readers of a release cannot know the account that hosts the repository.
+        Assert.That(Links().Matches(RepositoryFiles.Read(path)).Select(m => m.Value).Where(link => link.Contains("/OWNER/")), Is.Empty);
+    }
+
     [TestCase("### The `sync` client, in short", "the-sync-client-in-short")]
     [TestCase("# Röck & Schnierle 2022", "röck--schnierle-2022")]
     public void Anchor_Heading_EqualsTheAnchorOnGitHub(string heading, string anchor)
@@ -61,6 +84,10 @@ public sealed partial class LinkTests
 
     [GeneratedRegex(@"\]\(([^)\s]+)(?:\s+""[^""]*"")?\)")]
     private static partial Regex Links();
+
+    /// <summary>The parts of the package that the script copies to the folder "manual" of an archive.</summary>
+    [GeneratedRegex(@"cp -r Packages/com\.nowpose\.mril/\{(.+?)\} ""\$folder/manual""")]
+    private static partial Regex ManualInRelease();
 
     [GeneratedRegex(@"```.*?```|`[^`\n]*`", RegexOptions.Singleline)]
     private static partial Regex Code();
