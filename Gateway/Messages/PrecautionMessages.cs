@@ -8,6 +8,10 @@ static class PrecautionMessages
     public const string InsecureLan =
         "security: anyone on this network can read and change the data, because of --insecure-lan; use --tls instead";
 
+    public const string NoOperator =
+        "pairing: clients need a token, but no token opens the operations page and the page /vlc; add --tokens FILE, a file with a line: "
+        + "operator TOKEN";
+
     public static string WeakToken(string where, double bits, double min) =>
         $"security: {where}: the token has a strength of {bits} bits and can be guessed; {min} bits or more are needed; replace it, for "
         + "example with the output of: openssl rand -hex 32";

@@ -17,6 +17,8 @@ static class Precautions
             yield return PrecautionMessages.Root;
         if (options.Certificate == null && !options.IsLoopback)
             yield return PrecautionMessages.InsecureLan;
+        if (options.Headsets != null && options.Tokens.IsEmpty)
+            yield return PrecautionMessages.NoOperator;
         foreach (var warning in OfTokens(options.Tokens.Weak))
             yield return warning;
         if (OperatingSystem.IsWindows()) yield break;

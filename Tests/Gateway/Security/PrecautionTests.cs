@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using NUnit.Framework;
 
@@ -63,5 +64,20 @@ public class PrecautionTests
         await using var gateway = await Gateways.StartAsync();
 
         Assert.That(gateway.Warnings.Contains(PrecautionMessages.Root), Is.EqualTo(Environment.IsPrivilegedProcess));
+    }
+
+    [TestCase(true, false, true)]
+    [TestCase(true, true, false)]
+    [TestCase(false, false, false)]
+    public void Options_PairingWithoutTokens_WarnAboutTheMissingOperator(bool pairs, bool hasTokens, bool expected)
+    {
+        using var folder = new TemporaryFolder();
+        var options = Gateways.Options() with
+        {
+            Headsets = pairs ? new HeadsetList(Path.Combine(folder.Path, "headsets.txt")) : null,
+            Tokens = hasTokens ? Gateways.Tokens : TokenList.None,
+        };
+
+        Assert.That(Precautions.Of(options, null).Contains(PrecautionMessages.NoOperator), Is.EqualTo(expected));
     }
 }
