@@ -6,6 +6,11 @@ static class UnityNextSteps
     public const string InUnity =
         "Open the project in Unity. Window → Nowpose → Project Setup lists the remaining settings for a headset, and can apply most of them.";
 
+    /// <param name="path">Folder or tarball of the package, as in the manifest.</param>
+    public static string KeepPackage(string path) =>
+        $"Unity reads the package from {path}. Do not move or delete it. For a new place, run the command again with --package PATH "
+        + "--on-conflict replace.";
+
     public const string Git =
         "git must be on Unity's PATH: MRTK3 and Graphics Tools are fetched from their repositories, at the tags of their releases.";
 

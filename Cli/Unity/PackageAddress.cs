@@ -13,6 +13,9 @@ static class PackageAddress
     /// <summary>Gets the address of a folder as an absolute path. A relative path would break if only the project or the clone were moved.</summary>
     public static string Of(PackageFolder folder) => File + folder.Root.Replace('\\', '/');
 
+    /// <summary>Gets the path in an address of a folder or tarball; null for all other addresses, and for null.</summary>
+    public static string PathOf(string address) => address?.StartsWith(File, StringComparison.Ordinal) == true ? address[File.Length..] : null;
+
     /// <param name="given">Address as entered by the user.</param>
     /// <param name="version">Version of the package that belongs to this program.</param>
     /// <param name="project">Project whose manifest will contain the address.</param>

@@ -40,7 +40,7 @@ sealed class Preparation
     public string Obstacle => _merge.Changes.Count > 0 ? _file.Obstacle : null;
 
     /// <summary>Steps that the user must take after the preparation.</summary>
-    public IReadOnlyList<string> NextSteps => _changes.Count == 0 ? [] : _settings.HasMrtk3 ? [.. AfterMrtk3, InUnity] : [InUnity];
+    public IReadOnlyList<string> NextSteps => _changes.Count == 0 ? [] : [.. OfPackage(), .. _settings.HasMrtk3 ? AfterMrtk3 : [], InUnity];
 
     /// <exception cref="InputException">The project cannot be prepared. It is not changed.</exception>
     public static Preparation Plan(UnityProject project, PreparationSettings settings)
@@ -59,6 +59,10 @@ sealed class Preparation
         foreach (var sample in _samples) sample.Apply();
         return _merge.Changes.Count > 0 ? _file.Write(_merge.Text) : null;
     }
+
+    // A package in a folder or tarball must stay there. A package from Git or inside the project needs no step.
+    IEnumerable<string> OfPackage() => PackageAddress.PathOf(_merge.VersionOf(ProjectNeeds.Package)) is { } path
+        ? [UnityNextSteps.KeepPackage(path)] : [];
 
     void PlanAll()
     {

@@ -17,10 +17,11 @@ public class UnityPackageTests
     {
         using var project = new UnityProjectFolder(Empty);
 
-        await project.RunAsync("--package", given);
+        var run = await project.RunAsync("--package", given);
         var again = await project.RunAsync("--check");
 
         Assert.That(Dependencies(project)["com.nowpose.mril"], Is.EqualTo(written));
+        Assert.That(run.Output, Does.Contain(UnityNextSteps.InUnity).And.Not.Contain(UnityNextSteps.KeepPackage("|").Split('|')[0]));
         Assert.That(again.ExitStatus, Is.EqualTo(0), again.Output);
     }
 
@@ -36,6 +37,16 @@ public class UnityPackageTests
         AssertRefused(await project.RunAsync("--package", relative), $"com.nowpose.mril is file:{OwnPackage}; {relative} is needed");
         await project.RunAsync("--package", relative, "--on-conflict", "replace");
         Assert.That(Dependencies(project)["com.nowpose.mril"], Is.EqualTo(relative));
+    }
+
+    [Test]
+    public async Task Unity_PackageOfThisProgram_ReportsThatItsFolderMustStay()
+    {
+        using var project = new UnityProjectFolder(Empty);
+
+        var run = await project.RunAsync();
+
+        Assert.That(run.Output, Does.Contain(UnityNextSteps.KeepPackage(OwnPackage)));
     }
 
     static readonly string[][] Missing =
