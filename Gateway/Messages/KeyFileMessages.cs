@@ -10,8 +10,8 @@ static class KeyFileMessages
         + "the headsets again";
 
     public static string NotValidToday(string path, DateTime from, DateTime to) =>
-        FormattableString.Invariant($"{path}: valid from {from:yyyy-MM-dd} to {to:yyyy-MM-dd}, not today; renew it, or delete it so that ")
-        + "the gateway creates a new one";
+        FormattableString.Invariant($"{path}: valid from {from:yyyy-MM-dd} to {to:yyyy-MM-dd}, not today; renew it with the same key; ")
+        + "a new key would make all pairings invalid";
 
     public static string Unusable(string path, string reason) =>
         $"{path}: no usable certificate with private key ({reason}); allowed: a .pfx file without a password, or a .pem file";
