@@ -5,7 +5,7 @@ namespace Nowpose.Vision;
 /// <summary>Tracks patches of a video's first picture in the following pictures. Not thread-safe.</summary>
 public sealed class MotionTracker : IDisposable
 {
-    readonly VisionWorker _worker = new();
+    readonly VisionWorker _worker = KeptWorkers.Take() ?? new VisionWorker();
     readonly IReadOnlyList<PictureBox> _boxes;
     bool _hasBegun;
 
@@ -24,7 +24,7 @@ public sealed class MotionTracker : IDisposable
         return [.. answer.GetProperty("places").EnumerateArray().Select(PlaceOf)];
     }
 
-    public void Dispose() => _worker.Dispose();
+    public void Dispose() => KeptWorkers.Keep(_worker);
 
     static TrackedPlace PlaceOf(JsonElement place) =>
         new(place.GetProperty("x").GetDouble(), place.GetProperty("y").GetDouble(), place.GetProperty("score").GetDouble());
