@@ -13,18 +13,13 @@ namespace Nowpose.Headless.Tests.Cli.Calibrate;
 /// <summary>
 /// Tests calibrations with invalid input. Each of them must print one line with the reason and leave the existing profile unchanged.
 /// </summary>
+[ReadsPictures]
 public sealed class BadInputTests : CalibrationFolder
 {
     const int Width = 640, Height = 360, Side = 128;
     static readonly string[] Nudge = ["nudge", "--speed-mm-s", "250", "--forward-mm", "2", "--backward-mm", "-2"];
 
     byte[] _good;
-
-    // Renders the pictures of all tests. It is shared, because starting a worker takes as long as rendering twenty pictures.
-    VisionPool _renderer;
-
-    [OneTimeTearDown]
-    public void EndRenderer() => _renderer?.Dispose();
 
     [SetUp]
     public void CalibrateWell()
@@ -63,8 +58,8 @@ public sealed class BadInputTests : CalibrationFolder
             [Code(CodeKind.Control, 30_040, 0.25 * scale, scale, panel: 0.02), Code(CodeKind.Headset, 30_000, 0.75 * scale, scale, panel: null)],
             Blur: 0.6, [0, 0], [], [], Noise: 1, NoiseSeed: 1);
         var path = Path.Combine(Folder, name);
-        _renderer ??= new VisionPool(1);
-        _renderer.Look([PictureRequest.Made(change?.Invoke(shot) ?? shot, path)], (_, made) => Assert.That(made.Fault, Is.Null), CancellationToken.None);
+        using var renderer = new VisionPool(1);
+        renderer.Look([PictureRequest.Made(change?.Invoke(shot) ?? shot, path)], (_, made) => Assert.That(made.Fault, Is.Null), CancellationToken.None);
         return path;
     }
 

@@ -15,6 +15,7 @@ namespace Nowpose.Headless.Tests.Cli.Calibrate;
 /// Tests the verb <c>calibrate head</c>: from rendered pictures of a moving headset to readings, and from readings to a profile. HeadResultTests covers
 /// the estimation. Needs Node.js, as the build does.
 /// </summary>
+[ReadsPictures]
 public sealed class HeadVerbTests : CalibrationFolder
 {
     string SavedProfile()

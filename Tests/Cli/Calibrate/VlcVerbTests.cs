@@ -9,6 +9,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
 /// <summary>Tests the verb <c>calibrate vlc</c>, which reads pictures and writes a latency profile. Needs Node.js, as the build does.</summary>
+[ReadsPictures]
 public sealed class VlcVerbTests
 {
     /// <summary>A grey PNG of one pixel.</summary>
@@ -21,7 +22,8 @@ public sealed class VlcVerbTests
     public async Task TakePictures()
     {
         _folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
-        var run = await CliRun.OfAsync("calibrate", "simulate", "--pictures", "30", "--spoiled", "0.05", "--seed", "11", "--out", _folder);
+        var run = await ReadsPicturesAttribute.BeforeTestsAsync(
+            "calibrate", "simulate", "--pictures", "24", "--spoiled", "0.05", "--seed", "11", "--out", _folder);
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
     }
 
@@ -47,12 +49,12 @@ public sealed class VlcVerbTests
         Assert.That(errors, Has.Count.EqualTo(json.RootElement.GetProperty("decoded").GetInt32()));
         Assert.That(errors.Select(Math.Abs).Max(), Is.LessThan(2));
         Assert.That(errors.Average(), Is.EqualTo(0).Within(0.4));
-        Assert.That(json.RootElement.GetProperty("pictures").GetInt32(), Is.EqualTo(30));
-        Assert.That(json.RootElement.GetProperty("rejected").GetInt32(), Is.EqualTo(30 - errors.Count));
+        Assert.That(json.RootElement.GetProperty("pictures").GetInt32(), Is.EqualTo(24));
+        Assert.That(json.RootElement.GetProperty("rejected").GetInt32(), Is.EqualTo(24 - errors.Count));
         var profile = LatencyProfileFile.Load(In("out/profile.json"));
         Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(40).Within(1));
         Assert.That(profile.Method, Is.EqualTo(CalibrationMethod.VisibleLight));
-        Assert.That(File.ReadLines(In("out/pairs.csv")).Count(), Is.GreaterThan(0.7 * 30));
+        Assert.That(File.ReadLines(In("out/pairs.csv")).Count(), Is.GreaterThan(0.7 * 24));
     }
 
     [Test]
@@ -91,14 +93,14 @@ public sealed class VlcVerbTests
         Directory.CreateDirectory(In("out"));
         File.WriteAllText(In("out/profile.json"), "good");
         var rows = File.ReadAllLines(In("sweep.csv"));
-        rows[200] = string.Join(',', rows[200].Split(',') is var fields ? [.. fields[..2], renderMs, .. fields[3..]] : []);
+        rows[100] = string.Join(',', rows[100].Split(',') is var fields ? [.. fields[..2], renderMs, .. fields[3..]] : []);
         File.WriteAllLines(In("bad.csv"), rows);
 
         var run = await Run(In("pictures"), "--sweep", In("bad.csv"));
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
         Assert.That(run.Errors.Trim(),
-            Is.EqualTo(ConsoleMessages.Line(SettingMessages.OutOfRange($"{In("bad.csv")}:201: render_ms", named, " ms", 0.001, 1000))));
+            Is.EqualTo(ConsoleMessages.Line(SettingMessages.OutOfRange($"{In("bad.csv")}:101: render_ms", named, " ms", 0.001, 1000))));
         Assert.That(File.ReadAllText(In("out/profile.json")), Is.EqualTo("good"));
     }
 

@@ -3,6 +3,7 @@ using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Figures.Swing;
 using Nowpose.Cli.Messages;
+using Nowpose.Headless.Tests.Cli.Calibrate;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 using NUnit.Framework;
@@ -115,6 +116,7 @@ public class SwingFigureTests
 
     // Two pictures per load are few, so the profile is not accurate.
     [Test]
+    [ReadsPictures]
     public void Runs_NoProfile_MeasureAProfileFromPictures()
     {
         var runs = new SwingRuns(Settings with { Phases = 1, Profile = null, PicturesPerLoad = 2 }, default);
