@@ -9,14 +9,14 @@ namespace Nowpose.Headless.Tests.Benchmarks;
 public class PathRunTests
 {
     const double SizeMs = 4, SmallMs = 0.5;
-    const int FirstSeed = 7000, Seeds = 2;
+    const int FirstSeed = 7000, SeedsWithoutChange = 2;
 
     /// <summary>
     /// On a link with little jitter, exchanges are rare when the path changes. They become frequent when the error bound has grown.
     /// </summary>
     [Test]
     public void Play_ChangeWhileExchangesAreRare_KeepsErrorAndSkewSmall(
-        [Range(7000, 7005)] int seed, [Values("requests longer", "replies longer", "both longer")] string change)
+        [Range(7000, 7002)] int seed, [Values("requests longer", "replies longer", "both longer")] string change)
     {
         var run = Play(LinkProfile.Clean, Named(change), SizeMs, ClockEstimators.Default, seed);
 
@@ -42,8 +42,8 @@ public class PathRunTests
     {
         var cell = Cell(link, change, SizeMs, ClockEstimators.Default);
 
-        Assert.That(cell.Missed, Is.Empty, $"seeds {FirstSeed} and up");
-        Assert.That(cell.SkewPpm, Is.LessThan(5), $"seeds {FirstSeed} and up");
+        Assert.That(cell.Missed, Is.Empty, $"seed {FirstSeed}");
+        Assert.That(cell.SkewPpm, Is.LessThan(5), $"seed {FirstSeed}");
     }
 
     /// <summary>
@@ -55,7 +55,7 @@ public class PathRunTests
     [TestCase("wifi", "shorter than ever", 2, 9000)]
     public void SkewPpm_ChangeOnANoisyLink_StaysWithin5Ppm(string link, string change, double sizeMs, int firstSeed)
     {
-        for (var seed = firstSeed; seed < firstSeed + 6; seed++)
+        for (var seed = firstSeed; seed < firstSeed + 3; seed++)
         {
             var run = Play(LinkProfile.Named(link), Named(change), sizeMs, ClockEstimators.Default, seed);
 
@@ -71,7 +71,7 @@ public class PathRunTests
     [TestCase("cellular", "replies longer")]
     [TestCase("cellular", "longer and back")]
     public void Play_ChangeOfHalfAMillisecond_MeetsAllLimits(string link, string change) =>
-        Assert.That(Cell(link, change, SmallMs, ClockEstimators.Default).Missed, Is.Empty, $"seeds {FirstSeed} and up");
+        Assert.That(Cell(link, change, SmallMs, ClockEstimators.Default).Missed, Is.Empty, $"seed {FirstSeed}");
 
     static IEnumerable<TestCaseData> SmallChanges =>
         from link in LinkProfile.All
@@ -87,7 +87,7 @@ public class PathRunTests
     {
         var runs = Play(link, Named(name), SmallMs, ClockEstimators.Default);
 
-        Assert.That(runs.Average(run => run.Within), Is.GreaterThanOrEqualTo(0.99), $"seeds {FirstSeed} and up");
+        Assert.That(runs.Average(run => run.Within), Is.GreaterThanOrEqualTo(0.99), $"seed {FirstSeed}");
         if (!name.Contains("shorter", StringComparison.Ordinal)) Assert.That(runs.Min(run => run.Within), Is.GreaterThanOrEqualTo(0.95));
     }
 
@@ -103,7 +103,7 @@ public class PathRunTests
         var runs = Play(link, change, SmallMs, ClockEstimators.Default);
 
         var maxMs = (1.2 * change.Limit * SmallMs) + MaxErrorUnchangedMs(link) + (name == "both longer" ? 0.15 : 0);
-        Assert.That(runs.Max(run => run.ErrorMs), Is.LessThan(maxMs), $"seeds {FirstSeed} and up");
+        Assert.That(runs.Max(run => run.ErrorMs), Is.LessThan(maxMs), $"seed {FirstSeed}");
     }
 
     /// <summary>If the fit allowed for a step although there is none, these errors would double.</summary>
@@ -148,12 +148,12 @@ public class PathRunTests
     {
         var runs = Play(link, PathChange.None, 0, ClockEstimators.Default);
 
-        Assert.That(runs.Average(run => run.StatedMs), Is.LessThan(maxMs), $"seeds {FirstSeed} and up");
+        Assert.That(runs.Average(run => run.StatedMs), Is.LessThan(maxMs), $"seed {FirstSeed}");
     }
 
     /// <summary>The margin for a wrong skew hides the smaller change. Half of this change is an error that the stated error must include.</summary>
     [Test]
-    public void Play_TwoChangesOnACleanLink_KeepsTheErrorWithinTheStatedError([Values(0.02, 0.03, -0.02)] double share, [Range(7000, 7003)] int seed)
+    public void Play_TwoChangesOnACleanLink_KeepsTheErrorWithinTheStatedError([Values(0.02, 0.03, -0.02)] double share, [Range(7000, 7001)] int seed)
     {
         var before = Math.Max(0, -share);
         var change = new PathChange(
@@ -185,7 +185,7 @@ public class PathRunTests
     public void Play_OneWayDelaysChangeOppositely_ErrorStaysWithinTheLimits(
         [Values("clean", "wifi", "cellular")] string link,
         [Values("requests longer, replies shorter", "requests shorter, replies longer", "requests much shorter, replies longer")] string name,
-        [Range(8000, 8003)] int seed)
+        [Range(8000, 8001)] int seed)
     {
         var change = Named(name);
 
@@ -218,7 +218,8 @@ public class PathRunTests
         LinkProfile.Named(link), Named(change), sizeMs, Play(link, Named(change), sizeMs, estimator), Play(link, PathChange.None, 0, estimator));
 
     static PathRun[] Play(string link, PathChange change, double sizeMs, string estimator) =>
-        [.. Enumerable.Range(FirstSeed, Seeds).Select(seed => Play(LinkProfile.Named(link), change, sizeMs, estimator, seed))];
+        [.. Enumerable.Range(FirstSeed, change == PathChange.None ? SeedsWithoutChange : 1)
+            .Select(seed => Play(LinkProfile.Named(link), change, sizeMs, estimator, seed))];
 
     // Several tests evaluate the same run, so each run is played only once.
     static readonly ConcurrentDictionary<(LinkProfile, PathChange, double SizeMs, string Estimator, int Seed), Lazy<PathRun>> Played = new();

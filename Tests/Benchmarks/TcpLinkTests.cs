@@ -9,7 +9,7 @@ namespace Nowpose.Headless.Tests.Benchmarks;
 /// </summary>
 public class TcpLinkTests
 {
-    const int FirstSeed = 300, Seeds = 5;
+    const int FirstSeed = 300, Seeds = 3;
 
     static TcpRun[] Runs(string link, double seconds) =>
         Enumerable.Range(FirstSeed, Seeds).Select(seed => new TcpRun(LinkProfile.Named(link), seed).Run(seconds)).ToArray();
