@@ -14,17 +14,13 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Feeds a million malformed inputs to all readers of external data. Each must be read correctly or rejected with the right error.</summary>
+/// <summary>Feeds a quarter of a million malformed inputs to all readers of external data. Each must be read correctly or rejected with the right error.</summary>
 [NonParallelizable] // measures the memory of the whole process
 public class ReaderFuzzTests
 {
-    const int Messages = 380_000, Bytes = 100_000, Frames = 300_000, Exchanges = 100_000, Codes = 30_000, Robots = 20_000, Profiles = 20_000,
-        Configurations = 20_000, Pairings = 9_000, Tokens = 1_000, StationaryPoses = 10_000, Bodies = 10_000;
-
-    [Test]
-    public void FuzzRuns_AllReaders_HaveAMillionInputs() =>
-        Assert.That(Messages + Bytes + Frames + Exchanges + Codes + Robots + Profiles + Configurations + Pairings + Tokens + StationaryPoses
-            + Bodies, Is.EqualTo(1_000_000));
+    // The inputs are the same in each run, so more of them would mostly repeat the same kinds of damage.
+    const int Messages = 95_000, Bytes = 25_000, Frames = 75_000, Exchanges = 25_000, Codes = 7_500, Robots = 5_000, Profiles = 5_000,
+        Configurations = 5_000, Pairings = 2_250, Tokens = 250, StationaryPoses = 2_500, Bodies = 2_500;
 
     [Test]
     public void TryRead_DamagedMessages_AcceptsOnlyValidMessages()
