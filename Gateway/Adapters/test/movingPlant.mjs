@@ -1,8 +1,8 @@
 // node movingPlant.mjs opcua|ads: starts a control system that moves a youBot. Its clock is minutes ahead and runs too fast.
 // Writes its address, and the time of its clock at a count of this machine's monotonic counter. From these a test can compute the
-// true position of the robot. With opcua, reads commands, one per line: "delete", "stop" (in mid-motion), "bad", "nan" or "repair" with
-// the name of a variable, and "rest MS"; the response is "done COMMAND", the number of the command and the Unix time in s at which the
-// command took effect. The program ends when its input ends.
+// true position of the robot. With opcua, reads commands, one per line: "stop" (in mid-motion), "bad" or "repair" with the name of a
+// variable, and "rest MS"; the response is "done COMMAND", the number of the command and the Unix time in s at which the command took effect. The
+// program ends when its input ends.
 import { createInterface } from 'node:readline';
 
 const AHEAD_MS = 754_321.5, PPM = 85;
@@ -17,8 +17,7 @@ const kinds = {
     server.motion = time => pace.at(time);
     return {
       endpoint: server.endpoint, thumbprint: server.own.thumbprint, now: () => clock.now,
-      delete: name => faults.delete(name), stop: name => faults.stop(name), bad: name => faults.bad(name), nan: name => faults.nan(name),
-      repair: name => faults.repair(name),
+      stop: name => faults.stop(name), bad: name => faults.bad(name), repair: name => faults.repair(name),
       rest: async ms => {
         const end = pace.rest(clock.now, BigInt(ms) * 1_000_000n);
         while (clock.now < end) await new Promise(resolve => setTimeout(resolve, 10));
@@ -54,7 +53,7 @@ console.log(`thumbprint ${plant.thumbprint}`);
 writeClock();
 console.log('state serving');
 
-const COMMANDS = ['delete', 'stop', 'bad', 'nan', 'repair', 'rest'];
+const COMMANDS = ['stop', 'bad', 'repair', 'rest'];
 let received = 0;
 
 async function obey(line) {

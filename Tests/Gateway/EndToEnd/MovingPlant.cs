@@ -72,7 +72,7 @@ sealed class MovingPlant : IPlantTruth, IDisposable
         }
     }
 
-    /// <summary>Sends the OPC UA server a command: delete, stop, bad, nan or repair with the name of a node, or rest with a time in ms.</summary>
+    /// <summary>Sends the OPC UA server a command: stop, bad or repair with the name of a node, or rest with a time in ms.</summary>
     /// <returns>Time at which the command took effect.</returns>
     public async Task<DateTimeOffset> CommandAsync(string command, string argument)
     {

@@ -54,7 +54,7 @@ public class PlantEndToEndTests
         var score = new PlantScore(plant, robot, Visualisation);
 
         await Task.Factory.StartNew(
-            () => score.Play(session, clock, TimeSpan.FromSeconds(6)), default, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+            () => score.Play(session, clock, TimeSpan.FromSeconds(3)), default, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         // No clock step is counted. The gateway only corrects its estimate of the plant's clock.
         Assert.That(session.Statistics(clock.Now).ClockSteps, Is.EqualTo(steps), score.ToString());
         return score;

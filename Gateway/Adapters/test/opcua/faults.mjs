@@ -4,8 +4,6 @@ import { StatusCodes } from './library.mjs';
 /** Minimum speed in rad/s at which a variable freezes. No axis can stop from this speed between two samples. */
 const FAST = 0.4;
 
-const withValue = (sent, value) => ({ ...sent, value: Object.assign(sent.value.clone(), { value }) });
-
 /** Returns a function that freezes the sent value as soon as the joint is faster than FAST, and then calls `done`. */
 function frozen(done) {
   let before = null, last = null;
@@ -21,18 +19,10 @@ function frozen(done) {
 }
 
 export class Faults {
-  #server;
   #writers = new Map();
-  #removed = new Set();
 
   constructor(server) {
-    this.#server = server;
     server.spoil = (name, sent) => this.#writers.get(name)?.(sent) ?? sent;
-  }
-
-  delete(name) {
-    this.#server.remove(name);
-    this.#removed.add(name);
   }
 
   stop(name) {
@@ -43,12 +33,7 @@ export class Faults {
     this.#writers.set(name, sent => ({ ...sent, statusCode: StatusCodes.BadSensorFailure }));
   }
 
-  nan(name) {
-    this.#writers.set(name, sent => withValue(sent, NaN));
-  }
-
   repair(name) {
     this.#writers.delete(name);
-    if (this.#removed.delete(name)) this.#server.restore(name);
   }
 }
