@@ -42,6 +42,7 @@ public class FrameAllocationTests
     public void End() => _cell.Dispose();
 
     [Test]
+    [Pairwise]
     public void Frame_AfterWarmUp_AllocatesNothing(
         [Values("Nowpose Robot Cell", "Nowpose Robot Cell (Any Robot)")] string prefab, [Values] Means means,
         [Values] bool ghost, [Values] bool rewrites)

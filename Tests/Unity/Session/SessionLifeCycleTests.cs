@@ -22,10 +22,10 @@ public class SessionLifeCycleTests
         ["has no rig; move", "has no Text Mesh to copy", "is missing; name an object", "is drawn there; name an object"];
 
     [Test]
-    public Task ApplicationEvents_RandomSequence_LeakNothing([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: false);
+    public Task ApplicationEvents_RandomSequence_LeakNothing([NUnit.Framework.Range(1, 10)] int seed) => Play(seed, isShipped: false);
 
     [Test]
-    public Task ApplicationEvents_RandomSequenceWithThePrefab_LeakNothing([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: true);
+    public Task ApplicationEvents_RandomSequenceWithThePrefab_LeakNothing([NUnit.Framework.Range(1, 10)] int seed) => Play(seed, isShipped: true);
 
     static async Task Play(int seed, bool isShipped)
     {
