@@ -61,6 +61,7 @@ namespace Nowpose.Tests.Core.Latency
             Assert.That(flips.Average(f => f.SingleFrame), Is.GreaterThan(1500), "single frames exceed the limit about every second frame");
         }
 
+        [Category("Study")]
         [Test]
         public void Add_LoadJustBelowTheLimit_ChangesStateAtMostTwicePerMinute([Values(0.94, 0.95, 0.96, 0.97, 0.98)] double ofLimit)
         {

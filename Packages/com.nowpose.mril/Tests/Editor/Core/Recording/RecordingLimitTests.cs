@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Recording
         [Test]
         public void Recorder_LinesFromSeveralThreads_KeepsEveryLineIntact()
         {
-            const int count = 5000;
+            const int count = 2000;
             var session = NewSession();
             var run = new RecordedRun(session);
             void AddExchanges()

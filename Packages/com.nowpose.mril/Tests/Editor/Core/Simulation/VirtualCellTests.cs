@@ -29,6 +29,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         // A cycle of the cell takes about eleven seconds. Scoring starts after three seconds, as in the demo.
+        [Category("Study")]
         [Test]
         public void Run_DefaultSettings_ReductionIsAboveTheLimitsInTheFirstCycleAndFromTheThirdOn(
             [Values("wifi", "busy-wifi")] string network, [Values(21, 22, 23)] int seed)

@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Core.Simulation
             SignalsMessage[] Until(double seconds) => messages.ChangesUntil(At(seconds), seconds).ToArray();
             Until(10);
             messages.Skip();
-            var end = 3600.0;
+            var end = 600.0;
             while (ValueAt(work, end) == ValueAt(work, 10)) end += 0.1;
 
             var sent = Until(end);

@@ -69,6 +69,7 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
+        [Category("Study")]
         [TestCase("wifi", 0, 0.1)]
         [TestCase("busy-wifi", 0.02, 0.2)]
         public void Error_NoExchangesForThirtySeconds_StaysSmall(string network, double loss, double limitMs)

@@ -29,6 +29,7 @@ namespace Nowpose.Tests.Core.Sync
             return (p95, max);
         }
 
+        [Category("Study")]
         [Test]
         public void Error_Lan_IsCloseToTheReference()
         {
@@ -38,6 +39,7 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(error.Max, Is.LessThan(0.2));
         }
 
+        [Category("Study")]
         [Test]
         public void Error_Wifi_IsCloseToTheReference()
         {
@@ -56,6 +58,7 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(error.Max, Is.LessThan(5));
         }
 
+        [Category("Study")]
         [Test]
         public void Error_BusyWifiUnderLoad_IsCloseToTheReference()
         {

@@ -8,7 +8,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 {
     public class LoadSensitivityTests
     {
-        const int Seeds = 20;
+        const int Seeds = 8;
 
         static readonly SweepPlan DefaultPlan = new SweepPlan();
         static readonly SweepPlan Upwards = new SweepPlan(goesDown: false);

@@ -64,7 +64,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         {
             var cell = new CellSession();
             Receive(cell, 0, true, "conveyor");
-            for (var i = 0; i < 100; i++)
+            for (var i = 0; i < 40; i++)
             {
                 var (box, stamp) = ("box" + i, cell.Now);
                 cell.Session.Frames.Need(box);
@@ -86,7 +86,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             var cell = new CellSession();
             var objects = new List<string>();
             NewGrip(cell, objects);
-            for (var i = 0; i < 100; i++)
+            for (var i = 0; i < 40; i++)
             {
                 var box = "box" + i;
                 objects.Add(box);
