@@ -1,13 +1,11 @@
 // Runs the bundled worker as the command line does: sends a pattern, then pictures that the worker renders and reads.
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { getPriority, tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { createInterface } from 'node:readline';
 import { after, test } from 'node:test';
-import { hidings, isFound, isLit, onePicture, pairs, pattern, perforatedPlate, randomOf, ring, strongCodes, withSecond } from './study/pictures.mjs';
-import { shareOut, startWorker, workerPath } from './study/workers.mjs';
+import { hidings, isFound, isLit, onePicture, pairs, perforatedPlate, randomOf, ring, strongCodes, withSecond } from './study/pictures.mjs';
+import { shareOut, startWorker } from './study/workers.mjs';
 
 const ones = pair => pair * 5 % 7 < 3;
 function lit(kind) {
@@ -66,7 +64,7 @@ test('finds several codes of one kind', async () => {
 });
 
 test('finds a weak code beside bright codes at each position where it is found without them', async () => {
-  const weak = [control, headset].flatMap(code => Array.from({ length: 8 }, (_, i) => {
+  const weak = [control, headset].flatMap(code => [0, 2, 5, 7].map(i => {
     const isLeds = code === control;
     return {
       ...shot([{
@@ -80,13 +78,13 @@ test('finds a weak code beside bright codes at each position where it is found w
   const answers = await askAll([...weak, ...both].map(each => ({ shot: each })));
 
   const alone = answers.slice(0, weak.length).map(({ codes }) => codes.length);
-  assert.ok(alone.filter(count => count === 1).length >= 14, `${alone}`);
+  assert.ok(alone.filter(count => count === 1).length >= 7, `${alone}`);
   assert.deepEqual(answers.slice(weak.length).map(({ codes }) => codes.filter(code => !code.isWeak).length), alone.map(count => 2 + count));
 });
 
 test('finds a second code of which a part is covered or outside the picture', async () => {
   const side = 130;
-  const hidden = [0.1, 0.3].flatMap(share => {
+  const hidden = share => {
     const width = share * side;
     const at = (x, y) => [x, y, width + 10, 1.2 * side];
     const whole = { y: 110, x: 640 };
@@ -97,10 +95,12 @@ test('finds a second code of which a part is covered or outside the picture', as
       { y: 600, x: 1280 - side / 2 + width },
       { y: side / 2 - width, x: 640 },
     ];
-  });
-  const shots = [control, headset].flatMap(code => hidden.map(({ x, y, box }) => ({
-    ...shot([control, headset, { ...code, corners: square(x, y, side, 0.02) }]), covers: box ? [{ box, light: 0.1 }] : [],
-  })));
+  };
+  // Each place once with each code: with the small and the large part in turn.
+  const shots = [control, headset].flatMap((code, kind) => [0, 1, 2, 3, 4].map(place => {
+    const { x, y, box } = hidden([0.1, 0.3][(place + kind) % 2])[place];
+    return { ...shot([control, headset, { ...code, corners: square(x, y, side, 0.02) }]), covers: box ? [{ box, light: 0.1 }] : [] };
+  }));
 
   const answers = await askAll(shots.map(each => ({ shot: each })));
 
@@ -110,16 +110,16 @@ test('finds a second code of which a part is covered or outside the picture', as
 // Seeds that were not used to select the limits.
 test('finds a second code of which up to 45 % is hidden on one side', async () => {
   const sides = hidings.filter(({ from }) => from !== 'middle');
-  const drawn = ['Control', 'Headset'].flatMap(kind => sides.map((hiding, i) => {
+  const drawn = sides.map((hiding, i) => {
     const random = randomOf(400 + i);
-    return withSecond(random, onePicture(random), kind, hiding, 0.3 + 0.05 * (i % 4), random.between(100, 200));
-  }));
+    return withSecond(random, onePicture(random), ['Control', 'Headset'][(i >> 1) % 2], hiding, 0.3 + 0.05 * (i % 4), random.between(100, 200));
+  });
 
   const answers = await askAll(drawn.map(each => ({ shot: each })));
 
   const complete = answers.filter((answer, i) => drawn[i].codes.slice(0, 2).every(code => isFound(answer, code)));
   const found = complete.filter(answer => strongCodes(answer).length > 2);
-  assert.ok(complete.length >= 14 && found.length >= 0.85 * complete.length, `seeds 400 to 407: ${found.length} of ${complete.length}`);
+  assert.ok(complete.length >= 7 && found.length >= 0.85 * complete.length, `seeds 400 to 407: ${found.length} of ${complete.length}`);
 });
 
 test('finds corners with an RMS error of less than 0.09 cells', async () => {
@@ -136,7 +136,7 @@ test('finds corners with an RMS error of less than 0.09 cells', async () => {
 });
 
 test('finds no second code in structured scenes', async () => {
-  const answers = await askAll(Array.from({ length: 10 }, (_, scene) => ({ shot: { ...shot([control, headset]), scene: 100 + scene, sceneLight: 0.8 } })));
+  const answers = await askAll(Array.from({ length: 6 }, (_, scene) => ({ shot: { ...shot([control, headset]), scene: 100 + scene, sceneLight: 0.8 } })));
 
   for (const { codes } of answers) assert.ok(codes.filter(code => !code.isWeak).length <= 2);
 });
@@ -144,11 +144,11 @@ test('finds no second code in structured scenes', async () => {
 // A lattice of dark holes with a pitch of two cells resembles a code with its ring, in which all pairs are equal. At most positions, the light of a
 // dark cell of this code differs from that of the scene. A lattice without any difference is accepted, because a real code must not be missed.
 test('mistakes only a few perforated plates for part of a second code', async () => {
-  const answers = await askAll(Array.from({ length: 12 }, (_, i) => ({ shot: perforatedPlate(randomOf(600 + i)) })));
+  const answers = await askAll(Array.from({ length: 4 }, (_, i) => ({ shot: perforatedPlate(randomOf(600 + i)) })));
 
   for (const { codes } of answers) assert.deepEqual(new Set(codes.map(({ kind }) => kind)), new Set(['Control', 'Headset']));
   const mistaken = answers.filter(answer => strongCodes(answer).length > 2).length;
-  assert.ok(mistaken <= 1, `seeds 600 to 611: ${mistaken} of ${answers.length}`);
+  assert.equal(mistaken, 0, `seeds 600 to 603: ${mistaken} of ${answers.length}`);
 });
 
 test('names the format of a HEIC picture', async () => {
@@ -232,27 +232,18 @@ test('reports a larger residual if another board shows through the gaps between 
 });
 
 test('continues after an interrupt signal', async () => {
-  const child = spawn('node', [workerPath], { stdio: ['pipe', 'pipe', 'inherit'] });
-  const answers = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
-  child.stdin.write(JSON.stringify({ pattern }) + '\n');
-  await answers.next();
+  process.kill(workers[1].pid, 'SIGINT');
 
-  process.kill(child.pid, 'SIGINT');
-  child.stdin.end(JSON.stringify({ shot: shot([]) }) + '\n');
-
-  assert.deepEqual(JSON.parse((await answers.next()).value).codes, []);
+  assert.deepEqual((await workers[1].ask({ shot: shot([]) })).codes, []);
 });
 
 test('lowers its priority, but never increases it', { skip: process.platform === 'win32' }, async () => {
-  for (const own of [0, 19]) {
-    const child = spawn('nice', ['-n', String(own), 'node', workerPath], { stdio: ['pipe', 'pipe', 'inherit'] });
-    const answers = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
-    child.stdin.write(JSON.stringify({ pattern }) + '\n');
-    await answers.next();
+  const lowest = startWorker('nice', '-n', '19', 'node');
+  after(lowest.end);
+  await lowest.ask({ file: '/nowhere/a.png' });
 
-    assert.equal(getPriority(child.pid), Math.max(10, Math.min(19, getPriority() + own)));
-    child.stdin.end();
-  }
+  assert.equal(getPriority(workers[0].pid), Math.max(10, getPriority()));
+  assert.equal(getPriority(lowest.pid), 19);
 });
 
 test('finds no codes in a picture without codes', async () => {

@@ -6,11 +6,15 @@ import { fileURLToPath } from 'node:url';
 import { pattern } from './pictures.mjs';
 
 /** Path of the worker. The environment variable WORKER selects another one, for a comparison. */
-export const workerPath = process.env.WORKER ?? join(dirname(fileURLToPath(import.meta.url)), '..', 'dist', 'worker.mjs');
+const workerPath = process.env.WORKER ?? join(dirname(fileURLToPath(import.meta.url)), '..', 'dist', 'worker.mjs');
 
-/** Starts a worker. Returns a function that sends it a request and returns the response, and a function that ends it. */
-export function startWorker() {
-  const child = spawn('node', [workerPath], { stdio: ['pipe', 'pipe', 'inherit'] });
+/**
+ * Starts a worker. Returns its process identifier, a function that sends it a request and returns the response, and a function that ends it.
+ * @param words Program that runs the worker, and its options.
+ */
+export function startWorker(...words) {
+  const [program, ...options] = words.length > 0 ? words : ['node'];
+  const child = spawn(program, [...options, workerPath], { stdio: ['pipe', 'pipe', 'inherit'] });
   const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
   let last = Promise.resolve();
   const ask = request => {
@@ -23,7 +27,7 @@ export function startWorker() {
     return last;
   };
   ask({ pattern });
-  return { ask, end: () => child.kill() };
+  return { pid: child.pid, ask, end: () => child.kill() };
 }
 
 /** Returns the responses of several workers to independent requests, in the order of the requests. */
