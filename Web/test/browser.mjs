@@ -17,6 +17,7 @@ export const NO_WEBGL = ['--disable-gpu', '--disable-3d-apis'];
 // With a single renderer process per context, a page uses the scripts that the process has compiled for earlier pages.
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync', '--renderer-process-limit=1'];
+const POLLING_MS = 50;
 const VIEWPORT = { width: 1280, height: 800 };
 // Prefers the headless shell, because the full browser starts window processes for each page although no window is visible.
 const NAMES = ['chromium-headless-shell', 'chromium', 'chromium-browser', 'google-chrome', 'chrome'];
@@ -57,9 +58,11 @@ export class Browser {
     rmSync(this.folder, { recursive: true, force: true });
   }
 
-  /** Writes a page to a file and returns its address. */
-  write(html) {
-    const file = join(this.folder, `${Math.random().toString(36).slice(2)}.html`);
+  /**
+   * Writes a page to a file and returns its address. Pages of one name have the same address, because Chromium compiles a script once per address.
+   */
+  write(html, name) {
+    const file = join(this.folder, `${name}.html`);
     writeFileSync(file, html);
     return pathToFileURL(file).href;
   }
@@ -76,6 +79,9 @@ export class Browser {
     await page.emulateMedia(media);
     if (hasVirtualTime) await page.clock.install();
     if (hasFakeWebGl) await page.addInitScript(fakeWebGl);
+    // By default, Playwright looks at a page in each frame, which makes the page draw each frame.
+    const { waitForFunction } = page;
+    page.waitForFunction = (condition, argument, options) => waitForFunction.call(page, condition, argument, { polling: POLLING_MS, ...options });
     return page;
   }
 
@@ -96,8 +102,8 @@ export class Browser {
    * @param options Size of the window, colour scheme, and fragment of the address.
    */
   async open(name, data, { fragment = '', ...options } = {}) {
-    const address = this.write(render(data, name)) + fragment;
-    const page = await this.newPage(this.blank ??= this.write(''), options);
+    const address = this.write(render(data, name), name) + fragment;
+    const page = await this.newPage(this.blank ??= this.write('', 'blank'), options);
     page.complaints = [];
     page.on('console', m => m.type() !== 'log' && page.complaints.push(`console ${m.type()}: ${m.text()}`));
     page.on('pageerror', e => page.complaints.push(`exception: ${e.message}`));

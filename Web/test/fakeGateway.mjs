@@ -47,14 +47,22 @@ function* textsOf(data) {
 }
 
 export class FakeGateway {
+  static #listening = null;
+
+  /** Starts a gateway. Only one gateway of the process may run, because all have the same address: Chromium compiles a script once per address. */
   static async start() {
     const self = new FakeGateway();
-    self.server = createServer((request, response) => self.answer(request, response));
+    self.server = await (FakeGateway.#listening ??= FakeGateway.#listen());
+    self.server.on('request', (request, response) => self.answer(request, response));
     self.server.on('upgrade', (request, socket) => self.upgrade(request, socket));
-    self.server.listen(0, '127.0.0.1');
-    await once(self.server, 'listening');
     self.timer = setInterval(() => self.tick(), 50);
     return self;
+  }
+
+  static async #listen() {
+    const server = createServer().listen(0, '127.0.0.1').unref();
+    await once(server, 'listening');
+    return server;
   }
 
   /** The robot description; null for a cell without a robot. */
@@ -128,11 +136,10 @@ export class FakeGateway {
     role: 'operator',
   };
 
-  async stop() {
+  stop() {
     clearInterval(this.timer);
     for (const socket of this.sockets.keys()) socket.destroy();
-    this.server.closeAllConnections();
-    await new Promise(done => this.server.close(done));
+    this.server.removeAllListeners('request').removeAllListeners('upgrade').closeAllConnections();
   }
 
   /** Closes all WebSockets, like a gateway that restarts. */

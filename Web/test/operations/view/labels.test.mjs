@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { isDeepStrictEqual } from 'node:util';
-import { drawn } from '../drawn.mjs';
-import { messages } from '../messages.mjs';
-import { becomes, gateway, open, withGraphics } from './page.mjs';
+import { drawn } from '../../drawn.mjs';
+import { messages } from '../../messages.mjs';
+import { becomes, gateway, open, withGraphics } from '../page.mjs';
 
 const { frameStates, robotMessages } = messages;
 const STAGE_TOP = 380;

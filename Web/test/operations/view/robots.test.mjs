@@ -1,10 +1,10 @@
 // Tests the view of several robots on the operations page.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { drawn } from '../drawn.mjs';
-import { JOINTS } from '../fakeGateway.mjs';
-import { messages } from '../messages.mjs';
-import { becomes, bodiesDrawn, gateway, nextState, open, openWithOneBody, showsToolError, withGraphics } from './page.mjs';
+import { drawn } from '../../drawn.mjs';
+import { JOINTS } from '../../fakeGateway.mjs';
+import { messages } from '../../messages.mjs';
+import { becomes, bodiesDrawn, gateway, nextState, open, openWithOneBody, showsToolError, withGraphics } from '../page.mjs';
 
 const { robotMessages } = messages;
 

@@ -1,10 +1,10 @@
 // Tests what the 3D view of the operations page draws of a cell whose robots or joint positions are missing.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { drawn } from '../drawn.mjs';
-import { JOINTS } from '../fakeGateway.mjs';
-import { messages } from '../messages.mjs';
-import { becomes, bodiesDrawn, gateway, open, openWithOneBody, withGraphics } from './page.mjs';
+import { drawn } from '../../drawn.mjs';
+import { JOINTS } from '../../fakeGateway.mjs';
+import { messages } from '../../messages.mjs';
+import { becomes, bodiesDrawn, gateway, open, openWithOneBody, withGraphics } from '../page.mjs';
 
 const { jointReasons, robotMessages } = messages;
 

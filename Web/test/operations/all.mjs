@@ -1,0 +1,3 @@
+import { together } from '../together.mjs';
+
+together('operations', new URL('.', import.meta.url));
