@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { describe, it } from 'node:test';
+import { before, describe, it } from 'node:test';
 import { figures } from './figuresSample.mjs';
 import { messages } from './messages.mjs';
 import { opener } from './pages.mjs';
@@ -24,9 +24,11 @@ describe('a report of the paper’s scenario', () => {
     figures: figures().figures.filter(f => f.number === '8' || f.number === '16'),
   });
 
-  it('opens without an error and shows the paper’s figures in place of the demo’s sections', async () => {
-    const page = await open(ofPaper());
+  // Two tests that only read the page share it.
+  let page;
+  before(async () => { page = await open(ofPaper()); });
 
+  it('opens without an error and shows the paper’s figures in place of the demo’s sections', async () => {
     assert.deepEqual(page.complaints, []);
     const headings = await text(page, 'h2');
     assert.ok(headings.includes(figuresLabels.claimsAndRun));
@@ -35,8 +37,6 @@ describe('a report of the paper’s scenario', () => {
   });
 
   it('shows each claim with both numbers and its verdict', async () => {
-    const page = await open(ofPaper());
-
     const rows = await page.locator('#claims tbody tr').evaluateAll(all => all.map(row => [...row.children].map(cell => cell.innerText)));
     assert.deepEqual(plain(rows[0]), ['Fig. 8', 'The fitting error is less than 1 ms.', '1 ms', '0.3 ms', 'holds']);
     assert.deepEqual(plain(rows[1]).slice(2), ['–', '81 % ± 2 %', 'does not hold']);

@@ -253,8 +253,10 @@ describe('the signals in the playback', () => {
   });
 
   it('fit narrow windows', async () => {
-    const narrow = await open(withPlayback({ signals }), { viewport: { width: 390, height: 844 }, colorScheme: 'dark' });
-    const [content, window] = await narrow.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+    await page.setViewportSize({ width: 390, height: 844 });
+    await settled(page);
+
+    const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
     assert.ok(content <= window, `${content} px of content`);
   });
 });

@@ -149,8 +149,14 @@ describe('using a plot', () => {
     assert.equal(reached.size, wanted);
   });
 
-  it('draws an hour of 60 frames a second at the resolution of its width, with each step of the samples', async () => {
-    const data = report({ seconds: 3600 }), page = await open(data);
+});
+
+describe('a plot of an hour with 60 frames a second', () => {
+  const data = report({ seconds: 3600 });
+  let page;
+  before(async () => { page = await open(data); });
+
+  it('is drawn at the resolution of its width, with each step of the samples', async () => {
     const arrived = data.joint.received.t.length;
 
     for (const [section, stepped] of [['#error', 0], ['#joint', arrived], ['#field', 0]]) {
@@ -172,9 +178,7 @@ describe('using a plot', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it('draws at most one operating point per pixel and path', async () => {
-    const page = await open(report({ seconds: 600 }));
-
+  it('has at most one operating point per pixel and path', async () => {
     const squares = await page.evaluate(async () => {
       const { rect } = Path2D.prototype, plot = document.querySelector('#field .plot'), drawn = [];
       Path2D.prototype.rect = function (...place) { drawn.push(place.join()); rect.apply(this, place); };

@@ -120,9 +120,10 @@ describe('the operations page with faults', () => {
     fail();
     gateway.state.events.push(event(6, 'warning', { kind: 'headset', which: 'left door' }));
     gateway.state.joints[0].state = 'rest';
+    const page = await open();
+    await page.waitForSelector('#alarms .warning');
     for (const colorScheme of ['light', 'dark']) {
-      const page = await open({ colorScheme });
-      await page.waitForSelector('#alarms .warning');
+      await page.emulateMedia({ colorScheme });
       const levels = await page.evaluate(() => {
         const channels = colour => colour.match(/[\d.]+/g).map(Number);
         const luminance = colour => channels(colour).slice(0, 3).map(c => c / 255).map(c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
