@@ -8,6 +8,9 @@ const page = readFileSync(new URL('../dist/operations.html', import.meta.url));
 const urdf = readFileSync(new URL('../../Packages/com.nowpose.mril/Runtime/Robots/youbot.urdf', import.meta.url), 'utf8');
 export const JOINTS = [1, 2, 3, 4, 5].map(i => `arm_joint_${i}`);
 
+/** Interval of the samples. An interpolated tool position then errs by at most 0.3 mm, and a page receives half as many messages as with 50 ms. */
+const TICK_MS = 100;
+
 const REST = [2.9, 2, -1.5, 1.7, 2.9];
 
 /** Joint positions in which the whole arm is above its base. */
@@ -55,7 +58,7 @@ export class FakeGateway {
     self.server = await (FakeGateway.#listening ??= FakeGateway.#listen());
     self.server.on('request', (request, response) => self.answer(request, response));
     self.server.on('upgrade', (request, socket) => self.upgrade(request, socket));
-    self.timer = setInterval(() => self.tick(), 50);
+    self.timer = setInterval(() => self.tick(), TICK_MS);
     return self;
   }
 

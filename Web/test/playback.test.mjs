@@ -193,7 +193,7 @@ describe('the objects in the playback', () => {
   });
 
   it('are hidden with their pose', async () => {
-    const page = await openDrawn(withObjects());
+    const page = await openDrawn(withObjects(), { viewport: { width: 640, height: 800 } });
     const stage = page.locator('#playback .stage');
     await moveTo(page, 4);
     assert.ok((await picture(page, stage, counts => counts.blue > 0)).blue > 0);
