@@ -7,7 +7,7 @@ import { seeded } from './seeded.mjs';
 
 const { EndOfData } = await parts('samples/endOfData');
 
-const SEED = 4711, STOPS = 1000, FLOOR = 12;
+const SEED = 4711, STOPS = 400, FLOOR = 12;
 const INTERVALS = [0.01, 0.02, 0.05, 0.1];
 const START = 1_700_000_000n * 1_000_000_000n;
 const stampOf = time => START + BigInt(Math.round((time + 10) * 1e9));
