@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Plants;
+using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Unity;
 using Nowpose.Unity.Messages;
@@ -71,6 +72,23 @@ public class SessionRobotTests
         session.Session.Described(RobotFiles.LoadText("youbot"));
         _cell.Run(0.1, session);
         Assert.That(session.Robot.Name, Is.EqualTo("youbot"));
+    }
+
+    [TestCase(1, true, TestName = "Description_OtherConnectionToTheSameGateway_IsKept")]
+    [TestCase(2, false, TestName = "Description_OfAnotherGateway_IsDiscarded")]
+    public void Description_AfterOtherSettings_IsThatOfTheGateway(int webSocketPort, bool isKept)
+    {
+        var session = _cell.Play(robot: null);
+        session.Session.Described(RobotFiles.LoadText("ur5"));
+        _cell.Run(0.1, session);
+
+        session.Settings = session.Settings.With(new ConnectionSettings("127.0.0.1", 1, webSocketPort, token: "new"));
+        _cell.Run(0.1, session);
+
+        Assert.That(session.Robot?.Name, Is.EqualTo(isKept ? "ur5" : null));
+        session.Session.Described(RobotFiles.LoadText("ur5"));
+        _cell.Run(0.1, session);
+        Assert.That(session.Robot.Name, Is.EqualTo("ur5"));
     }
 
     [Test]

@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Kinematics;
 using Nowpose.Session;
 using Nowpose.Unity.Messages;
@@ -13,6 +14,7 @@ namespace Nowpose.Unity.Session
         /// <summary>Replaces the robot until the gateway has described it. This model has no joints and is not shown.</summary>
         public static readonly RobotModel NoRobot = UrdfReader.Read("<robot name='none'><link name='no robot'/></robot>", "no robot");
 
+        Uri _gateway;
         RobotModel _newest;
         UrdfHash _reported;
         string _fault;
@@ -25,9 +27,11 @@ namespace Nowpose.Unity.Session
         /// <param name="shown">
         /// Robot of the previous session; null while it is unknown. It is returned again for the same URDF, so that rigs stay bound to it.
         /// </param>
+        /// <param name="gateway">Address of the gateway. Another gateway may have another robot, so its description replaces the known one.</param>
         /// <exception cref="InputException">The asset's URDF is invalid.</exception>
-        public RobotModel ModelOf(RobotDescriptionAsset asset, RobotModel shown)
+        public RobotModel ModelOf(RobotDescriptionAsset asset, RobotModel shown, Uri gateway)
         {
+            if (gateway != _gateway) this = new DescriptionWatch { _gateway = gateway };
             if (asset == null) return Robot;
             return shown?.SourceHash == UrdfHash.Of(asset.Urdf) ? shown : asset.Read();
         }
