@@ -139,6 +139,37 @@ public class CellPairingTests
     }
 
     [Test]
+    public void Forget_PairedCell_PlacesTheBaseAsBefore()
+    {
+        var before = _played.Anchor.transform.position;
+        _played.Shown.Texts.Add(Desk);
+        _played.Frames();
+        _played.Pairing.Accept();
+        _played.Frames();
+        _played.Anchor.transform.position = Vector3.one;
+
+        _played.Pairing.Forget();
+        _played.Frames();
+
+        Assert.That(_played.Anchor.transform.position, Is.EqualTo(before));
+        Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Placed));
+    }
+
+    [Test]
+    public void Accept_SettingsThatPublishNothing_StillPublishNothing()
+    {
+        _played.Session.Settings = _played.Session.Settings.With(new ConnectionSettings("127.0.0.1", 1, 1, publishesDisplayed: false));
+        _played.Shown.Texts.Add(Desk);
+        _played.Frames();
+
+        _played.Pairing.Accept();
+        _played.Frames();
+
+        Assert.That(_played.Pairing.Cell, Is.EqualTo("desk"));
+        Assert.That(_played.Session.Settings.Connection.PublishesDisplayed, Is.False);
+    }
+
+    [Test]
     public void File_Damaged_IsReportedAndRenamed()
     {
         File.WriteAllText(_played.FilePath, "{\"format\":");

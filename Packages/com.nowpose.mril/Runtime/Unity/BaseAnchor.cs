@@ -77,8 +77,9 @@ namespace Nowpose.Unity
         BaseAnchorState _loggedState;
         string _loggedWords = "", _fault, _loggedProblem, _loggedRefused;
         MarkerConflict _loggedConflict;
-        bool _loggedCorrected, _loggedScale;
-        bool _isGiven;
+        bool _loggedCorrected, _loggedScale, _isGiven;
+        Vector3 _ownPosition;
+        Quaternion _ownRotation;
 
         /// <summary>Raised when <see cref="Place"/> or <see cref="Nudge"/> moves the anchor.</summary>
         public event Action Moved;
@@ -125,7 +126,18 @@ namespace Nowpose.Unity
         {
             if (markers == null) throw new ArgumentNullException(nameof(markers));
             Track(cell, markers);
+            if (!_isGiven) (_ownPosition, _ownRotation) = (transform.localPosition, transform.localRotation);
             _isGiven = true;
+            Notify();
+        }
+
+        /// <summary>Undoes <see cref="Use"/>: the cell and the markers of the fields apply, from the pose that this object had before.</summary>
+        internal void UseFields()
+        {
+            if (!_isGiven) return;
+            _isGiven = false;
+            (transform.localPosition, transform.localRotation) = (_ownPosition, _ownRotation);
+            TrackFields();
             Notify();
         }
 
@@ -151,7 +163,7 @@ namespace Nowpose.Unity
         public void Place(Vector3 position, Quaternion rotation)
         {
             var length = Mathf.Sqrt(Quaternion.Dot(rotation, rotation));
-            if (!IsFinite(position)) throw new ArgumentException(BaseMessages.PositionNotFinite(position), nameof(position));
+            if (!float.IsFinite(position.x + position.y + position.z)) throw new ArgumentException(BaseMessages.PositionNotFinite(position), nameof(position));
             if (!(length > 0) || float.IsInfinity(length)) throw new ArgumentException(BaseMessages.RotationInvalid(rotation), nameof(rotation));
             transform.SetPositionAndRotation(
                 position, new Quaternion(rotation.x / length, rotation.y / length, rotation.z / length, rotation.w / length));
@@ -167,9 +179,7 @@ namespace Nowpose.Unity
         public void Nudge(Vector3 metres, float degreesAboutUp)
         {
             if (!float.IsFinite(degreesAboutUp)) throw new ArgumentException(BaseMessages.AngleNotFinite(degreesAboutUp), nameof(degreesAboutUp));
-            Place(
-                transform.position + transform.rotation * metres,
-                transform.rotation * Quaternion.AngleAxis(degreesAboutUp, Vector3.up));
+            Place(transform.position + transform.rotation * metres, transform.rotation * Quaternion.AngleAxis(degreesAboutUp, Vector3.up));
         }
 
         void OnEnable()
@@ -286,7 +296,5 @@ namespace Nowpose.Unity
             foreach (var marker in _markers)
                 FrameGizmo.DrawCode(transform, marker.Place, marker.SizeMetres > 0 ? marker.SizeMetres : MarkerGizmoMetres);
         }
-
-        static bool IsFinite(Vector3 v) => float.IsFinite(v.x) && float.IsFinite(v.y) && float.IsFinite(v.z);
     }
 }

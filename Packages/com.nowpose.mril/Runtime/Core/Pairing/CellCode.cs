@@ -84,8 +84,9 @@ namespace Nowpose.Pairing
             other.Host == Host && Equals(other.Pin, Pin) && other.SyncPort == SyncPort && other.WebSocketPort == WebSocketPort;
 
         /// <param name="token">The headset's token for the gateway; null if it has none.</param>
-        public ConnectionSettings ToConnection(string token, string headsetName) =>
-            new ConnectionSettings(Host, SyncPort, WebSocketPort, Pin, token: token, headsetName: headsetName);
+        /// <param name="publishesDisplayed">Whether the displayed joints are published to the gateway.</param>
+        public ConnectionSettings ToConnection(string token, string headsetName, bool publishesDisplayed = true) =>
+            new ConnectionSettings(Host, SyncPort, WebSocketPort, Pin, token: token, headsetName: headsetName, publishesDisplayed: publishesDisplayed);
 
         /// <inheritdoc cref="Text"/>
         public override string ToString() => Text;

@@ -23,7 +23,8 @@ namespace Nowpose.Unity.Cell
             }
             if (_connected != null && IsSameConnection(_connected, cell)) return true;
             if (session.Settings == null) return false;
-            session.Settings = session.Settings.With(cell.Newest.ToConnection(cell.Token, headsetName));
+            var publishesDisplayed = session.Settings.Connection.PublishesDisplayed;
+            session.Settings = session.Settings.With(cell.Newest.ToConnection(cell.Token, headsetName, publishesDisplayed));
             // The field is assigned before the call, because a listener of the session's events may throw after the session has connected.
             _connected = cell;
             session.Connect();
@@ -39,8 +40,9 @@ namespace Nowpose.Unity.Cell
             if (cell != null)
                 foreach (var code in cell.Codes)
                     if (code.Marker != null) markers.Add(new BaseMarker(code.Text, code.Marker.ToPose(), code.SizeMetres));
-            // A code without a marker pose does not determine the pose of the base, so the anchor keeps its own markers.
-            if (markers.Count > 0 || _anchored != null) anchor.Use(cell?.Cell ?? "", markers);
+            // A code without a marker pose does not determine the pose of the base, so the anchor uses its own markers.
+            if (markers.Count > 0) anchor.Use(cell.Cell, markers);
+            else if (_anchored != null) anchor.UseFields();
             _anchored = markers.Count > 0 ? cell : null;
         }
 
