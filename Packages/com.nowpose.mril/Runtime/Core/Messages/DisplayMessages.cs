@@ -15,6 +15,10 @@ namespace Nowpose.Messages
 
         const string Warning = Implausible + "; " + WhatToDo;
 
+        /// <param name="length">Time since the start of the newest frame.</param>
+        public static string NoFrames(TimeSpan length) =>
+            $"no frame has been computed for {length.TotalSeconds.ToString("0", CultureInfo.InvariantCulture)} s; if it goes on, restart the application";
+
         /// <summary>Returns the message about implausible display times, with the newest value; allocates.</summary>
         /// <param name="ahead">Display time minus the frame's start; null if it is no longer known.</param>
         public static string ImplausibleTimes(TimeSpan? ahead) => ahead.HasValue

@@ -272,10 +272,10 @@ namespace Nowpose.Session
             }
         }
 
-        /// <summary>The most severe state among the poses of all robots in the newest frame. Thread-safe.</summary>
-        internal PoseState ReadWorstPose()
+        /// <summary>The most severe state among the poses of all robots, held if no frames are computed. Thread-safe.</summary>
+        internal PoseState ReadWorstPose(HeadsetTime now)
         {
-            lock (_gate) return Robots.WorstPose;
+            lock (_gate) return Robots.FramesMissingFor(now) == null ? Robots.WorstPose : PoseState.Held;
         }
 
         /// <summary>

@@ -57,7 +57,7 @@ namespace Nowpose.Session
                 Add("depth_submission", LatencyNames.DepthSubmission.NameOf(statistics.DepthSubmission));
             if (statistics.ProfileMismatches.Count > 0)
                 Add("profile_mismatch", string.Join(",", statistics.ProfileMismatches.Select(each => each.Field)));
-            AddMs("horizon_ms", statistics.Horizon);
+            AddMs("horizon_ms", statistics.FramesMissingFor == null ? statistics.Horizon : null);
             AddMs("render_ms", statistics.RenderTime);
             if (statistics.Range != RangeState.Unknown) Add("range", statistics.Range.ToString().ToLowerInvariant());
             if (BeyondLimits(statistics) is { Length: > 0 } beyond) Add("beyond_limits", beyond);
@@ -88,6 +88,7 @@ namespace Nowpose.Session
         static IEnumerable<string> Pose(SessionStatistics statistics, string missing)
         {
             yield return "the pose is " + PoseOf(statistics);
+            if (statistics.FramesMissingFor is TimeSpan length) yield return DisplayMessages.NoFrames(length);
             if (missing.Length > 0) yield return "missing joints: " + missing;
             foreach (var robot in statistics.Robots) yield return robot.OtherNamespaces;
         }

@@ -76,7 +76,7 @@ namespace Nowpose.Session
 
         public JointStateMessage Displayed() => _session.Displayed();
 
-        public bool HasPoseChanged => _reportedPose != NoDiagnostics && _reportedPose != (int)_session.ReadWorstPose();
+        public bool HasPoseChanged => _reportedPose != NoDiagnostics && _reportedPose != (int)_session.ReadWorstPose(_clock.Now);
 
         public bool NeedsNamespaces => _needsNamespaces;
 

@@ -16,6 +16,9 @@ namespace Nowpose.Session
     /// </summary>
     sealed class SessionRobots : IReadOnlyList<SessionRobot>
     {
+        /// <summary>Maximum age of a frame whose poses are displayed; longer than the stalls of a headset that goes on.</summary>
+        static readonly TimeSpan MaxFrameAge = TimeSpan.FromSeconds(1);
+
         readonly SessionSettings _settings;
         readonly ApplicationLatency _latency;
         readonly DropCounters _drops;
@@ -85,6 +88,16 @@ namespace Nowpose.Session
                     if (robot.IsShown && robot.Frame.State < worst) worst = robot.Frame.State;
                 return worst;
             }
+        }
+
+        /// <summary>
+        /// Returns the time for which no frame has been computed, if the poses of the newest frame are no longer current for this reason: the program loads a
+        /// scene, or hangs. Null if they are current, or not current for another reason. Call it under the lock of the session.
+        /// </summary>
+        public TimeSpan? FramesMissingFor(HeadsetTime now)
+        {
+            var age = now - _all[0].Frame.Start;
+            return age > MaxFrameAge && WorstPose > PoseState.Held ? age : (TimeSpan?)null;
         }
 
         /// <summary>Processes all messages that have arrived.</summary>

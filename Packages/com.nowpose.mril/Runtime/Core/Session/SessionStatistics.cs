@@ -147,6 +147,9 @@ namespace Nowpose.Session
         /// <summary>The most severe state among the poses of all displayed robots.</summary>
         internal PoseState WorstPose { get; set; }
 
+        /// <inheritdoc cref="SessionRobots.FramesMissingFor"/>
+        internal TimeSpan? FramesMissingFor { get; set; }
+
         /// <summary>
         /// Fraction of the frames of the last ten seconds in which the poses of all robots were current, 0 to 1; null before the first frame.
         /// </summary>
@@ -193,7 +196,8 @@ namespace Nowpose.Session
         /// <summary>Writes the states of all robots.</summary>
         internal void Fill(SessionRobots robots, HeadsetTime now)
         {
-            WorstPose = robots.WorstPose;
+            FramesMissingFor = robots.FramesMissingFor(now);
+            WorstPose = FramesMissingFor == null ? robots.WorstPose : PoseState.Held;
             robots[0].Fill(_robot, now, Clock);
             var shown = 0;
             for (var i = 1; i < robots.Count; i++)

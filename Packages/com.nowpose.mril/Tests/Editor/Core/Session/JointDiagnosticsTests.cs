@@ -36,6 +36,23 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(double.Parse(after["current_share"], System.Globalization.CultureInfo.InvariantCulture), Is.EqualTo(0.43).Within(0.06));
         }
 
+        // The thread of the connection goes on, for example while the application loads a scene.
+        [TestCase(0.5, "current", 0)]
+        [TestCase(12, "held", 1)]
+        public void Diagnostics_FramesMissing_AreNotCurrent(double seconds, string pose, int level)
+        {
+            var simulated = Running();
+            var now = HeadsetTime.FromSeconds(simulated.Now + seconds);
+
+            var diagnostics = SessionDiagnostics.Of(simulated.Session.Statistics(now), CellFaults.None, "left", default);
+
+            Assert.That(diagnostics.Values.Single(each => each.Key == "pose").Value, Is.EqualTo(pose));
+            Assert.That(diagnostics.Values.Any(each => each.Key == "horizon_ms"), Is.EqualTo(pose == "current"));
+            Assert.That(diagnostics.Level, Is.EqualTo(level));
+            Assert.That(diagnostics.Message, level == 0 ? Is.Empty : Does.Contain(DisplayMessages.NoFrames(TimeSpan.FromSeconds(seconds))));
+            Assert.That(simulated.Session.ReadWorstPose(now), Is.EqualTo(level == 0 ? PoseState.Current : PoseState.Held));
+        }
+
         [Test]
         public void Diagnostics_SeveralJointsWithoutData_AreSeparatedByCommas()
         {

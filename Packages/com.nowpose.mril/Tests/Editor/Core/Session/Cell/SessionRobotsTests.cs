@@ -250,7 +250,7 @@ namespace Nowpose.Tests.Core.Session.Cell
 
             Assert.That(Of("pose", "current_share", "missing_joints", "joint_status/arm2/elbow", "beyond_limits"),
                 Is.EqualTo(new[] { "incomplete", "0", "arm2/shoulder,arm2/elbow", "no value", null }));
-            Assert.That((DiagnosticsOf(cell).Level, cell.Session.ReadWorstPose()), Is.EqualTo((2, PoseState.Incomplete)));
+            Assert.That((DiagnosticsOf(cell).Level, cell.Session.ReadWorstPose(HeadsetTime.FromSeconds(cell.Now))), Is.EqualTo((2, PoseState.Incomplete)));
             Assert.That(cell.Session.Statistics(HeadsetTime.FromSeconds(cell.Now)).Pose, Is.EqualTo(PoseState.Current), "the session's own robot");
 
             cell.Sampling = t =>
