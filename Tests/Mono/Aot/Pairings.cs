@@ -27,7 +27,7 @@ namespace Nowpose.Mono.Aot
             try
             {
                 PairedCellsFile.Save(path, flow.Cells);
-                Program.Require(PairedCellsFile.Load(path, out var problem).Used?.Cell == "Press 3", "loaded: " + problem);
+                Program.Require(PairedCellsFile.Load(path, out var problem, out _).Used?.Cell == "Press 3", "loaded: " + problem);
             }
             finally
             {

@@ -78,6 +78,9 @@ namespace Nowpose
             }
         }
 
+        /// <summary>Returns whether a file could not be read, so that its content may still be valid, according to the fault of <see cref="Read"/>.</summary>
+        public static bool IsUnread(InputException fault) => fault.InnerException != null && IsOfFiles(fault.InnerException);
+
         /// <summary>
         /// Renames an unusable file, so that the user can examine it. If a file with the new name already exists, it is overwritten.
         /// </summary>

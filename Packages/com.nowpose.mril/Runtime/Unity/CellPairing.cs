@@ -1,7 +1,9 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Pairing;
 using Nowpose.Unity.Cell;
@@ -49,15 +51,18 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Called when a problem has occurred. The property Words states it.")]
         UnityEvent _onProblem = new UnityEvent();
 
+        static readonly List<CellPairing> Enabled = new List<CellPairing>();
+
         readonly AppliedCell _applied = new AppliedCell();
         readonly CodesInView _view = new CodesInView();
+        readonly Listeners<Action> _changed = new Listeners<Action>();
         MrilSession _source;
         BaseAnchor _target;
-        string _fileProblem, _name, _path, _shown = "";
+        string _fileProblem, _unsaved, _name, _path, _shown = "";
         bool _isApplied;
 
         /// <summary>Raised when <see cref="Question"/>, <see cref="Words"/>, <see cref="Problem"/> or <see cref="Cell"/> has changed.</summary>
-        public event Action Changed;
+        public event Action Changed { add => _changed.Add(value); remove => _changed.Remove(value); }
 
         /// <summary>The open question to the wearer, in one line; null if there is none.</summary>
         public string Question => Flow?.Question;
@@ -103,7 +108,7 @@ namespace Nowpose.Unity
         /// </summary>
         public void ReadCode(string text)
         {
-            if (_source != null) Flow?.See(text?.Trim(), _source.HeadsetClock.Now);
+            if (_source != null) Flow?.Read(text?.Trim() ?? "", _source.HeadsetClock.Now);
         }
 
         // Null while this component is disabled or has no session.
@@ -116,12 +121,18 @@ namespace Nowpose.Unity
             _target = _anchor != null ? _anchor : _source.GetComponentInChildren<BaseAnchor>(true);
             _name = HeadsetName.Of(_headsetName);
             _path = Path.Combine(Application.persistentDataPath, _fileName);
-            Flow = new PairingFlow(PairedCellsFile.Load(_path, out _fileProblem), _name, SendInBackground);
+            Flow = new PairingFlow(PairedCellsFile.Load(_path, out _fileProblem, out var isUnread), _name, SendInBackground);
+            // Each component would replace the cells of the other in a common file.
+            var other = Enabled.Find(each => each._path == _path);
+            _unsaved = other != null ? PairedCellMessages.Shared(_path, other.name) : isUnread ? _fileProblem : null;
+            _fileProblem ??= _unsaved;
+            Enabled.Add(this);
             if (_fileProblem != null) ConsoleLog.Warn(this, _fileProblem);
         }
 
         void OnDisable()
         {
+            Enabled.Remove(this);
             Flow?.Dispose();
             Flow = null;
             ShowQuestion();
@@ -163,11 +174,11 @@ namespace Nowpose.Unity
             if ((changes & PairingChange.Problem) != 0) ConsoleLog.Warn(this, Flow.Problem ?? _fileProblem);
             if ((changes & PairingChange.Paired) != 0) ConsoleLog.Info(this, Flow.Words);
             // A listener may disable this component.
-            Changed?.Invoke();
+            _changed.Raise(this);
             ShowQuestion();
-            if ((changes & PairingChange.Asked) != 0) _onAsked.Invoke();
-            if ((changes & PairingChange.Paired) != 0) _onPaired.Invoke();
-            if ((changes & PairingChange.Problem) != 0) _onProblem.Invoke();
+            if ((changes & PairingChange.Asked) != 0) _onAsked.Raise(this);
+            if ((changes & PairingChange.Paired) != 0) _onPaired.Raise(this);
+            if ((changes & PairingChange.Problem) != 0) _onProblem.Raise(this);
         }
 
         void ShowQuestion()
@@ -175,13 +186,14 @@ namespace Nowpose.Unity
             var question = Question ?? "";
             if (question == _shown) return;
             _shown = question;
-            _onQuestion.Invoke(question);
+            _onQuestion.Raise(this, question);
         }
 
         void Keep()
         {
             try
             {
+                if (_unsaved != null) throw new InputException(_unsaved);
                 PairedCellsFile.Save(_path, Flow.Cells);
                 _fileProblem = null;
             }

@@ -21,6 +21,11 @@ namespace Nowpose.Messages
         public static string OtherFormat(string format) => $"its format must be '{format}'";
         public static string NewerVersion(long version, int max) => $"it has version {version}; this release of Nowpose reads version {max}; update Nowpose";
 
+        public static string Unread(string reason) => $"{reason}; new cells are not saved; close the other program and restart the application";
+
+        public static string Shared(string file, string other) =>
+            $"{file} is also the file of the cell pairing of '{other}'; new cells are not saved; enter another File Name";
+
         /// <param name="copy">Path of the kept copy; null if there is none.</param>
         public static string Lost(string reason, string copy) => copy == null
             ? $"{reason}; look at the codes again"

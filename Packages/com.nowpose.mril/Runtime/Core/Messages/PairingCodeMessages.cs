@@ -51,6 +51,8 @@ namespace Nowpose.Messages
         public static string OffsetNumber(string what, int position) =>
             $"{what}: value {position} is not valid; allowed: a number with up to three digits before the decimal point and up to six after it";
 
+        public const string NotACode = "pairing code: the text is not a code of Nowpose; read the code on the marker or on the gateway's page";
+
         public const string UnknownKind = "pairing code: it is neither a cell code nor a token code; update Nowpose if it is older than the gateway";
 
         public static string CodeTooLong(int length, int max) => $"pairing code: {length} characters; allowed: up to {max}";

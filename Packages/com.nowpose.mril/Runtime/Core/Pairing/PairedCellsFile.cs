@@ -13,13 +13,19 @@ namespace Nowpose.Pairing
 
         /// <summary>Loads the cells. The list is empty if the file is missing. Renames a file that cannot be used, and reports the problem.</summary>
         /// <param name="problem">The problem in one line; null if there is none.</param>
-        public static PairedCells Load(string path, out string problem)
+        /// <param name="isUnread">Whether the file exists but could not be read. It may be valid, so it must not be overwritten.</param>
+        public static PairedCells Load(string path, out string problem, out bool isUnread)
         {
-            problem = null;
+            (problem, isUnread) = (null, false);
             if (!File.Exists(path)) return PairedCells.None;
             try
             {
                 return PairedCellsJson.Read(WholeFile.Read(path, MaxBytes), path);
+            }
+            catch (InputException fault) when (WholeFile.IsUnread(fault))
+            {
+                (problem, isUnread) = (PairedCellMessages.Unread(fault.Message), true);
+                return PairedCells.None;
             }
             catch (InputException fault)
             {

@@ -73,6 +73,30 @@ namespace Nowpose.Pairing
             else if (seen?.Token != null) SeeToken(seen.Token, now);
         }
 
+        /// <summary>
+        /// Reads the text of a code that a person has typed or scanned elsewhere. Unlike a code in view, it is a decision: a code that was declined or
+        /// already read is considered again, and a known cell is offered at once.
+        /// </summary>
+        public void Read(string text, HeadsetTime now)
+        {
+            _now = now;
+            _seen.Forget(text);
+            var seen = _seen.Read(text, now, out var fault);
+            if (seen == null || fault != null)
+            {
+                FailTemporarily(fault ?? PairingCodeMessages.NotACode);
+                return;
+            }
+            if (seen.Cell != null)
+            {
+                _refused.Remove(seen.Gateway);
+                (_asked, _quietUntil) = (null, now);
+                _status.Change(PairingChange.Words);
+            }
+            See(text, now);
+            if (seen.Cell != null && Known(seen.Cell) is PairedCell other && other.Cell != Cells.Used?.Cell) SwitchTo(other);
+        }
+
         /// <summary>Processes the codes seen; called once a frame.</summary>
         /// <returns>Changes since the last tick.</returns>
         public PairingChange Tick(HeadsetTime now)
@@ -129,14 +153,16 @@ namespace Nowpose.Pairing
 
         void SeeCell(SeenCode seen)
         {
-            var known = Cells.Find(seen.Cell.Cell);
-            if (known != null && known.Newest.HasSameGateway(seen.Cell))
+            if (Known(seen.Cell) is PairedCell known)
             {
                 if (!known.Holds(seen.Cell)) Add(seen, known);
                 _other.See(known.Cell, known.Cell == Cells.Used?.Cell);
             }
-            else if (MayAsk && !_refused.Contains(seen.Gateway)) Ask(PairingQuestion.Connect(seen, known));
+            else if (MayAsk && !_refused.Contains(seen.Gateway)) Ask(PairingQuestion.Connect(seen, Cells.Find(seen.Cell.Cell)));
         }
+
+        // The paired cell of a code; null if there is none, or if it has another gateway.
+        PairedCell Known(CellCode code) => Cells.Find(code.Cell) is PairedCell known && known.Newest.HasSameGateway(code) ? known : null;
 
         bool MayAsk => _asked == null && _now >= _quietUntil;
 
@@ -144,7 +170,11 @@ namespace Nowpose.Pairing
         void ConsiderOther(HeadsetTime now)
         {
             var name = _other.Wanted(now);
-            if (name == null || !MayAsk || !(Cells.Find(name) is PairedCell other)) return;
+            if (name != null && MayAsk && Cells.Find(name) is PairedCell other) SwitchTo(other);
+        }
+
+        void SwitchTo(PairedCell other)
+        {
             if (Cells.Used == null) Use(other);
             else Ask(PairingQuestion.Use(other, Cells.Used));
         }

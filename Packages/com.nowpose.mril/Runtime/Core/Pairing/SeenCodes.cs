@@ -43,6 +43,13 @@ namespace Nowpose.Pairing
             return code;
         }
 
+        /// <summary>Forgets a code, so that its fault is reported again.</summary>
+        public void Forget(string text)
+        {
+            if (text != null) _codes.Remove(text);
+            _isOversizedReported = _isFullReported = false;
+        }
+
         bool HasRoom(HeadsetTime now, out string fault)
         {
             fault = null;

@@ -51,11 +51,22 @@ namespace Nowpose.Unity.Session
             listeners.Raise(sender, (listener, given) => listener(given), value);
 
         /// <summary>Calls the listeners of an event of the Inspector. Logs an exception of a listener; the later ones are then not called.</summary>
-        public static void Raise(this UnityEvent listeners, Component sender)
+        public static void Raise(this UnityEvent listeners, Component sender) => Call(sender, listeners, false, false, (each, _, __) => each.Invoke());
+
+        /// <inheritdoc cref="Raise(UnityEvent, Component)"/>
+        public static void Raise<T>(this UnityEvent<T> listeners, Component sender, T value) =>
+            Call(sender, listeners, value, false, (each, given, _) => each.Invoke(given));
+
+        /// <inheritdoc cref="Raise(UnityEvent, Component)"/>
+        public static void Raise<T1, T2>(this UnityEvent<T1, T2> listeners, Component sender, T1 first, T2 second) =>
+            Call(sender, listeners, first, second, (each, one, other) => each.Invoke(one, other));
+
+        // The call captures no variables, which would allocate.
+        static void Call<TEvent, T1, T2>(Component sender, TEvent listeners, T1 first, T2 second, Action<TEvent, T1, T2> call)
         {
             try
             {
-                listeners.Invoke();
+                call(listeners, first, second);
             }
             catch (Exception fault)
             {

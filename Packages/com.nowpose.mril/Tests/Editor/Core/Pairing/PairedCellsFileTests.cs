@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Pairing
         [Test]
         public void Load_FileMissing_ReturnsNoCells()
         {
-            Assert.That(PairedCellsFile.Load(_path, out var problem), Is.SameAs(PairedCells.None));
+            Assert.That(PairedCellsFile.Load(_path, out var problem, out _), Is.SameAs(PairedCells.None));
             Assert.That(problem, Is.Null);
         }
 
@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Pairing
 
             PairedCellsFile.Save(_path, cells);
             PairedCellsFile.Save(_path, cells);
-            var loaded = PairedCellsFile.Load(_path, out var problem);
+            var loaded = PairedCellsFile.Load(_path, out var problem, out _);
 
             Assert.That(problem, Is.Null);
             Assert.That(loaded.Used.Cell, Is.EqualTo("Prüfzelle 3"));
@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Pairing
             Directory.CreateDirectory(_folder);
             File.WriteAllText(_path, text);
 
-            Assert.That(PairedCellsFile.Load(_path, out var problem), Is.SameAs(PairedCells.None));
+            Assert.That(PairedCellsFile.Load(_path, out var problem, out _), Is.SameAs(PairedCells.None));
 
             Assert.That(problem, Does.StartWith(_path + ": ").And.Contain(_path + ".bad").And.Not.Contain("\n"));
             Assert.That(File.ReadAllText(_path + ".bad"), Is.EqualTo(text));

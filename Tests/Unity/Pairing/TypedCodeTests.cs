@@ -1,0 +1,113 @@
+using Nowpose.Messages;
+using Nowpose.Pairing;
+using Nowpose.Unity;
+using NUnit.Framework;
+using static Nowpose.Unity.Tests.Pairing.PlayedPairing;
+
+namespace Nowpose.Unity.Tests.Pairing;
+
+/// <summary>Tests codes that are typed or scanned elsewhere, and the file of the paired cells.</summary>
+public class TypedCodeTests
+{
+    static readonly string Bench = new CellCode("bench", "localhost", null, null, 0, 2, 2).Text;
+
+    PlayedPairing _played;
+
+    [SetUp]
+    public void Start() => _played = new PlayedPairing();
+
+    [TearDown]
+    public void Stop() => _played.Dispose();
+
+    void Pair(string code)
+    {
+        _played.Pairing.ReadCode(code);
+        _played.Frames();
+        _played.Pairing.Accept();
+        _played.Frames();
+    }
+
+    [Test]
+    public void ReadCode_KnownCell_IsOfferedAtOnce()
+    {
+        Pair(Desk);
+        Pair(Bench);
+        Assert.That(_played.Pairing.Cell, Is.EqualTo("bench"));
+
+        _played.Pairing.ReadCode(Desk);
+        _played.Frames();
+        Assert.That(_played.Pairing.Question, Does.Contain("'desk'").And.Contain("'bench'"));
+        _played.Pairing.Refuse();
+        _played.Pairing.Forget();
+        _played.Pairing.ReadCode(Desk);
+        _played.Frames();
+        Assert.That((_played.Pairing.Question, _played.Pairing.Cell), Is.EqualTo(((string)null, "desk")), "no cell is in use");
+    }
+
+    [TestCase("nowpose:cell/1?n=a")]
+    [TestCase("https://example.org/")]
+    [TestCase("")]
+    public void ReadCode_Invalid_IsReportedEachTime(string text)
+    {
+        _played.Frames();
+        for (var i = 0; i < 2; i++)
+        {
+            _played.Pairing.ReadCode(text);
+            _played.Frames();
+            Assert.That(_played.Pairing.Problem, Is.Not.Null);
+            _played.Frames(60 * 12);
+            Assert.That(_played.Pairing.Problem, Is.Null);
+        }
+    }
+
+    [Test]
+    public void ReadCode_DeclinedGateway_AsksAgain()
+    {
+        _played.Pairing.ReadCode(Desk);
+        _played.Frames();
+        _played.Pairing.Refuse();
+        _played.Frames();
+
+        _played.Pairing.ReadCode(Desk);
+        _played.Frames();
+
+        Assert.That(_played.Pairing.Question, Does.Contain("'desk'"));
+    }
+
+    // Another program, such as a backup, may use the file at the start. The file is valid.
+    [Test]
+    public void File_NotReadable_IsKept()
+    {
+        Pair(Desk);
+        var before = File.ReadAllText(_played.FilePath);
+        using (new FileStream(_played.FilePath, FileMode.Open, FileAccess.ReadWrite, FileShare.None))
+        {
+            _played.RestartPlaying();
+            Pair(Bench);
+            Assert.That(_played.Pairing.Problem, Does.Contain(_played.FilePath).And.Contain("not saved"));
+        }
+
+        Assert.That(File.ReadAllText(_played.FilePath), Is.EqualTo(before));
+        _played.RestartPlaying();
+        _played.Frames();
+        Assert.That((_played.Pairing.Cell, _played.Pairing.Problem), Is.EqualTo(("desk", (string)null)));
+    }
+
+    [Test]
+    public void File_OfTwoPairings_IsSavedByTheFirst()
+    {
+        Pair(Desk);
+        var second = _played.Cell.NewSession();
+        var pairing = second.gameObject.AddComponent<CellPairing>().With("_fileName", _played.FilePath);
+        second.gameObject.SetActive(true);
+        var before = File.ReadAllText(_played.FilePath);
+
+        pairing.ReadCode(Bench);
+        _played.Frames();
+        pairing.Accept();
+        _played.Frames();
+
+        Assert.That(pairing.Problem, Is.EqualTo(PairedCellMessages.Shared(_played.FilePath, _played.Pairing.name)));
+        Assert.That(File.ReadAllText(_played.FilePath), Is.EqualTo(before));
+    }
+}
