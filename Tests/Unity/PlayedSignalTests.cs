@@ -31,6 +31,24 @@ public class PlayedSignalTests : PlayedParts
         Assert.That(signal.Value, Is.Zero);
     }
 
+    [Test]
+    public void Signal_ListenerThrows_RaisesItsOtherEvents()
+    {
+        var (onTrue, onState, state, value) = (new UnityEvent(), new UnityEvent<bool>(), false, 0.0);
+        onTrue.AddListener(() => throw new InvalidOperationException("a listener"));
+        onState.AddListener(on => state = on);
+        var signal = Below<CellSignal>("lamp", _session.transform).With("_onTrue", onTrue).With("_onState", onState);
+        signal.Changed += _ => throw new InvalidOperationException("a listener");
+        signal.Changed += given => value = given;
+        Run(1);
+
+        SendSignal("lamp", _cell.Now - 1, 1);
+        Run(0.5);
+
+        Assert.That((state, value), Is.EqualTo((true, 1.0)));
+        Assert.That(_cell.Player.Logs.Count(log => log.Type == LogType.Exception), Is.EqualTo(2));
+    }
+
     [TestCase(-0.08)]
     [TestCase(0)]
     [TestCase(0.06)]

@@ -68,6 +68,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Raised when the value becomes current, after the events for the value.")]
         UnityEvent _onCurrent = new UnityEvent();
 
+        readonly Listeners<Action<double>> _changed = new Listeners<Action<double>>();
         readonly AppearancesOfParts _appearances = new AppearancesOfParts();
         SignalFollower _follower;
         bool? _isOn;
@@ -100,7 +101,7 @@ namespace Nowpose.Unity
         MrilSession IFollowsSession.AssignedSession => _session;
 
         /// <summary>Raised with each new value.</summary>
-        public event Action<double> Changed;
+        public event Action<double> Changed { add => _changed.Add(value); remove => _changed.Remove(value); }
 
         /// <summary>
         /// Sets the fields Session and Signal, and follows the signal from now on. A script can call this method at any time, for example after it has
@@ -153,8 +154,8 @@ namespace Nowpose.Unity
 
         void Judge(string fault)
         {
-            if (fault == null) _onCurrent.Invoke();
-            else _onNotCurrent.Invoke(fault);
+            if (fault == null) _onCurrent.Raise(this);
+            else _onNotCurrent.Raise(this, fault);
         }
 
         void OnTransformParentChanged()
@@ -172,16 +173,16 @@ namespace Nowpose.Unity
             if (isOn != _isOn)
             {
                 _isOn = isOn;
-                (isOn ? _onTrue : _onFalse).Invoke();
-                _onState.Invoke(isOn);
-                _onNamedState.Invoke(Parameter, isOn);
+                (isOn ? _onTrue : _onFalse).Raise(this);
+                _onState.Raise(this, isOn);
+                _onNamedState.Raise(this, Parameter, isOn);
             }
-            _onValue.Invoke((float)value);
-            _onNamedValue.Invoke(Parameter, (float)value);
-            _onNamedInteger.Invoke(Parameter, ToInteger(value));
+            _onValue.Raise(this, (float)value);
+            _onNamedValue.Raise(this, Parameter, (float)value);
+            _onNamedInteger.Raise(this, Parameter, ToInteger(value));
             // Formats the text only if there are listeners, because formatting allocates.
-            if (_onText.GetPersistentEventCount() > 0) _onText.Invoke(Text(value));
-            Changed?.Invoke(value);
+            if (_onText.GetPersistentEventCount() > 0) _onText.Raise(this, Text(value));
+            _changed.Raise(this, value);
         }
 
         string Parameter => string.IsNullOrEmpty(_parameter) ? Signal : _parameter;
