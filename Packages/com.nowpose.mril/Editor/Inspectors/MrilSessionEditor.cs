@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using Nowpose.Editor.Messages;
 using Nowpose.Unity;
+using Nowpose.Unity.Anchoring;
 using Nowpose.Unity.Status;
 using UnityEditor;
 using UnityEngine;
@@ -53,7 +54,7 @@ namespace Nowpose.Editor.Inspectors
         {
             var statistics = Target.Statistics;
             _texts.Update(
-                statistics, Target.Settings, Target.Robot?.Name, Target.Problem, Target.GetComponentInChildren<BaseAnchor>(true),
+                statistics, Target.Settings, Target.Robot?.Name, Target.Problem, new SessionBases().WorstOf(Target),
                 Target.GetComponentInChildren<CellPairing>(true), Target.Parts, Target.GetComponentInChildren<LatencyNudge>(true));
             StatusLines.Draw(_texts);
             if (statistics == null) return;

@@ -212,7 +212,7 @@ namespace Nowpose.Unity
             {
                 var place = UnityPoses.ToWorld(shown);
                 transform.SetPositionAndRotation(place.position, place.rotation);
-                _sources.Rest(place, Tracker.Markers);
+                _sources.Rest(place, Tracker);
             }
             Notify();
         }

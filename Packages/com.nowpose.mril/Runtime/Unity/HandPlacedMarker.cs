@@ -20,6 +20,9 @@ namespace Nowpose.Unity
             + "frame.")]
         string _payload = "";
 
+        [SerializeField, Tooltip("The base that this object places if it has no payload. Empty: the first Base Anchor below the session.")]
+        BaseAnchor _anchor = null;
+
         string _id;
         MrilSession _session;
         HeadsetTime? _placed;
@@ -30,6 +33,12 @@ namespace Nowpose.Unity
 
         /// <summary>Text of the printed marker that this object replaces; empty if the object represents the base frame itself.</summary>
         public string Payload => _payload;
+
+        /// <summary>The base that this object places if it has no payload; null for the first one below the session.</summary>
+        internal BaseAnchor Anchor => _anchor;
+
+        /// <summary>Identifies this marker among the sources.</summary>
+        internal string Id => _id;
 
         /// <summary>Starts a move. The base follows this object's transform until <see cref="EndMove"/>.</summary>
         /// <remarks>Has no effect below a Base Anchor, because the object would move with the base that follows it.</remarks>

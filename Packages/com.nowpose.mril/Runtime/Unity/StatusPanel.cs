@@ -1,3 +1,4 @@
+using Nowpose.Unity.Anchoring;
 using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using Nowpose.Unity.Status;
@@ -39,8 +40,8 @@ namespace Nowpose.Unity
         bool _showJoints = false;
 
         readonly StatusTexts _texts = new StatusTexts();
+        readonly SessionBases _bases = new SessionBases();
         MrilSession _source;
-        BaseAnchor _anchor;
         CellPairing _pairing;
         LatencyNudge _nudge;
         ReadingDistance _distance;
@@ -61,7 +62,6 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _source = this.RequiredSession(_session, "status panel");
-            _anchor = _source != null ? _source.GetComponentInChildren<BaseAnchor>(true) : null;
             _pairing = _source != null ? _source.GetComponentInChildren<CellPairing>(true) : null;
             _nudge = _source != null ? _source.GetComponentInChildren<LatencyNudge>(true) : null;
             _due = 0;
@@ -77,10 +77,11 @@ namespace Nowpose.Unity
         {
             if (_cell == null || Time.unscaledTime < _due) return;
             _due = Time.unscaledTime + _refreshSeconds;
-            if (Cells == null) MakeCells();
+            if (Cells == null || Cells.IsDestroyed) MakeCells();
             _texts.ShowsJointErrors = _showJoints;
             if (_source == null) _texts.Update(null, null, null, null);
-            else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem, _anchor, _pairing, _source.Parts, _nudge);
+            else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem, _bases.WorstOf(_source), _pairing,
+                _source.Parts, _nudge);
             Cells.Show(_texts);
             var viewer = Viewer.Head;
             if (viewer == null) return;

@@ -58,23 +58,34 @@ namespace Nowpose.Unity.Anchoring
         {
             var sightings = _sources.Read();
             for (var i = sightings.Count - 1; i >= 0; i--)
-                if (sightings[i].Tracking == MarkerTracking.Placed && IsOfAnother(tracker, sightings[i].Payload)) sightings.RemoveAt(i);
+                if (sightings[i].Tracking == MarkerTracking.Placed && IsOfAnother(tracker, sightings[i].Payload, sightings[i].Id)) sightings.RemoveAt(i);
             return sightings;
         }
 
-        bool IsOfAnother(BaseTracker tracker, string payload)
+        bool IsOfAnother(BaseTracker tracker, string payload, string id)
         {
+            foreach (var source in _sources.Found)
+                if (payload == null && source is HandPlacedMarker hand && hand != null && hand.Id == id) return !IsPlacedBy(hand, tracker);
             if (tracker.Has(payload)) return false;
             foreach (var other in _bases)
                 if (other != null && other.Tracker != tracker && other.Tracker?.Has(payload) == true) return true;
             return false;
         }
 
+        // A marker without a payload places one base: otherwise several robots would be displayed at the same place.
+        bool IsPlacedBy(HandPlacedMarker hand, BaseTracker tracker)
+        {
+            if (hand.Anchor != null) return hand.Anchor.Tracker == tracker;
+            foreach (var each in _bases)
+                if (each != null) return each.Tracker == tracker;
+            return true;
+        }
+
         /// <summary>Moves the hand-placed markers along with the base, except the markers that the user is moving.</summary>
-        public void Rest(Pose place, IReadOnlyList<TrackedMarker> markers)
+        public void Rest(Pose place, BaseTracker tracker)
         {
             foreach (var source in _sources.Found)
-                if (source is HandPlacedMarker hand && hand != null) hand.Rest(place, markers);
+                if (source is HandPlacedMarker hand && hand != null && (hand.Payload.Length > 0 || IsPlacedBy(hand, tracker))) hand.Rest(place, tracker.Markers);
         }
     }
 }
