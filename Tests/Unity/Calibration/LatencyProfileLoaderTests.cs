@@ -257,4 +257,24 @@ public sealed class LatencyProfileLoaderTests
 
         Assert.That(allocated, Is.EqualTo(without));
     }
+
+    [Test]
+    public void Nudge_SessionRestartedInUpdate_IsKept()
+    {
+        Play();
+        var actions = _session.gameObject.AddComponent<CellActions>();
+        var pairing = _session.gameObject.AddComponent<CellPairing>();
+        _loader.Save(Profile(47));
+        _cell.Run(0.1, _session);
+        actions.SetNudgeMs(8);
+        _cell.Run(0.1, _session);
+
+        pairing.ReadCode(Pairing.PlayedPairing.Desk);
+        _cell.Run(0.1, _session);
+        pairing.Accept();
+        _cell.Run(0.1, _session);
+
+        Assert.That(pairing.Cell, Is.EqualTo("desk"));
+        Assert.That((actions.NudgeMs, _session.Session.Visualisation.Length.TotalMilliseconds), Is.EqualTo((8f, 55.0)));
+    }
 }

@@ -64,6 +64,20 @@ public sealed class NudgeActionsTests
     }
 
     [Test]
+    public void Shift_UntilClearedWithoutMarks_IsShownOnTheRobot()
+    {
+        var look = _session.GetComponentsInChildren<RobotRig>().First(rig => rig.Shows == RigPose.Displayed).GetComponentInChildren<PoseAppearance>();
+
+        _actions.SetShiftMm(12);
+        _cell.Run(0.1, _session);
+        Assert.That((look.Look.Label, look.Look.IsHatched), Is.EqualTo((PoseMessages.Shifted, true)));
+
+        _actions.ClearMarks();
+        _cell.Run(0.1, _session);
+        Assert.That((_nudge.OffsetMm, look.Look.Label, look.Look.IsHatched), Is.EqualTo((0f, "", false)));
+    }
+
+    [Test]
     public void Actions_NoNudge_AreReported()
     {
         UnityEngine.Object.DestroyImmediate(_nudge);

@@ -24,7 +24,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The session of the cell. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("The anchor of the robot's base. Empty: the first anchor below the session.")]
+        [SerializeField, Tooltip("The base that is locked. Empty: all Base Anchors below the session.")]
         BaseAnchor _anchor = null;
 
         [SerializeField, Tooltip("A ghost to show and hide in addition to those in the scene of the session, such as one in another scene.")]
@@ -90,10 +90,13 @@ namespace Nowpose.Unity
             else Connect();
         }
 
-        /// <summary>Starts a new search for the robot's base by its markers.</summary>
+        /// <summary>Starts a new search for the bases of the robots by their markers, or only for the assigned base.</summary>
         public void LockBase()
         {
-            if (Has(_anchor, "base anchor")) _anchor.Relock();
+            var session = Session;
+            var bases = _anchor != null || session == null ? new[] { _anchor } : session.GetComponentsInChildren<BaseAnchor>(true);
+            if (Has(bases.Length > 0 ? bases[0] : null, "base anchor"))
+                foreach (var each in bases) each.Relock();
         }
 
         /// <summary>
@@ -176,14 +179,18 @@ namespace Nowpose.Unity
         /// <summary>Calibrates the session with the marks, as <see cref="LatencyNudge.Apply"/> does. The status panel shows the result.</summary>
         public void ApplyMarks() => Calibration?.Apply();
 
-        /// <summary>Deletes all marks of the calibration by eye.</summary>
-        public void ClearMarks() => Calibration?.Clear();
+        /// <summary>Deletes all marks of the calibration by eye. If there are none, ends the shift.</summary>
+        public void ClearMarks()
+        {
+            if (!(Calibration is LatencyNudge calibration)) return;
+            if (calibration.ForwardCount + calibration.BackwardCount == 0 && calibration.Problem == null) calibration.OffsetMm = 0;
+            calibration.Clear();
+        }
 
         void OnEnable()
         {
             _source = this.SessionOr(_session);
             if (!Has(_source, "session")) return;
-            if (_anchor == null) _anchor = _source.GetComponentInChildren<BaseAnchor>(true);
             FindGhosts();
             if (_panel == null) _panel = _source.GetComponentInChildren<StatusPanel>(true);
             if (_pairing == null) _pairing = _source.GetComponentInChildren<CellPairing>(true);

@@ -16,6 +16,8 @@ namespace Nowpose.Unity
     /// profile, the session keeps the profile in use.
     /// </remarks>
     [AddComponentMenu("Nowpose/Latency Profile Loader")]
+    // Calibrates a session in the frame in which another component, such as Cell Pairing, has restarted it.
+    [DefaultExecutionOrder(1)]
     [DisallowMultipleComponent]
     public sealed class LatencyProfileLoader : MonoBehaviour
     {

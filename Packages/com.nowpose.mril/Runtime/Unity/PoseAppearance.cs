@@ -268,7 +268,7 @@ namespace Nowpose.Unity
         {
             if (_isEnded) return PoseLook.NoSession;
             var look = place.Base.Over(place.State.IsUnplaced ? PoseLook.Unplaced : PoseLook.Of(place.State.Pose, place.OutsideRange));
-            return look.IsDrawn && _carriers.Unmoved is PoseCarrier unmoved ? unmoved.Unmoved(look) : look;
+            return look.IsDrawn ? _carriers.Over(look) : look;
         }
 
         // A part whose signal is not current may be at the wrong end of its stroke or in the wrong state, so it is striped like a pose that is not

@@ -86,6 +86,7 @@ namespace Nowpose.Unity
         /// <summary>Displacement of the rig from the robot's base in the axes of the base, in metres. Frames that place the base keep it.</summary>
         internal Vector3 Shift
         {
+            get => _shift;
             set
             {
                 if (_shift.sqrMagnitude == 0) _unshifted = transform.localPosition;
@@ -287,8 +288,7 @@ namespace Nowpose.Unity
             _built.transform.SetParent(null, worldPositionStays: false);
             Discard(_built);
             if (_plain != null) Discard(_plain);
-            _built = null;
-            _plain = null;
+            (_built, _plain) = (null, null);
         }
 
         static void Discard(UnityEngine.Object made)

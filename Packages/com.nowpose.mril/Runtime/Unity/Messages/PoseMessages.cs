@@ -9,6 +9,8 @@ namespace Nowpose.Unity.Messages
         public const string GripperUnattached = "the gripper is disabled or is not attached to a link of an active rig";
         public const string RigNotMoved = "rig not moved";
         public const string RigDisabled = "the rig is disabled or cannot show the robot";
+        public const string Shifted = "shifted";
+        public const string ShiftedByEye = "it is shifted for a calibration by eye; apply or delete the marks to end it";
         public const string SessionPaused = "the session is disabled or paused";
         public const string NotPlaced = "it was placed neither by hand nor by a source";
 

@@ -14,14 +14,14 @@ namespace Nowpose.Unity.Rendering
         readonly RobotRig _rig;
         readonly VirtualGripper _gripper;
         readonly GameObject _owner;
-        bool _wasFollowing;
+        bool _wasFollowing, _wasShifted;
 
         PoseCarrier(RobotRig rig, VirtualGripper gripper, GameObject owner)
         {
             _rig = rig;
             _gripper = gripper;
             _owner = owner;
-            _wasFollowing = IsFollowing;
+            (_wasFollowing, _wasShifted) = (IsFollowing, IsShifted);
         }
 
         /// <summary>Whether the component follows the session; false if it was destroyed.</summary>
@@ -29,12 +29,18 @@ namespace Nowpose.Unity.Rendering
             ? _gripper != null && _gripper.Flange != null && _gripper.Rig != null && _gripper.Rig.IsFollowing
             : _rig != null && _rig.IsFollowing;
 
+        /// <summary>Whether a calibration by eye has shifted the rig away from the robot.</summary>
+        public bool IsShifted => (IsGripper ? _gripper != null ? _gripper.Rig : null : _rig) is RobotRig rig && rig != null && rig.Shift != Vector3.zero;
+
         /// <summary>Whether the component's object is active in the scene.</summary>
         public bool IsActive => _owner != null && _owner.activeInHierarchy;
 
-        /// <summary>Returns the look of a part while its carrier does not follow the session. The part is then at an old pose.</summary>
-        public PoseLook Unmoved(PoseLook look) => IsGripper
-            ? look.With(PoseMessages.GripperNotMoved, PoseMessages.GripperUnattached)
+        /// <summary>
+        /// Returns the look of a part. While its carrier does not follow the session, the part is at an old pose. It does not fade while it is shifted,
+        /// because the user must compare the displayed robot with the real robot.
+        /// </summary>
+        public PoseLook Over(PoseLook look) => IsFollowing ? IsShifted ? look.Also(PoseMessages.Shifted, PoseMessages.ShiftedByEye, 0) : look
+            : IsGripper ? look.With(PoseMessages.GripperNotMoved, PoseMessages.GripperUnattached)
             : look.With(PoseMessages.RigNotMoved, PoseMessages.RigDisabled);
 
         bool IsGripper => _gripper is object;
@@ -54,12 +60,12 @@ namespace Nowpose.Unity.Rendering
 
         public bool IsSameAs(PoseCarrier other) => ReferenceEquals(_rig, other._rig) && ReferenceEquals(_gripper, other._gripper);
 
-        /// <summary>Returns whether the component has started or stopped following the session since the last call.</summary>
+        /// <summary>Returns whether the component has started or stopped following the session, or being shifted, since the last call.</summary>
         public bool HasChanged()
         {
-            var isFollowing = IsFollowing;
-            var hasChanged = isFollowing != _wasFollowing;
-            _wasFollowing = isFollowing;
+            var (isFollowing, isShifted) = (IsFollowing, IsShifted);
+            var hasChanged = isFollowing != _wasFollowing || isShifted != _wasShifted;
+            (_wasFollowing, _wasShifted) = (isFollowing, isShifted);
             return hasChanged;
         }
 
@@ -80,15 +86,17 @@ namespace Nowpose.Unity.Rendering
     {
         readonly List<PoseCarrier> _all = new List<PoseCarrier>();
 
-        /// <summary>The first active carrier (rig before gripper) that does not follow the session; null if all follow.</summary>
-        public PoseCarrier Unmoved
+        /// <summary>
+        /// Returns the look of the parts: that of the first active carrier (rig before gripper) that does not follow the session, or else of the first one
+        /// that is shifted.
+        /// </summary>
+        public PoseLook Over(PoseLook look)
         {
-            get
-            {
-                foreach (var carrier in _all)
-                    if (carrier.IsActive && !carrier.IsFollowing) return carrier;
-                return null;
-            }
+            foreach (var carrier in _all)
+                if (carrier.IsActive && !carrier.IsFollowing) return carrier.Over(look);
+            foreach (var carrier in _all)
+                if (carrier.IsActive && carrier.IsShifted) return carrier.Over(look);
+            return look;
         }
 
         public void Clear() => _all.Clear();
@@ -102,7 +110,7 @@ namespace Nowpose.Unity.Rendering
             _all.Add(carrier);
         }
 
-        /// <summary>Returns whether a carrier has started or stopped following the session since the last call.</summary>
+        /// <summary>Returns whether a carrier has started or stopped following the session, or being shifted, since the last call.</summary>
         public bool Update()
         {
             var hasChanged = false;
