@@ -190,4 +190,30 @@ public sealed class TimestampDisplayTests
         Assert.That(_cell.Messages, Has.Some.Contains(ComponentMessages.ComponentWithoutSession("timestamp display", "Alone")));
         Assert.That(_cell.Messages, Has.Some.Contains(ComponentMessages.DisplayWithoutMaterial("Alone")));
     }
+
+    [Test]
+    public void Objects_Deleted_AreMadeAgain()
+    {
+        Play();
+
+        UnityEngine.Object.DestroyImmediate(Code.gameObject);
+        _cell.Run(0.1, _session);
+
+        Assert.That(Code.enabled);
+        Assert.That(_cell.Player.Logs.Count(log => log.Type == LogType.Exception), Is.Zero);
+    }
+
+    [Test]
+    public void Text_WithTheNameOfTheObjects_IsKept()
+    {
+        var session = _cell.NewSession();
+        var text = new GameObject("Timestamp").AddComponent<TextMesh>();
+        text.transform.SetParent(session.transform, worldPositionStays: false);
+        session.gameObject.AddComponent<TimestampDisplay>().With("_light", new Material((Shader)null)).With("_cell", text);
+        session.gameObject.SetActive(true);
+
+        _cell.Run(1, session);
+
+        Assert.That(text != null);
+    }
 }

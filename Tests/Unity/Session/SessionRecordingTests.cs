@@ -91,6 +91,28 @@ public sealed class SessionRecordingTests
     }
 
     [Test]
+    public void Problem_OfAnEarlierFile_DoesNotRemain()
+    {
+        Play();
+        _recording.With("_maximumMegabytes", -1.0);
+        Restart();
+        Assert.That((_recording.IsRecording, _recording.Problem != null), Is.EqualTo((false, true)));
+
+        _recording.With("_maximumMegabytes", 500.0);
+        Restart();
+
+        Assert.That((_recording.IsRecording, _recording.Problem), Is.EqualTo((true, (string)null)));
+    }
+
+    // The application pauses; the next session has a file of its own.
+    void Restart()
+    {
+        _cell.Player.Pause(true);
+        _cell.Player.Pause(false);
+        _cell.Run(0.1, _session);
+    }
+
+    [Test]
     public void RecordOnEnable_Off_WritesNothingUntilStarted()
     {
         Play(recordOnEnable: false);

@@ -278,4 +278,15 @@ public class StatusPanelTests
         _played.Run(1);
         Assert.That(_played.Texts.Select(text => text.text), Has.None.EqualTo("Objects"));
     }
+
+    [Test]
+    public void TextObjects_Deleted_AreMadeAgain()
+    {
+        _played.Play(1);
+
+        UnityEngine.Object.DestroyImmediate(_played.Sheet.gameObject);
+        _played.Run(1);
+
+        Assert.That(_played.Row("Pose").Value, Is.EqualTo("current"));
+    }
 }

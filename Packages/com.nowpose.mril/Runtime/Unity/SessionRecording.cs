@@ -98,6 +98,7 @@ namespace Nowpose.Unity
         void Begin(CompensationSession session)
         {
             _recorded = session;
+            Problem = null;
             var now = DateTime.UtcNow;
             try
             {

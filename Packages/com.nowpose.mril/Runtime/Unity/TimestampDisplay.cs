@@ -64,7 +64,7 @@ namespace Nowpose.Unity
         // Shows a message until the first frame. OnEnable cannot show it, because Unity does not allow new children while it enables objects.
         void LateUpdate()
         {
-            if (_sheet == null) Hide();
+            if (_sheet == null || _sheet.IsDestroyed) Hide();
         }
 
         void Show(DisplayFrame frame)
@@ -80,6 +80,14 @@ namespace Nowpose.Unity
             Sheet.Blank(StatusMessages.NoSession);
         }
 
-        TimestampSheet Sheet => _sheet ??= new TimestampSheet(transform, _cell, _light, _sideMetres);
+        TimestampSheet Sheet
+        {
+            get
+            {
+                if (_sheet != null && !_sheet.IsDestroyed) return _sheet;
+                _sheet?.Destroy();
+                return _sheet = new TimestampSheet(transform, _cell, _light, _sideMetres);
+            }
+        }
     }
 }

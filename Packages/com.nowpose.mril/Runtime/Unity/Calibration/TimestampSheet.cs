@@ -28,7 +28,7 @@ namespace Nowpose.Unity.Calibration
         /// <param name="side">Side length of the code, in metres.</param>
         public TimestampSheet(Transform parent, TextMesh model, Material light, float side)
         {
-            RemoveFrom(parent);
+            RemoveFrom(parent, model);
             _object = new GameObject(Name) { layer = parent.gameObject.layer };
             _object.transform.SetParent(parent, worldPositionStays: false);
             _code = new TimestampMesh(side);
@@ -42,6 +42,9 @@ namespace Nowpose.Unity.Calibration
             _digits = new TimestampDigits(_object.transform, model, below, Height * side);
             _words = TimestampDigits.Copy("Words", _object.transform, model, below, Height * side);
         }
+
+        /// <summary>Whether the objects were destroyed.</summary>
+        public bool IsDestroyed => _object == null;
 
         /// <summary>Shows a time as code and as text. Does not allocate.</summary>
         public void Show(ControlTime time)
@@ -67,7 +70,7 @@ namespace Nowpose.Unity.Calibration
         public void Destroy()
         {
             Object.Destroy(_code.Mesh);
-            Object.Destroy(_object);
+            if (!IsDestroyed) Object.Destroy(_object);
         }
 
         // Rounds down like TimestampCode.ValueOf, including for times before the epoch.
@@ -80,10 +83,10 @@ namespace Nowpose.Unity.Calibration
 
         // Removes the objects of an earlier instance. When Unity recompiles scripts in play mode, the objects remain but the references to them are
         // lost.
-        static void RemoveFrom(Transform parent)
+        static void RemoveFrom(Transform parent, TextMesh model)
         {
             var left = parent.Find(Name);
-            if (left == null) return;
+            if (left == null || (model != null && model.transform.IsChildOf(left))) return;
             left.SetParent(null, worldPositionStays: false);
             Object.Destroy(left.gameObject);
         }

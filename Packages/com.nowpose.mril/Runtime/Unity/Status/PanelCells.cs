@@ -57,6 +57,9 @@ namespace Nowpose.Unity.Status
             _values[(int)StatusRow.Message] = Copy(StatusRow.Message, 0);
         }
 
+        /// <summary>Whether the text objects were destroyed.</summary>
+        public bool IsDestroyed => _sheet == null;
+
         /// <summary>Maximum width of a line of the message.</summary>
         public static float MessageWidth => Columns[Columns.Length - 1];
 
