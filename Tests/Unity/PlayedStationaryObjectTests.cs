@@ -171,4 +171,49 @@ public class PlayedStationaryObjectTests : PlayedParts
         Assert.That(_cell.Messages, Has.Exactly(1).Matches(ObjectMessages.PlacesLost("stationary-objects.json, line 1: .*", ".*")));
         Assert.That((File.Exists(path), File.Exists(path + ".bad")), Is.EqualTo((false, true)));
     }
+
+    // The place is relative to the base of the cell, so it is wrong for another robot.
+    [Test]
+    public void StationaryObject_PlacedByHandInOneCell_IsNotPlacedInAnother()
+    {
+        var anchor = Below<BaseAnchor>("Base", _session.transform).With("_cell", "desk 1");
+        var belt = Below<StationaryObject>("belt", anchor.transform);
+        Run(0.5);
+        belt.BeginMove();
+        belt.transform.position = new Vector3(1, 0, 2);
+        Run(0.1);
+        belt.EndMove();
+        Run(0.1);
+        Assert.That(belt.State, Is.EqualTo(PoseState.Current));
+
+        anchor.Use("press/2", System.Array.Empty<Nowpose.Anchoring.BaseMarker>());
+        _session.Restart();
+        Run(0.5);
+        Assert.That((belt.State, belt.Fault, Path.GetFileName(belt.SavedPath)),
+            Is.EqualTo((PoseState.Incomplete, ObjectMessages.NotPlaced, "stationary-objects-press_2.json")));
+
+        anchor.Use("desk 1", System.Array.Empty<Nowpose.Anchoring.BaseMarker>());
+        _session.Restart();
+        Run(0.5);
+        Assert.That(belt.State, Is.EqualTo(PoseState.Current));
+    }
+
+    [Test]
+    public void StationaryObject_FileNotReadable_KeepsTheSavedPlaces()
+    {
+        var file = Path.Combine(_folder, "stationary-objects.json");
+        StationaryFrameFile.Save(file, new TransformsMessage(Along(2).ToTransform(default, "world", "other")));
+        var before = File.ReadAllText(file);
+        var belt = Below<StationaryObject>("belt", _session.transform);
+        using (new FileStream(file, FileMode.Open, FileAccess.ReadWrite, FileShare.None))
+        {
+            Run(0.5);
+            belt.BeginMove();
+            Run(0.1);
+            belt.EndMove();
+        }
+
+        Assert.That(File.ReadAllText(file), Is.EqualTo(before));
+        Assert.That(_cell.Messages, Has.Exactly(1).EqualTo("[Nowpose] " + ObjectMessages.PlaceNotSaved("belt", file)));
+    }
 }

@@ -40,6 +40,7 @@ namespace Nowpose.Unity
 
         FollowedFrame _followed;
         RigidTransform? _saved;
+        string _readPath;
 
         /// <summary>Name of the frame.</summary>
         public string Frame => _followed != null ? _followed.Name : string.IsNullOrEmpty(_frame) ? name : _frame;
@@ -50,8 +51,21 @@ namespace Nowpose.Unity
         /// <summary>Whether a move by hand is in progress.</summary>
         public bool IsMoving { get; private set; }
 
-        /// <summary>Path of the file with the places of all objects that were placed by hand.</summary>
-        public string SavedPath => Path.Combine(Application.persistentDataPath, string.IsNullOrEmpty(_fileName) ? DefaultFile : _fileName);
+        /// <summary>
+        /// Path of the file with the places of all objects that were placed by hand. The places are relative to the base, so each cell of a Base Anchor has
+        /// its own file: its name is added to the file name.
+        /// </summary>
+        public string SavedPath
+        {
+            get
+            {
+                var name = string.IsNullOrEmpty(_fileName) ? DefaultFile : _fileName;
+                var anchor = CellPlace.AnchorOf(this, this.SessionOr(_session));
+                if (anchor != null && !string.IsNullOrEmpty(anchor.Cell))
+                    name = Path.ChangeExtension(name, null) + "-" + string.Join("_", anchor.Cell.Split(Path.GetInvalidFileNameChars())) + Path.GetExtension(name);
+                return Path.Combine(Application.persistentDataPath, name);
+            }
+        }
 
         /// <summary>Reason why the object's pose is not current, in one line; null if it is current.</summary>
         public string Fault => _followed == null ? StatusMessages.NoSession : _followed.Fault;
@@ -110,7 +124,7 @@ namespace Nowpose.Unity
             _followed = FollowedFrame.Of(this, _session, "stationary object", Frame, _canBeGripped, missing: ObjectMessages.NotPlaced);
             if (_followed == null) return;
             if (_followed.Source.Movers.HasAny(mover => mover is StationaryObject other && HasPlaceOf(other))) ConsoleLog.Warn(this, ObjectMessages.SameFrame(name, Frame));
-            _saved = Saved();
+            _readPath = null;
             _followed.Source.Movers.Add(this, Show);
         }
 
@@ -144,6 +158,8 @@ namespace Nowpose.Unity
                 _followed.PlaceBy(transform);
                 return;
             }
+            // A new session may be that of another cell.
+            if (isNew) ReadSaved();
             if (isNew && !_followed.IsKnown && _followed.World != null && _saved is RigidTransform saved)
             {
                 transform.PlaceIn(_followed.World, saved);
@@ -152,24 +168,32 @@ namespace Nowpose.Unity
             _followed.Place(transform, RigPose.Displayed);
         }
 
-        RigidTransform? Saved()
+        void ReadSaved()
         {
-            var file = Load();
-            for (var i = 0; i < file.Count; i++)
-                if (file[i].Child == Frame) return file[i].ToPose();
-            return null;
+            var path = SavedPath;
+            if (path == _readPath) return;
+            (_readPath, _saved) = (path, null);
+            var file = Load(path);
+            for (var i = 0; i < file?.Count; i++)
+                if (file[i].Child == Frame) _saved = file[i].ToPose();
         }
 
-        TransformsMessage Load()
+        // Returns null if the file could not be read. It may be valid, so it must not be overwritten.
+        TransformsMessage Load(string path)
         {
-            if (!File.Exists(SavedPath)) return new TransformsMessage();
+            if (!File.Exists(path)) return new TransformsMessage();
             try
             {
-                return StationaryFrameFile.Load(SavedPath);
+                return StationaryFrameFile.Load(path);
+            }
+            catch (InputException fault) when (WholeFile.IsUnread(fault))
+            {
+                ConsoleLog.Warn(this, fault.Message);
+                return null;
             }
             catch (InputException fault)
             {
-                var aside = WholeFile.PutAside(SavedPath);
+                var aside = WholeFile.PutAside(path);
                 ConsoleLog.Warn(this, ObjectMessages.PlacesLost(fault.Message, aside));
                 return new TransformsMessage();
             }
@@ -178,13 +202,19 @@ namespace Nowpose.Unity
         // Keeps the places of the other objects, which are in the same file.
         void Save()
         {
-            var (before, file) = (Load(), new TransformsMessage());
+            var path = SavedPath;
+            var (before, file) = (Load(path), new TransformsMessage());
+            if (before == null)
+            {
+                ConsoleLog.Fail(this, ObjectMessages.PlaceNotSaved(name, path));
+                return;
+            }
             for (var i = 0; i < before.Count; i++)
                 if (before[i].Child != Frame) file.Add(before[i]);
             file.Add(_saved.Value.ToTransform(default, FrameParents.World, Frame));
             try
             {
-                StationaryFrameFile.Save(SavedPath, file);
+                StationaryFrameFile.Save(path, file);
             }
             catch (InputException fault)
             {

@@ -53,6 +53,9 @@ namespace Nowpose.Unity.Messages
 
         public const string NotPlaced = "not placed; place it by hand, or publish its frame on /tf_static";
 
+        public static string PlaceNotSaved(string name, string file) =>
+            $"stationary object '{name}': its place is not saved, because {file} cannot be read; close the other program and place the object again";
+
         /// <param name="copy">Path of the saved copy of the invalid file; null if it could not be saved.</param>
         public static string PlacesLost(string reason, string copy) => copy == null
             ? $"{reason}; place the objects again"
