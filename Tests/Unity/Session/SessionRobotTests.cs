@@ -74,21 +74,23 @@ public class SessionRobotTests
         Assert.That(session.Robot.Name, Is.EqualTo("youbot"));
     }
 
-    [TestCase(1, true, TestName = "Description_OtherConnectionToTheSameGateway_IsKept")]
-    [TestCase(2, false, TestName = "Description_OfAnotherGateway_IsDiscarded")]
-    public void Description_AfterOtherSettings_IsThatOfTheGateway(int webSocketPort, bool isKept)
+    [TestCase(1, "", true)]
+    [TestCase(2, "", false)]
+    [TestCase(1, "arm2", false)]
+    public void Description_AfterOtherSettings_IsKeptForTheSameGatewayAndNamespace(int webSocketPort, string robotNamespace, bool isKept)
     {
         var session = _cell.Play(robot: null);
         session.Session.Described(RobotFiles.LoadText("ur5"));
         _cell.Run(0.1, session);
 
-        session.Settings = session.Settings.With(new ConnectionSettings("127.0.0.1", 1, webSocketPort, token: "new"));
+        session.Settings = new SessionSettings(
+            new ConnectionSettings("127.0.0.1", 1, webSocketPort, token: "new"), session.Settings.Visualisation, robotNamespace: robotNamespace);
         _cell.Run(0.1, session);
 
         Assert.That(session.Robot?.Name, Is.EqualTo(isKept ? "ur5" : null));
-        session.Session.Described(RobotFiles.LoadText("ur5"));
+        session.Session.Described(RobotFiles.LoadText("youbot"));
         _cell.Run(0.1, session);
-        Assert.That(session.Robot.Name, Is.EqualTo("ur5"));
+        Assert.That(session.Robot.Name, Is.EqualTo("youbot"));
     }
 
     [Test]

@@ -224,7 +224,7 @@ namespace Nowpose.Unity
             try
             {
                 _used = _given ?? (_settings != null ? _settings.ToSettings() : throw new InputException(ComponentMessages.NoSettings(name)));
-                robot = _description.ModelOf(_robot, Robot, _used.Connection.WebSocketUri);
+                robot = _description.ModelOf(_robot, Robot, _used);
             }
             catch (InputException fault)
             {

@@ -14,7 +14,7 @@ namespace Nowpose.Unity.Session
         /// <summary>Replaces the robot until the gateway has described it. This model has no joints and is not shown.</summary>
         public static readonly RobotModel NoRobot = UrdfReader.Read("<robot name='none'><link name='no robot'/></robot>", "no robot");
 
-        Uri _gateway;
+        (Uri Gateway, string Namespace) _source;
         RobotModel _newest;
         UrdfHash _reported;
         string _fault;
@@ -27,11 +27,12 @@ namespace Nowpose.Unity.Session
         /// <param name="shown">
         /// Robot of the previous session; null while it is unknown. It is returned again for the same URDF, so that rigs stay bound to it.
         /// </param>
-        /// <param name="gateway">Address of the gateway. Another gateway may have another robot, so its description replaces the known one.</param>
+        /// <param name="settings">Settings of the session. Another gateway or namespace has another robot, so the known description is discarded.</param>
         /// <exception cref="InputException">The asset's URDF is invalid.</exception>
-        public RobotModel ModelOf(RobotDescriptionAsset asset, RobotModel shown, Uri gateway)
+        public RobotModel ModelOf(RobotDescriptionAsset asset, RobotModel shown, SessionSettings settings)
         {
-            if (gateway != _gateway) this = new DescriptionWatch { _gateway = gateway };
+            var source = (settings.Connection.WebSocketUri, settings.RobotNamespace);
+            if (source != _source) this = new DescriptionWatch { _source = source };
             if (asset == null) return Robot;
             return shown?.SourceHash == UrdfHash.Of(asset.Urdf) ? shown : asset.Read();
         }
