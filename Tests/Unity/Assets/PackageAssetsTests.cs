@@ -23,6 +23,7 @@ public sealed class PackageAssetsTests
     {
         ("VirtualGripper._rig", "Virtual Gripper"),
         ("RobotRig._description", ""),
+        ("HandPlacedMarker._anchor", ""),
         ("PoseAppearance._session", "Virtual Gripper.prefab/Virtual Gripper"),
         // The session above the objects.
         ("RobotRig._session", "Nowpose Robot.prefab/Nowpose Robot/Robot"),
