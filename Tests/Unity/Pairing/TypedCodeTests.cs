@@ -19,12 +19,13 @@ public class TypedCodeTests
     [TearDown]
     public void Stop() => _played.Dispose();
 
+    // The next question may appear a second after the answer.
     void Pair(string code)
     {
         _played.Pairing.ReadCode(code);
         _played.Frames();
         _played.Pairing.Accept();
-        _played.Frames();
+        _played.Frames(70);
     }
 
     [Test]
@@ -42,6 +43,29 @@ public class TypedCodeTests
         _played.Pairing.ReadCode(Desk);
         _played.Frames();
         Assert.That((_played.Pairing.Question, _played.Pairing.Cell), Is.EqualTo(((string)null, "desk")), "no cell is in use");
+    }
+
+    // A reader of codes gives the text of each picture in which it finds the code.
+    [Test]
+    public void ReadCode_RepeatedWhileInView_AsksOnceAndStaysDeclined()
+    {
+        var asked = 0;
+        _played.Pairing.Changed += () => asked += _played.Pairing.Question != null ? 1 : 0;
+        void Repeat()
+        {
+            for (var i = 0; i < 300; i++)
+            {
+                _played.Pairing.ReadCode(Desk);
+                _played.Frames(1);
+            }
+        }
+
+        _played.Frames();
+        Repeat();
+        _played.Pairing.Refuse();
+        Repeat();
+
+        Assert.That((asked, _played.Pairing.Question), Is.EqualTo((1, (string)null)));
     }
 
     [TestCase("nowpose:cell/1?n=a")]
@@ -66,7 +90,7 @@ public class TypedCodeTests
         _played.Pairing.ReadCode(Desk);
         _played.Frames();
         _played.Pairing.Refuse();
-        _played.Frames();
+        _played.Frames(70);
 
         _played.Pairing.ReadCode(Desk);
         _played.Frames();
@@ -109,5 +133,12 @@ public class TypedCodeTests
 
         Assert.That(pairing.Problem, Is.EqualTo(PairedCellMessages.Shared(_played.FilePath, _played.Pairing.name)));
         Assert.That(File.ReadAllText(_played.FilePath), Is.EqualTo(before));
+        Pair(Press);
+        Assert.That(File.ReadAllText(_played.FilePath), Does.Contain("desk").And.Contain("press").And.Not.Contain("bench"));
+
+        UnityEngine.Object.DestroyImmediate(_played.Session.gameObject);
+        pairing.Forget();
+        _played.Cell.Frame(second);
+        Assert.That((pairing.Problem, File.ReadAllText(_played.FilePath).Contains("desk")), Is.EqualTo(((string)null, true)), "the cells that it read");
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
@@ -51,8 +50,6 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Called when a problem has occurred. The property Words states it.")]
         UnityEvent _onProblem = new UnityEvent();
 
-        static readonly List<CellPairing> Enabled = new List<CellPairing>();
-
         readonly AppliedCell _applied = new AppliedCell();
         readonly CodesInView _view = new CodesInView();
         readonly Listeners<Action> _changed = new Listeners<Action>();
@@ -91,8 +88,8 @@ namespace Nowpose.Unity
         public void Accept() => Flow?.Accept();
 
         /// <summary>
-        /// Answers the open question with no. A declined gateway stays declined until the application restarts or <see cref="AskToForget"/> is
-        /// called.
+        /// Answers the open question with no. A declined gateway stays declined until the application restarts, or until <see cref="AskToForget"/> or
+        /// <see cref="ReadCode"/> is called.
         /// </summary>
         public void Refuse() => Flow?.Refuse();
 
@@ -104,7 +101,8 @@ namespace Nowpose.Unity
         public void Forget() => Flow?.Forget();
 
         /// <summary>
-        /// Processes the text of a code that was typed or scanned elsewhere, as if the code were in view. Ignores white space around it.
+        /// Processes the text of a code that was typed or scanned elsewhere: offers a paired cell at once, and reports each invalid text. A reader of codes may
+        /// repeat the text while the code is in view. Ignores white space around it.
         /// </summary>
         public void ReadCode(string text)
         {
@@ -122,17 +120,12 @@ namespace Nowpose.Unity
             _name = HeadsetName.Of(_headsetName);
             _path = Path.Combine(Application.persistentDataPath, _fileName);
             Flow = new PairingFlow(PairedCellsFile.Load(_path, out _fileProblem, out var isUnread), _name, SendInBackground);
-            // Each component would replace the cells of the other in a common file.
-            var other = Enabled.Find(each => each._path == _path);
-            _unsaved = other != null ? PairedCellMessages.Shared(_path, other.name) : isUnread ? _fileProblem : null;
-            _fileProblem ??= _unsaved;
-            Enabled.Add(this);
+            _unsaved = isUnread ? _fileProblem : null;
             if (_fileProblem != null) ConsoleLog.Warn(this, _fileProblem);
         }
 
         void OnDisable()
         {
-            Enabled.Remove(this);
             Flow?.Dispose();
             Flow = null;
             ShowQuestion();
@@ -160,13 +153,11 @@ namespace Nowpose.Unity
 
         void Apply(bool isNew)
         {
-            var used = Flow.Cells.Used;
-            if (isNew)
-            {
-                _isApplied = false;
-                _applied.Place(_target, used);
-            }
+            var (used, session) = (Flow.Cells.Used, _source.Session);
+            _isApplied &= !isNew;
+            var isOtherBase = isNew && _applied.Place(_target, used);
             if (!_isApplied) _isApplied = _applied.Connect(_source, used, _name);
+            if (isOtherBase && _source.Session == session) _source.Restart();
         }
 
         void Notify(PairingChange changes)
@@ -194,6 +185,7 @@ namespace Nowpose.Unity
             try
             {
                 if (_unsaved != null) throw new InputException(_unsaved);
+                if (FirstOfFile() is CellPairing first && first != this) throw new InputException(PairedCellMessages.Shared(_path, first.name));
                 PairedCellsFile.Save(_path, Flow.Cells);
                 _fileProblem = null;
             }
@@ -202,6 +194,15 @@ namespace Nowpose.Unity
                 if (_fileProblem != fault.Message) ConsoleLog.Warn(this, fault.Message);
                 _fileProblem = fault.Message;
             }
+        }
+
+        // The first enabled pairing of the scene that uses the file: two would replace the cells of each other.
+        CellPairing FirstOfFile()
+        {
+            foreach (var root in gameObject.scene.GetRootGameObjects())
+                foreach (var each in root.GetComponentsInChildren<CellPairing>())
+                    if (each.Flow != null && each._path == _path) return each;
+            return null;
         }
 
         static Task<PairingAnswer> SendInBackground(ConnectionSettings gateway, string token, CancellationToken cancel) =>

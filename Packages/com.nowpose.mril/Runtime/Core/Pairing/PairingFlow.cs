@@ -23,7 +23,8 @@ namespace Nowpose.Pairing
         readonly HashSet<string> _refused = new HashSet<string>(StringComparer.Ordinal);
         PairingQuestion _asked;
         readonly PairingStatus _status;
-        HeadsetTime _now, _quietUntil;
+        HeadsetTime _now, _quietUntil, _readAt;
+        string _read;
         bool _isTokenRefused;
 
         /// <param name="cells">Cells accepted in earlier runs.</param>
@@ -66,35 +67,36 @@ namespace Nowpose.Pairing
         /// <summary>Reads the text of a code in view, which may come from any source.</summary>
         public void See(string text, HeadsetTime now)
         {
-            _now = now;
-            var seen = _seen.Read(text, now, out var fault);
+            var seen = _seen.Read(text, _now = now, out var fault);
             if (fault != null) FailTemporarily(fault);
             if (seen?.Cell != null) SeeCell(seen);
             else if (seen?.Token != null) SeeToken(seen.Token, now);
         }
 
         /// <summary>
-        /// Reads the text of a code that a person has typed or scanned elsewhere. Unlike a code in view, it is a decision: a code that was declined or
-        /// already read is considered again, and a known cell is offered at once.
+        /// Reads the text of a code that was typed or scanned elsewhere. It offers a paired cell at once, asks about a declined gateway again, and reports an
+        /// invalid text again. A reader may repeat the text of a code that stays in view.
         /// </summary>
         public void Read(string text, HeadsetTime now)
         {
-            _now = now;
+            var isRepeated = text == _read && now - _readAt < PairingLimits.SameReading;
+            (_now, _read, _readAt) = (now, text, now);
+            if (!isRepeated) Decide(text);
+            See(text, now);
+        }
+
+        void Decide(string text)
+        {
             _seen.Forget(text);
-            var seen = _seen.Read(text, now, out var fault);
-            if (seen == null || fault != null)
-            {
-                FailTemporarily(fault ?? PairingCodeMessages.NotACode);
-                return;
-            }
-            if (seen.Cell != null)
+            var seen = _seen.Read(text, _now, out var fault);
+            if (seen == null || fault != null) FailTemporarily(fault ?? PairingCodeMessages.NotACode);
+            else if (seen.Cell != null && _asked?.Forgotten == null)
             {
                 _refused.Remove(seen.Gateway);
-                (_asked, _quietUntil) = (null, now);
+                _asked = null;
                 _status.Change(PairingChange.Words);
+                if (Known(seen.Cell) is PairedCell other && other.Cell != Cells.Used?.Cell) SwitchTo(other);
             }
-            See(text, now);
-            if (seen.Cell != null && Known(seen.Cell) is PairedCell other && other.Cell != Cells.Used?.Cell) SwitchTo(other);
         }
 
         /// <summary>Processes the codes seen; called once a frame.</summary>
@@ -182,6 +184,7 @@ namespace Nowpose.Pairing
         void Reconsider()
         {
             _refused.Clear();
+            _read = null;
             _other.Reconsider();
         }
 

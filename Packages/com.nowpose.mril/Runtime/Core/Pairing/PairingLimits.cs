@@ -26,6 +26,9 @@ namespace Nowpose.Pairing
         /// </summary>
         public static readonly TimeSpan QuestionPause = TimeSpan.FromSeconds(1);
 
+        /// <summary>Maximum time between two readings of a text that count as one, because a reader of codes repeats the text of a code in view.</summary>
+        public static readonly TimeSpan SameReading = TimeSpan.FromSeconds(3);
+
         /// <summary>Minimum time for which another known cell alone is in view before the wearer is asked; longer than a glance.</summary>
         public static readonly TimeSpan LookAtOther = TimeSpan.FromSeconds(1);
 

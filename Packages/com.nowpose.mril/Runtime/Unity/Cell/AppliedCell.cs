@@ -33,9 +33,11 @@ namespace Nowpose.Unity.Cell
 
         /// <summary>Passes the markers of the cell to the base anchor.</summary>
         /// <param name="anchor">The base anchor; null if the scene has none.</param>
-        public void Place(BaseAnchor anchor, PairedCell cell)
+        /// <returns>Whether the base is now that of another cell. All poses relative to it are then invalid.</returns>
+        public bool Place(BaseAnchor anchor, PairedCell cell)
         {
-            if (anchor == null || IsSamePlace(_anchored, cell)) return;
+            if (anchor == null || IsSamePlace(_anchored, cell)) return false;
+            var before = anchor.Cell;
             var markers = new List<BaseMarker>();
             if (cell != null)
                 foreach (var code in cell.Codes)
@@ -44,6 +46,7 @@ namespace Nowpose.Unity.Cell
             if (markers.Count > 0) anchor.Use(cell.Cell, markers);
             else if (_anchored != null) anchor.UseFields();
             _anchored = markers.Count > 0 ? cell : null;
+            return anchor.Cell != before;
         }
 
         void Leave(MrilSession session)
