@@ -2,6 +2,8 @@ using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
 using Nowpose.Unity.Anchoring;
+using Nowpose.Unity.Messages;
+using Nowpose.Unity.Status;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -51,6 +53,8 @@ public class SeveralBasesTests
         var actions = _played.Session.gameObject.AddComponent<CellActions>();
         _played.PlayLocked();
         Assert.That(new SessionBases().WorstOf(_played.Session), Is.SameAs(other));
+        var panel = _played.Session.GetComponentInChildren<StatusPanel>();
+        Assert.That(panel.Texts.ValueOf(StatusRow.Base), Is.EqualTo(StatusMessages.Of(BaseAnchorState.Searching)));
         _played.Markers.Markers["b"] = RigidTransform.Identity;
         _played.Cell.Run(4, _played.Session);
         Assert.That((other.State, new SessionBases().WorstOf(_played.Session).State), Is.EqualTo((BaseAnchorState.Locked, BaseAnchorState.Locked)));
@@ -58,5 +62,40 @@ public class SeveralBasesTests
         actions.LockBase();
 
         Assert.That((_played.Anchor.State, other.State), Is.EqualTo((BaseAnchorState.Searching, BaseAnchorState.Searching)));
+    }
+
+    // Another base must not take over a place that was set for one that has gone.
+    [Test]
+    public void HandPlacedMarker_ItsBaseIsDestroyed_DoesNotPlaceAnother()
+    {
+        var other = PlayedRig.Below<BaseAnchor>("Other base", _played.Session.transform);
+        other.transform.position = new Vector3(3, 0, 0);
+        var hand = PlayedRig.Below<HandPlacedMarker>("Hand", _played.Session.transform);
+        _played.Play();
+        _played.Cell.Run(1.1, _played.Session);
+        hand.BeginMove();
+        _played.Cell.Run(0.1, _played.Session);
+        hand.EndMove();
+
+        UnityEngine.Object.DestroyImmediate(_played.Anchor);
+        _played.Cell.Run(2, _played.Session);
+
+        Assert.That((other.State, other.transform.position), Is.EqualTo((BaseAnchorState.Placed, new Vector3(3, 0, 0))));
+    }
+
+    [Test]
+    public void UseFields_LockedBaseOfTheSameName_ReturnsToItsFormerPose()
+    {
+        _played.Play();
+        _played.Cell.Run(1.1, _played.Session);
+        var before = _played.Anchor.transform.position;
+        _played.Anchor.Use("cell 7", new[] { new BaseMarker("a", PlayedBaseAnchor.InBase, 0) });
+        _played.Cell.Run(4, _played.Session);
+        Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Locked));
+
+        _played.Anchor.UseFields();
+        _played.Cell.Run(1, _played.Session);
+
+        Assert.That((_played.Anchor.State, _played.Anchor.transform.position), Is.EqualTo((BaseAnchorState.Placed, before)));
     }
 }

@@ -78,8 +78,7 @@ namespace Nowpose.Unity
         string _loggedWords = "", _fault, _loggedProblem, _loggedRefused;
         MarkerConflict _loggedConflict;
         bool _loggedCorrected, _loggedScale, _isGiven;
-        Vector3 _ownPosition;
-        Quaternion _ownRotation;
+        (Vector3 Position, Quaternion Rotation) _own;
 
         /// <summary>Raised when <see cref="Place"/> or <see cref="Nudge"/> moves the anchor.</summary>
         public event Action Moved;
@@ -126,7 +125,7 @@ namespace Nowpose.Unity
         {
             if (markers == null) throw new ArgumentNullException(nameof(markers));
             Track(cell, markers);
-            if (!_isGiven) (_ownPosition, _ownRotation) = (transform.localPosition, transform.localRotation);
+            if (!_isGiven) _own = (transform.localPosition, transform.localRotation);
             _isGiven = true;
             Notify();
         }
@@ -136,7 +135,8 @@ namespace Nowpose.Unity
         {
             if (!_isGiven) return;
             _isGiven = false;
-            (transform.localPosition, transform.localRotation) = (_ownPosition, _ownRotation);
+            (transform.localPosition, transform.localRotation) = _own;
+            Tracker?.Release();
             TrackFields();
             Notify();
         }

@@ -20,22 +20,20 @@ namespace Nowpose.Unity
             + "frame.")]
         string _payload = "";
 
-        [SerializeField, Tooltip("The base that this object places if it has no payload. Empty: the first Base Anchor below the session.")]
+        [SerializeField, Tooltip("The base that this object places if it has no payload. Empty: the first enabled Base Anchor below the session.")]
         BaseAnchor _anchor = null;
 
         string _id;
         MrilSession _session;
         HeadsetTime? _placed;
-        bool _isBelowBase;
+        BaseAnchor _placedBase;
+        bool _isBelowBase, _isDecided;
 
         /// <summary>Whether a move is in progress.</summary>
         public bool IsMoving { get; private set; }
 
         /// <summary>Text of the printed marker that this object replaces; empty if the object represents the base frame itself.</summary>
         public string Payload => _payload;
-
-        /// <summary>The base that this object places if it has no payload; null for the first one below the session.</summary>
-        internal BaseAnchor Anchor => _anchor;
 
         /// <summary>Identifies this marker among the sources.</summary>
         internal string Id => _id;
@@ -46,6 +44,10 @@ namespace Nowpose.Unity
         {
             CheckParents();
             IsMoving = isActiveAndEnabled && !_isBelowBase;
+            if (!IsMoving) return;
+            _isDecided = false;
+            var root = _session != null ? _session.transform : transform.root;
+            (_placedBase, _isDecided) = (BaseAmong(root.GetComponentsInChildren<BaseAnchor>()), true);
         }
 
         /// <summary>Ends the move. Does nothing if no move is in progress.</summary>
@@ -65,6 +67,18 @@ namespace Nowpose.Unity
             if (!(_placed is HeadsetTime placed)) return;
             var pose = UnityPoses.ToRoom(transform.position, transform.rotation);
             markers.Add(new MarkerSighting(_id, _payload.Length == 0 ? null : _payload, pose, 0, placed, MarkerTracking.Placed));
+        }
+
+        /// <summary>
+        /// Returns the base that this object places if it has no payload; null if there is none. The start of a move decides it, because another base must
+        /// not take over the place later.
+        /// </summary>
+        internal BaseAnchor BaseAmong(IReadOnlyList<BaseAnchor> bases)
+        {
+            if (_isDecided) return _placedBase;
+            for (var i = 0; i < bases.Count && _anchor == null; i++)
+                if (bases[i] != null && bases[i].isActiveAndEnabled) return bases[i];
+            return _anchor;
         }
 
         /// <summary>Moves this object along with the base. Does nothing during a move by the user.</summary>

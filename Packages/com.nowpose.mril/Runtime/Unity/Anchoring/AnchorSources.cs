@@ -73,13 +73,8 @@ namespace Nowpose.Unity.Anchoring
         }
 
         // A marker without a payload places one base: otherwise several robots would be displayed at the same place.
-        bool IsPlacedBy(HandPlacedMarker hand, BaseTracker tracker)
-        {
-            if (hand.Anchor != null) return hand.Anchor.Tracker == tracker;
-            foreach (var each in _bases)
-                if (each != null) return each.Tracker == tracker;
-            return true;
-        }
+        bool IsPlacedBy(HandPlacedMarker hand, BaseTracker tracker) =>
+            hand.BaseAmong(_bases) is BaseAnchor placed && placed != null && placed.Tracker == tracker;
 
         /// <summary>Moves the hand-placed markers along with the base, except the markers that the user is moving.</summary>
         public void Rest(Pose place, BaseTracker tracker)

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using Nowpose.Anchoring;
+using Nowpose.Unity.Status;
 
 namespace Nowpose.Unity.Anchoring
 {
@@ -17,19 +18,19 @@ namespace Nowpose.Unity.Anchoring
             session.GetComponentsInChildren(_found);
             BaseAnchor worst = null;
             foreach (var each in _found)
-                if (worst == null || RankOf(each.State) > RankOf(worst.State)) worst = each;
+                if (worst == null || RankOf(each) > RankOf(worst)) worst = each;
             return worst != null ? worst : session.GetComponentInChildren<BaseAnchor>(true);
         }
 
-        static int RankOf(BaseAnchorState state)
+        static int RankOf(BaseAnchor anchor)
         {
-            switch (state)
+            switch (anchor.State)
             {
-                case BaseAnchorState.Restored: return 1;
-                case BaseAnchorState.Searching: return 2;
-                case BaseAnchorState.Moved: return 3;
-                case BaseAnchorState.Lost: return 4;
-                default: return 0;
+                case BaseAnchorState.Restored: return 2;
+                case BaseAnchorState.Searching: return 3;
+                case BaseAnchorState.Moved: return 4;
+                case BaseAnchorState.Lost: return 5;
+                default: return BaseTexts.IsWrong(anchor.Tracker) ? 1 : 0;
             }
         }
     }

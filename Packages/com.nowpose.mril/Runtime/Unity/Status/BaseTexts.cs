@@ -35,8 +35,8 @@ namespace Nowpose.Unity.Status
             return _fault;
         }
 
-        // Returns whether a locked base has something to report: a conflict, a problem, a correction or an unknown marker.
-        static bool IsWrong(BaseTracker tracker) => tracker != null
+        /// <summary>Returns whether a locked base has something to report: a conflict, a problem, a correction or an unknown marker.</summary>
+        public static bool IsWrong(BaseTracker tracker) => tracker != null
             && (tracker.Conflict != null || tracker.Problem != null || tracker.IsCorrected || tracker.RefusedPayload != null);
 
         static double Worst(BaseTracker tracker)
