@@ -190,7 +190,7 @@ public class PlayedStationaryObjectTests : PlayedParts
         _session.Restart();
         Run(0.5);
         Assert.That((belt.State, belt.Fault, Path.GetFileName(belt.SavedPath)),
-            Is.EqualTo((PoseState.Incomplete, ObjectMessages.NotPlaced, "stationary-objects-press_2.json")));
+            Is.EqualTo((PoseState.Incomplete, ObjectMessages.NotPlaced, "stationary-objects-press%2F2.json")));
 
         anchor.Use("desk 1", System.Array.Empty<Nowpose.Anchoring.BaseMarker>());
         _session.Restart();
@@ -215,5 +215,49 @@ public class PlayedStationaryObjectTests : PlayedParts
 
         Assert.That(File.ReadAllText(file), Is.EqualTo(before));
         Assert.That(_cell.Messages, Has.Exactly(1).EqualTo("[Nowpose] " + ObjectMessages.PlaceNotSaved("belt", file)));
+    }
+
+    // Two cells of one gateway: the connection stays, but the base is another one.
+    [Test]
+    public void StationaryObject_OtherCellOfTheGateway_IsNotPlaced()
+    {
+        static string Code(string cell) =>
+            new Nowpose.Pairing.CellCode(cell, "127.0.0.1", null, Nowpose.Pairing.MarkerOffset.Parse("0.5,0,0", ""), 0.1, 1, 1).Text;
+        var pairing = _session.gameObject.AddComponent<CellPairing>();
+        var anchor = Below<BaseAnchor>("Base", _session.transform);
+        var belt = Below<StationaryObject>("belt", anchor.transform);
+        void Pair(string cell)
+        {
+            pairing.ReadCode(Code(cell));
+            Run(0.1);
+            pairing.Accept();
+            Run(1.5);
+            Assert.That((pairing.Cell, anchor.Cell), Is.EqualTo((cell, cell)));
+        }
+        Run(0.1);
+        Pair("desk");
+        belt.BeginMove();
+        Run(0.1);
+        belt.EndMove();
+        Run(0.1);
+
+        Pair("press");
+
+        Assert.That(belt.Fault, Is.EqualTo(ObjectMessages.NotPlaced));
+    }
+
+    // Unity disables the parents first.
+    [Test]
+    public void StationaryObject_SwitchedOffDuringAMove_IsSavedForItsCell()
+    {
+        var anchor = Below<BaseAnchor>("Base", _session.transform).With("_cell", "desk");
+        var belt = Below<StationaryObject>("belt", anchor.transform);
+        Run(0.5);
+        belt.BeginMove();
+        Run(0.1);
+
+        _session.gameObject.SetActive(false);
+
+        Assert.That(Directory.GetFiles(_folder).Select(Path.GetFileName), Is.EqualTo(new[] { "stationary-objects-desk.json" }));
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using System.IO;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
@@ -32,7 +33,8 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Name of the frame, the child_frame_id of /tf_static. Empty: the name of this object.")]
         string _frame = "";
 
-        [SerializeField, Tooltip("Name of the file on the device that stores the poses of objects that were placed by hand. Empty: stationary-objects.json.")]
+        [SerializeField, Tooltip("Name of the file on the device that stores the poses of objects that were placed by hand. The name of the Base Anchor's "
+            + "cell is added. Empty: stationary-objects.json.")]
         string _fileName = DefaultFile;
 
         [SerializeField, Tooltip("Whether a Grip by Reach can grip the object. It takes effect when this component is enabled.")]
@@ -60,9 +62,11 @@ namespace Nowpose.Unity
             get
             {
                 var name = string.IsNullOrEmpty(_fileName) ? DefaultFile : _fileName;
-                var anchor = CellPlace.AnchorOf(this, this.SessionOr(_session));
+                // During a move, the parents may be inactive or others.
+                var world = _followed?.World;
+                var anchor = world != null ? world.GetComponent<BaseAnchor>() : CellPlace.AnchorOf(this, this.SessionOr(_session));
                 if (anchor != null && !string.IsNullOrEmpty(anchor.Cell))
-                    name = Path.ChangeExtension(name, null) + "-" + string.Join("_", anchor.Cell.Split(Path.GetInvalidFileNameChars())) + Path.GetExtension(name);
+                    name = Path.ChangeExtension(name, null) + "-" + Uri.EscapeDataString(anchor.Cell).Replace("%20", " ") + Path.GetExtension(name);
                 return Path.Combine(Application.persistentDataPath, name);
             }
         }
@@ -172,8 +176,9 @@ namespace Nowpose.Unity
         {
             var path = SavedPath;
             if (path == _readPath) return;
-            (_readPath, _saved) = (path, null);
+            _saved = null;
             var file = Load(path);
+            _readPath = file != null ? path : null;
             for (var i = 0; i < file?.Count; i++)
                 if (file[i].Child == Frame) _saved = file[i].ToPose();
         }
