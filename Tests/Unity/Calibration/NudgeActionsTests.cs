@@ -57,7 +57,10 @@ public sealed class NudgeActionsTests
 
         _actions.ApplyMarks();
         _actions.ClearMarks();
-        Assert.That((_nudge.Problem, PanelNow()), Is.EqualTo(((string)null, NudgeReports.Progress(2, NudgeAxis.X, 0, 0))));
+        Assert.That((_nudge.Problem, _nudge.OffsetMm, PanelNow()), Is.EqualTo(((string)null, 0f, "")));
+
+        _actions.SetShiftMm(2);
+        Assert.That(PanelNow(), Is.EqualTo(NudgeReports.Progress(2, NudgeAxis.X, 0, 0)));
 
         _nudge.enabled = false;
         Assert.That(PanelNow(), Is.Empty);

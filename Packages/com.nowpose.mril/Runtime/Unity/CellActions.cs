@@ -13,8 +13,8 @@ namespace Nowpose.Unity
     /// call them.
     /// </summary>
     /// <remarks>
-    /// Add one component per session. Fields that are not assigned are filled with the first suitable object below the session. A user interface
-    /// can use <see cref="Changed"/> to update what it shows.
+    /// Add one component per session. Except the base anchor, fields that are not assigned are filled with the first suitable object below the session. A
+    /// user interface can use <see cref="Changed"/> to update what it shows.
     /// </remarks>
     [AddComponentMenu("Nowpose/Cell Actions")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder - 1)]
@@ -183,7 +183,7 @@ namespace Nowpose.Unity
         public void ClearMarks()
         {
             if (!(Calibration is LatencyNudge calibration)) return;
-            if (calibration.ForwardCount + calibration.BackwardCount == 0 && calibration.Problem == null) calibration.OffsetMm = 0;
+            if (calibration.ForwardCount + calibration.BackwardCount == 0) calibration.OffsetMm = 0;
             calibration.Clear();
         }
 

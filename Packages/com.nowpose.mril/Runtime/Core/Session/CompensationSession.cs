@@ -275,7 +275,7 @@ namespace Nowpose.Session
         /// <summary>The most severe state among the poses of all robots, held if no frames are computed. Thread-safe.</summary>
         internal PoseState ReadWorstPose(HeadsetTime now)
         {
-            lock (_gate) return Robots.FramesMissingFor(now) == null ? Robots.WorstPose : PoseState.Held;
+            lock (_gate) return Robots.WorstPoseAt(now);
         }
 
         /// <summary>

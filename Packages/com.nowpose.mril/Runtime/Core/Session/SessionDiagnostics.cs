@@ -137,7 +137,7 @@ namespace Nowpose.Session
         static void AddPose(SessionStatistics statistics, DiagnosticValues values)
         {
             values.Add("pose", PoseOf(statistics));
-            if (statistics.CurrentShare.HasValue) values.Add("current_share", Number(statistics.CurrentShare.Value));
+            if (statistics.CurrentShare.HasValue && statistics.FramesMissingFor == null) values.Add("current_share", Number(statistics.CurrentShare.Value));
             values.Add("missing_joints", MissingJoints(statistics));
             foreach (var joint in Joints(statistics)) values.AddDetail("joint_status/" + joint.Joint, joint.Description);
         }

@@ -100,6 +100,9 @@ namespace Nowpose.Session
             return age > MaxFrameAge && WorstPose > PoseState.Held ? age : (TimeSpan?)null;
         }
 
+        /// <summary>Returns <see cref="WorstPose"/>, or held if no frames are computed. Call it under the lock of the session.</summary>
+        public PoseState WorstPoseAt(HeadsetTime now) => FramesMissingFor(now) == null ? WorstPose : PoseState.Held;
+
         /// <summary>Processes all messages that have arrived.</summary>
         public void Take(in ClockModel clock)
         {

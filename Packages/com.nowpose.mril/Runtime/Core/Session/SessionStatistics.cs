@@ -197,7 +197,7 @@ namespace Nowpose.Session
         internal void Fill(SessionRobots robots, HeadsetTime now)
         {
             FramesMissingFor = robots.FramesMissingFor(now);
-            WorstPose = FramesMissingFor == null ? robots.WorstPose : PoseState.Held;
+            WorstPose = robots.WorstPoseAt(now);
             robots[0].Fill(_robot, now, Clock);
             var shown = 0;
             for (var i = 1; i < robots.Count; i++)

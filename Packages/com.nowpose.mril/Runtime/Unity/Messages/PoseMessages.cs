@@ -10,7 +10,7 @@ namespace Nowpose.Unity.Messages
         public const string RigNotMoved = "rig not moved";
         public const string RigDisabled = "the rig is disabled or cannot show the robot";
         public const string Shifted = "shifted";
-        public const string ShiftedByEye = "it is shifted for a calibration by eye; apply or delete the marks to end it";
+        public const string ShiftedByEye = "it is shifted for a calibration by eye; apply the marks, or set the shift to 0";
         public const string SessionPaused = "the session is disabled or paused";
         public const string NotPlaced = "it was placed neither by hand nor by a source";
 

@@ -36,7 +36,7 @@ namespace Nowpose.Unity.Rendering
         public bool IsActive => _owner != null && _owner.activeInHierarchy;
 
         /// <summary>
-        /// Returns the look of a part. While its carrier does not follow the session, the part is at an old pose. It does not fade while it is shifted,
+        /// Returns the look of a part. While its carrier does not follow the session, the part is at an old pose. It hardly fades while it is shifted,
         /// because the user must compare the displayed robot with the real robot.
         /// </summary>
         public PoseLook Over(PoseLook look) => IsFollowing ? IsShifted ? look.Also(PoseMessages.Shifted, PoseMessages.ShiftedByEye, 0) : look

@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Kinematics;
+using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity.Messages;
 
@@ -14,7 +15,7 @@ namespace Nowpose.Unity.Session
         /// <summary>Replaces the robot until the gateway has described it. This model has no joints and is not shown.</summary>
         public static readonly RobotModel NoRobot = UrdfReader.Read("<robot name='none'><link name='no robot'/></robot>", "no robot");
 
-        (Uri Gateway, string Namespace) _source;
+        (Uri Gateway, CertificatePin Pin, string Namespace) _source;
         RobotModel _newest;
         UrdfHash _reported;
         string _fault;
@@ -31,8 +32,8 @@ namespace Nowpose.Unity.Session
         /// <exception cref="InputException">The asset's URDF is invalid.</exception>
         public RobotModel ModelOf(RobotDescriptionAsset asset, RobotModel shown, SessionSettings settings)
         {
-            var source = (settings.Connection.WebSocketUri, settings.RobotNamespace);
-            if (source != _source) this = new DescriptionWatch { _source = source };
+            var source = (settings.Connection.WebSocketUri, settings.Connection.Pin, settings.RobotNamespace);
+            if (!source.Equals(_source)) this = new DescriptionWatch { _source = source };
             if (asset == null) return Robot;
             return shown?.SourceHash == UrdfHash.Of(asset.Urdf) ? shown : asset.Read();
         }
