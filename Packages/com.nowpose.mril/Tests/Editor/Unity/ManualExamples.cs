@@ -68,13 +68,20 @@ namespace Nowpose.Tests.Unity
         public sealed class MyMarkers : MonoBehaviour, IMarkerSource
         {
             [SerializeField] MrilSession _session = null;
-            [SerializeField] Transform _found = null;
+
+            MarkerSighting? _seen;
+
+            // Call this method when the SDK has measured the pose of the code. The z axis points right along the print, the x axis to its lower edge,
+            // and the y axis out of it.
+            public void Seen(Pose pose)
+            {
+                var place = UnityPoses.ToRoom(pose.position, pose.rotation);
+                _seen = new MarkerSighting("1", "my robot", place, 0.12, _session.HeadsetClock.Now, MarkerTracking.Tracking);
+            }
 
             public void Read(List<MarkerSighting> markers)
             {
-                // The z axis points right along the print, the x axis to its lower edge, and the y axis out of it.
-                var pose = UnityPoses.ToRoom(_found.position, _found.rotation);
-                markers.Add(new MarkerSighting("1", "my robot", pose, 0.12, _session.HeadsetClock.Now, MarkerTracking.Tracking));
+                if (_seen is MarkerSighting seen) markers.Add(seen);
             }
         }
     }

@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(diagnostics.Values.Single(each => each.Key == "pose").Value, Is.EqualTo(pose));
             Assert.That(diagnostics.Values.Count(each => each.Key is "horizon_ms" or "current_share"), Is.EqualTo(pose == "current" ? 2 : 0));
             Assert.That(diagnostics.Level, Is.EqualTo(level));
-            Assert.That(diagnostics.Message, level == 0 ? Is.Empty : Does.Contain(DisplayMessages.NoFrames(TimeSpan.FromSeconds(seconds))));
+            Assert.That(diagnostics.Message, level == 0 ? Is.Empty : Does.Contain(DisplayMessages.NoFrames(Lengths.Seconds(seconds))));
             Assert.That(simulated.Session.ReadWorstPose(now), Is.EqualTo(level == 0 ? PoseState.Current : PoseState.Held));
         }
 
