@@ -62,6 +62,8 @@ public class PlantFaultTests
     {
         using var before = StartHeadset();
         await GoodEverywhereAsync(DateTimeOffset.UtcNow);
+        // The adapter recognises the end of data in mid-motion by the decelerations that it has observed.
+        await GoodEverywhereAsync(await _plant.CommandAsync("rest", "500"));
 
         var lastEvent = LastEvent(await ReadAsync());
         var begun = await _plant.CommandAsync(fault, Joint);
