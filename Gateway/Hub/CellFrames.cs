@@ -11,9 +11,10 @@ namespace Nowpose.Gateway.Hub;
 /// over by another source. In a full cell, a new frame replaces a tracked frame that is silent, because a source may give each workpiece a new name, and
 /// otherwise a stationary frame without a source.
 /// </remarks>
+/// <param name="samples">Receives the moving poses.</param>
 /// <param name="publish">Gives a message its sequence number and publishes it.</param>
 /// <param name="drop">Reports a transform that is dropped after its message was accepted, with its source and topic.</param>
-sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<HubSource, string, LeftOut> drop)
+sealed class CellFrames(RobotLinks links, NewestSamples samples, Action<HubMessage> publish, Action<HubSource, string, LeftOut> drop)
 {
     /// <summary>Time without poses after which a new frame may replace a tracked frame.</summary>
     static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(10);
@@ -37,7 +38,7 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
     /// <summary>The sources that publish the frames. A stationary frame whose source has ended has none.</summary>
     public NameOwners<string> Owners { get; } = new();
 
-    public LatchedMessages Stationary { get; } = new(Only);
+    public LatchedMessages Stationary { get; } = new(MessageParts.Only);
 
     /// <summary>Publishes the poses of a message. Leaves out frames of other sources, and transforms that would break a limit of the cell.</summary>
     /// <param name="receivedAt">Arrival of the message, a count of <see cref="Stopwatch"/>.</param>
@@ -60,6 +61,7 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
         {
             var published = HubMessage.Of(isStationary ? RosTopics.TfStatic : RosTopics.Tf, part, receivedAt, source);
             for (var i = 0; isStationary && i < part.Count; i++) Stationary.Set(part[i].Child, published);
+            if (!isStationary) samples.Set(published);
             publish(published);
         }
 
@@ -160,7 +162,7 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
         var isStationary = message.Topic == RosTopics.TfStatic;
         var whole = (TransformsMessage)message.Content;
         var part = MessageParts.Accepted(whole, whole.Count, Applies, MessageParts.Part);
-        return part.Count == 0 ? null : part == whole ? message : Of(message, part);
+        return part.Count == 0 ? null : part == whole ? message : message.With(part);
 
         bool Applies(int index)
         {
@@ -211,17 +213,8 @@ sealed class CellFrames(RobotLinks links, Action<HubMessage> publish, Action<Hub
         Owners.Release(child);
         _parents.Remove(child);
         Stationary.Remove(child);
+        samples.Remove(RosTopics.Tf, child);
     }
-
-    static HubMessage Only(HubMessage message, Predicate<string> isCurrent)
-    {
-        var whole = (TransformsMessage)message.Content;
-        var part = MessageParts.Part(whole, index => isCurrent(whole[index].Child));
-        return part.Count == whole.Count ? message : Of(message, part);
-    }
-
-    static HubMessage Of(HubMessage message, TransformsMessage part) =>
-        HubMessage.Of(message.Topic, part, message.ReceivedAt, message.Source).With(message.Sequence);
 
     // The newest valid pose of a source, null if there is none, and a later invalid pose.
     readonly record struct RefusedPose(TransformsMessage Valid, LeftOut? Invalid)

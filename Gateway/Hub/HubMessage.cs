@@ -112,6 +112,13 @@ public sealed class HubMessage
         return this;
     }
 
+    /// <summary>Creates a message with a part of the transforms of this one.</summary>
+    internal HubMessage With(TransformsMessage part) => Of(Topic, part, ReceivedAt, Source).With(Sequence);
+
+    /// <summary>Creates a message with a part of the joints of this one.</summary>
+    /// <param name="joints">See <see cref="Joints"/>.</param>
+    internal HubMessage With(JointStateMessage part, string[] joints) => Of(Robot, part, joints, ReceivedAt, Source);
+
     /// <summary>Whether the message is longer in one of the time formats than clients accept.</summary>
     internal bool IsTooLong => Math.Max(_sec.Value.Length, _secs.Value.Length) > ProtocolLimits.MessageBytes;
 

@@ -53,6 +53,7 @@ public sealed class HubSource : IDisposable
 
         var published = HubMessage.Of(robot, message, claimed.InCell, receivedAt ?? Stopwatch.GetTimestamp(), this);
         if (claimed.AreLong && published.IsTooLong) return new Refusal(DropReason.TooLarge, DropMessages.AsWritten);
+        _hub.Samples.Set(published);
         _hub.Publish(published);
         return null;
     }

@@ -18,7 +18,7 @@ public sealed class MessageHub
     public MessageHub()
     {
         Links = new RobotLinks(RemoveCycles);
-        Frames = new CellFrames(Links, PublishNumbered, ReportDropped);
+        Frames = new CellFrames(Links, Samples, PublishNumbered, ReportDropped);
         _signals = new CellSignals(PublishNumbered, names => SignalsBegan?.Invoke(names), (source, names) => SignalsEnded?.Invoke(source, names));
     }
 
@@ -36,6 +36,9 @@ public sealed class MessageHub
 
     /// <summary>The links of the described robots.</summary>
     internal RobotLinks Links { get; }
+
+    /// <summary>The newest joint states and moving poses. They are not passed to new subscribers.</summary>
+    internal NewestSamples Samples { get; } = new();
 
     /// <summary>Times from the receipt of a joint state until it is written to a subscriber's socket.</summary>
     public ForwardingTimes Forwarding { get; } = new();
@@ -270,6 +273,7 @@ public sealed class MessageHub
         lock (_lock)
         {
             _owners.Release(source, topic);
+            Samples.Release(source, topic);
             if (topic != null) TopicReleased?.Invoke(source, topic);
             foreach (var kept in _newest.Keys.Where(kept => kept.Source == source && (topic == null || kept.Topic == topic)).ToList())
                 _newest.Remove(kept);

@@ -27,13 +27,33 @@ static class MessageParts
     public static IEnumerable<SignalsMessage> Of(SignalsMessage message) =>
         Divided(message, message.Count, i => SignalBytes + RosMessageWriter.MaxBytesOf(message[i].Name), Part);
 
-    /// <summary>Gets the names of the frames or signals in a message.</summary>
+    /// <summary>Gets the names of the frames or signals, or the cell-wide names of the joints, in a message; empty for other messages.</summary>
     public static IEnumerable<string> NamesIn(HubMessage message)
     {
+        foreach (var joint in message.Joints ?? []) yield return joint;
         if (message.Content is TransformsMessage transforms)
             for (var i = 0; i < transforms.Count; i++) yield return transforms[i].Child;
         else if (message.Content is SignalsMessage signals)
             for (var i = 0; i < signals.Count; i++) yield return signals[i].Name;
+    }
+
+    /// <summary>Returns a message itself if all its frames or joints fulfil a condition; otherwise a message with those that do.</summary>
+    /// <param name="message">A joint state or transforms.</param>
+    /// <param name="isIn">The condition, for the name of a frame or the cell-wide name of a joint.</param>
+    public static HubMessage Only(HubMessage message, Predicate<string> isIn)
+    {
+        if (message.Content is TransformsMessage transforms)
+        {
+            var part = Part(transforms, index => isIn(transforms[index].Child));
+            return part.Count == transforms.Count ? message : message.With(part);
+        }
+
+        var state = (JointStateMessage)message.Content;
+        int[] kept = [.. Enumerable.Range(0, message.Joints.Length).Where(index => isIn(message.Joints[index]))];
+        T[] Kept<T>(T[] all) => all == null ? null : Array.ConvertAll(kept, index => all[index]);
+        return kept.Length == message.Joints.Length ? message : message.With(
+            new JointStateMessage(state.Stamp, Kept(state.Names), Kept(state.Positions), Kept(state.Velocities), Kept(state.Accelerations), state.FrameId),
+            Kept(message.Joints));
     }
 
     /// <summary>Creates a message with some of the transforms.</summary>

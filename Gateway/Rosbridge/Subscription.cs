@@ -41,9 +41,10 @@ sealed class Subscription : IDisposable
         }
         else
         {
-            _queue = Channel.CreateBounded<HubMessage>(bounds, _ => _lost());
-            _samples = new SampleQueue(_queue, _lost);
+            _queue = Channel.CreateBounded<HubMessage>(bounds, message => _samples.Lose(message));
+            _samples = new SampleQueue(hub, _queue, terms.ThrottleMs > 0, _lost);
             _subscriber = hub.Subscribe(topic, message => _queue.Writer.TryWrite(message));
+            if (RobotTopic.Parse(topic).Kind == RosTopics.JointStates) _samples.Start(topic);
         }
     }
 
@@ -58,13 +59,14 @@ sealed class Subscription : IDisposable
     public async Task PumpAsync(Func<Func<long, ReadOnlyMemory<byte>>, Task> send, CancellationToken stop)
     {
         // Passes no cancellation token, because it requires a registration for each message. The end of the connection disposes the subscription.
-        while (HasMore || await _queue.Reader.WaitToReadAsync(CancellationToken.None))
+        while (HasMore || (_samples?.UnsentIn is { } wait ? await WaitToReadAsync(wait) : await _queue.Reader.WaitToReadAsync(CancellationToken.None)))
         {
             var began = Stopwatch.GetTimestamp();
             HubMessage message = null;
-            await send(waitedUntil => (message = Next(waitedUntil))?.Utf8(_terms.Form) ?? default);
+            var isKept = false;
+            await send(waitedUntil => (message = Next(waitedUntil, out isKept))?.Utf8(_terms.Form) ?? default);
             if (message == null) continue;
-            _times?.Add(message.ReceivedAt);
+            if (!isKept) _times?.Add(message.ReceivedAt);
             var rest = TimeSpan.FromMilliseconds(_terms.ThrottleMs) - Stopwatch.GetElapsedTime(began);
             if (rest > TimeSpan.Zero && _latched?.IsNextTogether != true && await IsOverWithinAsync(rest, stop))
                 return;
@@ -78,13 +80,13 @@ sealed class Subscription : IDisposable
             if (message != LatchedQueue.Wake) _lost();
     }
 
-    bool HasMore => _latched?.HasMore == true && !_ended.Task.IsCompleted;
+    bool HasMore => (_latched?.HasMore == true || _samples?.UnsentIn == TimeSpan.Zero) && !_ended.Task.IsCompleted;
 
     // Returns the next message to send; null if the queue is empty. Each topic has its own queue, so a stationary pose and a moving pose of one frame
     // may leave their queues in another order than that of their publication. Without poses that no longer apply, the newest pose arrives last.
-    HubMessage Next(long waitedUntil)
+    HubMessage Next(long waitedUntil, out bool isKept)
     {
-        while (Waiting(waitedUntil) is { } message)
+        while (Waiting(waitedUntil, out isKept) is { } message)
         {
             var applicable = message.Content is TransformsMessage ? _hub.Applicable(message) : message;
             if (applicable != null) return applicable;
@@ -93,8 +95,26 @@ sealed class Subscription : IDisposable
         return null;
     }
 
-    HubMessage Waiting(long waitedUntil) =>
-        _latched == null ? _samples.Next(waitedUntil) : _latched.Next(receivedAt => SampleQueue.IsOld(receivedAt, waitedUntil));
+    HubMessage Waiting(long waitedUntil, out bool isKept)
+    {
+        if (_latched == null) return _samples.Next(waitedUntil, out isKept);
+        isKept = false;
+        return _latched.Next(receivedAt => SampleQueue.IsOld(receivedAt, waitedUntil));
+    }
+
+    // Waits for a message in the queue, at most until the next sample that is not in the queue may be sent. Returns false at the end of the subscription.
+    async Task<bool> WaitToReadAsync(TimeSpan wait)
+    {
+        using var over = new CancellationTokenSource(wait);
+        try
+        {
+            return await _queue.Reader.WaitToReadAsync(over.Token);
+        }
+        catch (OperationCanceledException)
+        {
+            return true;
+        }
+    }
 
     // Returns whether the subscription ends during the wait. The wait must end early, because a throttle interval can be as long as a month.
     async Task<bool> IsOverWithinAsync(TimeSpan rest, CancellationToken stop)
