@@ -68,6 +68,9 @@ namespace Nowpose.Session
         /// <summary>Returns whether a joint has received a sample since the last <see cref="Reset"/>.</summary>
         public bool HasSample(int joint) => !double.IsNegativeInfinity(_joints[joint].NewestTime);
 
+        /// <summary>Returns whether the displayed position of a joint comes from a sample, of the joint or of its master, even before a reset.</summary>
+        public bool HasPosition(int joint) => _kinds[joint] != PredictionKind.None;
+
         /// <summary>Returns the control time of a joint's newest sample; null while there is none.</summary>
         public ControlTime? NewestOf(int joint) =>
             HasSample(joint) ? _epoch + ClockTicks.Span(_joints[joint].NewestTime) : (ControlTime?)null;

@@ -55,7 +55,14 @@ namespace Nowpose.Session
         }
 
         /// <summary>Returns whether the gateway reports missing data for a joint that is required for a current pose.</summary>
-        public bool IsAnyReportedMissing(HeadsetTime now) => ReportsAt(now)?.IsAnyMissing == true;
+        public bool IsAnyReportedMissing(HeadsetTime now)
+        {
+            var reports = ReportsAt(now);
+            if (reports == null || reports.IsAnyMissing) return reports != null;
+            for (var i = 0; i < _isToolJoint.Length; i++)
+                if (IsRestUnknown(i, reports.OfJoint[i])) return true;
+            return false;
+        }
 
         /// <summary>Replaces the elements of a list with the joints that are not live, in the robot's order.</summary>
         /// <param name="shownFor">Display time of the newest frame; null while unknown.</param>
@@ -69,7 +76,7 @@ namespace Nowpose.Session
             {
                 var report = reports?.OfJoint[i] ?? default;
                 if (!report.State.IsGood()) into.Add(StatusOf(i, report.State, report.Since, controlNow, report.Reason));
-                else if (_isToolJoint[i] && !_tracks.HasSample(i)) into.Add(StatusOf(i, JointDataState.Missing, null, controlNow, ""));
+                else if (IsRestUnknown(i, report) || (_isToolJoint[i] && !_tracks.HasSample(i))) into.Add(StatusOf(i, JointDataState.Missing, null, controlNow, ""));
                 else if (report.State == JointDataState.Rest && (isRestConfirmed || !IsOld(i, shownFor)))
                     into.Add(StatusOf(i, JointDataState.Rest, report.Since, controlNow, report.Reason));
                 else if (IsOld(i, shownFor)) into.Add(StatusOf(i, JointDataState.Stale, _tracks.NewestOf(i), controlNow, ""));
@@ -97,6 +104,9 @@ namespace Nowpose.Session
         // A gripper may send samples only while it moves. If they stop for an unknown reason, the gripper is listed, but the arm's pose stays
         // current.
         bool HoldsPose(int joint, JointDataState state) => !state.IsGood() && (_isToolJoint[joint] || state != JointDataState.Stale);
+
+        // A joint at rest may send no samples. Until its first sample, the displayed position is that of the robot model.
+        bool IsRestUnknown(int joint, in JointReport report) => report.State == JointDataState.Rest && !_tracks.HasPosition(joint);
 
         bool IsOld(int joint, ControlTime? shownFor) => _isToolJoint[joint] && shownFor - _tracks.NewestOf(joint) > _horizonCap;
 

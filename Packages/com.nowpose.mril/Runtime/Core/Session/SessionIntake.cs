@@ -20,6 +20,12 @@ namespace Nowpose.Session
         /// <summary>Queue capacity in plans. Drops the oldest when full, because newer plans replace older plans.</summary>
         const int PlanQueueLength = 16;
 
+        /// <summary>
+        /// Minimum age of a sample that was taken before this session subscribed. The gateway sends the newest sample of each joint at rest to a new
+        /// subscriber; its age is no latency.
+        /// </summary>
+        static readonly TimeSpan MinAgeBeforeSubscription = TimeSpan.FromSeconds(1);
+
         readonly ConcurrentQueue<Arrival<JointStateMessage>> _arrivals = new ConcurrentQueue<Arrival<JointStateMessage>>();
         readonly ConcurrentQueue<PlannedMotion> _plans = new ConcurrentQueue<PlannedMotion>();
         readonly RobotModel _robot;
@@ -50,7 +56,7 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Raised within <see cref="CompensationSession.Tick"/> for each message that is used, with its L_app; null while the clock offset is
-        /// unknown.
+        /// unknown, and for the first sample of a joint that was at rest before this session subscribed.
         /// </summary>
         /// <remarks>A handler must be fast, must not throw, and must not call the session. It may keep the message.</remarks>
         public event Action<Arrival<JointStateMessage>, TimeSpan?> SampleTaken;
@@ -127,13 +133,22 @@ namespace Nowpose.Session
                 return;
             }
             var joints = _messageJoints.Of(arrival.Message);
+            var isFirst = !HasAnySample(joints);
             var reason = _tracks.Add(arrival.Message, joints);
             CountDrop(arrival, reason);
             if (reason != DropReason.None) return;
             Samples++;
             _hindcast.Add(arrival.Message, joints);
-            if (clock.IsKnown) _latency.Add(clock.ToControl(arrival.At), stamp);
-            SampleTaken?.Invoke(arrival, clock.IsKnown ? _latency.Newest : (TimeSpan?)null);
+            var isMeasured = clock.IsKnown && !(isFirst && clock.ToControl(arrival.At) - stamp > MinAgeBeforeSubscription);
+            if (isMeasured) _latency.Add(clock.ToControl(arrival.At), stamp);
+            SampleTaken?.Invoke(arrival, isMeasured ? _latency.Newest : (TimeSpan?)null);
+        }
+
+        bool HasAnySample(ReadOnlySpan<int> joints)
+        {
+            foreach (var joint in joints)
+                if (joint >= 0 && _tracks.HasSample(joint)) return true;
+            return false;
         }
 
         void Take(PlannedMotion plan, in ClockModel clock)

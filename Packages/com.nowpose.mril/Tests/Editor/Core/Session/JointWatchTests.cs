@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Protocol;
@@ -117,6 +118,54 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(during.IsMissing, Is.False);
             Assert.That(DiagnosticsOf(simulated)["missing_joints"], Is.EqualTo("elbow"), "2.6 s after the last report");
             Assert.That(after.State, Is.EqualTo(JointDataState.Stale));
+        }
+
+        [Test]
+        public void Tick_GatewayReportsRestOfAJointNeverReceived_PoseIsHeldAndTheJointIsMissing()
+        {
+            var simulated = Running();
+
+            Report(simulated, "grip", JointDataState.Rest, 12);
+
+            Assert.That(StatesOf(simulated, 0.5), Is.Not.Empty.And.All.EqualTo(PoseState.Held), "the position of the gripper is not known");
+            Assert.That(StatisticsOf(simulated).JointStatuses.Single().State, Is.EqualTo(JointDataState.Missing));
+            Assert.That(DiagnosticsOf(simulated)["missing_joints"], Is.EqualTo("grip"));
+        }
+
+        // The gateway sends the newest sample of a joint at rest to a new subscriber, with the time at which it was taken.
+        [Test]
+        public void Tick_FirstSampleOfAJointAtRestIsAnHourOld_ShowsItsPositionAsCurrent()
+        {
+            var simulated = Running();
+            var latency = StatisticsOf(simulated).ApplicationLatency95;
+            var grip = TestRobot.Model.IndexOfMovingJoint("grip");
+            Report(simulated, "grip", JointDataState.Rest, 3600);
+
+            simulated.Session.Listener.Received(
+                new JointStateMessage(ControlNow(simulated) - TimeSpan.FromHours(1), new[] { "grip" }, new[] { 0.03 }), HeadsetTime.FromSeconds(simulated.Now));
+            var positions = new List<double>();
+            simulated.Run(0.5, (frame, light) => positions.Add(frame.Joints[grip]));
+
+            Assert.That(positions, Is.Not.Empty.And.All.EqualTo(0.03));
+            Assert.That(StatesOf(simulated, 0.5), Is.Not.Empty.And.All.EqualTo(PoseState.Current));
+            Assert.That(StatisticsOf(simulated).JointStatuses.Single().Description, Is.EqualTo("assumed at rest for 60 min"));
+            Assert.That(StatisticsOf(simulated).ApplicationLatency95.Value.TotalMilliseconds, Is.EqualTo(latency.Value.TotalMilliseconds).Within(20));
+        }
+
+        // Of a robot whose joints are all at rest, no other sample arrives.
+        [Test]
+        public void Statistics_OnlySamplesFromBeforeTheSubscription_HaveNoApplicationLatency()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed) { IsSamplingByTest = true };
+            simulated.Run(5);
+
+            simulated.Session.Listener.Received(
+                new JointStateMessage(ControlNow(simulated) - TimeSpan.FromHours(1), new[] { "shoulder", "elbow" }, new[] { 0.5, 0.25 }),
+                HeadsetTime.FromSeconds(simulated.Now));
+            simulated.Run(0.5);
+
+            Assert.That(StatisticsOf(simulated).Samples, Is.EqualTo(1));
+            Assert.That(StatisticsOf(simulated).ApplicationLatency, Is.Null);
         }
 
         [Test]
