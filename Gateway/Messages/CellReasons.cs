@@ -9,6 +9,8 @@ static class CellReasons
     public const string StampsOld =
         "its poses arrive with time stamps that are more than 10 s old; compare the clock of its source with the control clock";
 
+    public const string NoPoseAtRest = "its adapter reports it at rest, but no pose has arrived at the gateway";
+
     public static string StampAhead(double seconds) =>
         FormattableString.Invariant($"its time stamp is {seconds:0} s ahead of the control clock, which was set back or replaced; send it again");
 

@@ -6,6 +6,7 @@ static class JointReasons
     public static string Taken(string source) => $"the source {source} already publishes this joint; stop one of the two sources";
 
     public const string NoSample = "the adapter reports the joint as live, but no sample has arrived at the gateway";
+    public const string NoSampleAtRest = "the adapter reports the joint at rest, but no sample has arrived at the gateway";
     public const string NoReport = "the adapter stopped reporting before the first sample";
 
     public static string Silent(string adapter) => $"samples stopped arriving, and the adapter {adapter} has stopped reporting";

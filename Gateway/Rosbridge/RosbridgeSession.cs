@@ -178,11 +178,8 @@ sealed class RosbridgeSession : IDisposable
             return;
         }
 
-        // Several robots of one source end together, because the status has no topics of joints.
-        var isLast = message.RobotTopic.Kind == RosTopics.JointStates && !_advertised.Any(topic => RobotTopic.Parse(topic).Kind == RosTopics.JointStates);
         // Before the release, which reports the dropped poses of the next source.
-        if (isLast) _source.Leave(RosTopics.JointStates);
-        else if (Publications.HasParts(message.Topic)) _source.Leave(message.Topic);
+        if (message.RobotTopic.Kind == RosTopics.JointStates || Publications.HasParts(message.Topic)) _source.Leave(message.Topic);
         _source.Release(message.Topic);
     }
 

@@ -161,7 +161,7 @@ sealed class GatewayStatus : IDisposable
         {
             var age = _clock.AtReceived(message.ReceivedAt) - state.Stamp;
             _sources.Add(message.Joints, message.ReceivedAt, age);
-            _joints.Add(message.Source, message.Joints, state.Stamp, age);
+            _joints.Add(message.Source, message.Joints, state.Stamp, age, message.Robot);
         }
         else if (message.Content is JointTrajectoryMessage) _refusals.Accept(message);
         else if (message.Content is TransformsMessage frames)
@@ -193,7 +193,8 @@ sealed class GatewayStatus : IDisposable
 
     void Leave(HubSource source, string topic)
     {
-        if (topic is null or RosTopics.JointStates) _joints.Leave(source);
+        if (topic == null) _joints.Leave(source);
+        else if (RobotTopic.Parse(topic) is { Kind: RosTopics.JointStates } ended) _joints.Leave(source, ended.Robot);
         _cell.Leave(source, topic);
     }
 

@@ -157,7 +157,10 @@ sealed class CellBoard(
         {
             var ancestors = new FrameAncestors(_frames, IsCurrent, rootOfLink, IsLinkCurrent);
             Forget(_frames, frame => frame.HasAny ? frame.HasLeft && IsSilent(frame) && IsOver(frame.SeenAt) : !IsRefused(frame));
-            var troubled = reports.Troubled(AdapterReport.FramePrefix).DistinctBy(one => one.Name).ToDictionary(one => one.Name, StringComparer.Ordinal);
+            // An adapter can report rest although the gateway has not received the newest pose. Then no pose of the frame at rest is known.
+            var unknown = reports.AtRest(AdapterReport.FramePrefix).Where(one => !_frames.TryGetValue(one.Name, out var frame) || frame.IsEnded)
+                .Select(one => one with { Report = new AdapterReport(JointDataState.Missing, one.Report.Since, CellReasons.NoPoseAtRest) });
+            var troubled = reports.Troubled(AdapterReport.FramePrefix).Concat(unknown).DistinctBy(one => one.Name).ToDictionary(one => one.Name, StringComparer.Ordinal);
             var published = _frames.Select(one => Explained(ViewOf(one.Key, one.Value, now, ancestors), troubled.GetValueOrDefault(one.Key)));
             var missing = troubled.Values.Where(one => !_frames.ContainsKey(one.Name)).Select(one => new FrameView(
                 one.Name, null, one.Adapter, JointDataStates.Of(one.Report.State), null, one.Report.Reason)

@@ -62,6 +62,10 @@ sealed class CellReports(TimeProvider time, Action<string> log = null)
     /// <param name="kind"><see cref="AdapterReport.FramePrefix"/> or <see cref="AdapterReport.SignalPrefix"/>.</param>
     public IReadOnlyList<CellReport> Troubled(string kind) => Select(kind, (_, report) => report.State.IsGood() ? null : report);
 
+    /// <summary>Gets the reports about frames or signals that are at rest.</summary>
+    /// <inheritdoc cref="Troubled" path="/param"/>
+    public IReadOnlyList<CellReport> AtRest(string kind) => Select(kind, (_, report) => report.State == JointDataState.Rest ? report : null);
+
     /// <summary>Gets the frames or signals that were live or at rest in the newest report of an adapter that has stopped reporting.</summary>
     /// <inheritdoc cref="Troubled" path="/param"/>
     public IReadOnlyList<CellReport> Unconfirmed(string kind) => Select(

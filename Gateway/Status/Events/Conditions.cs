@@ -87,7 +87,7 @@ sealed class Conditions(
         var reported = frames.Where(HasFault).Select(frame => frame.Name).ToHashSet(StringComparer.Ordinal);
         return
             from frame in frames
-            where frame is { State: CellStates.Stale, IsAtRest: false } || IsRefused(frame.State)
+            where frame is { State: CellStates.Stale, IsAtRest: false } || IsRefused(frame.State) || IsMissing(frame.State)
                 || frame.State == CellStates.Orphan && options.Time.GetUtcNow() - frame.Since >= OrphanTimeout && !reported.Contains(frame.Cause)
             select Of(frame);
     }
@@ -103,9 +103,11 @@ sealed class Conditions(
             Since: frame.Since)
         {
             Remedy = isOrphan ? EventRemedies.Parent : IsRefused(frame.State) ? EventRemedies.Values : EventRemedies.Source,
-            IsNormalAtStart = isOrphan || IsRefused(frame.State) && IsClockAwaited(frame.Reason),
+            IsNormalAtStart = isOrphan || IsMissing(frame.State) || IsRefused(frame.State) && IsClockAwaited(frame.Reason),
         };
     }
+
+    static bool IsMissing(string state) => state == JointDataStates.Of(JointDataState.Missing);
 
     static bool IsRefused(string state) => state == JointDataStates.Of(JointDataState.Refused);
 

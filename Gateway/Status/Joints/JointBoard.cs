@@ -41,10 +41,11 @@ sealed class JointBoard(
     /// <param name="source">The source; null for the gateway's own.</param>
     /// <param name="names">Joints of the sample.</param>
     /// <param name="age">Control time at the arrival of the sample minus its stamp.</param>
-    public void Add(HubSource source, string[] names, ControlTime stamp, TimeSpan age)
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
+    public void Add(HubSource source, string[] names, ControlTime stamp, TimeSpan age, string robot = "")
     {
         lock (_lock)
-            foreach (var name in names) Find(name)?.Samples.Add(source, stamp, age);
+            foreach (var name in names) Find(name)?.Samples.Add(source, stamp, age, robot);
     }
 
     /// <summary>Adds a sample that was refused because another source publishes one of its joints.</summary>
@@ -56,7 +57,8 @@ sealed class JointBoard(
     }
 
     /// <summary>
-    /// Adds a sample that was dropped because of its content. All joints that the source publishes, and all joints in the sample, count as refused.
+    /// Adds a sample that was dropped because of its content. All joints in the sample count as refused; if their names cannot be read, all joints that the
+    /// source publishes.
     /// </summary>
     public void Refuse(HubSource source, string[] names, string reason, DropReason drop = DropReason.None)
     {
@@ -64,7 +66,7 @@ sealed class JointBoard(
         lock (_lock)
         {
             foreach (var joint in _joints.Values)
-                if (joint.IsPublishedBy(source)) joint.OwnerRow().Refuse(reason, word);
+                if (joint.IsPublishedBy(source) && (names.Length == 0 || names.Contains(joint.Name))) joint.OwnerRow().Refuse(reason, word);
             var places = MaxRefusedJoints - _joints.Values.Count(joint => joint.IsOnlyRefused);
             foreach (var name in names)
             {
@@ -115,11 +117,12 @@ sealed class JointBoard(
     }
 
     /// <summary>Records that a source ended normally.</summary>
-    public void Leave(HubSource source)
+    /// <param name="robot">Namespace of the robot for which it ended, empty for the robot without a namespace; null for all robots.</param>
+    public void Leave(HubSource source, string robot = null)
     {
         lock (_lock)
             foreach (var joint in _joints.Values)
-                if (joint.IsPublishedBy(source)) joint.Samples.Leave();
+                if (joint.IsPublishedBy(source) && (robot == null || joint.Samples.Robot == robot)) joint.Samples.Leave();
     }
 
     /// <summary>Gets the state of all joints, sorted by name and source.</summary>

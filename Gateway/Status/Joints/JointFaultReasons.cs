@@ -11,7 +11,7 @@ static class JointFaultReasons
     /// <summary>Another source publishes the joint.</summary>
     public const string Taken = "taken";
 
-    /// <summary>The adapter reports the joint as live, but no sample has arrived.</summary>
+    /// <summary>The adapter reports the joint as live or at rest, but no sample has arrived.</summary>
     public const string NoSample = "no-sample";
 
     /// <summary>Samples have stopped, and no adapter gives a reason.</summary>

@@ -69,6 +69,13 @@ sealed class JointRow(string joint, string source, TimeProvider time)
         var isFlowing = samples is { IsFlowing: true };
         if (IsRefused && !isFlowing) return (JointDataState.Refused, null, _refusal, _refusalWord);
         var isReportFresh = IsReportFresh;
+        // An adapter can report rest although the gateway has not received or has refused its newest sample. Then no position of the joint at rest is known.
+        if (isReportFresh && _report.State == JointDataState.Rest)
+        {
+            if (_refusal != null && !(samples?.ArrivedAt > _refusedAt)) return (JointDataState.Refused, null, _refusal, _refusalWord);
+            if (samples is not { HasAny: true }) return (JointDataState.Missing, null, JointReasons.NoSampleAtRest, JointFaultReasons.NoSample);
+        }
+
         if (isReportFresh && _report.State != JointDataState.Live)
             return (_report.State, _report.Since, _report.Reason, JointFaultReasons.Of(_report.Word));
         if (isFlowing) return (JointDataState.Live, null, "", null);

@@ -12,14 +12,20 @@ sealed class JointSamples(TimeProvider time)
     /// <summary>Age from which a sample says nothing about the present position. Headsets show a position of about a second at most.</summary>
     internal static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(10);
 
-    // Arrival of the newest sample, and of the newest one with another stamp than the sample before.
-    long _arrived, _last;
+    // Arrival of the newest sample with another stamp than the sample before.
+    long _last;
     ControlTime _stamp;
     TimeSpan _ageAtArrival;
     double _meanSeconds;
 
     /// <summary>The source of the newest sample; null if unknown.</summary>
     public HubSource Source { get; private set; }
+
+    /// <summary>Namespace of the robot in the newest sample; empty if it has none.</summary>
+    public string Robot { get; private set; }
+
+    /// <summary>Arrival of the newest sample, a timestamp of the time provider.</summary>
+    public long ArrivedAt { get; private set; }
 
     public DateTimeOffset LastUtc { get; private set; }
 
@@ -38,7 +44,7 @@ sealed class JointSamples(TimeProvider time)
     {
         get
         {
-            if (!HasAny || IsFlowing || time.GetElapsedTime(_arrived) >= JointBoard.StaleAfter) return null;
+            if (!HasAny || IsFlowing || time.GetElapsedTime(ArrivedAt) >= JointBoard.StaleAfter) return null;
             return IsOld ? (JointReasons.StampsOld, JointFaultReasons.StampOld) : (JointReasons.StampsStopped, JointFaultReasons.StampNotNewer);
         }
     }
@@ -56,9 +62,10 @@ sealed class JointSamples(TimeProvider time)
     /// <summary>Adds a sample that has just arrived.</summary>
     /// <param name="source">Source of the sample.</param>
     /// <param name="age">Control time at the arrival minus the sample's stamp.</param>
-    public void Add(HubSource source, ControlTime stamp, TimeSpan age)
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
+    public void Add(HubSource source, ControlTime stamp, TimeSpan age, string robot = "")
     {
-        var now = _arrived = time.GetTimestamp();
+        var now = ArrivedAt = time.GetTimestamp();
         if (HasAny && source == Source && stamp == _stamp)
         {
             HasLeft = false;
@@ -70,6 +77,6 @@ sealed class JointSamples(TimeProvider time)
         if (!IsFlowing) _meanSeconds = 0;
         else _meanSeconds = _meanSeconds == 0 ? interval : _meanSeconds + Weight * (interval - _meanSeconds);
         (HasAny, HasLeft) = (true, false);
-        (Source, _stamp, _last, _ageAtArrival, LastUtc) = (source, stamp, now, age, time.GetUtcNow());
+        (Source, Robot, _stamp, _last, _ageAtArrival, LastUtc) = (source, robot, stamp, now, age, time.GetUtcNow());
     }
 }

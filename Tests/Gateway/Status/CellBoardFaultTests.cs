@@ -38,6 +38,23 @@ public class CellBoardFaultTests : CellBoardFixture
 
     [TestCase(false)]
     [TestCase(true)]
+    public void Frames_ReportedAtRestWithoutAPoseOfThisConnection_AreMissing(bool hasEarlierPose)
+    {
+        _source.Name = "cell";
+        if (hasEarlierPose) _board.Add(_source, Pose("box", 5), isStationary: false);
+        if (hasEarlierPose) _board.EndFrame("box");
+        _time.Advance(TimeSpan.FromSeconds(1.5));
+
+        _reports.Add("cell", [KeyValuePair.Create("frame/box", "rest 1700000000.000 assumed at rest")]);
+
+        var frame = _board.Frames(At(6.5)).Single();
+        Assert.That((frame.Name, frame.State, frame.Reason, frame.IsAtRest), Is.EqualTo(("box", "missing", CellReasons.NoPoseAtRest, false)));
+        _board.Add(_source, Pose("box", 6), isStationary: false);
+        Assert.That(_board.Frames(At(6.5)).Single().State, Is.EqualTo("live"));
+    }
+
+    [TestCase(false)]
+    [TestCase(true)]
     public void FramesAndSignals_SourceEnded_AreRemovedOnlyAfterANormalEnd(bool isNormal)
     {
         _board.Add(_source, Pose("box", 5), isStationary: false);

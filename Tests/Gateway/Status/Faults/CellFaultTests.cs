@@ -183,6 +183,15 @@ public class CellFaultTests
         await _gateway.BeginsAsync("signal", "grip (plc)");
     }
 
+    [Test]
+    public async Task Frame_ReportedAtRestWithoutAPose_IsReportedAsMissing()
+    {
+        _gateway.Report("adapter/cell", ("state", "connected"), ("frame/box", $"rest {_gateway.Since()} assumed at rest"));
+
+        await _gateway.BeginsAsync("frame", "box (cell)");
+        Assert.That((await _gateway.EventAsync("frame", "box (cell)")).GetProperty("reason").GetString(), Is.EqualTo(CellReasons.NoPoseAtRest));
+    }
+
     // The client closes its connection in another way afterwards, so that only the withdrawal is a normal end.
     [TestCase(RosTopics.Signals, "box")]
     [TestCase(RosTopics.Tf, "grip")]
@@ -204,6 +213,30 @@ public class CellFaultTests
         var state = await _gateway.StateAsync();
         var names = state.GetProperty("frames").EnumerateArray().Concat(state.GetProperty("signals").EnumerateArray()).Select(one => one.GetProperty("name").GetString());
         Assert.That(string.Join(", ", names), Is.EqualTo(kept));
+    }
+
+    // The client closes its connection in another way afterwards, so that only the withdrawal is a normal end.
+    [Test]
+    public async Task Unadvertise_OneOfTwoRobots_EndsOnlyThisRobotNormally()
+    {
+        using (var client = await RawRosbridgeClient.ConnectAsync(_gateway.Server))
+        {
+            foreach (var robot in new[] { "arm1", "arm2" })
+            {
+                var topic = $"/{robot}/joint_states";
+                await client.SendAsync(RosbridgeWriter.Advertise(topic, null));
+                await client.SendAsync(RosbridgeWriter.PublishJointState(topic, Gateways.State(1, "a"), RosTimeForm.Sec));
+            }
+
+            await client.SendAsync("{\"op\":\"unadvertise\",\"topic\":\"/arm1/joint_states\"}");
+            await client.RoundTripAsync();
+        }
+
+        await Soon.BecomesAsync(() => _gateway.Server.WebSocketConnections.Open == 0, "the client has disconnected");
+        _gateway.Time.Advance(JointBoard.ForgottenAfter + TimeSpan.FromSeconds(1));
+
+        var joints = (await _gateway.StateAsync()).GetProperty("joints").EnumerateArray();
+        Assert.That(joints.Select(joint => joint.GetProperty("name").GetString()), Is.EqualTo(new[] { "arm2/a" }));
     }
 
     // A stationary frame is sent only once, so the invalid pose of the second source may have been its new place.

@@ -58,6 +58,7 @@ public class JointFaultReasonsTests
     public void Read_JointLiveOrAtRest_HasNoWord()
     {
         _joints.Source.Name = "press";
+        _joints.Send(2, "b");
         _joints.Send(2, "a");
         _joints.Board.Report("press", [new("joint/b", "rest 1 assumed at rest"), new("reason/b", "type")]);
 

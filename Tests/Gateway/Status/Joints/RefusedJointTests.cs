@@ -51,6 +51,54 @@ public class RefusedJointTests
         Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Stale), "no sample arrives, so none is refused");
     }
 
+    // A joint at rest sends no further sample.
+    [Test]
+    public void Read_NewestSampleRefusedAndRestReported_IsRefusedUntilASampleIsAccepted([Values] bool isTaken)
+    {
+        _joints.Source.Name = "press";
+        _joints.Report("press", ("a", "live", ""));
+        _joints.Send(2, "a");
+        if (isTaken) _joints.Board.Refuse(_joints.Source, "a", _joints.Hub.OpenSource());
+        else _joints.Board.Refuse(_joints.Source, ["a"], "position of joint a is NaN");
+        _joints.Time.Advance(TimeSpan.FromSeconds(10));
+
+        _joints.Report("press", ("a", "rest", "no change"));
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Refused));
+
+        _joints.Add(_joints.Source, "a");
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Rest));
+    }
+
+    [Test]
+    public void Read_RestReportedOfAJointOfAnotherSource_IsRefused()
+    {
+        _joints.Send(2, "a");
+        var second = _joints.Hub.OpenSource();
+        second.Name = "copy";
+        _joints.Report("copy", ("a", "rest", "no change"));
+        _joints.Board.Refuse(second, "a", _joints.Source);
+        _joints.Time.Advance(TimeSpan.FromSeconds(10));
+
+        _joints.Report("copy", ("a", "rest", "no change"));
+
+        Assert.That(_joints.Joint("a", "copy").State, Is.EqualTo(JointDataState.Refused));
+    }
+
+    [TestCase(false, JointDataState.Rest)]
+    [TestCase(true, JointDataState.Refused)]
+    public void Read_SampleOfAnotherJointDropped_IsRefusedOnlyIfTheNamesAreUnknown(bool areNamesUnknown, JointDataState expected)
+    {
+        _joints.Source.Name = "press";
+        _joints.Send(2, "a", "b");
+        _joints.Time.Advance(TimeSpan.FromSeconds(2));
+        _joints.Report("press", ("a", "rest", "no change"), ("b", "rest", "no change"));
+
+        _joints.Board.Refuse(_joints.Source, areNamesUnknown ? [] : ["b"], "position of joint b is NaN");
+
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(expected));
+        Assert.That(_joints.Joint("b").State, Is.EqualTo(JointDataState.Refused));
+    }
+
     [Test]
     public void Read_AllSamplesOfASourceDropped_IsRefusedUntilTheSourceStops()
     {

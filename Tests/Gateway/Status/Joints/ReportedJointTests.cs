@@ -50,6 +50,8 @@ public class ReportedJointTests
     {
         var log = new List<string>();
         var joints = new SampledBoard(log: log.Add);
+        joints.Source.Name = "press";
+        joints.Add(joints.Source, "a");
         KeyValuePair<string, string>[] report = [new("joint/a", "rest 1 assumed at rest"), new("doubt/a", "the stop was not observed")];
 
         joints.Board.Report("press", report);
@@ -88,6 +90,21 @@ public class ReportedJointTests
         _joints.Report("press", ("a", "live", ""));
 
         Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Stale));
+    }
+
+    // The adapter does not know which samples a restarted gateway has received.
+    [Test]
+    public void Read_AdapterReportsRestWithoutASample_IsMissingUntilTheFirstSample()
+    {
+        _joints.Report("press", ("a", "rest", "no change"));
+        Assert.That((_joints.Joint("a").State, _joints.Joint("a").ReasonWord), Is.EqualTo((JointDataState.Missing, JointFaultReasons.NoSample)));
+
+        _joints.Source.Name = "press";
+        _joints.Add(_joints.Source, "a");
+        _joints.Time.Advance(TimeSpan.FromSeconds(2));
+        _joints.Report("press", ("a", "rest", "no change"));
+
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Rest));
     }
 
     [Test]
