@@ -41,14 +41,20 @@ public sealed class PlantClocks
     public static bool IsName(string text) =>
         text.Length is > 0 and <= 32 && text != Own && text.All(c => c is (>= 'a' and <= 'z') or (>= '0' and <= '9') or '_' or '-');
 
-    /// <summary>Gets the clock with this name; creates it if necessary. Returns null if <see cref="AtMost"/> other clocks exist.</summary>
+    /// <summary>
+    /// Gets the clock with this name; creates it if necessary. At the limit, it replaces a clock that no adapter offers at present and that is not C1.
+    /// Returns null if there is none.
+    /// </summary>
     internal PlantClock Find(string name)
     {
         PlantClock added;
         lock (_gate)
         {
             if (_clocks.FirstOrDefault(clock => clock.Name == name) is { } known) return known;
-            if (_clocks.Length == AtMost) return null;
+            // The first clock is C1, unless C1 is the gateway's own clock.
+            var unused = _clocks.Length < AtMost ? null : _clocks.Skip(_wanted == Own ? 0 : 1).FirstOrDefault(clock => !clock.IsConnected);
+            if (_clocks.Length == AtMost && unused == null) return null;
+            if (unused != null) _clocks = _clocks.Remove(unused);
             added = new PlantClock(name, _counter);
             _clocks = _clocks.Add(added);
         }

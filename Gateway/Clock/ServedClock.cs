@@ -35,6 +35,9 @@ public sealed class ServedClock : IControlClock
     /// <summary>Name of the plant's clock that is C1; <see cref="PlantClocks.Own"/> if C1 is the gateway's own clock.</summary>
     public string Source => _plant.Control?.Name ?? PlantClocks.Own;
 
+    /// <summary>Whether C1 is a plant's clock that no adapter has offered since the gateway started.</summary>
+    internal bool IsNotOffered => _plant.Control is { IsConnected: false, Exchanges: 0, Failures: 0 };
+
     public ControlTime Now => Known is { } model ? model.ToControl(_plant.Counter.Now) : _own.Now;
     public TimeSpan ErrorBound => Known?.ErrorBound ?? _own.ErrorBound;
     public bool IsSynchronised => _plant.Control is { } control ? ClockSettings.Default.Trusts(control.Model) : _own.IsSynchronised;

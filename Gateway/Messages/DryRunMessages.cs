@@ -20,6 +20,17 @@ static class DryRunMessages
 
     public static string TooMany(string what, int count, int most) => $"the plants have {count} {what} together; the gateway publishes at most {most}";
 
+    /// <param name="offered">Names of the plants that offer a clock.</param>
+    public static string ClockNotOffered(string clock, IReadOnlyList<string> offered)
+    {
+        var names = offered.Count == 0 ? "no plant offers a clock" : $"the plants offer {string.Join(", ", offered)}";
+        return $"--clock {clock}: no plant offers this clock; {names}; headsets cannot synchronise until another source offers it";
+    }
+
+    /// <inheritdoc cref="ClockNotOffered"/>
+    public static string SeveralClocks(IReadOnlyList<string> offered) =>
+        $"the plants offer several clocks: {string.Join(", ", offered)}; the first one that is offered becomes the control clock; select one with --clock NAME";
+
     public static string MissingJointsLog(IReadOnlyList<string> joints) => $"missing joints: {MissingJoints(joints)}";
 
     public static string MissingJoints(IReadOnlyList<string> joints)

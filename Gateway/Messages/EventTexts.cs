@@ -27,6 +27,10 @@ static class EventTexts
     public static string Is(string state) => $"is {state}";
 
     public static string ClockState(string state) => $"its state is {state}";
+    /// <param name="offered">Names of the clocks that adapters have offered.</param>
+    public static string ClockNotOffered(IReadOnlyCollection<string> offered) =>
+        "no adapter has offered this clock" + (offered.Count == 0 ? "" : $"; the adapters have offered {string.Join(", ", offered)}");
+
     public static string ControlClock(string clock) => $"the control clock {clock}";
     public static string SourceOf(string source, string what) => $"{source} of {what}";
     public static string Pose(string pose) => $"the pose is {pose}";

@@ -1,3 +1,5 @@
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Kinematics;
@@ -33,12 +35,25 @@ sealed record PlantFile(string Path, string Name, string Summary)
     /// <summary>Names of the configured signals.</summary>
     public IReadOnlyList<string> Signals { get; init; } = [];
 
+    /// <summary>Whether the adapter offers the plant's clock, with the name of the plant.</summary>
+    public bool OffersClock { get; init; } = true;
+
     /// <summary>Warnings about valid entries of the file, each with the file and the line.</summary>
     public IReadOnlyList<string> Warnings { get; init; } = [];
 
     /// <summary>Gets the warnings about the plants of one gateway: about the entries of each file, and about entries that do not fit together.</summary>
-    public static IEnumerable<string> WarningsOf(IReadOnlyCollection<PlantFile> plants) =>
-        plants.SelectMany(plant => plant.Warnings).Concat(PlantConflicts.Of(plants));
+    /// <param name="plants">All plants of a gateway.</param>
+    /// <param name="clock">The selected control clock; null for the first one that an adapter offers.</param>
+    public static IEnumerable<string> WarningsOf(IReadOnlyCollection<PlantFile> plants, string clock) =>
+        plants.SelectMany(plant => plant.Warnings).Concat(PlantConflicts.Of(plants)).Concat(ClockWarning(plants, clock));
+
+    // Another client may offer the selected clock, so this is not an error.
+    static IEnumerable<string> ClockWarning(IReadOnlyCollection<PlantFile> plants, string clock)
+    {
+        string[] offered = [.. plants.Where(plant => plant.OffersClock).Select(plant => plant.Name)];
+        if (clock == null) return offered.Length > 1 ? [DryRunMessages.SeveralClocks(offered)] : [];
+        return plants.Count == 0 || clock == PlantClocks.Own || offered.Contains(clock) ? [] : [DryRunMessages.ClockNotOffered(clock, offered)];
+    }
 
     /// <summary>
     /// Whether the plants of a gateway must send joint positions. False for a cell with objects or signals but without a robot.

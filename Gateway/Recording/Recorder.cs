@@ -201,7 +201,12 @@ public sealed class Recorder : IAsyncDisposable
     void Listen(PlantClock asked)
     {
         lock (_gate)
+        {
+            // A new clock may have replaced one.
+            _listened.IntersectWith(_plant.All);
             if (!_listened.Add(asked)) return;
+        }
+
         asked.Judged += (in Nowpose.Sync.SyncExchange exchange, Nowpose.Sync.SyncVerdict verdict, Nowpose.Sync.SyncExchangeFault fault) =>
         {
             if (_isWanted) _traffic.Add(_file, asked, exchange, verdict, fault);

@@ -58,7 +58,7 @@ static class ServeVerb
             if (server.IsCheck(parsed))
             {
                 await CheckAsync(
-                    new Findings(configured.Wrong), server, parsed, parsed.GetValue(ownClock) == System, name, files, frames,
+                    new Findings(configured.Wrong), server, parsed, parsed.GetValue(ownClock) == System, parsed.GetValue(controlClock), name, files, frames,
                     configured.AreKnown(robot, stationary, plants), stop);
                 return;
             }
@@ -73,7 +73,7 @@ static class ServeVerb
             var read = await AdapterProcesses.CheckAsync(files, stop);
             options = options with { ExpectsSources = PlantFile.ExpectsJoints(read, description) };
             foreach (var one in read) Announcement.Log(one.Summary);
-            foreach (var warning in PlantFile.WarningsOf(read)) Announcement.Log(DryRunMessages.WarningLog(warning));
+            foreach (var warning in PlantFile.WarningsOf(read, options.ControlClock)) Announcement.Log(DryRunMessages.WarningLog(warning));
             if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log(DryRunMessages.MissingJointsLog(missing));
             if (PlantFile.MissingParents(read, description, placed) is { Count: > 0 } parents)
                 Announcement.Log(DryRunMessages.MissingParentsLog(parents));
@@ -92,7 +92,7 @@ static class ServeVerb
 
     // isCellKnown: whether no error in the configuration file concerns the robot, the plants and the stationary objects.
     static async Task CheckAsync(
-        Findings findings, ServerArguments server, ParseResult parsed, bool isSystemClock, string robot, string[] plants, string stationary,
+        Findings findings, ServerArguments server, ParseResult parsed, bool isSystemClock, string controlClock, string robot, string[] plants, string stationary,
         bool isCellKnown, CancellationToken stop)
     {
         var (description, placed) = await Invocation.ReadAsync(
@@ -111,7 +111,7 @@ static class ServeVerb
         {
             var read = await AdapterProcesses.CheckAsync(plants, stop);
             foreach (var good in read) findings.Good("plant", good.Summary);
-            foreach (var warning in PlantFile.WarningsOf(read)) findings.Good("warning", warning);
+            foreach (var warning in PlantFile.WarningsOf(read, controlClock)) findings.Good("warning", warning);
             // Otherwise, the robot or object that is not known may have the joint, frame or link.
             if (isCellKnown && (robot == null || description != null)) FindMissing(findings, read, description, placed, stationary == null || placed != null);
         }

@@ -31,4 +31,6 @@ export interface Kind {
   summary(configuration: Configuration): string;
   /** Whether the adapter also publishes joints that the configuration does not list. */
   passesUnlisted?(configuration: Configuration): boolean;
+  /** Whether the adapter offers the plant's clock, with the name of the plant; true without this function. */
+  offersClock?(configuration: Configuration): boolean;
 }

@@ -78,6 +78,7 @@ function contentOf(kind: Kind, configuration: Configuration): object {
     name: configuration.plant.name,
     joints: configuration.joints.map(({ joint }) => joint),
     passes_unlisted: kind.passesUnlisted?.(configuration) ?? false,
+    offers_clock: kind.offersClock?.(configuration) ?? true,
     has_objects: configuration.hasObjects,
     frames: configuration.parents,
     signals: configuration.signals.map(({ signal }) => signal),

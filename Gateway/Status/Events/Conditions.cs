@@ -128,10 +128,13 @@ sealed class Conditions(
     IEnumerable<Condition> OfClock()
     {
         if (!clock.IsSynchronised)
-            yield return new("clock", clock.Source, EventTexts.NotServed, EventTexts.ClockState(clock.State.Word()), Level.Error, true)
+            yield return new(
+                "clock", clock.Source, EventTexts.NotServed,
+                clock.IsNotOffered ? EventTexts.ClockNotOffered([.. clock.Status().Where(one => !one.IsControlClock).Select(one => one.Name)])
+                    : EventTexts.ClockState(clock.State.Word()), Level.Error, true)
             {
                 Headline = EventTexts.ClockNotServed(ClockName),
-                Remedy = clock.Source == PlantClocks.Own ? "" : EventRemedies.ClockAdapter,
+                Remedy = clock.Source == PlantClocks.Own ? "" : clock.IsNotOffered ? EventRemedies.ClockName : EventRemedies.ClockAdapter,
                 // Not normal in holdover, which means that the clock was synchronised before.
                 IsNormalAtStart = clock.State is ClockState.Unsynchronised or ClockState.Converging,
             };

@@ -238,12 +238,12 @@ public class PlantTimeTests
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        using var other = await RawRosbridgeClient.ConnectAsync(gateway);
         for (var i = 0; i <= PlantClocks.AtMost; i++)
         {
-            using var other = i < PlantClocks.AtMost ? await RawRosbridgeClient.ConnectAsync(gateway) : null;
-            await (other ?? client).SendAsync(
+            await (i < PlantClocks.AtMost ? other : client).SendAsync(
                 $$"""{"op":"advertise_service","service":"/nowpose/plant_time/clock{{i}}","type":"nowpose/PlantTime"}""");
-            if (other != null) await Soon.BecomesAsync(() => gateway.PlantClocks.All.Count == i + 1, "it is offered");
+            if (i < PlantClocks.AtMost) await Soon.BecomesAsync(() => gateway.PlantClocks.All.Count == i + 1, "it is offered");
         }
 
         await client.ExpectErrorAsync("OutOfRange");

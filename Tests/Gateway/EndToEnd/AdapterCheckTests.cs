@@ -131,6 +131,32 @@ public class AdapterCheckTests : PlantFileFixture
                 .Select(one => "warning " + DryRunMessages.PublishedTwice(second, one.Item1, one.Item2, first))));
     }
 
+    [Test]
+    public async Task Check_ClockThatNoPlantOffers_PrintsAWarning()
+    {
+        var opcua = Write(Good, "opcua.yaml");
+        var mqtt = Write("plant: { name: cell, kind: mqtt, endpoint: mqtt://127.0.0.1 }\njoints: [{ joint: b, topic: b }]\n", "mqtt.yaml");
+
+        var (status, output, errors) = await CapturedConsole.OfAsync(() => Nowpose.Gateway.CommandLine.RunAsync(
+            ["serve", "--check", "--clock", "cell", "--plant", opcua, "--plant", mqtt, "--ws-port", "0", "--sync-port", "0"]).Bounded());
+
+        Assert.That(status, Is.Zero, errors);
+        Assert.That(CapturedConsole.Lines(output), Has.One.EqualTo("warning " + DryRunMessages.ClockNotOffered("cell", ["absent"])));
+    }
+
+    [TestCase(null, 1, 0)]
+    [TestCase(null, 2, 1)]
+    [TestCase("plc-0", 2, 0)]
+    [TestCase("own", 2, 0)]
+    [TestCase("plc", 2, 1)]
+    [TestCase("plc", 0, 0)]
+    public void Warnings_SelectedClock_AreGivenIfItIsNotOfferedOrIfSeveralAre(string clock, int plants, int expected)
+    {
+        PlantFile[] all = [.. Enumerable.Range(0, plants).Select(i => new PlantFile($"{i}.yaml", $"plc-{i}", ""))];
+
+        Assert.That(PlantFile.WarningsOf(all, clock).Count(), Is.EqualTo(expected));
+    }
+
     [TestCase(256, 256, 16, new string[0])]
     [TestCase(257, 257, 17, new[] { "frames", "signals", "namespaces" })]
     public void Conflicts_FilesTogetherBeyondTheLimits_AreListed(int frames, int signals, int robots, string[] expected)

@@ -63,6 +63,7 @@ export const broker: Kind = {
     configuration.plant.settings = settings;
   },
   passesUnlisted: configuration => settingsOf(configuration).direction === 'subscribe',
+  offersClock: configuration => settingsOf(configuration).direction === 'subscribe',
   summary(configuration) {
     const {
       direction,

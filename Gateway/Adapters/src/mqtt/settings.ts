@@ -32,6 +32,7 @@ export const mqtt: Kind = {
     const settings: MqttSettings = { broker: brokerOf(file, section, configuration, environment), time: section.time ?? null };
     configuration.plant.settings = settings;
   },
+  offersClock: () => false,
   summary(configuration) {
     const { broker, time } = settingsOf(configuration);
     const stamp = time === null ? mqttMessages.arrivalTime : `the field ${time.field} (${time.unit})`;

@@ -121,6 +121,7 @@ export const ros: Kind = {
     ]);
   },
   passesUnlisted: ({ joints }) => joints.length === 0,
+  offersClock: configuration => settingsOf(configuration).hasClock,
   summary(configuration) {
     const { endpoint, jointStates, hasClock, frames } = settingsOf(configuration);
     return `rosbridge ${endpoint}, ${jointStates}, ${hasClock ? 'with its clock' : 'without its clock'}, ${readNames(configuration, 'all joints')}${frames.length === 0 ? '' : `; frames ${frames.map(({ frame }) => frame).join(', ')}`}`;
