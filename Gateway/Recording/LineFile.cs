@@ -33,6 +33,20 @@ sealed class LineFile : Stream
         return new LineFile(new FileStream(path, options));
     }
 
+    /// <summary>Whether a path exists, or may exist because it cannot be examined, for example while a network drive does not respond.</summary>
+    public static bool Exists(string path)
+    {
+        try
+        {
+            File.GetAttributes(path);
+            return true;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            return e is not (FileNotFoundException or DirectoryNotFoundException);
+        }
+    }
+
     /// <summary>Number of records written. Includes buffered records until a write fails. Thread-safe.</summary>
     public long Records => Interlocked.Read(ref _lines) + (Volatile.Read(ref _hasFailed) ? 0 : Interlocked.Read(ref _waiting));
 

@@ -66,7 +66,7 @@ public sealed class Recorder : IAsyncDisposable
         _traffic = new RecordedTraffic(clock, plant, drops);
         _log = log;
         _open = open ?? LineFile.Create;
-        _exists = open == null ? File.Exists : _ => true;
+        _exists = open == null ? LineFile.Exists : _ => true;
         _timer = options.Time.CreateTimer(_ => Tick(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
         _subscriptions.Add(hub.Subscribe(RosTopics.RobotDescription, Describe));
         _subscriptions.Add(hub.SubscribeToRobots(RosTopics.RobotDescription, Describe));

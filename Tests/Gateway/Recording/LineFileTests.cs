@@ -16,6 +16,21 @@ public class LineFileTests
     }
 
     [Test]
+    public void Exists_PathThatCannotBeExamined_IsNotReportedAsDeleted()
+    {
+        if (OperatingSystem.IsWindows()) Assert.Ignore("symbolic links need a privilege on Windows");
+        var folder = Directory.CreateTempSubdirectory("nowpose").FullName;
+        File.WriteAllText(Path.Combine(folder, "there"), "");
+        Directory.CreateSymbolicLink(Path.Combine(folder, "loop"), "loop");
+
+        Assert.That(LineFile.Exists(Path.Combine(folder, "there")), Is.True);
+        Assert.That(LineFile.Exists(Path.Combine(folder, "loop", "session.jsonl")), Is.True);
+        Assert.That(LineFile.Exists(Path.Combine(folder, "deleted")), Is.False);
+        Assert.That(LineFile.Exists(Path.Combine(folder, "deleted", "session.jsonl")), Is.False);
+        Directory.Delete(folder, true);
+    }
+
+    [Test]
     public void Records_LinesWritten_ExcludesTheRecordersOwnLines()
     {
         using var file = Written(new SmallDisk(1000), "{\"kind\":\"session\"}", "{\"kind\":\"sample\"}", "{\"kind\":\"lost\"}", "{\"kind\":\"sync\"}", "{\"kind\":\"end\"}");
