@@ -1,6 +1,7 @@
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -21,7 +22,8 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
     {
         stamp = Publications.StampOf(message) ?? default;
         if (message.Transforms != null) return JudgeTransforms(message, out stamp);
-        if (message.Diagnostics is { } diagnostics) return OfFuture(diagnostics.Stamp);
+        // An adapter stamps with the clock of its machine, as its report of each joint requires. The stamp is used only with other times of that clock.
+        if (message.Diagnostics is { } diagnostics) return StatusObjects.IsAdapter(diagnostics.HardwareId) ? DropReason.None : OfFuture(diagnostics.Stamp);
         return stamp == default ? DropReason.None : Judge(ref stamp);
     }
 

@@ -242,6 +242,21 @@ public class RosbridgeTopicTests
         Assert.That(gateway.Drops[DropReason.JointTaken], Is.EqualTo(1));
     }
 
+    // C1 may be the time since the start of a robot's controller, while the machine of the adapter has Unix time.
+    [Test]
+    public async Task Diagnostics_FromAnAdapterWithAnotherClock_ReachAllSubscribers()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var page = await RawRosbridgeClient.ConnectAsync(gateway);
+        using var adapter = await RawRosbridgeClient.ConnectAsync(gateway);
+        await page.SubscribeAsync(RosTopics.Diagnostics);
+        var sent = new DiagnosticsMessage(gateway.Clock.Now + TimeSpan.FromDays(20_000), "plant/plc", [new("state", "connected")]);
+
+        await adapter.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, sent, RosTimeForm.Sec));
+
+        Assert.That((await page.ReceiveAsync()).Diagnostics.Stamp, Is.EqualTo(sent.Stamp));
+    }
+
     [Test]
     public async Task Diagnostics_FromAHeadset_ReachAllSubscribers()
     {
