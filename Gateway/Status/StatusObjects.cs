@@ -14,7 +14,7 @@ static class StatusObjects
     /// <summary>Time without a report after which an adapter or headset is silent. Both report once per second.</summary>
     public static readonly TimeSpan Silence = TimeSpan.FromSeconds(3);
 
-    // Adapters of earlier releases use the prefix plant/.
+    // Adapters use the prefix plant/. The gateway also accepts adapter/.
     static readonly string[] AdapterPrefixes = ["plant/", "adapter/"];
 
     // Keys that the gateway sets. A client's diagnostics must not replace them.
