@@ -43,6 +43,7 @@ export async function runPlant(configuration: Configuration, log: Log, ending: A
   };
   const output = new PlantOutput(configuration, limits, clock, gateway, status);
   gateway.watch(output.signals.sender);
+  gateway.watch(output.repeater);
   gateway.subscribe(VERSION_TOPIC, ({ data }) => compareVersions(log, data));
   const run = await load(plant.kind);
   for (const [namespace, urdf] of Object.entries({ ...robots, ...(robot === null ? {} : { '': robot }) }))
@@ -61,10 +62,16 @@ export async function runPlant(configuration: Configuration, log: Log, ending: A
     await link;
   }
 
+  // Publishes only the newest diagnostics, so that they take no place in the queue of a gateway that is disconnected or slow.
   function report(): void {
     clearTimeout(changed ?? undefined);
     changed = null;
-    gateway.publish(DIAGNOSTICS, diagnosticsOf(plant.name, status, gateway.dropped));
+    let isSent = false;
+    gateway.publishNewest(DIAGNOSTICS, () => {
+      if (isSent) return null;
+      isSent = true;
+      return diagnosticsOf(plant.name, status, gateway.dropped);
+    });
   }
 }
 

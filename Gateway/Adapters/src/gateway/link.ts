@@ -26,6 +26,8 @@ export type Service = () => Promise<object>;
 /** Callbacks of a link. */
 export interface LinkEvents {
   opened?(): void;
+  /** Called for each message of `publish`. */
+  published?(topic: string, msg: object): void;
   /** Called after a disconnection, and after each failed connection attempt. */
   away?(reason: string): void;
   /** Called when a listener has thrown an exception for a message on this topic. */
@@ -38,7 +40,7 @@ export interface LinkEvents {
 }
 
 /** The part of a link that outputs use. */
-export type Publisher = Pick<GatewayLink, 'publish' | 'publishNewest' | 'publishKept' | 'forgetKept'>;
+export type Publisher = Pick<GatewayLink, 'publish' | 'publishNewest' | 'publishKept' | 'forgetKept' | 'dropped'>;
 
 /**
  * The connection to a gateway or a robot with the rosbridge protocol. After a disconnection, it reconnects and repeats advertisements, subscriptions,
@@ -81,6 +83,7 @@ export class GatewayLink {
     this.#advertise(topic);
     this.#queue.add(publication(topic, msg));
     this.#pump();
+    for (const { published } of this.#watchers) published?.(topic, msg);
   }
 
   /**
@@ -192,11 +195,8 @@ export class GatewayLink {
       };
       stop.addEventListener('abort', leave);
       socket.on('open', () => this.#open(socket));
-      socket.on('ping', hear).on('pong', hear);
-      socket.on('message', data => {
-        hear();
-        this.#hear(data);
-      });
+      socket.on('ping', hear).on('pong', hear).on('message', hear);
+      socket.on('message', data => this.#hear(data));
       socket.on('unexpected-response', (request, response) => {
         reason = refusalInWords(response.statusCode!);
         request.destroy();

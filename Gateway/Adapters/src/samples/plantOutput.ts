@@ -6,6 +6,7 @@ import type { Publisher } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
 import type { Nanoseconds } from '../times';
 import { JointOutput, type JointOutputOptions, type SourceStop } from './jointOutput';
+import { SampleRepeater } from './sampleRepeater';
 import type { Refusal } from './stampRule';
 
 /** A value from the control system. */
@@ -28,6 +29,7 @@ export class PlantOutput {
   readonly joints: JointOutput;
   readonly frames: PoseOutput;
   readonly signals: SignalOutput;
+  readonly repeater: SampleRepeater;
   /** Index of the first value of a frame, and of the first value of a signal. */
   readonly #firstOfFrames: number;
   readonly #firstOfSignals: number;
@@ -47,6 +49,7 @@ export class PlantOutput {
     this.joints = new JointOutput(joints, options, clock, gateway, status, counter);
     this.frames = new PoseOutput(frames, wholeFrames, labels, options, clock, gateway, status, counter);
     this.signals = new SignalOutput(signals, this.#firstOfSignals, clock, gateway, status, counter);
+    this.repeater = new SampleRepeater(status, gateway, () => this.joints.silence.unconfirmedMs !== null, counter);
     for (const { joint } of joints) status.joints.expect(joint);
   }
 
@@ -69,11 +72,15 @@ export class PlantOutput {
     this.signals.hold(except);
   }
 
-  /** Updates the state of joints, frames and signals that have been silent for too long, and publishes signals that waited for the clock. */
+  /**
+   * Updates the state of joints, frames and signals that have been silent for too long. Publishes signals that waited for the clock, and samples at rest
+   * that the gateway may not have received.
+   */
   check(): void {
     this.joints.checkSilence();
     this.frames.checkSilence();
     this.signals.check();
+    this.repeater.check();
   }
 
   /** Prepares for a new connection. */
@@ -81,6 +88,7 @@ export class PlantOutput {
     this.joints.restart();
     this.frames.restart();
     this.signals.restart();
+    this.repeater.forget();
   }
 
   /** Prepares for values with stamps of a control clock that has stepped. The source sends values again only if it has kept them. */
@@ -88,6 +96,7 @@ export class PlantOutput {
     this.joints.restart();
     this.frames.clockStepped();
     this.signals.clockStepped();
+    this.repeater.forget();
   }
 
   /** Reports that the control system no longer has this variable. */

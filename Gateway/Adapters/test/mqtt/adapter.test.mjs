@@ -16,7 +16,7 @@ import { ANY, like, messages } from '../messages.mjs';
 // Does not block this process, in which the adapters run.
 const run = promisify(execFile);
 
-const { brokerMessages, mqttMessages, silenceMessages } = messages;
+const { brokerMessages, mqttMessages, silenceMessages, stateMessages } = messages;
 
 const MS = 1_000_000n;
 const TIME = '  time: { field: t, unit: ms }\n';
@@ -187,6 +187,25 @@ frames:
       return bridge.published('/arm1/joint_states').length > 0;
     }, () => JSON.stringify(bridge.state));
     assert.equal(bridge.state.reconnects, '1');
+  });
+
+  it('Gateway_RestartedWhileAJointIsAtRest_ReceivesItsSampleAgainAndOnlyTheNewestDiagnostics', async t => {
+    const { bridge, send, adapter, now } = await cell(t, { rest: REST });
+    await send('cell/elbow', '0.5');
+    await until(() => bridge.joint('arm1/elbow_joint')?.state === 'rest', () => JSON.stringify(bridge.state));
+    const [sample] = bridge.published('/arm1/joint_states');
+
+    bridge.stop();
+    await adapter.said('disconnected');
+    await send('cell/closed', '"open"');
+    await adapter.said('closed refused');
+    await send('cell/closed', 'true');
+    await adapter.said(stateMessages.validAgain('closed'));
+    const again = await RosbridgeDouble.start(t, { port: bridge.port, now });
+
+    const [{ status: [{ values }] }] = await until(() => again.status && again.published('/nowpose/diagnostics'), () => adapter.err);
+    assert.match(values.find(({ key }) => key === 'signal/closed').value, /^live /);
+    assert.deepEqual(await until(() => again.published('/arm1/joint_states')[0], () => JSON.stringify(again.state)), sample);
   });
 
   it('Adapter_BrokerFrozen_StatesWhatDoesNotRespond', async t => {
