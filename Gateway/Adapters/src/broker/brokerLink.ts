@@ -17,6 +17,9 @@ export const ALIVE = 'alive';
 /** Prefixes a topic with the namespace of a robot: `arm1/joint_states`. Returns the topic unchanged if the namespace is empty. */
 export const below = (robot: string, topic: string): string => (robot === '' ? topic : `${robot}/${topic}`);
 
+/** Interval at which a publishing bridge repeats its presence, so that receivers do not trust the presence of a bridge that has ended. */
+const PRESENT_EVERY_MS = 2000;
+
 /** Values of the topic ALIVE. true: bridge and gateway are connected. no gateway: only the bridge is connected. false: the bridge is disconnected. */
 export type Presence = 'true' | 'no gateway' | 'false';
 
@@ -124,7 +127,11 @@ export class BrokerLink {
   }
 
   run(stop: AbortSignal): Promise<void> {
-    return this.#link.run(stop).finally(() => this.#forgetRefusals());
+    const repetition = this.#isPublishing ? setInterval(() => this.#keep(ALIVE, this.#presence), PRESENT_EVERY_MS) : undefined;
+    return this.#link.run(stop).finally(() => {
+      clearInterval(repetition);
+      this.#forgetRefusals();
+    });
   }
 
   get #isPublishing(): boolean {

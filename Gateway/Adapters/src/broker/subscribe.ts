@@ -9,11 +9,14 @@ import { kindOf } from './objectTopics';
 import { ReceivedObjects } from './receivedObjects';
 import { ReportedJoints } from './reportedJoints';
 import type { BrokerSettings } from './settings';
-import { runUpstreamClock } from './upstreamClock';
-import { brokerMessages, malformedMessages } from '../messages/broker';
+import { placeOf, runUpstreamClock } from './upstreamClock';
+import { brokerMessages, malformedMessages, syncMessages } from '../messages/broker';
 
 /** Interval of the attempts to send signals and set-points that wait for the clock. */
 const CHECK_MS = 250;
+
+/** Time after which a retained presence that the publishing bridge has not repeated is no longer valid. The bridge repeats it every 2 s. */
+const MAX_SILENCE_MS = 6000;
 
 /** Maximum length of the name of a topic in the log. */
 const MAX_NAME = 300;
@@ -51,8 +54,12 @@ export async function subscribe(
     status.refuse('malformed', take.has(name) ? name : kindOf(name), `${name.slice(0, MAX_NAME)}: ${problem}`);
   /** The reason why the broker refuses a subscription of the present connection; null if it refuses none. */
   let refusal: string | null = null;
+  /** The reason why the clock of the plant's gateway has never been read; null after the first reading. Nothing is forwarded before. */
+  let unread: string | null = settings.clock === null ? null : syncMessages.notYet(placeOf(settings.clock));
   /** Whether the publishing bridge and its gateway are connected. */
   let isPresent = false;
+  /** Ends the trust in a retained presence. */
+  let expiry: NodeJS.Timeout | undefined;
   const broker = new BrokerLink(settings, configuration.plant.name, [...take.keys(), ...objects.topics, ALIVE], {
     opened: () => {
       refusal = null;
@@ -65,11 +72,11 @@ export async function subscribe(
     },
     subscriptionRefused: reason => {
       refusal = reason;
-      status.enter('waiting', reason);
-      if (isPresent) applyStates();
+      if (isPresent) showState();
+      else status.enter('waiting', reason);
     },
-    heard: (name, payload) => {
-      if (name === ALIVE) return enter(payload.toString());
+    heard: (name, payload, isRetained) => {
+      if (name === ALIVE) return enter(payload.toString(), isRetained);
       const known = take.get(name);
       if (known === undefined && payload.length === 0) return objects.remove(name);
       const message = parsed(name, payload);
@@ -80,29 +87,45 @@ export async function subscribe(
     malformed,
   });
 
-  function enter(presence: string): void {
-    if (presence !== ('true' satisfies Presence)) {
-      leave();
-      return status.enter('waiting', presence === ('no gateway' satisfies Presence) ? brokerMessages.gatewayAway : brokerMessages.bridgeAway);
-    }
-    if (refusal === null) status.enter('connected');
-    // Only once, because this state puts each joint and signal in fault until its next value.
-    else if (!isPresent) status.enter('waiting', refusal);
+  function enter(presence: string, isRetained: boolean): void {
+    clearTimeout(expiry);
+    if (presence !== ('true' satisfies Presence))
+      return withdraw(presence === ('no gateway' satisfies Presence) ? brokerMessages.gatewayAway : brokerMessages.bridgeAway);
+    // A broker that was off for some time still has the presence of a bridge that has not returned, and publishes no will for it.
+    if (isRetained) expiry = setTimeout(() => withdraw(brokerMessages.bridgeSilent(MAX_SILENCE_MS / 1000)), MAX_SILENCE_MS);
+    // Only once, because a state with a reason puts each joint and signal in fault until its next value.
+    if (isPresent) return;
     isPresent = true;
-    applyStates();
+    showState();
   }
 
-  // Also with a refused subscription, because the messages on the other topics arrive.
-  function applyStates(): void {
+  // Also applies the reported states with a refused subscription, because the messages on the other topics arrive.
+  function showState(): void {
+    const trouble = refusal ?? unread;
+    status.enter(trouble === null ? 'connected' : 'waiting', trouble ?? '');
+    if (unread !== null) return;
     reported.enter();
     objects.enter();
   }
 
+  function withdraw(reason: string): void {
+    leave();
+    status.enter('waiting', reason);
+  }
+
   function leave(): void {
+    clearTimeout(expiry);
     isPresent = false;
     reported.leave();
     objects.leave();
     setPoints.forget();
+  }
+
+  // Ignores later failures, during which the samples continue.
+  function clockRead(reason: string | null): void {
+    if (unread === null || unread === reason) return;
+    unread = reason;
+    if (isPresent) showState();
   }
 
   const checks = setInterval(() => {
@@ -110,7 +133,9 @@ export async function subscribe(
     setPoints.check();
   }, CHECK_MS);
   const invalid = (reason: string): void => status.count(reason);
-  await Promise.all([broker.run(stopping), settings.clock === null ? undefined : runUpstreamClock(settings.clock, clock, log, stopping, invalid)]);
+  const upstream = settings.clock === null ? undefined : runUpstreamClock(settings.clock, clock, log, stopping, { invalid, read: clockRead });
+  await Promise.all([broker.run(stopping), upstream]);
+  clearTimeout(expiry);
   clearInterval(checks);
 }
 

@@ -27,6 +27,8 @@ export const brokerMessages = {
   noPublisher: (topic: string) => `no client publishes ${topic} on the broker yet; check that the bridge with direction: publish is running`,
   gatewayAway: "the bridge has lost the connection to the plant's gateway",
   bridgeAway: "the bridge at the plant's gateway is disconnected",
+  bridgeSilent: (seconds: number) =>
+    `the bridge at the plant's gateway has not confirmed its connection within ${seconds} s; check that it is running and has the version of this bridge`,
   noSignal: "the plant's gateway no longer has a value of this signal; check that its source is running",
   atOtherGateway: (reason: string) => `at the plant's gateway: ${reason}`,
 };
@@ -59,6 +61,7 @@ export const malformedMessages = {
 /** Messages about the sync port of the plant's gateway. */
 export const syncMessages = {
   timeUnknown: (place: string, reason: string) => `the time of ${place} cannot be read: ${reason}`,
+  notYet: (place: string) => `the time of ${place} has not been read yet`,
   timeOf: (place: string) => `the time is read from ${place}`,
   closed: (place: string) => `${place} closed the connection`,
   tokenRefused: (place: string) => `${place} refuses the token; set plant.clock.token_file to a token of this gateway`,

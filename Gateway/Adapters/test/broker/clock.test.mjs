@@ -6,6 +6,9 @@ import { temporaryFile } from '../temporary.mjs';
 import { bridge, clockOf, halls, publish, served, state } from './halls.mjs';
 import { missing, Mosquitto } from './mosquitto.mjs';
 import { SyncServer } from './syncServer.mjs';
+import { ANY, like, messages } from '../messages.mjs';
+
+const { syncMessages } = messages;
 
 describe('clock of a gateway behind a broker', { skip: missing, concurrency: 3 }, () => {
   it('Clock_OfThePlantsGateway_IsForwardedWithItsErrorBound', async t => {
@@ -33,6 +36,24 @@ describe('clock of a gateway behind a broker', { skip: missing, concurrency: 3 }
     await sync.listen(sync.port);
 
     await served(far);
+  });
+
+  it('Clock_NeverRead_BridgeIsWaitingWithTheReasonAndForwardsNothingUntilItIsRead', async t => {
+    const [near, far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);
+    await sync.stop();
+    bridge(t, 'publish', near, broker);
+    await until(() => near.heard.some(m => m.op === 'subscribe' && m.topic === '/signals'), 'the subscription');
+    publish(near, '/signals', { header: state(sync.now()).header, name: ['closed'], value: [1] });
+
+    const subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync)), place = `127.0.0.1:${sync.port}`;
+
+    const reason = like(syncMessages.timeUnknown(place, syncMessages.notReachable(place, ANY)));
+    await until(() => reason.test(far.state?.reason), () => JSON.stringify(far.state));
+    assert.equal(far.state.state, 'waiting');
+    assert.doesNotMatch(far.state['signal/closed'] ?? '', /^live/);
+    await sync.listen(sync.port);
+    await until(() => far.state?.state === 'connected' && far.state['signal/closed']?.startsWith('live'), () => JSON.stringify(far.state) + subscriber.err);
+    await until(() => far.published('/signals').length > 0, 'the signal');
   });
 
   it('Clock_NotKnownYet_SetPointsWaitForIt', async t => {

@@ -61,10 +61,10 @@ export class RefusingBroker {
   }
 
   /** Sends a message of up to 16 kB. */
-  static publish(socket, topic, payload) {
+  static publish(socket, topic, payload, { isRetained = false } = {}) {
     const body = Buffer.concat([Buffer.of(0, topic.length), Buffer.from(topic), Buffer.of(0), Buffer.from(payload)]);
     const length = body.length < 128 ? [body.length] : [128 + body.length % 128, body.length >> 7];
-    socket.write(Buffer.concat([Buffer.of(0x30, ...length), body]));
+    socket.write(Buffer.concat([Buffer.of(isRetained ? 0x31 : 0x30, ...length), body]));
   }
 
   /** Sends a second CONNACK, after which a client ends the connection at once. */
