@@ -80,7 +80,7 @@ export class ReceivedObjects {
     if (!Array.isArray(transforms)) throw new Error(malformedMessages.noTransforms);
     if (isStationary) {
       const [{ child_frame_id: child }] = transforms as [{ child_frame_id: string }];
-      if (!this.#stationary.has(child) && this.#stationary.size >= MAX_NAMES) return this.status.count('too-many');
+      if (!this.#stationary.has(child) && this.#stationary.size >= MAX_NAMES) return this.status.tooMany('stationary frames', MAX_NAMES);
       this.#stationary.add(child);
       // Uses a zero stamp, which needs no clock, because a stationary frame has the same pose at all times.
       const [{ header, ...pose }] = transforms as [{ header: object }];
@@ -102,7 +102,7 @@ export class ReceivedObjects {
     const [number] = value as unknown[];
     const stamp = ofRosTime((header as { stamp?: unknown }).stamp);
     if (typeof one !== 'string' || typeof number !== 'number' || stamp === null) throw new Error(malformedMessages.signal);
-    if (!this.#signals.has(one) && this.#signals.size >= MAX_NAMES) return this.status.count('too-many');
+    if (!this.#signals.has(one) && this.#signals.size >= MAX_NAMES) return this.status.tooMany('signals', MAX_NAMES);
     this.#signals.add(one);
     this.#confirmed.add(one);
     this.#sender.add(one, number, stamp);

@@ -169,6 +169,12 @@ export class AdapterStatus {
     this.#refused.set(known, (this.#refused.get(known) ?? 0) + 1);
   }
 
+  /** Counts a value that is not forwarded because the source has more joints, frames or signals than an adapter forwards. */
+  tooMany(kind: string, most: number): void {
+    this.count('too-many');
+    this.notice(stateMessages.tooMany(kind, most));
+  }
+
   /** Reports that the values of this subject are valid again. */
   accept(subject: string): void {
     this.log.resume(`value of ${subject}`, stateMessages.validAgain(subject));

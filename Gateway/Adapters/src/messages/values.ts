@@ -40,6 +40,8 @@ export const stateMessages = {
   notExpected: (name: string) => `${name} is no longer expected`,
   uncertainRest: (name: string, uncertainty: string) => `${name} may not be at rest: ${uncertainty}`,
   validAgain: (name: string) => `${name} is valid again`,
+  tooMany: (kind: string, most: number) =>
+    `more than ${most} ${kind} have been received, and further ones are not forwarded; remove those that are not needed at the source, then restart this adapter`,
   droppedByGateway: (reason: string) => `the gateway drops messages: ${reason}`,
 };
 

@@ -1,6 +1,7 @@
 import type { Joint } from '../configuration/configuration';
 
-const MAX_JOINTS = 256;
+/** Maximum number of forwarded joints. */
+export const MAX_JOINTS = 256;
 
 /**
  * A forwarded joint and the conversion of its values. `index` is the index of the joint in the configuration or, without configured joints, its
@@ -42,11 +43,16 @@ export class JointNames {
 
   readonly isOpen: boolean;
 
+  /** Whether further joints are not forwarded although the configuration does not list any. */
+  get isFull(): boolean {
+    return this.isOpen && this.#known.size >= MAX_JOINTS;
+  }
+
   /** Gets a joint by the name that the robot uses for it; undefined if the joint is not forwarded. */
   find(source: unknown): OutJoint | undefined {
     if (typeof source !== 'string') return undefined;
     const known = this.#known.get(source);
-    if (known !== undefined || !this.isOpen || this.#known.size >= MAX_JOINTS || source === '') return known;
+    if (known !== undefined || !this.isOpen || this.isFull || source === '') return known;
     const joint = this.namespace === '' ? source : `${this.namespace}/${source}`;
     const { maxDeceleration } = this;
     const added = { index: this.#known.size, joint, name: source, scale: 1, offset: 0, isLinear: false, maxDeceleration };

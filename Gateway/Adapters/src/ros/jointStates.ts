@@ -7,11 +7,9 @@ import { decelerationFloor, EndOfData } from '../samples/endOfData';
 import type { SampleSilence } from '../samples/sampleSilence';
 import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
-import type { JointNames, OutJoint } from './jointNames';
+import { type JointNames, MAX_JOINTS, type OutJoint } from './jointNames';
 import { malformedMessages } from '../messages/broker';
 import { refusalMessages, silenceMessages } from '../messages/values';
-
-const MAX_JOINTS = 256;
 
 interface RosJointState {
   header?: { stamp?: unknown };
@@ -60,6 +58,7 @@ export class JointStates {
     const now = this.clock.now;
     const taken = name.flatMap((source, i) => {
       const out = this.names.find(source);
+      if (out === undefined && this.names.isFull) this.status.tooMany('joints', MAX_JOINTS);
       return out !== undefined && this.#isUsable(out, position[i], stamp, now) ? [{ out, i }] : [];
     });
     if (taken.length === 0) return;

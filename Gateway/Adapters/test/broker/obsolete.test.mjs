@@ -7,7 +7,7 @@ import { messages } from '../messages.mjs';
 import { parts } from '../parts.mjs';
 import { jointStatus, state } from './halls.mjs';
 
-const { brokerMessages } = messages;
+const { brokerMessages, stateMessages } = messages;
 const { AdapterStatus, Log, PublishedObjects, ReceivedObjects } = await parts('gateway/status', 'log', 'broker/publishedObjects', 'broker/receivedObjects');
 
 const transform = (child, x) => ({ header: { stamp: { sec: 1, nanosec: 0 }, frame_id: 'world' }, child_frame_id: child, transform: { translation: { x } } });
@@ -214,6 +214,22 @@ describe('obsolete objects and signals on a broker', () => {
 
     assert.equal(lines.length, 1, lines.join(''));
   });
+
+  for (const [kind, take] of [
+    ['signals', (objects, name) => objects.take(`signals/${name}`, signal(name, 1))],
+    ['stationary frames', (objects, name) => objects.take(`tf_static/${name}`, { transforms: [transform(name, 1)] })],
+  ])
+    it(`Receiver_MoreThan256${kind}_ReportsThatTheOthersAreNotForwarded`, () => {
+      const { objects, status } = receiver(), notices = [];
+      objects.enter();
+
+      for (const count of [256, 257]) {
+        for (let i = 0; i < count; i++) take(objects, `s${i}`);
+        notices.push([status.level, status.values().notice, status.refusals('too-many')]);
+      }
+
+      assert.deepEqual(notices, [[0, undefined, 0], [1, stateMessages.tooMany(kind, 256), 1]]);
+    });
 
   for (const topic of ['signal_status', 'tf', 'signals/%zz'])
     it(`Receiver_EmptyMessageOn${topic}_IsMalformed`, () => assert.throws(() => receiver().objects.remove(topic)));
