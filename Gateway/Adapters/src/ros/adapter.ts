@@ -9,6 +9,7 @@ import { JointNames } from './jointNames';
 import { JointStates } from './jointStates';
 import { SetPoints } from './setPoints';
 import { settingsOf } from './settings';
+import { TopicMessages } from './topicMessages';
 import { passedTrajectory } from './trajectory';
 import { malformedMessages } from '../messages/broker';
 import { rosMessages } from '../messages/ros';
@@ -31,8 +32,18 @@ export async function run(context: AdapterContext): Promise<void> {
   const { configuration, gateway, clock, status, log, stopping } = context;
   const settings = settingsOf(configuration);
   const setPoints = new SetPoints(clock, gateway);
+  const values = new TopicValues(configuration.values, DATA);
+  const topics = new TopicMessages(values, context.output, clock);
   let connection = new AbortController();
-  if (!settings.hasClock) void clock.doWithout(stopping);
+  /** Whether the gateway's clock stamps the messages without a header, because the robot's clock is not available yet. */
+  let isWithout = false;
+  const doWithout = (): void => {
+    if (!isWithout) void clock.doWithout(stopping).then(() => topics.check());
+    isWithout = true;
+    setPoints.check();
+  };
+  clock.stepped = () => topics.clockStepped();
+  if (!settings.hasClock) doWithout();
   const robot = new GatewayLink({ url: settings.endpoint, token: null, pin: settings.pin }, log, 'rosbridge', {
     opened: () => {
       status.enter('connected');
@@ -43,6 +54,7 @@ export async function run(context: AdapterContext): Promise<void> {
       connection.abort();
       clock.detach();
       setPoints.forget();
+      topics.forget();
       if (status.state === 'connected') status.reconnected();
       status.enter('waiting', reason);
     },
@@ -54,13 +66,15 @@ export async function run(context: AdapterContext): Promise<void> {
     while (!ended.aborted) {
       try {
         if (await clock.attach(readTime, ended)) {
+          if (isWithout) topics.clockStepped();
+          isWithout = false;
           setPoints.check();
+          topics.check();
           return log.resume('clock', rosMessages.clockAvailable);
         }
       } catch (error) {
         if (ended.aborted) return;
-        void clock.doWithout(stopping);
-        setPoints.check();
+        doWithout();
         log.change('clock', rosMessages.noClock((error as Error).message));
         await pause(CLOCK_RETRY_MS, ended);
       }
@@ -93,18 +107,11 @@ export async function run(context: AdapterContext): Promise<void> {
     if (topic !== null) robot.subscribe(topic, message => frames.passPose(index, message), type);
   });
   output.signals.silence.unconfirmedMs = null;
-  const values = new TopicValues(configuration.values, DATA);
-  for (const topic of values.topics) robot.subscribe(topic, message => passValues(topic, message), settings.types.get(topic));
+  for (const topic of values.topics) robot.subscribe(topic, message => topics.pass(topic, message), settings.types.get(topic));
 
   function passDescription(text: unknown): void {
     if (typeof text === 'string' && text.includes('<robot')) gateway.publishKept(topicOf(namespace, ROBOT_DESCRIPTION), description(text));
     else status.refuse('malformed', 'robot description', malformedMessages.noRobot);
-  }
-
-  // Stamps a message without a header with the time of its arrival, which is later than the change by the transmission time.
-  function passValues(topic: string, message: Record<string, unknown>): void {
-    const { stamp } = (message.header ?? {}) as { stamp?: unknown };
-    output.publish(values.in(topic, message, ofRosTime(stamp) ?? clock.now));
   }
 
   function passTrajectory(message: Record<string, unknown>): void {

@@ -130,6 +130,54 @@ signals:
     assert.ok(isArrival(stamp, before, now()));
   });
 
+  const SIGNAL = 'signals:\n  - { signal: closed, topic: /closed, type: std_msgs/Bool }\n';
+  const JOINT = 'joints:\n  - { joint: finger, topic: /width, type: std_msgs/Float64 }\n';
+  const ahead = (minutes = 0) => BigInt(Date.now() + 60_000 * minutes) * 1_000_000n;
+  /** Starts an adapter for a robot with the latched messages /closed and /width. `now` returns the time of the gateway's clock. */
+  async function latched(t, { robot: options = {}, plant = '', rest = SIGNAL, now = ahead } = {}) {
+    const robot = await Robot.start(t, options), bridge = await RosbridgeDouble.start(t, { now: () => now() });
+    robot.latched.set('/closed', { data: true }).set('/width', { data: 0.04 });
+    const { err } = start(t, [temporaryFile('plant.yaml', `gateway: { url: "${bridge.url}" }\nplant: { kind: ros, name: arm, endpoint: "${robot.url}"${plant} }\n${rest}`)]);
+    return { robot, bridge, last: expected => until(() => changes(bridge).some(([stamp, value]) => value === 1 && expected(stamp)), () => JSON.stringify(bridge.state) + err) };
+  }
+
+  // The robot sends latched messages before the adapter has read the clock.
+  for (const [name, plant, clock] of [['RobotsClock', '', ({ robot }) => robot.now], ['GatewaysClock', ', clock: false', () => () => ahead(2)]])
+    it(`Ros_LatchedMessagesWithoutHeader_HaveTheTimeOfThe${name}AlsoAfterAReconnection`, async t => {
+      const cell = await latched(t, { robot: { aheadMs: -7_200_000 }, plant, rest: JOINT + SIGNAL, now: () => ahead(2) }), { robot, bridge } = cell;
+      const now = clock(cell), started = now();
+
+      await cell.last(stamp => isArrival(stamp, started, now()));
+      const [{ name: joints, position, header }] = await until(() => bridge.jointStates.length > 0 && bridge.jointStates, () => JSON.stringify(bridge.state));
+      assert.deepEqual([joints, position], [['finger'], [0.04]]);
+      assert.ok(isArrival(nanoseconds(header.stamp), started, now()));
+      await robot.stop();
+      await until(() => bridge.state?.['signal/closed']?.startsWith('fault'), () => JSON.stringify(bridge.state));
+      await robot.listen(robot.port);
+      await until(() => bridge.state['signal/closed'].startsWith('live') && bridge.joint('finger').state === 'live', () => JSON.stringify(bridge.state));
+      assert.equal(bridge.state.refused, '0');
+    });
+
+  it('Ros_AnotherClockBecomesTheControlClock_SignalsHaveItsTime', async t => {
+    let minutes = 12;
+    const { robot, last } = await latched(t, { robot: { now: null }, plant: ', clock: false', now: () => ahead(minutes) });
+    await last(stamp => isArrival(stamp, ahead(12) - 60_000_000_000n, ahead(12)));
+
+    minutes = 0;
+
+    await last(stamp => isArrival(stamp, ahead(-1), ahead()));
+    assert.equal(robot.heard.filter(({ op, topic }) => op === 'subscribe' && topic === '/closed').length, 1);
+  });
+
+  it('Ros_RobotsClockAvailableLater_SignalsHaveItsTime', async t => {
+    const { robot, last } = await latched(t, { robot: { now: null } });
+    await last(stamp => isArrival(stamp, ahead(-1), ahead()));
+
+    robot.now = () => ahead(-30);
+
+    await last(stamp => isArrival(stamp, ahead(-31), ahead(-30)));
+  });
+
   for (const [name, spoil, reason, text] of [
     ['WithoutUnitQuaternion', one => { one.transform.rotation.w = 0.5; }, 'not-unit', refusalMessages.quaternion(0.5)],
     ['WithZeroQuaternion', one => { one.transform.rotation.w = 0; }, 'not-unit', refusalMessages.quaternion(0)],
