@@ -1,6 +1,6 @@
-import { REFUSED_EVERY_MS } from '../gateway/keptMessages';
 import { SendQueue } from '../gateway/sendQueue';
 import { MqttLink } from '../mqtt/link';
+import { Refusals } from './refusals';
 import type { BrokerSettings } from './settings';
 import { brokerMessages } from '../messages/broker';
 
@@ -30,8 +30,8 @@ interface BrokerEvents {
    * @param wasOpen Whether it is a disconnection.
    */
   away(reason: string, wasOpen: boolean): void;
-  /** Called if the broker refuses the subscription to a topic. */
-  subscriptionRefused(reason: string): void;
+  /** Called when the reason changes for which the broker refuses a subscription. It is the reason of the first refused topic; null if there is none. */
+  subscriptionRefused(reason: string | null): void;
   /**
    * Called when the reason changes for which the broker refuses retained messages. It is the reason of the first topic whose newest message is refused;
    * null if there is none. Only for a publishing bridge.
@@ -44,18 +44,17 @@ interface BrokerEvents {
 }
 
 /**
- * The connection of a bridge to the broker. Publishes retained messages again after each reconnection, and every 10 s those that the broker refuses,
- * because its operator may have corrected the rights. A publishing bridge also publishes its retained messages and its presence again when another
+ * The connection of a bridge to the broker. Publishes retained messages again after each reconnection, and every 10 s those that the broker refuses. Also
+ * repeats the subscriptions that the broker refuses. A publishing bridge also publishes its retained messages and its presence again when another
  * connection withdraws its presence: the former connection of this bridge, which the broker ends later than the bridge, or another bridge. Receivers
  * have then discarded the values that they had.
  */
 export class BrokerLink {
   readonly #queue = new SendQueue<{ topic: string; payload: string }>();
   readonly #retained = new Map<string, string>();
-  /** Topics whose newest retained message the broker has refused, with the reasons. */
-  readonly #refusals = new Map<string, string>();
-  /** Sends the refused messages again; undefined while there are none. */
-  #repetition: NodeJS.Timeout | undefined;
+  /** Topics whose newest retained message the broker refuses. */
+  readonly #refused: Refusals;
+  readonly #unread: Refusals;
   readonly #link: MqttLink;
   #presence: Presence = 'no gateway';
 
@@ -66,6 +65,14 @@ export class BrokerLink {
     subscriptions: string[],
     readonly events: BrokerEvents,
   ) {
+    this.#refused = new Refusals(
+      reason => events.messagesRefused?.(reason),
+      names => this.#announce([...this.#retained].filter(([name]) => names.includes(name))),
+    );
+    this.#unread = new Refusals(
+      reason => events.subscriptionRefused(reason),
+      topics => this.#link.subscribeAgain(topics),
+    );
     const bare = (topic: string): string => topic.slice(settings.topic.length + 1);
     this.#link = new MqttLink(
       settings.broker,
@@ -80,7 +87,8 @@ export class BrokerLink {
           this.#forgetRefusals();
           events.away(reason, wasOpen);
         },
-        refused: (_, reason) => events.subscriptionRefused(reason),
+        refused: (topic, reason) => this.#unread.judge(topic, reason),
+        accepted: topic => this.#unread.judge(topic, null),
         heard: (topic, payload, isRetained) => {
           if (this.#isPublishing && bare(topic) === ALIVE) this.#announceAfter(payload.toString(), isRetained);
           else events.heard(bare(topic), payload, isRetained);
@@ -164,30 +172,13 @@ export class BrokerLink {
       // Without a response, the connection has ended.
       if (response === undefined) return;
       // Does not store the refusal of a removal, because the bridge no longer has a message for this topic and would never delete the entry.
-      this.#judge(name, error && payload !== '' ? brokerMessages.publicationRefused(this.#at(name), error.message) : null);
+      this.#refused.judge(name, error && payload !== '' ? brokerMessages.publicationRefused(this.#at(name), error.message) : null);
     });
   }
 
-  #judge(name: string, reason: string | null): void {
-    const before = this.#firstRefusal;
-    if (reason === null) this.#refusals.delete(name);
-    else this.#refusals.set(name, reason);
-    const now = this.#firstRefusal;
-    if (now === before) return;
-    if (now === null) this.#forgetRefusals();
-    else this.#repetition ??= setInterval(() => this.#announce([...this.#retained].filter(([one]) => this.#refusals.has(one))), REFUSED_EVERY_MS);
-    this.events.messagesRefused?.(now);
-  }
-
-  get #firstRefusal(): string | null {
-    const [reason = null] = this.#refusals.values();
-    return reason;
-  }
-
   #forgetRefusals(): void {
-    this.#refusals.clear();
-    clearInterval(this.#repetition);
-    this.#repetition = undefined;
+    this.#refused.clear();
+    this.#unread.clear();
   }
 
   #pump(): void {

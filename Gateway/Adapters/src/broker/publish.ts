@@ -15,7 +15,7 @@ export async function publish({ configuration, gateway, status, stopping }: Adap
       status.enter('waiting', reason);
     },
     // Without the right to read its topics, the bridge can publish, but cannot find the obsolete messages.
-    subscriptionRefused: () => status.notice(brokerMessages.notReadable(settings.topic)),
+    subscriptionRefused: reason => status.notice(reason === null ? null : brokerMessages.notReadable(settings.topic)),
     messagesRefused: reason => (reason === null ? status.enter('connected') : status.enter('waiting', reason)),
     heard: (topic, _, isRetained) => objects.heard(topic, isRetained),
     malformed: (name, problem) => status.refuse('malformed', name, problem),

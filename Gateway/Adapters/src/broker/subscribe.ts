@@ -73,7 +73,7 @@ export async function subscribe(
     subscriptionRefused: reason => {
       refusal = reason;
       if (isPresent) showState();
-      else status.enter('waiting', reason);
+      else status.enter('waiting', reason ?? brokerMessages.noPublisher(settings.topic));
     },
     heard: (name, payload, isRetained) => {
       if (name === ALIVE) return enter(payload.toString(), isRetained);

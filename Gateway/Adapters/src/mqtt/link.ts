@@ -23,6 +23,8 @@ interface MqttEvents {
   away(reason: string, wasOpen: boolean): void;
   /** Called if the broker refuses the subscription to a topic. */
   refused(topic: string, reason: string): void;
+  /** Called if the broker accepts the subscription to a topic. */
+  accepted?(topic: string): void;
   /**
    * Called for each message.
    * @param isRetained Whether the message is a retained one, which the broker had before the subscription.
@@ -61,9 +63,9 @@ export class MqttLink {
     );
   }
 
-  /** Subscribes again to all topics, so that the broker sends the retained messages again. Has no effect without a connection. */
-  subscribeAgain(): void {
-    if (this.client !== null) this.#subscribe(this.client);
+  /** Subscribes again, so that the broker sends the retained messages again. Has no effect without a connection. */
+  subscribeAgain(topics = this.topics): void {
+    if (this.client !== null) this.#subscribe(this.client, topics);
   }
 
   #connect(stop: AbortSignal): Promise<string> {
@@ -122,17 +124,18 @@ export class MqttLink {
   #open(client: MqttClient): void {
     this.#client = client;
     this.#wasOpen = true;
-    this.#subscribe(client);
+    this.#subscribe(client, this.topics);
     this.events.opened();
   }
 
-  #subscribe(client: MqttClient): void {
-    for (const topic of this.topics) {
+  #subscribe(client: MqttClient, topics: string[]): void {
+    for (const topic of topics) {
       // With nl (no local), the broker does not return this client's own messages. Without resubscribe, the client would ignore a second subscription.
       const subscription = Object.assign({ [topic]: { qos: 1 as const, nl: true } }, { resubscribe: true });
       client.subscribe(subscription, (error, _, response) => {
         // Ignores the error of a subscription without a response, which fails because the connection ends.
-        if (error && response !== undefined) this.events.refused(topic, brokerMessages.subscriptionRefused(topic, error.message));
+        if (!error) this.events.accepted?.(topic);
+        else if (response !== undefined) this.events.refused(topic, brokerMessages.subscriptionRefused(topic, error.message));
       });
     }
   }

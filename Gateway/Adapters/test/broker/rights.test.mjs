@@ -17,6 +17,9 @@ const REPETITION_MS = 10_000;
 
 const refusalOf = topic => like(brokerMessages.publicationRefused(`${TOPIC}/${topic}`, ANY));
 
+/** Calls the functions of all intervals at which refused messages and subscriptions are repeated. */
+const repeat = ({ calls }) => calls.filter(call => call.arguments[1] === REPETITION_MS).forEach(call => call.arguments[0]());
+
 /** Starts a publishing bridge with a broker that accepts its subscriptions, and waits until it has sent its presence. */
 async function publisher(t) {
   const broker = await RefusingBroker.start(t);
@@ -59,6 +62,18 @@ describe('rights on a broker', () => {
     const notice = brokerMessages.notReadable(TOPIC);
     await until(() => broker.refusals === 3 && status.level === 1 && status.values().notice === notice, () => JSON.stringify(status.values()));
     assert.deepEqual([status.state, lines.filter(line => line.includes(notice)).length], ['connected', 1]);
+  });
+
+  it('Publisher_RightToReadIsGivenLater_NoticeEnds', async t => {
+    const broker = await RefusingBroker.start(t), { mock } = t.mock.method(globalThis, 'setInterval');
+    const { status } = publisherWith(t, broker);
+    await until(() => broker.refusals === 3 && status.level === 1, () => JSON.stringify(status.values()));
+
+    broker.refuses = () => false;
+    repeat(mock);
+
+    await until(() => status.level === 0, () => JSON.stringify(status.values()));
+    assert.equal(status.values().notice, undefined);
   });
 
   it('Publisher_MayNotPublish_IsWaitingWithTheReasonUntilItsMessagesAreAccepted', async t => {
@@ -210,6 +225,30 @@ describe('rights on a broker', () => {
     await until(() => timers().length === 2, 'the second retained presence');
     send('alive', 'true', false);
     await until(() => ended.calls.some(call => call.arguments[0] === timers()[1].result), 'the confirmation');
+  });
+
+  it('Subscriber_RightToReadIsGivenLater_SubscribesAgainAndIsConnected', async t => {
+    const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RefusingBroker.start(t), SyncServer.start(t)]), subscribed = [];
+    const { mock } = t.mock.method(globalThis, 'setInterval'), refused = [`${TOPIC}/joint_states`, `${TOPIC}/alive`];
+    broker.refuses = topic => refused.includes(topic);
+    broker.answered = (topic, socket) => {
+      subscribed.push(topic);
+      if (topic === `${TOPIC}/alive` && !broker.refuses(topic)) RefusingBroker.publish(socket, topic, 'true');
+    };
+    bridge(t, 'subscribe', far, broker, clockOf(sync));
+    const reached = (name, expected) => until(() => far.state?.[name]?.startsWith(expected), () => JSON.stringify(far.state));
+    await reached('reason', `the broker refuses the subscription to ${refused[0]}`);
+    await until(() => subscribed.includes(refused[1]), () => subscribed.join());
+
+    const [states] = refused.splice(0, 1);
+    repeat(mock);
+    await reached('reason', `the broker refuses the subscription to ${refused[0]}`);
+    subscribed.length = 0;
+    const [alive] = refused.splice(0, 1);
+    repeat(mock);
+
+    await reached('state', 'connected');
+    assert.deepEqual([states, subscribed], [`${TOPIC}/joint_states`, [alive]]);
   });
 
   it('Subscriber_MayNotReadJointStatesAndPublisherReturns_IsWaitingBecauseOfTheRefusal', async t => {
