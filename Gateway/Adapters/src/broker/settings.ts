@@ -19,6 +19,9 @@ export interface Upstream {
   token: string | null;
 }
 
+/** Gets the address of a sync port for messages. */
+export const placeOf = ({ host, port }: Upstream): string => `${host}:${port}`;
+
 /** The settings of kind broker, including the contents of files with secrets. */
 export interface BrokerSettings {
   direction: 'publish' | 'subscribe';

@@ -8,8 +8,8 @@ import { ALIVE, below, BrokerLink, DESCRIPTION, type Presence, STATES, STATUS, T
 import { kindOf } from './objectTopics';
 import { ReceivedObjects } from './receivedObjects';
 import { ReportedJoints } from './reportedJoints';
-import type { BrokerSettings } from './settings';
-import { placeOf, runUpstreamClock } from './upstreamClock';
+import { type BrokerSettings, placeOf } from './settings';
+import { runUpstreamClock } from './upstreamClock';
 import { brokerMessages, malformedMessages, syncMessages } from '../messages/broker';
 
 /** Interval of the attempts to send signals and set-points that wait for the clock. */

@@ -3,7 +3,7 @@ import { connect as connectSecurely } from 'node:tls';
 import type { ClockReading } from '../clock/offeredClock';
 import { pinProblem } from '../gateway/pin';
 import { monotonicTime, type Nanoseconds } from '../times';
-import type { Upstream } from './settings';
+import { placeOf, type Upstream } from './settings';
 import { FRAME, isAccepted, parseReply, type Reply, request, tokenRequest } from './syncFrame';
 import { syncMessages } from '../messages/broker';
 
@@ -40,7 +40,7 @@ export class SyncClient {
   static async open(upstream: Upstream, invalid: Invalid): Promise<SyncClient> {
     const socket = await connected(upstream);
     socket.setNoDelay(true);
-    let reason = syncMessages.closed(`${upstream.host}:${upstream.port}`);
+    let reason = syncMessages.closed(placeOf(upstream));
     socket.on('error', error => {
       reason = error.message;
     });
@@ -48,7 +48,7 @@ export class SyncClient {
     if (upstream.token === null) return client;
     if (isAccepted(await client.#ask(tokenRequest(upstream.token))) === true) return client;
     client.close();
-    throw new Error(syncMessages.tokenRefused(`${upstream.host}:${upstream.port}`));
+    throw new Error(syncMessages.tokenRefused(placeOf(upstream)));
   }
 
   close(): void {
@@ -116,12 +116,13 @@ function faultOf(reply: Reply, sequence: number, t1: Nanoseconds, took: Nanoseco
   return sent - received > took + resolution ? 'sync-too-long' : null;
 }
 
-function connected({ host, port, isTls, pin }: Upstream): Promise<Socket> {
+function connected(upstream: Upstream): Promise<Socket> {
+  const { host, port, isTls, pin } = upstream;
   return new Promise((resolve, reject) => {
     const socket = isTls ? connectSecurely({ host, port, minVersion: 'TLSv1.2', rejectUnauthorized: pin === null }) : connect(port, host);
     const fail = (error: Error): void => {
       socket.destroy();
-      reject(new Error(syncMessages.notReachable(`${host}:${port}`, error.message)));
+      reject(new Error(syncMessages.notReachable(placeOf(upstream), error.message)));
     };
     socket.setTimeout(ANSWER_MS, () => fail(new Error('no response')));
     socket.once('error', fail);

@@ -1,11 +1,9 @@
 import { Backoff, pause } from '../backoff';
 import type { OfferedClock } from '../clock/offeredClock';
 import type { Log } from '../log';
-import type { Upstream } from './settings';
+import { placeOf, type Upstream } from './settings';
 import { type Invalid, SyncClient } from './syncClient';
 import { syncMessages } from '../messages/broker';
-
-export const placeOf = ({ host, port }: Upstream): string => `${host}:${port}`;
 
 interface ClockEvents {
   /** Called for each invalid exchange. */
