@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { besides } from './besides';
 import { nearest } from './nearest';
 import type { Path, YamlFile } from './yamlFile';
+import { excessOf } from '../gateway/messages';
 import ur10e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur10e.urdf';
 import ur16e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur16e.urdf';
 import ur3e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur3e.urdf';
@@ -9,9 +10,6 @@ import ur5 from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur5.urdf';
 import ur5e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur5e.urdf';
 import youbot from '../../../../Packages/com.nowpose.mril/Runtime/Robots/youbot.urdf';
 import { robotMessages } from '../messages/configuration';
-
-/** Maximum length of a description as a JSON string: the gateway's limit of 1 MiB for the message, less the rest of the message. */
-const DESCRIPTION_BYTES = 1024 * 1024 - 256;
 
 /** URDFs of the robots that are available by name. They are the same as in the gateway. */
 const INCLUDED: Record<string, string> = { ur3e, ur5, ur5e, ur10e, ur16e, youbot };
@@ -48,8 +46,8 @@ export function robotOf(file: YamlFile, at: Path, robot: string): string | null 
   try {
     const text = readFileSync(path, 'utf8');
     if (!text.includes('<robot')) return report(robotMessages.notUrdf(robot));
-    const bytes = Buffer.byteLength(JSON.stringify(text));
-    return bytes > DESCRIPTION_BYTES ? report(robotMessages.tooLarge(robot, bytes, DESCRIPTION_BYTES)) : text;
+    const excess = excessOf(robot, text);
+    return excess === null ? text : report(excess);
   } catch (error) {
     return report(robotMessages.notReadable(robot, (error as NodeJS.ErrnoException).code, Object.keys(INCLUDED)));
   }

@@ -1,4 +1,5 @@
 import { SIGNALS, TF, TF_STATIC } from '../cell/messages';
+import { robotMessages } from '../messages/configuration';
 import { type Nanoseconds, toRosTime } from '../times';
 
 export const JOINT_STATES = '/joint_states';
@@ -47,6 +48,18 @@ export const jointState = (stamp: Nanoseconds, names: string[], positions: numbe
   velocity: velocities,
   effort: [],
 });
+
+/** Maximum length of a description as a JSON string: the gateway's limit of 1 MiB for the message, less the rest of the message. */
+const DESCRIPTION_BYTES = 1024 * 1024 - 256;
+
+/**
+ * Gets the reason why a robot description is too long for the gateway; null if it is not.
+ * @param source The file or topic of the description.
+ */
+export function excessOf(source: string, urdf: string): string | null {
+  const bytes = Buffer.byteLength(JSON.stringify(urdf));
+  return bytes > DESCRIPTION_BYTES ? robotMessages.tooLarge(source, bytes, DESCRIPTION_BYTES) : null;
+}
 
 export const description = (urdf: string): object => ({ data: urdf });
 

@@ -1,7 +1,7 @@
 import type { AdapterContext } from '../adapter';
 import { pause } from '../backoff';
 import { GatewayLink } from '../gateway/link';
-import { description, ROBOT_DESCRIPTION, topicOf } from '../gateway/messages';
+import { description, excessOf, ROBOT_DESCRIPTION, topicOf } from '../gateway/messages';
 import { TopicValues } from '../samples/topicValues';
 import { ofRosTime } from '../times';
 import { RosFrames } from './frames';
@@ -110,8 +110,11 @@ export async function run(context: AdapterContext): Promise<void> {
   for (const topic of values.topics) robot.subscribe(topic, message => topics.pass(topic, message), settings.types.get(topic));
 
   function passDescription(text: unknown): void {
-    if (typeof text === 'string' && text.includes('<robot')) gateway.publishKept(topicOf(namespace, ROBOT_DESCRIPTION), description(text));
-    else status.refuse('malformed', 'robot description', malformedMessages.noRobot);
+    if (typeof text !== 'string' || !text.includes('<robot')) return status.refuse('malformed', 'robot description', malformedMessages.noRobot);
+    // The gateway would report only once that it drops the description.
+    const excess = excessOf(settings.robotDescription!, text);
+    status.notice(excess);
+    if (excess === null) gateway.publishKept(topicOf(namespace, ROBOT_DESCRIPTION), description(text));
   }
 
   function passTrajectory(message: Record<string, unknown>): void {

@@ -5,9 +5,9 @@ import { start, startProcess, until } from '../program.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { Robot } from './robot.mjs';
-import { messages } from '../messages.mjs';
+import { ANY, like, messages } from '../messages.mjs';
 
-const { configurationMessages, rosMessages, silenceMessages } = messages;
+const { configurationMessages, robotMessages, rosMessages, silenceMessages } = messages;
 
 /** Starts a robot, a test double of the gateway, and an adapter that connects them, with `launch`. Waits until the adapter has subscribed. */
 async function cell(t, options = {}, { plant = '', rest = '', launch = start } = {}) {
@@ -81,6 +81,17 @@ describe('ros', { concurrency: 4 }, () => {
 
     await until(() => bridge.published('/robot_description').length === 2, 'the description after a reconnection');
     assert.deepEqual(bridge.published('/robot_description'), [{ data: urdf }, { data: urdf }]);
+  });
+
+  it('Adapter_DescriptionTooLong_IsANoticeUntilAShorterOneArrives', async t => {
+    const { robot, bridge } = await cell(t), urdf = '<robot name="r"/>';
+
+    robot.publish('/robot_description', { data: urdf + ' '.repeat(1024 * 1024) });
+    await until(() => like(robotMessages.tooLarge('/robot_description', ANY, ANY)).test(bridge.state?.notice), () => JSON.stringify(bridge.state));
+    assert.deepEqual([bridge.status.level, bridge.published('/robot_description')], [1, []]);
+    robot.publish('/robot_description', { data: urdf });
+
+    await until(() => bridge.state.notice === undefined && bridge.published('/robot_description').length > 0, () => JSON.stringify(bridge.state));
   });
 
   it('Adapter_Joints_AreRenamedAndFiltered', async t => {
