@@ -33,6 +33,18 @@ describe('diagnostics of an adapter', () => {
     assert.equal(reportOf(status).values['joint/a'], `fault 0.000 ${text}`);
   });
 
+  it('DiagnosticsOf_Fault_StampAndStartOfTheFaultHaveTheSameClock', t => {
+    t.mock.timers.enable({ apis: ['Date'], now: 1_700_000_000_250 });
+    const status = adapter();
+    status.joints.fault('a', GONE);
+
+    t.mock.timers.setTime(1_700_000_005_500);
+    const { header, status: [{ values }] } = diagnosticsOf('p', status, 0);
+
+    assert.deepEqual(header.stamp, { sec: 1_700_000_005, nanosec: 500_000_000 });
+    assert.match(values.find(({ key }) => key === 'joint/a').value, /^fault 1700000000\.250\b/);
+  });
+
   for (const [name, counts, text] of [
     ['SixJointsAnd135SignalsWithLongReasons', [6, 0, 135], 'x'.repeat(410)],
     ['256OfEachKindWithReasonsOfThreeByteCharacters', [256, 256, 256], '軸'.repeat(1000)],
