@@ -23,8 +23,8 @@ static class DryRunMessages
     /// <param name="offered">Names of the plants that offer a clock.</param>
     public static string ClockNotOffered(string clock, IReadOnlyList<string> offered)
     {
-        var names = offered.Count == 0 ? "no plant offers a clock" : $"the plants offer {string.Join(", ", offered)}";
-        return $"--clock {clock}: no plant offers this clock; {names}; headsets cannot synchronise until another source offers it";
+        var remedy = offered.Count == 0 ? "remove it" : $"select {string.Join(" or ", offered)}";
+        return $"--clock {clock}: no plant offers this clock, so headsets cannot synchronise until another source offers it; {remedy}, or add its plant";
     }
 
     /// <inheritdoc cref="ClockNotOffered"/>
