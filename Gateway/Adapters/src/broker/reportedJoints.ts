@@ -54,6 +54,11 @@ export class ReportedJoints {
     if (this.#isThere) this.#apply(reports);
   }
 
+  /** Whether the other gateway reports that a joint rests. */
+  isAtRest(joint: string): boolean {
+    return this.#newest?.some(report => report.joint === joint && report.state === 'rest') ?? false;
+  }
+
   /** Records that the other gateway is present. Applies its newest message. */
   enter(): void {
     this.#isThere = true;

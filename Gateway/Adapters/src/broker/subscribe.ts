@@ -36,7 +36,7 @@ export async function subscribe(
   const setPoints = new SetPoints(clock, gateway);
   const take = new Map<string, (message: Record<string, unknown>) => void>([[STATUS, message => reported.hear(message)]]);
   for (const [robot, names] of robots) {
-    const states = new JointStates(names, settings.oldest, clock, gateway, status, silence);
+    const states = new JointStates(names, settings.oldest, clock, gateway, status, silence, joint => reported.isAtRest(joint));
     take.set(below(robot, STATES), message => states.pass(message));
     take.set(below(robot, TRAJECTORY), message => {
       const passed = passedTrajectory(message, names);

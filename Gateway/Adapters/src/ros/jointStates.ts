@@ -31,6 +31,7 @@ export class JointStates {
    */
   readonly #judged = new Set<string>();
 
+  /** @param isAtRest Whether a joint is known to rest, so that its newest sample may be old, and may be sent again. */
   constructor(
     readonly names: JointNames,
     oldest: Nanoseconds,
@@ -38,6 +39,7 @@ export class JointStates {
     readonly gateway: Publisher,
     readonly status: AdapterStatus,
     readonly silence: SampleSilence,
+    readonly isAtRest: (joint: string) => boolean = () => false,
   ) {
     // ROS does not confirm the position of a joint whose publisher is silent.
     silence.unconfirmedMs = null;
@@ -84,7 +86,9 @@ export class JointStates {
       this.status.refuse('not-finite', joint, refusalMessages.notPosition(shown(position)));
       return false;
     }
-    const refusal = this.#rule.judge(index, stamp, now);
+    const isAtRest = this.isAtRest(joint);
+    if (isAtRest && this.#rule.isNewest(index, stamp)) return false;
+    const refusal = this.#rule.judge(index, stamp, now, isAtRest);
     if (refusal !== null) {
       this.status.refuse(refusal.reason, joint, refusal.text);
     } else {

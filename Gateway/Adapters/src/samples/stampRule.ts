@@ -40,12 +40,13 @@ export class StampRule {
   /**
    * Checks a stamp, and stores it as the joint's newest stamp if it is accepted.
    * @param now Control time; null while it is unknown.
+   * @param mayBeOld Whether the maximum age does not apply, because the joint has not moved since.
    * @returns The refusal; null if the stamp is accepted.
    */
-  judge(joint: number, stamp: Nanoseconds | null, now: Nanoseconds | null): Refusal | null {
+  judge(joint: number, stamp: Nanoseconds | null, now: Nanoseconds | null, mayBeOld = false): Refusal | null {
     if (stamp === null) return { reason: 'stamp-missing', text: refusalMessages.noStamp };
     if (stamp <= 0n) return { reason: 'stamp-zero', text: stamp === 0n ? refusalMessages.zeroStamp : refusalMessages.before1970 };
-    const refusal = now === null ? null : this.#against(now, stamp);
+    const refusal = now === null ? null : this.#against(now, stamp, mayBeOld);
     if (refusal !== null) return refusal;
     const newest = this.#newest[joint];
     if (newest !== null && !isNewer(stamp, newest, now))
@@ -62,12 +63,17 @@ export class StampRule {
     return isNewer(stamp, this.#newest[joint], now);
   }
 
-  #against(now: Nanoseconds, stamp: Nanoseconds): Refusal | null {
+  /** Whether a stamp equals the newest accepted stamp of the joint. */
+  isNewest(joint: number, stamp: Nanoseconds | null): boolean {
+    return stamp !== null && stamp === this.#newest[joint];
+  }
+
+  #against(now: Nanoseconds, stamp: Nanoseconds, mayBeOld: boolean): Refusal | null {
     const { ahead, behind, farApart } = refusalMessages;
     const isFar = stamp > now + FAR || stamp < now - FAR;
     const inWords = (text: string): string => (isFar ? farApart(dayOf(stamp)) : text);
     if (stamp > now + FUTURE) return { reason: 'stamp-future', text: inWords(ahead(toMilliseconds(stamp - now), toMilliseconds(FUTURE))) };
-    if (stamp < now - this.oldest) return { reason: 'stamp-old', text: inWords(behind(toMilliseconds(now - stamp), toMilliseconds(this.oldest))) };
+    if (!mayBeOld && stamp < now - this.oldest) return { reason: 'stamp-old', text: inWords(behind(toMilliseconds(now - stamp), toMilliseconds(this.oldest))) };
     return null;
   }
 }

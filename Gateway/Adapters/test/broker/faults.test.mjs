@@ -94,6 +94,22 @@ describe('faults behind a broker', { skip: missing, concurrency: 3 }, () => {
     assert.equal(far.status.level, 2);
   });
 
+  it('JointAtRest_OldSampleSentAgain_IsForwardedOnceAndStaysAtRest', async t => {
+    const { near, far, sync } = await halls(t), stamp = sync.now(), old = stamp - 3_600_000_000_000n;
+    const samples = () => far.heard.filter(m => m.op === 'publish' && m.topic === '/joint_states').map(m => m.msg.name[0]);
+    publish(near, '/nowpose/joint_status', jointStatus(stamp, { a: `rest ${secondsAgo(stamp, 3600)} no change is reported` }));
+    await until(() => far.joint('a')?.state === 'rest', () => JSON.stringify(far.state));
+
+    publish(near, '/joint_states', state(old));
+    publish(near, '/joint_states', state(old));
+    // The messages of a topic keep their order, so this sample arrives after the others.
+    publish(near, '/joint_states', state(sync.now(), ['b']));
+    await until(() => samples().includes('b'), () => JSON.stringify(far.state));
+
+    assert.deepEqual(samples(), ['a', 'b']);
+    assert.notEqual(far.joint('a').state, 'refused');
+  });
+
   it('JointsNotLive_AtThePlantsGateway_AreRetainedForALaterBridge', async t => {
     const { near, far, broker, sync } = await halls(t), stamp = sync.now();
     publish(near, '/nowpose/joint_status', jointStatus(stamp, { gone: `missing ${secondsAgo(stamp, 1)} no such node` }));
