@@ -22,7 +22,7 @@ sealed class LinkSubject : IAutobahnSubject
     public Action<string> Saw { get; set; }
 
     /// <param name="certificate">
-    /// Certificate for wss with a pin, for which the link does the WebSocket upgrade itself; null for ws, for which it uses .NET's client.
+    /// Certificate for wss with a pin; null for ws.
     /// </param>
     public static async Task<IAutobahnSubject> OpenAsync(X509Certificate2 certificate)
     {

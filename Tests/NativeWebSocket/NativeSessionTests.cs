@@ -52,7 +52,7 @@ public class NativeSessionTests
 
         Assert.That(Transport.Create(new ConnectionSettings("127.0.0.1"), _headset), Is.TypeOf<NativeWebSocketLink>());
         Assert.That(Transport.Create(new ConnectionSettings("192.0.2.1", deviceTrust: true), _headset), Is.TypeOf<NativeWebSocketLink>());
-        Assert.That(Transport.Create(new ConnectionSettings("192.0.2.1", pin: pin), _headset), Is.TypeOf<PinnedWebSocketLink>());
+        Assert.That(Transport.Create(new ConnectionSettings("192.0.2.1", pin: pin), _headset), Is.TypeOf<SystemWebSocketLink>());
     }
 
     SimulatedCell Cell() => new(

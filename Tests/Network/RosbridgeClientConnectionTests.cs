@@ -82,19 +82,21 @@ public class RosbridgeClientConnectionTests
         await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "a message over the new connection");
     }
 
-    [Test]
-    public async Task Receive_ServerClosesTheConnection_StatusStatesTheReason()
+    [TestCase("")]
+    [TestCase("SlowReader")]
+    public async Task Receive_ServerClosesTheConnection_StatusStatesTheReason(string reason)
     {
         var socket = await _played.Server.AcceptAsync();
 
-        await socket.CloseOutputAsync(WebSocketCloseStatus.NormalClosure, "", CancellationToken.None);
+        await socket.CloseOutputAsync(WebSocketCloseStatus.PolicyViolation, reason, CancellationToken.None);
 
         await Soon.BecomesAsync(() => _played.Client.Status.State == LinkState.Waiting, "waiting");
-        Assert.That(_played.Client.Status.Detail, Is.EqualTo(ConnectionMessages.JointsClosed));
+        Assert.That(_played.Client.Status.Detail, Is.EqualTo("joint positions: " + ConnectionMessages.Closed(reason)).And.Contains(reason));
     }
 
     [TestCase("HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n", "token")]
     [TestCase("HTTP/1.1 403 Forbidden\r\nContent-Length: 0\r\n\r\n", "origin")]
+    [TestCase("HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\n\r\n", "(503)")]
     [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n", "200")]
     public async Task Connect_UpgradeRefused_StatesTheReason(string answer, string named)
     {

@@ -63,7 +63,7 @@ public class StuckSendTests
         public Task SendAsync(string text, CancellationToken cancel) =>
             Interlocked.Increment(ref _sent) <= taken ? Task.CompletedTask : new TaskCompletionSource().Task;
 
-        public async Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)
+        public async Task<string> ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)
         {
             while (true)
             {
@@ -80,7 +80,7 @@ public class StuckSendTests
     {
         public Task OpenAsync(CancellationToken cancel) => Task.Delay(Timeout.Infinite, cancel);
         public Task SendAsync(string text, CancellationToken cancel) => throw new NotSupportedException();
-        public Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel) => throw new NotSupportedException();
+        public Task<string> ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel) => throw new NotSupportedException();
         public void Dispose() { }
     }
 

@@ -45,7 +45,7 @@ public class ReceiveAllocationTests
             if (i == Warm) before = GC.GetAllocatedBytesForCurrentThread();
             if (i == texts.Length) after = GC.GetAllocatedBytesForCurrentThread();
         });
-        using var client = new RosbridgeClient(() => new MemoryLink(socket, clock), clock, session.Listener, Subscribed.ToRobot(), publishesDisplayed: false);
+        using var client = new RosbridgeClient(() => new SystemWebSocketLink(_ => Task.FromResult<WebSocket>(socket), clock), clock, session.Listener, Subscribed.ToRobot(), publishesDisplayed: false);
 
         await socket.Ended.Bounded();
 
@@ -74,7 +74,7 @@ public class ReceiveAllocationTests
             if (i == 0) Synchronise(session, clock.Now);
             session.Tick(clock.Now);
         });
-        using var client = new RosbridgeClient(() => new MemoryLink(socket, clock), clock, session.Listener, Subscribed.ToRobot(), publishesDisplayed: false);
+        using var client = new RosbridgeClient(() => new SystemWebSocketLink(_ => Task.FromResult<WebSocket>(socket), clock), clock, session.Listener, Subscribed.ToRobot(), publishesDisplayed: false);
 
         await socket.Ended.Bounded();
 
@@ -105,11 +105,6 @@ public class ReceiveAllocationTests
     sealed class ManualClock : IHeadsetClock
     {
         public HeadsetTime Now { get; set; } = At(0);
-    }
-
-    sealed class MemoryLink(WebSocket socket, IHeadsetClock clock) : SystemWebSocketLink(clock)
-    {
-        protected override Task<WebSocket> OpenSocketAsync(CancellationToken cancel) => Task.FromResult(socket);
     }
 
     /// <summary>A socket that returns the given messages from memory, one per receive call. After the last one, it receives nothing.</summary>

@@ -187,7 +187,7 @@ public class SessionNonBlockingTests
         }
 
         public Task SendAsync(string text, CancellationToken cancel) => Task.CompletedTask;
-        public Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel) => Task.CompletedTask;
+        public Task<string> ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel) => Task.FromResult<string>(null);
         public void Dispose() => release.Wait(Soon.Limit);
     }
 }

@@ -21,8 +21,6 @@ namespace Nowpose.Network
     /// </remarks>
     sealed class NativeWebSocketLink : IWebSocketLink
     {
-        static readonly TimeSpan CloseTimeout = TimeSpan.FromSeconds(1);
-
         readonly ConnectionSettings _settings;
         readonly IHeadsetClock _clock;
         readonly ArrivedMessages _arrived = new ArrivedMessages();
@@ -35,7 +33,7 @@ namespace Nowpose.Network
         public NativeWebSocketLink(ConnectionSettings settings, IHeadsetClock clock)
         {
             if (settings.Security == TransportSecurity.Pinned)
-                throw new ArgumentException(ConnectionMessages.NoPinCheck(nameof(PinnedWebSocketLink)), nameof(settings));
+                throw new ArgumentException(ConnectionMessages.NoPinCheck(nameof(SystemWebSocketLink)), nameof(settings));
             _settings = settings;
             _clock = clock;
         }
@@ -64,13 +62,15 @@ namespace Nowpose.Network
             await _socket.SendText(text).OrCancelled(cancel).ConfigureAwait(false);
         }
 
-        public async Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)
+        public async Task<string> ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)
         {
             while (await _arrived.NextAsync(cancel).ConfigureAwait(false) is { } received)
             {
                 take(received);
                 cancel.ThrowIfCancellationRequested();
             }
+            // The package reports the code of the close, but not its reason.
+            return null;
         }
 
         /// <summary>Closes the connection in the background: with a close handshake of at most one second, then by cancellation.</summary>
@@ -124,7 +124,7 @@ namespace Nowpose.Network
 
         async Task CloseAsync()
         {
-            using (var timeout = new CancellationTokenSource(CloseTimeout))
+            using (var timeout = new CancellationTokenSource(ProtocolLimits.CloseTimeout))
             {
                 try
                 {

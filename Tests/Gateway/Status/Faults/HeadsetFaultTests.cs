@@ -76,7 +76,7 @@ public class HeadsetFaultTests
     {
         await _gateway.StartAsync();
         var settings = new ConnectionSettings("127.0.0.1", webSocketPort: _gateway.Server.WebSocketEndPoint.Port);
-        using var link = new ClientWebSocketLink(settings, new StopwatchHeadsetClock());
+        using var link = new SystemWebSocketLink(settings, new StopwatchHeadsetClock());
         await link.OpenAsync(CancellationToken.None).Bounded();
         await link.SendAsync(
             RosbridgeWriter.PublishDiagnostics(

@@ -59,13 +59,15 @@ namespace Nowpose.Messages
         public static string UnusableAnswers(string service, int count, SyncExchangeFault fault) =>
             $"{service}: {count} consecutive unusable responses, the last: {fault}; check that host and port are those of a rosbridge server";
 
-        public const string JointsClosed = "joint positions: the gateway closed the connection; see its log";
-
         public static string UnusableReplies(int count, SyncExchangeFault fault) =>
             $"{count} unusable replies in a row, the last: {fault}; check that host and sync port are those of a gateway";
 
         public const string TokenNotAccepted = "the gateway does not accept this headset's token; pair again or correct the token";
-        public const string Closed = "the gateway closed the connection; see its log";
+
+        /// <param name="reason">The gateway's reason; null or empty if it has given none.</param>
+        public static string Closed(string reason = null) => string.IsNullOrEmpty(reason)
+            ? "the gateway closed the connection; see its log"
+            : $"the gateway closed the connection ({reason}); see its log";
 
         public static string NotASyncFrame(SyncFrameFault fault) =>
             $"the reply is not a sync frame: {fault}; check that host and sync port are those of a gateway";
@@ -82,6 +84,9 @@ namespace Nowpose.Messages
 
         public const string OriginRefused =
             "the gateway refuses requests from another origin (403); use the address that the gateway was started with";
+
+        public const string TooManyConnections =
+            "the gateway has reached its maximum number of connections (503); close connections that are not needed, or raise --max-connections";
 
         public static string UpgradeRefused(string status) =>
             $"the gateway responded to the WebSocket request with status {status}; check that host and port are those of a gateway";

@@ -14,16 +14,13 @@ namespace Nowpose.Network
 
         /// <summary>Passes each received message with its arrival time to a callback, in order. Completes after an orderly close.</summary>
         /// <param name="take">Callback on the receiving thread. Its exceptions end the connection.</param>
-        Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel);
+        /// <returns>The server's reason for the close; null or empty if the link does not know it.</returns>
+        Task<string> ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel);
     }
 
     /// <summary>Creates the WebSocket link for the connection settings.</summary>
     static class WebSocketLinks
     {
-        public static IWebSocketLink Create(ConnectionSettings settings, IHeadsetClock clock)
-        {
-            if (settings.Security == TransportSecurity.Pinned) return new PinnedWebSocketLink(settings, clock);
-            return new ClientWebSocketLink(settings, clock);
-        }
+        public static IWebSocketLink Create(ConnectionSettings settings, IHeadsetClock clock) => new SystemWebSocketLink(settings, clock);
     }
 }

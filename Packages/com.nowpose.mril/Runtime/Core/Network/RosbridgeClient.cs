@@ -94,8 +94,8 @@ namespace Nowpose.Network
             while (!_stop.IsCancellationRequested)
             {
                 var end = await EndOfAsync(ServeAsync(backoff)).ConfigureAwait(false);
-                _status = end == null ? LinkStatus.Waiting(ConnectionMessages.JointsClosed) : LinkStatus.Waiting("joint positions", end);
-                await WaitAsync(backoff.Next()).ConfigureAwait(false);
+                _status = LinkStatus.Waiting("joint positions", end);
+                await EndOfAsync(Task.Delay(backoff.Next(), _stop.Token)).ConfigureAwait(false);
             }
         }
 
@@ -134,8 +134,9 @@ namespace Nowpose.Network
                 // The first task that ends cancels the others. If a received message exceeds a limit, or the gateway closes the connection, that is
                 // reported as the cause, even if a sending task fails first.
                 var received = await EndOfAsync(receiving).ConfigureAwait(false);
-                var reason = received == null || received is MessageLimitException ? received : await EndOfAsync(first).ConfigureAwait(false);
-                if (reason != null) ExceptionDispatchInfo.Capture(reason).Throw();
+                var reason = received is EndOfStreamException || received is MessageLimitException
+                    ? received : await EndOfAsync(first).ConfigureAwait(false);
+                ExceptionDispatchInfo.Capture(reason).Throw();
             }
         }
 
@@ -177,7 +178,8 @@ namespace Nowpose.Network
             var reader = new RosbridgeReader();
             try
             {
-                await link.ReceiveAsync(Arrived, cancel).ConfigureAwait(false);
+                var reason = await link.ReceiveAsync(Arrived, cancel).ConfigureAwait(false);
+                throw new EndOfStreamException(ConnectionMessages.Closed(InputException.OneLine(reason ?? "", ProtocolLimits.NameLength)));
             }
             catch (MessageLimitException broken)
             {
@@ -284,17 +286,5 @@ namespace Nowpose.Network
         TimeSpan Silence => _clock.Now - new HeadsetTime(new TimeSpan(Interlocked.Read(ref _lastReceived)));
 
         void MarkReceived(HeadsetTime at) => Interlocked.Exchange(ref _lastReceived, at.SinceEpoch.Ticks);
-
-        async Task WaitAsync(TimeSpan length)
-        {
-            try
-            {
-                await Task.Delay(length, _stop.Token).ConfigureAwait(false);
-            }
-            catch (OperationCanceledException)
-            {
-                // The client is stopping; the loop ends after this.
-            }
-        }
     }
 }

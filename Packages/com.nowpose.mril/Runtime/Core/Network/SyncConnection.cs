@@ -69,7 +69,7 @@ namespace Nowpose.Network
                 _stream.ReadTimeout = (int)Math.Ceiling(left);
                 var read = _stream.Read(_reply, got, _reply.Length - got);
                 if (read == 0 && got > 0) throw NotAFrame(ConnectionMessages.NotASyncFrame(SyncFrameFault.WrongSize));
-                if (read == 0) throw new EndOfStreamException(ConnectionMessages.Closed);
+                if (read == 0) throw new EndOfStreamException(ConnectionMessages.Closed());
                 got += read;
             }
             if (!SyncFrame.TryRead(_reply, out var frame, out var fault))

@@ -7,30 +7,43 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Common base of the links over <see cref="WebSocket"/>; derived classes open the socket.</summary>
-    abstract class SystemWebSocketLink : IWebSocketLink
+    /// <summary>A link over .NET's <see cref="WebSocket"/> on a stream that this package opens: its own TLS check and HTTP upgrade.</summary>
+    /// <remarks>
+    /// Unity's WebSocket clients never call a validation callback, so they cannot check a pin. On Unity's class library, .NET's client never ends
+    /// an attempt whose upgrade request gets no response, and does not report the status code of a refusal.
+    /// </remarks>
+    sealed class SystemWebSocketLink : IWebSocketLink
     {
+        readonly Func<CancellationToken, Task<WebSocket>> _open;
         readonly IHeadsetClock _clock;
         WebSocket _socket;
         TextMessageReader _reader;
 
-        protected SystemWebSocketLink(IHeadsetClock clock) => _clock = clock;
+        public SystemWebSocketLink(ConnectionSettings settings, IHeadsetClock clock) : this(cancel => OpenSocketAsync(settings, cancel), clock) { }
+
+        /// <param name="open">Opens the socket.</param>
+        internal SystemWebSocketLink(Func<CancellationToken, Task<WebSocket>> open, IHeadsetClock clock)
+        {
+            _open = open;
+            _clock = clock;
+        }
 
         public async Task OpenAsync(CancellationToken cancel)
         {
-            _socket = await OpenSocketAsync(cancel).ConfigureAwait(false);
+            _socket = await _open(cancel).ConfigureAwait(false);
             _reader = new TextMessageReader(_socket, _clock);
         }
 
         public Task SendAsync(string text, CancellationToken cancel) => _socket.SendAsync(
             new ArraySegment<byte>(Encoding.UTF8.GetBytes(text)), WebSocketMessageType.Text, endOfMessage: true, cancel);
 
-        public async Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)
+        public async Task<string> ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)
         {
             // Cancels only the waiting, because cancelling the receive would abort the WebSocket and prevent an orderly close.
             await _reader.ReceiveAsync(take, cancel).OrCancelled(cancel).ConfigureAwait(false);
             // Repeats the received close code, or sends the code for a normal closure if none was received (RFC 6455, 5.5.1).
             await CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure).ConfigureAwait(false);
+            return _socket.CloseStatusDescription;
         }
 
         /// <summary>
@@ -39,7 +52,23 @@ namespace Nowpose.Network
         public void Dispose()
         {
             if (_socket != null) _ = CloseAsync(_socket);
-            GC.SuppressFinalize(this);
+        }
+
+        static async Task<WebSocket> OpenSocketAsync(ConnectionSettings settings, CancellationToken cancel)
+        {
+            var stream = await new GatewayDialer(settings).OpenAsync(settings.WebSocketPort, cancel).ConfigureAwait(false);
+            try
+            {
+                using (cancel.Register(stream.Dispose))
+                    await WebSocketUpgrade.RequestAsync(stream, settings.WebSocketUri, settings.Token).ConfigureAwait(false);
+                return WebSocket.CreateFromStream(stream, isServer: false, subProtocol: null, ProtocolLimits.PingInterval);
+            }
+            catch
+            {
+                stream.Dispose();
+                cancel.ThrowIfCancellationRequested();
+                throw;
+            }
         }
 
         async Task CloseAsync(WebSocket socket)
@@ -62,7 +91,5 @@ namespace Nowpose.Network
                 }
             }
         }
-
-        protected abstract Task<WebSocket> OpenSocketAsync(CancellationToken cancel);
     }
 }

@@ -29,6 +29,7 @@ namespace Nowpose.Network
             {
                 case 401: return ConnectionMessages.TokenNotAcceptedByHttp;
                 case 403: return ConnectionMessages.OriginRefused;
+                case 503: return ConnectionMessages.TooManyConnections;
                 default: return ConnectionMessages.UpgradeRefused(status.ToString(CultureInfo.InvariantCulture));
             }
         }

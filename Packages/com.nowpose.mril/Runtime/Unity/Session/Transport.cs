@@ -2,7 +2,7 @@ using Nowpose.Network;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Selects the WebSocket implementation: NativeWebSocket if this package is installed, otherwise the client of .NET.</summary>
+    /// <summary>Selects the WebSocket implementation: NativeWebSocket if this package is installed, otherwise the package's own link.</summary>
     static class Transport
     {
         /// <summary>Creates the WebSocket connection of a session.</summary>

@@ -50,11 +50,11 @@ namespace Nowpose.Tests.Unity.Status
 
             texts.Update(statistics, Loopback, "test", null);
             var connected = texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
-            statistics.SampleLink = LinkStatus.Waiting(ConnectionMessages.JointsClosed);
+            statistics.SampleLink = LinkStatus.Waiting("joint positions: " + ConnectionMessages.Closed());
             texts.Update(statistics, Loopback, "test", null);
 
             Assert.That(connected, Is.EqualTo("! " + statistics.OwnRobot.OtherNamespaces));
-            Assert.That(texts.ValueOf(StatusRow.Message).Replace('\n', ' '), Is.EqualTo("! " + ConnectionMessages.JointsClosed));
+            Assert.That(texts.ValueOf(StatusRow.Message).Replace('\n', ' '), Is.EqualTo("! joint positions: " + ConnectionMessages.Closed()));
         }
 
         [Test]
