@@ -1,5 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
+using Nowpose.Messages;
 using Nowpose.Network;
 using NUnit.Framework;
 
@@ -30,7 +31,22 @@ public sealed class GatewayDialerTests
         var port = ((IPEndPoint)free.LocalEndpoint).Port;
         free.Stop();
 
-        Assert.ThrowsAsync<SocketException>(() => Dialer("localhost").OpenAsync(port, default).Bounded());
+        var failure = Assert.ThrowsAsync<GatewayRefusalException>(() => Dialer("localhost").OpenAsync(port, default).Bounded());
+
+        Assert.That(failure.Message, Is.EqualTo(ConnectionMessages.NotConnected("localhost:" + port, SocketError.ConnectionRefused)));
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Open_HostNameUnknown_ThrowsWithTheName(bool isReported)
+    {
+        var dialer = new GatewayDialer(
+            new ConnectionSettings("gateway.example"),
+            resolve: _ => isReported ? throw new SocketException((int)SocketError.HostNotFound) : Task.FromResult<IPAddress[]>([]));
+
+        var failure = Assert.ThrowsAsync<GatewayRefusalException>(() => dialer.OpenAsync(1, default).Bounded());
+
+        Assert.That(failure.Message, Is.EqualTo(ConnectionMessages.NotConnected("gateway.example:1", SocketError.HostNotFound)));
     }
 
     [Test]
@@ -136,7 +152,7 @@ public sealed class GatewayDialerTests
             },
             _ => Task.FromResult(addresses));
 
-        Assert.ThrowsAsync<SocketException>(() => dialer.OpenAsync(1, default).Bounded());
+        Assert.ThrowsAsync<GatewayRefusalException>(() => dialer.OpenAsync(1, default).Bounded());
         Assert.That(tried, Is.EqualTo(addresses));
     }
 

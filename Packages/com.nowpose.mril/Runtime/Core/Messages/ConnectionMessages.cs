@@ -1,4 +1,5 @@
 using System;
+using System.Net.Sockets;
 using System.Security.Authentication;
 using Nowpose.Protocol;
 using Nowpose.Sync;
@@ -35,6 +36,22 @@ namespace Nowpose.Messages
 
         public static string NoResponse(double seconds) =>
             FormattableString.Invariant($"no response within {seconds} s; check host and port, the network, and that the gateway is running");
+
+        /// <summary>Returns the reason for a connection that could not be opened; the system's own text is in the language of the device.</summary>
+        public static string NotConnected(string address, SocketError error)
+        {
+            switch (error)
+            {
+                case SocketError.ConnectionRefused:
+                    return $"{address}: the connection is refused; check host and port, that the gateway is running, and that it was started with --bind any";
+                case SocketError.HostNotFound:
+                case SocketError.NoData:
+                case SocketError.TryAgain:
+                    return $"{address}: the network does not know this host name; check it, or enter the gateway's IP address";
+                default:
+                    return $"{address}: the connection failed ({error}); check host and port, the network, and that the gateway is running";
+            }
+        }
 
         public static string NothingReceived(double seconds) =>
             FormattableString.Invariant($"received nothing for {seconds} s; check the network, and that the gateway is running");

@@ -32,9 +32,9 @@ namespace Nowpose.Network
         }
 
         /// <exception cref="GatewayRefusalException">
-        /// The certificate is not trusted, the TLS version is too old, or the gateway did not respond in time.
+        /// The host name is unknown, the gateway refused the connection or did not respond in time, the network is down, the certificate is not
+        /// trusted, or the TLS version is too old.
         /// </exception>
-        /// <exception cref="SocketException">The gateway refused the connection, or the network is down.</exception>
         /// <exception cref="OperationCanceledException">The operation was cancelled.</exception>
         public async Task<Stream> OpenAsync(int port, CancellationToken cancel)
         {
@@ -48,9 +48,12 @@ namespace Nowpose.Network
                 catch (Exception failure)
                 {
                     cancel.ThrowIfCancellationRequested();
+                    var address = _settings.Host + ":" + port;
                     if (inTime.IsCancellationRequested)
                         throw new GatewayRefusalException(
-                            _settings.Host + ":" + port + ": " + ConnectionMessages.NoResponse(ProtocolLimits.DialTimeout.TotalSeconds), failure);
+                            address + ": " + ConnectionMessages.NoResponse(ProtocolLimits.DialTimeout.TotalSeconds), failure);
+                    if (failure is SocketException refused)
+                        throw new GatewayRefusalException(ConnectionMessages.NotConnected(address, refused.SocketErrorCode), failure);
                     throw;
                 }
             }
