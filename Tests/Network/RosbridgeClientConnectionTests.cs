@@ -115,15 +115,21 @@ public class RosbridgeClientConnectionTests
         Assert.That(_played.Client.Status.Detail, Does.StartWith("joint positions: "));
     }
 
-    [Test]
-    public async Task Connect_ServerAcceptsAndCloses_IncreasesTheRetryDelay()
+    [TestCase(false)]
+    [TestCase(true)]
+    public async Task Connect_ServerAcceptsAndCloses_IncreasesTheRetryDelay(bool sendsAMessage)
     {
-        for (var i = 0; i < 3; i++) (await _played.Server.AcceptStreamAsync()).Close();
-        var fourth = await _played.Server.AcceptStreamAsync();
+        for (var i = 0; i < 3; i++) await CloseAsync();
         var since = Stopwatch.StartNew();
-        fourth.Close();
+        await CloseAsync();
 
         (await _played.Server.AcceptStreamAsync()).Close();
+
+        async Task CloseAsync()
+        {
+            using var socket = await _played.Server.AcceptAsync();
+            if (sendsAMessage) await Send(socket, Good);
+        }
 
         Assert.That(since.Elapsed, Is.GreaterThan(TimeSpan.FromSeconds(1)), "the three delays of 0.2, 0.4 and 0.8 s have passed");
     }

@@ -134,6 +134,29 @@ public class SyncClientTests
     }
 
     [Test]
+    public async Task Exchange_ServerClosesAfterTheFirstReply_IncreasesTheRetryDelay()
+    {
+        var starts = new ConcurrentQueue<long>();
+        var request = new byte[SyncFrame.Size];
+        using var server = new FakeTcpServer(stream =>
+        {
+            starts.Enqueue(Stopwatch.GetTimestamp());
+            stream.ReadExactly(request);
+            SyncFrame.TryRead(request, out var frame, out _);
+            stream.Write(FakeSyncServer.Bytes(Reply(frame)));
+        });
+        var (client, clock) = Connect(server.Port);
+        using (client)
+        {
+            await Soon.BecomesAsync(() => starts.Count >= 5, "five connections");
+
+            Assert.That(clock.Exchanges, Is.GreaterThan(0));
+            var times = starts.ToArray();
+            Assert.That(Stopwatch.GetElapsedTime(times[3], times[4]), Is.GreaterThan(TimeSpan.FromSeconds(1)), "the delay of 1.5 s");
+        }
+    }
+
+    [Test]
     public async Task Exchange_ServerDoesNotReply_TimesOutAndReconnects()
     {
         using var server = new FakeSyncServer(_ => []);

@@ -26,7 +26,16 @@ namespace Nowpose.Network
             return wait;
         }
 
-        /// <summary>Resets to the shortest delay after a successful connection.</summary>
-        public void Reset() => _seconds = ClockTicks.Seconds(ProtocolLimits.BackoffFirst);
+        /// <summary>
+        /// Resets to the shortest delay if a connection has lasted long enough. Otherwise, a client would connect five times per second to a
+        /// gateway that closes each connection soon after its first message.
+        /// </summary>
+        /// <param name="connected">Time since the connection was opened, until its newest message.</param>
+        public void ResetAfter(TimeSpan connected)
+        {
+            if (connected >= ProtocolLimits.BackoffReset) Reset();
+        }
+
+        void Reset() => _seconds = ClockTicks.Seconds(ProtocolLimits.BackoffFirst);
     }
 }

@@ -176,6 +176,7 @@ namespace Nowpose.Network
         async Task ReceiveAsync(IWebSocketLink link, Backoff backoff, CancellationToken cancel)
         {
             var reader = new RosbridgeReader();
+            var opened = _clock.Now;
             try
             {
                 var reason = await link.ReceiveAsync(Arrived, cancel).ConfigureAwait(false);
@@ -189,10 +190,8 @@ namespace Nowpose.Network
 
             void Arrived(ReceivedText received)
             {
-                // Resets the backoff only after a message. Otherwise, the client would reconnect five times per second to a server that closes each
-                // connection immediately.
                 _status = LinkStatus.Connected;
-                backoff.Reset();
+                backoff.ResetAfter(received.Arrival - opened);
                 MarkReceived(received.Arrival);
                 if (received.Dropped == DropReason.None) Take(reader, received);
                 else _listener.Dropped(received.Dropped);

@@ -94,18 +94,19 @@ namespace Nowpose.Network
 
         void ExchangeUntilStopped(SyncConnection connection, Backoff backoff)
         {
+            var opened = _clock.Now;
             var intake = new ExchangeIntake(_synchroniser, _faults, ConnectionMessages.UnusableReplies);
             TimeSpan pause;
             do
             {
                 var begun = _clock.Now;
                 var fault = connection.Exchange(out var exchange);
+                var ended = _clock.Now;
                 if (intake.Add(exchange, fault))
                 {
                     _status = LinkStatus.Connected;
-                    backoff.Reset();
+                    backoff.ResetAfter(ended - opened);
                 }
-                var ended = _clock.Now;
                 pause = begun + _pace.Next(_synchroniser, ended) - ended;
             }
             while (!_stop.Token.WaitHandle.WaitOne(pause > TimeSpan.Zero ? pause : TimeSpan.Zero));

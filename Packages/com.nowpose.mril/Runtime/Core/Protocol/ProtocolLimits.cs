@@ -96,5 +96,8 @@ namespace Nowpose.Protocol
         public const double BackoffFactor = 2;
         public static readonly TimeSpan BackoffLongest = TimeSpan.FromMilliseconds(1500);
         public const double BackoffJitter = 0.2;
+
+        /// <summary>Duration of a connection after which the next delay is the first delay again.</summary>
+        public static readonly TimeSpan BackoffReset = TimeSpan.FromSeconds(10);
     }
 }

@@ -29,15 +29,17 @@ namespace Nowpose.Tests.Core
             Assert.That(waits.Max(), Is.GreaterThan(0.23));
         }
 
-        [Test]
-        public void Reset_AfterFailures_StartsWithTheMinimum()
+        [TestCase(10, 0.16, 0.24)]
+        [TestCase(9.9, 1.2, 1.8)]
+        [TestCase(0, 1.2, 1.8)]
+        public void ResetAfter_Failures_StartsWithTheMinimumOnlyAfterALongConnection(double connectedSeconds, double min, double max)
         {
             var backoff = new Backoff(new Random(1));
             for (var i = 0; i < 5; i++) backoff.Next();
 
-            backoff.Reset();
+            backoff.ResetAfter(TimeSpan.FromSeconds(connectedSeconds));
 
-            Assert.That(backoff.Next().TotalSeconds, Is.LessThanOrEqualTo(0.24));
+            Assert.That(backoff.Next().TotalSeconds, Is.InRange(min, max));
         }
     }
 }
