@@ -94,6 +94,25 @@ public class RosbridgeClientConnectionTests
         Assert.That(_played.Client.Status.Detail, Is.EqualTo("joint positions: " + ConnectionMessages.Closed(reason)).And.Contains(reason));
     }
 
+    [Test]
+    public async Task Receive_StatusOfLevelError_IsTheWarningOfTheConnection()
+    {
+        using (var socket = await _played.Server.AcceptAsync())
+        {
+            await Send(socket, RosbridgeWriter.Status("error", "publish: dropped: the name is taken"));
+
+            await Soon.BecomesAsync(() => _played.Client.Status.Warning != null, "a warning");
+            Assert.That(_played.Client.Status.State, Is.EqualTo(LinkState.Connected));
+            Assert.That(_played.Client.Status.Warning, Is.EqualTo(ConnectionMessages.Reported("publish: dropped: the name is taken")));
+            Assert.That(_played.Client.Status.Detail, Does.EndWith(_played.Client.Status.Warning));
+            await socket.CloseOutputAsync(WebSocketCloseStatus.NormalClosure, "", CancellationToken.None);
+        }
+
+        await Send(await _played.Server.AcceptAsync(), Good);
+
+        await Soon.BecomesAsync(() => _played.Client.Status is { State: LinkState.Connected, Warning: null }, "a connection without errors");
+    }
+
     [TestCase("HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n", "token")]
     [TestCase("HTTP/1.1 403 Forbidden\r\nContent-Length: 0\r\n\r\n", "origin")]
     [TestCase("HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\n\r\n", "(503)")]

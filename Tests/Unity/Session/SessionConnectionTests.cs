@@ -1,8 +1,12 @@
+using System.Net.WebSockets;
+using System.Text;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
+using Nowpose.Messages;
 using Nowpose.Motion;
 using Nowpose.Network;
+using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Simulation.Work;
 using Nowpose.Unity;
@@ -64,6 +68,24 @@ public class SessionConnectionTests
         Assert.That(_cell.Messages.Count(m => m.Contains("clock sync")), Is.EqualTo(1), string.Join('\n', _cell.Messages));
         Assert.That(_cell.Messages.Count(m => m.Contains("joint positions")), Is.EqualTo(1));
         Assert.That(_cell.Player.Logs.Select(log => log.Type), Is.All.EqualTo(LogType.Warning));
+    }
+
+    [Test]
+    public async Task Connected_GatewayReportsAnError_IsLoggedAsAWarningOnce()
+    {
+        using var server = new FakeWebSocketServer();
+        var session = _cell.Play(settings: To(1, server.Port));
+        session.Connect();
+        using var socket = await server.AcceptAsync();
+
+        for (var i = 0; i < 3; i++)
+            await socket.SendAsync(
+                Encoding.UTF8.GetBytes(RosbridgeWriter.Status("error", "the name is taken")), WebSocketMessageType.Text, true, CancellationToken.None);
+        await SoonAsync(session, () => session.Session.SampleLink.Warning != null, "a warning");
+        _cell.Frame(null);
+
+        Assert.That(_cell.Player.Logs.Count(log =>
+            log.Type == LogType.Warning && log.Message.Contains(ConnectionMessages.Reported("the name is taken"))), Is.EqualTo(1), string.Join('\n', _cell.Messages));
     }
 
     [Test]

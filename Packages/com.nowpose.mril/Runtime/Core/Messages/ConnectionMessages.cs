@@ -86,6 +86,8 @@ namespace Nowpose.Messages
             ? "the gateway closed the connection; see its log"
             : $"the gateway closed the connection ({reason}); see its log";
 
+        public static string Reported(string error) => $"the gateway reports: {error}";
+
         public static string NotASyncFrame(SyncFrameFault fault) =>
             $"the reply is not a sync frame: {fault}; check that host and sync port are those of a gateway";
 

@@ -24,11 +24,12 @@ namespace Nowpose.Network
         public static readonly LinkStatus Connecting = new LinkStatus(LinkState.Connecting, "connecting");
         public static readonly LinkStatus Connected = new LinkStatus(LinkState.Connected, "connected");
 
-        LinkStatus(LinkState state, string detail, bool isTokenRefused = false)
+        LinkStatus(LinkState state, string detail, bool isTokenRefused = false, string warning = null)
         {
             State = state;
             Detail = detail;
             IsTokenRefused = isTokenRefused;
+            Warning = warning;
         }
 
         public LinkState State { get; }
@@ -38,6 +39,14 @@ namespace Nowpose.Network
 
         /// <summary>Whether the connection waits because the gateway rejects the headset's token, or the headset has no token.</summary>
         public bool IsTokenRefused { get; }
+
+        /// <summary>
+        /// Error that the gateway has reported over the open connection, in one line, for example that another headset uses this headset's name;
+        /// null if there is none.
+        /// </summary>
+        public string Warning { get; }
+
+        internal static LinkStatus ConnectedWith(string warning) => new LinkStatus(LinkState.Connected, "connected; " + warning, warning: warning);
 
         public static LinkStatus Waiting(string reason) => new LinkStatus(LinkState.Waiting, reason);
 

@@ -38,6 +38,7 @@ namespace Nowpose.Network
         readonly Task _running;
         volatile LinkStatus _status = LinkStatus.Connecting;
         volatile Task _ending;
+        ReportedErrors _errors;
         long _lastReceived;
 
         /// <summary>Starts the client at once, on the thread pool; frames never wait for it.</summary>
@@ -177,6 +178,7 @@ namespace Nowpose.Network
         {
             var reader = new RosbridgeReader();
             var opened = _clock.Now;
+            _errors = new ReportedErrors();
             try
             {
                 var reason = await link.ReceiveAsync(Arrived, cancel).ConfigureAwait(false);
@@ -190,7 +192,7 @@ namespace Nowpose.Network
 
             void Arrived(ReceivedText received)
             {
-                _status = LinkStatus.Connected;
+                _status = _errors.StatusAt(received.Arrival);
                 backoff.ResetAfter(received.Arrival - opened);
                 MarkReceived(received.Arrival);
                 if (received.Dropped == DropReason.None) Take(reader, received);
@@ -203,6 +205,7 @@ namespace Nowpose.Network
             var isRead = reader.TryRead(received.Utf8.Span, out var message, out var reason);
             if (message?.Op == RosbridgeOp.ServiceResponse) _rosTime?.Answered(message, reason, received.Arrival);
             if (!isRead) _listener.Dropped(reason);
+            else if (message.Op == RosbridgeOp.Status) _status = _errors.Add(message, received.Arrival);
             else if (message.JointState != null) _listener.Received(message.JointState, received.Arrival, message.RobotTopic.Robot);
             else if (message.JointTrajectory != null) _listener.Planned(message.JointTrajectory, received.Arrival, message.RobotTopic.Robot);
             else if (message.Transforms != null)

@@ -97,6 +97,7 @@ namespace Nowpose.Unity.Session
         {
             if (link.State == LinkState.Connecting || link.Detail == logged) return;
             if (link.State == LinkState.Waiting) Warn(link.Detail);
+            else if (link.Warning != null) Warn(name + ": " + link.Detail);
             else if (logged != null || link.State == LinkState.Connected) Info(name + ": " + link.Detail);
             logged = link.Detail;
         }

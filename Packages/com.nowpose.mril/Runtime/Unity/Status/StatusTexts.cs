@@ -117,7 +117,7 @@ namespace Nowpose.Unity.Status
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
             var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
-                ?? DisplayMessages.ProblemOf(statistics) ?? statistics?.VersionMismatch ?? (isNudging ? nudge.Problem : null);
+                ?? DisplayMessages.ProblemOf(statistics) ?? statistics?.VersionMismatch ?? statistics?.SampleLink.Warning ?? (isNudging ? nudge.Problem : null);
             if (guidance != null) SetMessage(guidance, "");
             else if (fault != null) SetMessage(fault, "! ");
             else SetMessage((isNudging ? nudge.Progress : null) ?? _restingJoints.Of(statistics)
