@@ -58,6 +58,7 @@ namespace Nowpose.Network
         public async Task RunAsync(LinkSender sender, CancellationToken cancel)
         {
             // The connection may lead to another server, or the server may have started or stopped a simulation.
+            _status = LinkStatus.Connecting;
             _resolution = new RosClockResolution();
             _intake = new ExchangeIntake(_synchroniser, _faults, (drops, fault) => ConnectionMessages.UnusableAnswers(Service, drops, fault));
             while (true)
