@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using Nowpose.Latency;
 using Nowpose.Session;
 
 namespace Nowpose.Messages
@@ -14,6 +15,17 @@ namespace Nowpose.Messages
             + "about the performance counter in the log";
 
         const string Warning = Implausible + "; " + WhatToDo;
+
+        const string LongerThanRefresh =
+            "the display's GPU time is above its refresh interval, so that the latency is longer than L_visu by an unknown amount; draw less";
+
+        const string BeyondMeasured =
+            "the render time is above the longest of the latency profile, so that L_visu is unknown; draw less, or calibrate with this load";
+
+        const string OtherSource =
+            "the limit of the render time was found with another source, so that it is not monitored; select this source, or calibrate again";
+
+        const string NoRenderTime = "the render time is not measured, so that its limit is not monitored; add the component Render Time Source";
 
         /// <param name="length">Time since the start of the newest frame.</param>
         public static string NoFrames(TimeSpan length) =>
@@ -33,7 +45,21 @@ namespace Nowpose.Messages
         {
             if (statistics == null) return null;
             return statistics.BeyondLimits?.Words ?? (statistics.IsDisplayTimeImplausible ? Warning : DepthSubmissionMessages.ProblemOf(statistics.DepthSubmission))
-                ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null);
+                ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null) ?? ProblemOf(statistics.RangeUnknownReason, statistics.IsLightPredicted);
+        }
+
+        // The pose stays current in these cases, because the difference from the calibrated L_visu is unknown, and may be zero. A limit is not needed
+        // while the runtime predicts the display times.
+        static string ProblemOf(RangeUnknownReason reason, bool isPredicted)
+        {
+            switch (reason)
+            {
+                case RangeUnknownReason.LongerThanRefresh: return LongerThanRefresh;
+                case RangeUnknownReason.BeyondMeasured: return BeyondMeasured;
+                case RangeUnknownReason.OtherSource when !isPredicted: return OtherSource;
+                case RangeUnknownReason.NoRenderTime when !isPredicted: return NoRenderTime;
+                default: return null;
+            }
         }
 
         /// <summary>Returns whether the profile in use was measured under other conditions.</summary>

@@ -1,3 +1,5 @@
+using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Unity.Status;
@@ -18,5 +20,24 @@ namespace Nowpose.Tests.Unity.Status
         [Test]
         public void Update_GatewayReportsAnError_ShowsIt() =>
             Assert.That(MessageOf(new SessionStatistics { SampleLink = LinkStatus.ConnectedWith("the name is taken") }), Is.EqualTo("! the name is taken"));
+
+        [TestCase(RangeUnknownReason.LongerThanRefresh, true, true)]
+        [TestCase(RangeUnknownReason.BeyondMeasured, true, true)]
+        [TestCase(RangeUnknownReason.OtherSource, false, true)]
+        [TestCase(RangeUnknownReason.OtherSource, true, false)]
+        [TestCase(RangeUnknownReason.NoRenderTime, false, true)]
+        [TestCase(RangeUnknownReason.NoRenderTime, true, false)]
+        [TestCase(RangeUnknownReason.NoLimit, false, false)]
+        [TestCase(RangeUnknownReason.TooFewFrames, false, false)]
+        [TestCase(RangeUnknownReason.None, false, false)]
+        public void Update_LatencyMayDifferFromTheCalibration_ShowsTheActionToTake(object reason, bool isPredicted, bool isShown)
+        {
+            var statistics = new SessionStatistics { RangeUnknownReason = (RangeUnknownReason)reason, IsLightPredicted = isPredicted };
+
+            var problem = DisplayMessages.ProblemOf(statistics);
+
+            Assert.That(problem != null, Is.EqualTo(isShown));
+            Assert.That(MessageOf(statistics), Is.EqualTo(isShown ? "! " + problem : ""));
+        }
     }
 }
