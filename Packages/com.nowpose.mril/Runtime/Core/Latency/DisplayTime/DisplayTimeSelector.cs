@@ -6,10 +6,14 @@ namespace Nowpose.Latency.DisplayTime
     /// <remarks>Allocates nothing; not thread-safe.</remarks>
     sealed class DisplayTimeSelector
     {
+        /// <summary>Time without a display time after which the results of the checks no longer apply.</summary>
+        static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(1);
+
         readonly DisplayTimeCheck _check = new DisplayTimeCheck();
         readonly DisplayTimePlausibility _plausibility = new DisplayTimePlausibility();
         VisualisationLatency _calibrated;
         IDisplayTimeSource _source;
+        HeadsetTime? _newest;
 
         public DisplayTimeSelector(VisualisationLatency calibrated, LatencyProfile profile)
         {
@@ -37,8 +41,7 @@ namespace Nowpose.Latency.DisplayTime
                 _source = value;
                 IsPredicted = false;
                 Used = _calibrated.Length;
-                _check.Reset();
-                _plausibility.Reset();
+                ResetChecks();
             }
         }
 
@@ -68,6 +71,8 @@ namespace Nowpose.Latency.DisplayTime
         public HeadsetTime LightOf(HeadsetTime frameStart, bool isComparable)
         {
             var ahead = _source?.LightOf(frameStart) - frameStart;
+            if (ahead.HasValue) _newest = frameStart;
+            else if (frameStart - _newest > MaxSilence) ResetChecks();
             IsPredicted = ahead.HasValue && _plausibility.Add(frameStart, ahead.Value);
             Used = IsPredicted ? ahead.Value : _calibrated.Length;
             if (IsPredicted && isComparable) _check.Add(frameStart, ahead.Value - _calibrated.Length);
@@ -81,6 +86,13 @@ namespace Nowpose.Latency.DisplayTime
             _calibrated = calibrated;
             Profile = profile;
             if (!IsPredicted) Used = calibrated.Length;
+        }
+
+        void ResetChecks()
+        {
+            _newest = null;
+            _check.Reset();
+            _plausibility.Reset();
         }
     }
 }

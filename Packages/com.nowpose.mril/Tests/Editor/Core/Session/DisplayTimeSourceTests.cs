@@ -69,6 +69,25 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(statistics.DisplayTimeDifference, Is.Null);
         }
 
+        [TestCase(501.0)]
+        [TestCase(46.5)]
+        public void DisplayTimeSource_StopsAfterAFault_IsReportedForOneMoreSecond(double ms)
+        {
+            var source = new Runtime { Ms = _ => ms };
+            var simulated = Running(source);
+            source.Ms = _ => null;
+
+            simulated.Run(0.5);
+            var stopped = simulated.Session.Statistics(default);
+            var (isReported, ahead) = (stopped.IsDisplayTimeImplausible || stopped.IsDisplayTimeInconsistent, stopped.DisplayTimeAhead);
+            simulated.Run(1);
+            var later = simulated.Session.Statistics(default);
+
+            Assert.That((isReported, ahead), Is.EqualTo((true, (TimeSpan?)Lengths.Ms(ms))));
+            Assert.That(later.IsDisplayTimeImplausible || later.IsDisplayTimeInconsistent, Is.False);
+            Assert.That((later.DisplayTimeDifference, later.DisplayTimeAhead), Is.EqualTo(((TimeSpan?)null, (TimeSpan?)null)));
+        }
+
         [TestCase(46.5, true)]
         [TestCase(44, false)]
         public void DisplayTimeSource_LastingDifference_IsReportedOnceAboveFiveMilliseconds(double ms, bool isReported)
