@@ -75,6 +75,22 @@ public sealed class OpenXrAnchorStoreTests
         Assert.That(first.KeptAs, Is.Null);
         Assert.That(first.State, Is.EqualTo(SpatialAnchorState.Tracking), "still held");
         Assert.That(second.KeptAs, Is.EqualTo("cell"));
+        Assert.That(_played.Storage.PersistedAnchorNames, Is.EqualTo(new[] { "cell" }));
+    }
+
+    [Test]
+    public void Keep_ExistingNameAndStoreRefuses_KeepsTheEarlierAnchor()
+    {
+        _played.Run(0.1);
+        _played.Kept("cell");
+        var id = _played.Storage.KeptAs("cell");
+        _played.Storage.Accepts = false;
+
+        var second = _played.Kept("cell");
+
+        Assert.That(second.KeptAs, Is.Null);
+        Assert.That(_played.Storage.KeptAs("cell"), Is.EqualTo(id));
+        Assert.That(_played.Storage.PersistedAnchorNames, Is.EqualTo(new[] { "cell" }));
     }
 
     [Test]

@@ -25,6 +25,8 @@ namespace Nowpose.OpenXR
 
         const int AttemptsBeforeReport = 5;
 
+        const string SpareEnding = " (new)";
+
         ArSpatialAnchors _anchors;
         Task<XRAnchorStore> _loading;
         XRAnchorStore _store;
@@ -52,10 +54,16 @@ namespace Nowpose.OpenXR
         public bool TryKeep(TrackableId anchor, string name) => Try("keep '" + name + "'", store =>
         {
             if (store.TryPersistAnchor(anchor, name)) return true;
-            // The store does not save an anchor if its name is already in use. In that case, removes the earlier anchor with this name first.
+            // The store does not save an anchor if its name is already in use. In that case, saves it under a spare name, so that the earlier anchor
+            // with this name is removed only if the store accepts the new one.
             if (!IsAmong(store.PersistedAnchorNames, name)) return false;
+            var spare = name + SpareEnding;
+            if (IsAmong(store.PersistedAnchorNames, spare)) store.UnpersistAnchor(spare);
+            if (!store.TryPersistAnchor(anchor, spare)) return false;
             store.UnpersistAnchor(name);
-            return store.TryPersistAnchor(anchor, name);
+            var isKept = store.TryPersistAnchor(anchor, name);
+            store.UnpersistAnchor(spare);
+            return isKept;
         });
 
         public void Forget(string name) => Try("forget '" + name + "'", store =>
