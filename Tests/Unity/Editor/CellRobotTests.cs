@@ -76,6 +76,24 @@ public sealed class CellRobotTests : EditorFixture
     }
 
     [Test]
+    public void Session_ObjectsOfTheUserBelowARig_AreListedBeforeTheyAreRemoved()
+    {
+        var session = Cell(PackageAsset.RobotCell, Imported);
+        var rig = Rigs(session)[0];
+        var links = rig.transform.Cast<Transform>().Single(child => child.GetComponentInChildren<MeshFilter>(true) != null).name;
+        var table = Keep(new GameObject("Table"));
+        table.AddComponent<MeshFilter>();
+        table.transform.SetParent(rig.transform);
+        Inspected(session);
+        var described = GuiRecorder.Texts.Single(text => text.Contains("Table"));
+
+        Click(session);
+
+        Assert.That(described, Does.Contain($"Robot/{links}, Robot/Table, Ghost/{links}"));
+        Assert.That(table == null, "the object is removed");
+    }
+
+    [Test]
     public void Session_DescriptionWithoutPrefab_IsBuiltFromItsShapes()
     {
         var session = Cell(PackageAsset.RobotCell, Described);

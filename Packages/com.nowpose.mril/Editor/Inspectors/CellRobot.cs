@@ -23,6 +23,10 @@ namespace Nowpose.Editor.Inspectors
                 .ToArray();
         }
 
+        /// <summary>Returns the names of the objects that <see cref="Show"/> removes, with everything below them except the grippers.</summary>
+        public static IEnumerable<string> RemovedFrom(IEnumerable<RobotRig> rigs) =>
+            rigs.SelectMany(rig => OtherLinks(rig).Select(links => rig.name + "/" + links.name));
+
         /// <summary>Replaces the links below rigs. The user can undo it.</summary>
         /// <exception cref="InputException">Objects that are drawn below a rig cannot be removed.</exception>
         public static void Show(MrilSession session, RobotModel model, IEnumerable<RobotRig> rigs)

@@ -39,7 +39,8 @@ namespace Nowpose.Editor.Inspectors
             var rigs = model == null ? Array.Empty<RobotRig>() : CellRobot.RigsWithout(Target, model);
             if (rigs.Count == 0) return;
             var robot = Target.RobotAsset.name;
-            EditorGUILayout.HelpBox(InspectorTexts.NoLinks(string.Join(", ", rigs.Select(rig => rig.name)), robot), MessageType.Warning);
+            var removed = string.Join(", ", CellRobot.RemovedFrom(rigs));
+            EditorGUILayout.HelpBox(InspectorTexts.NoLinks(string.Join(", ", rigs.Select(rig => rig.name)), robot, removed), MessageType.Warning);
             if (GUILayout.Button(InspectorTexts.ShowRobot(robot))) CellRobot.Show(Target, model, rigs);
         }
 

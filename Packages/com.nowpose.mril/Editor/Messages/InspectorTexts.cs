@@ -92,9 +92,11 @@ namespace Nowpose.Editor.Messages
         public static string ShowRobot(string robot) => $"Show '{robot}' in the cell";
 
         /// <param name="rigs">Names of the rigs that do not have the links of the robot.</param>
-        public static string NoLinks(string rigs, string robot) =>
-            $"The links of '{robot}' are not below: {rigs}. The button adds them. It also removes the links of another robot, and unpacks the "
-            + "instance of the cell's prefab if it contains them.";
+        /// <param name="removed">Paths of the objects that the button removes; empty if there are none.</param>
+        public static string NoLinks(string rigs, string robot, string removed) =>
+            $"The links of '{robot}' are not below: {rigs}. The button adds them." + (removed.Length == 0 ? "" :
+            $" It also removes these objects with everything below them except the grippers, and unpacks the instance of the cell's prefab if it "
+            + $"contains them: {removed}. If one of them does not belong to another robot, move it first.");
         public const string Capacity = "capacity must be 2 or more";
         public const string Seconds = "seconds must be more than 0";
         public const string Predicted = "predicted by the runtime";
