@@ -86,6 +86,26 @@ public sealed class PackageChecksTests : EditorFixture
         Assert.That(_reviewed.Settings.Trouble, Is.Null);
     }
 
+    // A company may have its own copy of a registry. A path or a commit does not state a version, so the entry cannot be judged.
+    [TestCase("""{ "scopedRegistries": [{ "name": "Own", "url": "https://mirror.example/npm", "scopes": ["com.microsoft.mixedreality"] }] }""", "https://mirror.example/npm")]
+    [TestCase("""{ "dependencies": { "com.microsoft.mixedreality.openxr": "file:../OpenXR" } }""", "file:../OpenXR")]
+    public void MicrosoftPackage_ManifestHasAnotherRegistryOrAPath_StatesItAndChangesNothing(string manifest, string named)
+    {
+        using var folder = new ProjectFolder();
+        folder.Write("Packages/manifest.json", manifest);
+        Project.Open(folder.Root);
+
+        Project.InRoot(() =>
+        {
+            _reviewed.Review.Fix(_reviewed.IndexOf("Mixed Reality OpenXR"));
+            return true;
+        });
+
+        Assert.That(_reviewed.Settings.Trouble, Does.Contain(named));
+        Assert.That(folder.Read("Packages/manifest.json"), Is.EqualTo(manifest));
+        Assert.That(Client.Resolved, Is.Zero);
+    }
+
     [TestCase(null, "Could not find file")]
     [TestCase("nothing", "Packages/manifest.json:1: ")]
     public void AddPackage_ManifestInvalid_StatesTheReasonAndChangesNothing(string manifest, string reason)

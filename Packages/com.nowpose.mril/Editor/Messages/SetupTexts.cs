@@ -8,6 +8,9 @@ namespace Nowpose.Editor.Messages
 
         public static string PackageNotAdded(string package, string reason) => $"{package} could not be added: {reason}";
 
+        public static string ManifestChanged(string file, string changes, string backup) =>
+            $"{file} was changed: {changes}. The earlier file is {backup}.";
+
         /// <summary>Name of the menu entry for the cell without a robot.</summary>
         public const string AnyRobotCell = "Robot Cell (Any Robot)";
 

@@ -12,18 +12,20 @@ namespace Nowpose.Editor.Setup
         const string Dependencies = "dependencies", Registries = "scopedRegistries", Testables = "testables";
 
         readonly ManifestText _manifest;
-        readonly ConflictRule _rule;
+        readonly ConflictRule _rule, _registryRule;
         readonly List<string> _changes = new List<string>();
         readonly List<string> _conflicts = new List<string>();
         readonly List<string> _notes = new List<string>();
 
         /// <param name="file">Name of the file in messages.</param>
         /// <param name="rule">Action for entries that do not meet a requirement.</param>
+        /// <param name="registryRule">Action for registries from which a package is taken instead of its own; null for the same action.</param>
         /// <exception cref="InputException">The text is not a manifest.</exception>
-        public ManifestMerge(string text, string file, ConflictRule rule)
+        public ManifestMerge(string text, string file, ConflictRule rule, ConflictRule? registryRule = null)
         {
             _manifest = new ManifestText(text, file);
             _rule = rule;
+            _registryRule = registryRule ?? rule;
         }
 
         public string Text => _manifest.Text;
@@ -119,7 +121,7 @@ namespace Nowpose.Editor.Setup
             var url = UrlOf(other);
             var scopes = ScopesOf(other).ToList();
             var isReplaceable = url != null && scopes.All(scope => package.Registry.Scopes.Contains(scope));
-            if (_rule == ConflictRule.Replace && isReplaceable)
+            if (_registryRule == ConflictRule.Replace && isReplaceable)
             {
                 _manifest.Replace(other["url"], package.Registry.Url);
                 _changes.Add(Registries + ": " + package.Registry.Url + " in place of " + url);
@@ -127,7 +129,7 @@ namespace Nowpose.Editor.Setup
             }
             _conflicts.Add(ManifestMessages.OtherRegistry(_manifest.PlaceOf(other), package.Name, url, package.Registry.Url, !isReplaceable));
             CanReplaceAll &= isReplaceable;
-            return _rule == ConflictRule.Keep;
+            return _registryRule == ConflictRule.Keep;
         }
 
         void AddRegistry(ScopedRegistry registry)

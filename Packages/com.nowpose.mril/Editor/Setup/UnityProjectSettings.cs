@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Nowpose.Editor.Messages;
+using Nowpose.Unity.Session;
 using UnityEditor;
 using UnityEditor.PackageManager;
 using UnityEditor.PackageManager.Requests;
@@ -149,10 +150,13 @@ namespace Nowpose.Editor.Setup
             try
             {
                 var file = ManifestFile.Read(Manifest);
-                var merge = new ManifestMerge(file.Text, Manifest, ConflictRule.Replace);
+                // Keeps registries, because a company may have its own copy of a registry.
+                var merge = new ManifestMerge(file.Text, Manifest, ConflictRule.Replace, ConflictRule.Refuse);
                 merge.Need(package);
                 if (merge.Conflicts.Count > 0) throw new InputException(ManifestMessages.Conflicts(string.Join("; ", merge.Conflicts)));
-                if (merge.Changes.Count > 0) file.Write(merge.Text);
+                if (merge.Notes.Count > 0) throw new InputException(string.Join("; ", merge.Notes));
+                if (merge.Changes.Count > 0)
+                    Debug.Log(ConsoleLog.Prefix + SetupTexts.ManifestChanged(Manifest, string.Join("; ", merge.Changes), file.Write(merge.Text)));
                 Client.Resolve();
             }
             catch (Exception e) when (e is InputException || e is IOException || e is UnauthorizedAccessException)
