@@ -6,21 +6,20 @@ namespace Nowpose.Latency
     /// <remarks>A calibrated value, valid while the render time is in the constant-latency range. <c>default</c> is zero.</remarks>
     public readonly struct VisualisationLatency
     {
-        const double MaxMs = 500;
         const string Name = "visualisation latency";
 
         /// <param name="length">0 to 500 ms.</param>
         /// <exception cref="InputException">The length is out of range.</exception>
         public VisualisationLatency(TimeSpan length)
         {
-            SettingRange.Require(length.TotalMilliseconds, 0, MaxMs, Name, "ms");
+            SettingRange.Require(length.TotalMilliseconds, 0, LatencyProfile.MaxVisuMs, Name, "ms");
             Length = length;
         }
 
         /// <param name="ms">0 to 500 ms.</param>
         /// <exception cref="InputException">The value is out of range or not a number.</exception>
         public static VisualisationLatency FromMilliseconds(double ms) =>
-            new VisualisationLatency(SettingRange.RequireMs(ms, 0, MaxMs, Name));
+            new VisualisationLatency(SettingRange.RequireMs(ms, 0, LatencyProfile.MaxVisuMs, Name));
 
         public TimeSpan Length { get; }
 

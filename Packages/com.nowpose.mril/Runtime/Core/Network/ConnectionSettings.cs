@@ -81,11 +81,14 @@ namespace Nowpose.Network
         public bool PublishesDisplayed { get; }
 
         /// <summary>Whether the gateway runs on this machine.</summary>
-        public bool IsLoopback => Host == "localhost" || (IPAddress.TryParse(Host, out var address) && IPAddress.IsLoopback(address));
+        public bool IsLoopback => IsLoopbackHost(Host);
 
         /// <summary>Address of the WebSocket that carries the joint positions: ws:// or wss://.</summary>
         public Uri WebSocketUri =>
             new UriBuilder(Security == TransportSecurity.Plain ? "ws" : "wss", Host, WebSocketPort).Uri;
+
+        internal static bool IsLoopbackHost(string host) =>
+            host == "localhost" || (IPAddress.TryParse(host, out var address) && IPAddress.IsLoopback(address));
 
         void RequirePlainIsWanted(bool insecureLan)
         {

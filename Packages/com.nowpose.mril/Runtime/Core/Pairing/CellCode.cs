@@ -35,7 +35,7 @@ namespace Nowpose.Pairing
         {
             Cell = CellName.Require(cell, "cell code: name");
             Host = GatewayHost.Require(host, "cell code: host");
-            if (pin == null && !GatewayHost.IsLoopback(Host))
+            if (pin == null && !ConnectionSettings.IsLoopbackHost(Host))
                 throw new InputException(PairingCodeMessages.PinMissing);
             Pin = pin;
             Marker = marker;

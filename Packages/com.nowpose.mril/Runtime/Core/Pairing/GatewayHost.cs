@@ -22,9 +22,6 @@ namespace Nowpose.Pairing
             throw new InputException(PairingCodeMessages.NotAHost(what, Shown(host)));
         }
 
-        public static bool IsLoopback(string host) =>
-            host == "localhost" || (IPAddress.TryParse(host, out var address) && IPAddress.IsLoopback(address));
-
         static bool IsName(string host)
         {
             if (host.Length == 0 || host.Length > MaxNameLength) return false;
