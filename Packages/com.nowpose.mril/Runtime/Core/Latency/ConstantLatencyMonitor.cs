@@ -31,7 +31,10 @@ namespace Nowpose.Latency
     /// <remarks>Schnierle &amp; Röck 2022, Fig. 11b.</remarks>
     public enum RangeState
     {
-        /// <summary>The state cannot be determined; <see cref="RangeUnknownReason"/> gives the reason. The calibrated L_visu is used.</summary>
+        /// <summary>
+        /// The state cannot be determined; <see cref="RangeUnknownReason"/> gives the reason. The calibrated L_visu is used, and the pose counts as
+        /// current.
+        /// </summary>
         Unknown,
 
         /// <summary>L_visu is constant.</summary>

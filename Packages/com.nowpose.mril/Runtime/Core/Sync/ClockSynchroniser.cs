@@ -4,6 +4,21 @@ using Nowpose.Sync.Envelope;
 namespace Nowpose.Sync
 {
     /// <summary>Maintains the clock model. Thread-safe: exchanges can be added and the model can be read on any thread.</summary>
+    /// <remarks>
+    /// These classes detect changes, in this order. The last three belong to the <see cref="EnvelopeClockEstimator"/>, which only exchanges without a
+    /// detected clock change reach.
+    /// <list type="number">
+    /// <item><see cref="ClockStepDetector"/>: steps that contradict the bounds of recent exchanges, corrections by the server, other resolutions. It
+    /// widens the bound, makes the clock converging, and restarts the line when three exchanges agree, or five for a correction.</item>
+    /// <item><see cref="OffsetShiftWatch"/> with two <see cref="OffsetShift"/>: steps below a round-trip time, from 15 exchanges. Bound and estimated
+    /// error include the suspected step; the line restarts when it is confirmed.</item>
+    /// <item><see cref="MinDelay"/>, one for each direction: a path that has become longer or shorter. It corrects the measured bounds and increases
+    /// the error of the line.</item>
+    /// <item><see cref="OffsetMemory"/>: an offset that has moved away from its extrapolation over 30 s. It increases the error of the line.</item>
+    /// <item><see cref="UnrecognisedChange"/>: a path change that the others have not recognised. It increases the estimated error, and the fit of the
+    /// next exchange allows for the change.</item>
+    /// </list>
+    /// </remarks>
     sealed class ClockSynchroniser
     {
         /// <summary>Minimum number of exchanges of a coarse clock. Fewer exchanges do not show the scatter of their delays.</summary>

@@ -109,6 +109,7 @@ namespace Nowpose.Sync.Envelope
         /// <inheritdoc cref="MeasuredBounds.Tightest"/>
         public double Tightest(int from, int to) => _bounds.Tightest(from, to);
 
+        // _sinceHidden and _shorter need no reset, because they are read only with a hidden error and up to _looks.
         public void Reset()
         {
             _bounds.Clear();
