@@ -49,8 +49,8 @@ public sealed class Recorder : IAsyncDisposable
     // The described robots by their namespaces; replaced as a whole.
     ImmutableSortedDictionary<string, DescribedRobot> _robots = ImmutableSortedDictionary.Create<string, DescribedRobot>(StringComparer.Ordinal);
     bool _isDisposed;
-    // Numbers of written and of missing records in the earlier files since the recorder was enabled.
-    long _linesBefore, _lostBefore;
+    // Number of the earlier files since the recorder was enabled, with their numbers of written and of missing records and their size.
+    (int Files, long Lines, long Lost, long Bytes) _before;
 
     /// <param name="open">Creates a file at a path that does not exist yet; null to create files on the disk.</param>
     /// <param name="maxBytes">Size of a file in bytes at which the next file is started.</param>
@@ -95,9 +95,11 @@ public sealed class Recorder : IAsyncDisposable
             {
                 if (_file == null) return RecordingStatus.None with { Can = CanRecord };
                 var isDeleted = _file.IsDeleted && _file.Problem == null;
+                RecordedFile[] files = [.. _retired, _file];
                 return new RecordingStatus(
-                    CanRecord, IsOn, System.IO.Path.GetFileName(_file.Path), _linesBefore + _retired.Sum(file => file.Records) + _file.Records,
-                    _file.Bytes, _lostBefore + _retired.Sum(file => file.Lost) + _file.Lost, _file.Problem, isDeleted)
+                    CanRecord, IsOn, System.IO.Path.GetFileName(_file.Path), _before.Lines + files.Sum(file => file.Records),
+                    _before.Bytes + files.Sum(file => file.Bytes), _before.Lost + files.Sum(file => file.Lost), _file.Problem, isDeleted,
+                    _before.Files + files.Length)
                 {
                     IsDeletedWhileWritten = _file.IsDeletedWhileWritten,
                 };
@@ -117,7 +119,7 @@ public sealed class Recorder : IAsyncDisposable
             // The counts restart for the new recording. Buffered records of files that were replaced earlier are still written.
             EndRetired(TimeSpan.Zero);
             _retired.Clear();
-            _linesBefore = _lostBefore = 0;
+            _before = default;
             Begin(next);
             _isWanted = true;
             _timer.Change(TickInterval, TickInterval);
@@ -278,8 +280,7 @@ public sealed class Recorder : IAsyncDisposable
         lock (_gate)
         {
             if (!_retired.Remove(file)) return;
-            _linesBefore += file.Records;
-            _lostBefore += file.Lost;
+            _before = (_before.Files + 1, _before.Lines + file.Records, _before.Lost + file.Lost, _before.Bytes + file.Bytes);
         }
     }
 

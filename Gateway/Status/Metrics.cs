@@ -153,8 +153,8 @@ static class Metrics
     {
         text.One("nowpose_recording_on", Gauge, "1 while the gateway records.", recording.On ? 1 : 0);
         text.One("nowpose_recording_failed", Gauge, "1 when the recording stopped because of a problem.", recording.Problem == null ? 0 : 1);
-        text.One("nowpose_recording_lines", Gauge, "Lines in the newest recording.", recording.Lines);
-        text.One("nowpose_recording_bytes", Gauge, "Size of the newest recording.", recording.Bytes);
+        text.One("nowpose_recording_lines", Gauge, "Lines in the newest recording, all files together.", recording.Lines);
+        text.One("nowpose_recording_bytes", Gauge, "Size of the newest recording, all files together.", recording.Bytes);
         text.One("nowpose_recording_lost_lines", Gauge, "Lines that are missing from the newest recording.", recording.Lost);
     }
 

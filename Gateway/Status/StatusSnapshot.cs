@@ -121,10 +121,12 @@ sealed record ConnectionStatus(int Open, long Accepted, IReadOnlyDictionary<stri
 /// <summary>The state of the recorder.</summary>
 /// <param name="Can">Whether a folder for recordings is configured.</param>
 /// <param name="File">Name of the current or last file, without the folder.</param>
+/// <param name="Lines">Number of lines of all files of the recording. The same applies to <paramref name="Bytes"/> and <paramref name="Lost"/>.</param>
 /// <param name="Lost">Number of missing lines.</param>
 /// <param name="Problem">The error that ended the recording; null if there is none.</param>
 /// <param name="Deleted">Whether the newest recording has ended and a user has deleted its file afterwards.</param>
-sealed record RecordingStatus(bool Can, bool On, string File, long Lines, long Bytes, long Lost, string Problem, bool Deleted = false)
+/// <param name="Files">Number of files since the recorder was enabled.</param>
+sealed record RecordingStatus(bool Can, bool On, string File, long Lines, long Bytes, long Lost, string Problem, bool Deleted = false, int Files = 0)
 {
     public static readonly RecordingStatus None = new(false, false, null, 0, 0, 0, null);
 

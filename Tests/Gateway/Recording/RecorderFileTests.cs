@@ -159,6 +159,8 @@ public class RecorderFileTests
 
         Assert.That(_cell.Files().Sum(file => Count(Lines(file), "sample")), Is.EqualTo(published));
         Assert.That(recorder.Status.Lost, Is.Zero);
+        Assert.That(recorder.Status.Files, Is.EqualTo(_cell.Files().Length));
+        Assert.That(recorder.Status.Bytes, Is.EqualTo(_cell.Files().Sum(file => new FileInfo(file).Length)));
     }
 
     [Test]

@@ -58,7 +58,8 @@ export const recorderLabels = {
   off: 'off',
   recording: (file: string, size: string) => `recording ${file}: ${size}`,
   stopped: (file: string, size: string) => `stopped; last ${file}: ${size}`,
-  size: (lines: string, size: string) => `${lines} lines, ${size}`,
+  /** @param fileCount Number of files with these lines; 0 from an older gateway. */
+  size: (lines: string, size: string, fileCount: number) => `${lines} lines, ${size}${fileCount > 1 ? ` in ${fileCount} files` : ''}`,
   lost: (lines: string) => `${lines} lines are missing`,
   problem: (state: string, reason: string) => `${state}. Problem: ${reason}`,
   fileDeleted: 'the file was deleted',

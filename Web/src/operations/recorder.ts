@@ -36,7 +36,7 @@ export class Recorder {
 
 function wordsOf(recording: Recording | null | undefined, can: boolean): string {
   if (!recording || !can) return operationsMessages.noFolder;
-  const written = recorderLabels.size(format(recording.lines ?? 0), format((recording.bytes ?? 0) / 1e6, 'MB'));
+  const written = recorderLabels.size(format(recording.lines ?? 0), format((recording.bytes ?? 0) / 1e6, 'MB'), recording.files ?? 0);
   const size = recording.lost ? `${written}, ${recorderLabels.lost(format(recording.lost))}` : written;
   const state = recording.on
     ? recorderLabels.recording(recording.file ?? '', size)

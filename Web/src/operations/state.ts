@@ -132,6 +132,8 @@ export type Headset = Words & { budget_ms?: Partial<Record<Hop, number | null>> 
 export interface Recording {
   can: boolean;
   on: boolean;
+  /** Number of files of the recording, which have the lines and bytes together. */
+  files?: number;
   file?: string | null;
   lines?: number;
   bytes?: number;

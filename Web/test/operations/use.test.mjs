@@ -71,6 +71,8 @@ describe('actions', () => {
     await becomes(page, '#recordings-note', recorderLabels.deleted('press-1.jsonl'));
     gateway.state.recording = { can: true, on: false, file: 'press-1.jsonl', lines: 5, bytes: 10, lost: 0, deleted: true };
     await becomes(page, '#recording', `last press-1.jsonl: ${recorderLabels.fileDeleted}`);
+    gateway.state.recording = { can: true, on: true, file: 'press-4.jsonl', files: 3, lines: 5, bytes: 3_000_000, lost: 0 };
+    await becomes(page, '#recording', recorderLabels.size('5', '3\u00a0MB', 3));
   });
 
   it('list recordings only for operators', async () => {
