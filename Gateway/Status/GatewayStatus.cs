@@ -126,8 +126,11 @@ sealed class GatewayStatus : IDisposable
     public StatusSnapshot Read()
     {
         var sources = _sources.Read();
+        // Diagnostics do not contain the robot of a headset. With several robots, the age of its samples is therefore unknown.
+        var hasOneRobot = sources.SelectMany(source => source.Names).Select(joint => joint[..Math.Max(0, joint.IndexOf('/'))]).Distinct().Count() == 1;
         var hops = new HopTimes(
-            Middle([.. sources.SelectMany(source => source.SortedAges).Order()]), _hub.Forwarding.Percentile(0.5)?.TotalMilliseconds);
+            hasOneRobot ? Middle([.. sources.SelectMany(source => source.SortedAges).Order()]) : null,
+            _hub.Forwarding.Percentile(0.5)?.TotalMilliseconds);
         var reports = _diagnostics.Read();
         var beyond = _limits.Joints;
         var joints = _joints.Read();

@@ -9,7 +9,8 @@ namespace Nowpose.Gateway.Status;
 
 /// <summary>The state of the gateway and its plants as one line.</summary>
 /// <param name="Level">ok, warning or error.</param>
-sealed record OverallStatus(string Level, string Text)
+/// <param name="SinceUtc">Start of the condition in the text; null if there is none.</param>
+sealed record OverallStatus(string Level, string Text, string SinceUtc = null)
 {
     /// <summary>Maximum number of objects and signals in the text.</summary>
     const int MaxNames = 3;
@@ -27,7 +28,8 @@ sealed record OverallStatus(string Level, string Text)
     {
         if (conditions.Count == 0) return WithoutConditions(joints, frames, signals, hasRobot, $", {Count(headsets, "headset")}");
         var more = conditions.Count == 1 ? "" : $" (and {conditions.Count - 1} more)";
-        return new(conditions[0].Level.ToString().ToLowerInvariant(), conditions[0].TextWithSince + more);
+        var since = conditions[0].Since is { } start ? UtcText.Of(start) : null;
+        return new(conditions[0].Level.ToString().ToLowerInvariant(), conditions[0].Text + more, since);
     }
 
     // Uses objects and signals for a cell without a robot. Stationary objects do not count, because they do not show that the plant sends data.

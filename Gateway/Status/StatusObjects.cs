@@ -4,7 +4,7 @@ using System.Text.Json.Nodes;
 namespace Nowpose.Gateway.Status;
 
 /// <summary>The parts of a sample's latency that the gateway measures, in ms; null if unknown.</summary>
-/// <param name="PlantMs">C1 at the gateway minus t_k.</param>
+/// <param name="PlantMs">C1 at the gateway minus t_k. Unknown if there are several robots, because the headset's own robot is not known.</param>
 /// <param name="GatewayMs">Time from the receipt at the gateway until the sample is written to the subscribers' sockets.</param>
 readonly record struct HopTimes(double? PlantMs, double? GatewayMs);
 
@@ -19,6 +19,9 @@ static class StatusObjects
 
     // Keys that the gateway sets. A client's diagnostics must not replace them.
     static readonly string[] Own = ["name", "seen_s_ago", "budget_ms"];
+
+    // Keys whose values are text even if they read as a number, such as the name of a missing joint.
+    static readonly string[] Texts = ["state", "pose", "missing_joints", "version"];
 
     /// <summary>Whether a hardware_id belongs to an adapter.</summary>
     public static bool IsAdapter(string hardwareId) => Array.Exists(AdapterPrefixes, prefix => hardwareId.StartsWith(prefix, StringComparison.Ordinal));
@@ -52,14 +55,16 @@ static class StatusObjects
         foreach (var (key, value) in values)
         {
             if (Own.Contains(key)) continue;
-            var isNumber = double.TryParse(value, NumberStyles.Float, CultureInfo.InvariantCulture, out var number) && double.IsFinite(number);
+            var number = 0.0;
+            var isNumber = !Texts.Contains(key) && double.TryParse(value, NumberStyles.Float, CultureInfo.InvariantCulture, out number) && double.IsFinite(number);
             words[key] = isNumber ? number : value;
         }
 
         return words;
     }
 
-    // L_app ends when the headset receives the sample. L_app minus the times of plant, gateway and network is the time in queues.
+    // L_app ends when the headset receives the sample. L_app minus the times of plant, gateway and network is the time in queues. It can be negative,
+    // because the other times are medians and half of a round-trip time. The hops always add up to the reported latency.
     static JsonObject Budget(JsonObject headset, HopTimes hops)
     {
         var network = Number(headset, "rtt_ms") / 2;
@@ -78,5 +83,5 @@ static class StatusObjects
 
     // Returns null for a result that is not finite, because reported numbers may be arbitrarily large.
     static JsonNode Rounded(double? milliseconds) =>
-        milliseconds is { } known && double.IsFinite(known) ? Math.Round(Math.Max(0, known), 3) : null;
+        milliseconds is { } known && double.IsFinite(known) ? Math.Round(known, 3) : null;
 }

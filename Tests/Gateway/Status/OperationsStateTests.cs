@@ -1,6 +1,8 @@
 using System.Net;
 using System.Text.Json;
+using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status;
@@ -99,9 +101,52 @@ public class OperationsStateTests
         Assert.That(Of("plant"), Is.EqualTo(80).Within(20));
         Assert.That(Of("gateway"), Is.EqualTo(forwardMs).Within(0.01));
         Assert.That(Of("network"), Is.EqualTo(2));
-        Assert.That(Of("queue"), Is.EqualTo(Math.Max(0, 95 - Of("plant") - Of("gateway") - 2)).Within(0.01));
+        Assert.That(Of("queue"), Is.EqualTo(95 - Of("plant") - Of("gateway") - 2).Within(0.01));
         Assert.That(Of("render"), Is.EqualTo(12));
         Assert.That(Of("display"), Is.EqualTo(30));
+    }
+
+    [Test]
+    public async Task State_LatencyBelowTheMedianAge_HasANegativeQueueSoThatTheHopsAddUp()
+    {
+        var clock = new StopwatchControlClock(Gateways.Start);
+        await using var gateway = await Gateways.StartAsync(Gateways.Options(), clock);
+        using var source = gateway.Hub.OpenSource();
+
+        var budget = await BudgetAsync(gateway, source, clock, ["a"]);
+
+        Assert.That(budget.GetProperty("plant").GetDouble(), Is.GreaterThan(80));
+        Assert.That(
+            new[] { "plant", "gateway", "network", "queue" }.Sum(hop => budget.GetProperty(hop).ValueKind == JsonValueKind.Number ? budget.GetProperty(hop).GetDouble() : 0),
+            Is.EqualTo(50).Within(0.01));
+    }
+
+    [Test]
+    public async Task State_SeveralRobots_LeavesOutTheHopsThatDependOnTheRobotOfTheHeadset()
+    {
+        var clock = new StopwatchControlClock(Gateways.Start);
+        await using var gateway = await Gateways.StartAsync(Gateways.Options(), clock);
+        using var source = gateway.Hub.OpenSource();
+
+        var budget = await BudgetAsync(gateway, source, clock, ["a", "arm1/a"]);
+
+        Assert.That(budget.GetProperty("plant").ValueKind, Is.EqualTo(JsonValueKind.Null));
+        Assert.That(budget.GetProperty("queue").ValueKind, Is.EqualTo(JsonValueKind.Null));
+        Assert.That(budget.GetProperty("network").GetDouble(), Is.EqualTo(2));
+    }
+
+    // Gets the latency budget of a headset with an L_app of 50 ms, while each joint has samples that are at least 80 ms old.
+    static async Task<JsonElement> BudgetAsync(GatewayServer gateway, HubSource source, StopwatchControlClock clock, string[] joints)
+    {
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.SubscribeAsync(RosTopics.JointStates);
+        foreach (var joint in joints)
+            source.Publish(
+                new JointStateMessage(clock.Now - TimeSpan.FromMilliseconds(80), [joint[(joint.IndexOf('/') + 1)..]], [1]), null,
+                joint.Contains('/') ? joint[..joint.IndexOf('/')] : "");
+        await Soon.BecomesAsync(() => gateway.Hub.Forwarding.Counts().Sum() > 0, "a sample is forwarded");
+        source.Publish(Diagnostics("goggles", ("rtt_ms", "4"), ("l_app_ms", "50"), ("l_visu_ms", "42"), ("render_ms", "12")));
+        return (await StateAsync(gateway)).GetProperty("headsets")[0].GetProperty("budget_ms");
     }
 
     [Test]

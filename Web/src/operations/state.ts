@@ -5,7 +5,8 @@ export interface State {
   cell?: string | null;
   host?: string;
   version?: string;
-  status?: { level: Level; text: string };
+  /** The overall state, and the start of the condition that its text describes. */
+  status?: { level: Level; text: string; since_utc?: string };
   control_time_s?: number;
   clock?: ClockState | null;
   plant_clocks?: PlantClock[];

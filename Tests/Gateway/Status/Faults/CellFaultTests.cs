@@ -53,8 +53,7 @@ public class CellFaultTests
         Publish(Frame("orph", "nowhere"));
 
         await _gateway.BeginsAsync("frame", "orph (gateway)");
-        var expected = $"frame orph (gateway) {EventTexts.IsOrphan}: {CellReasons.ParentMissing("nowhere")} (since 2026-11-20 12:00:03 UTC). "
-            + EventRemedies.Parent;
+        var expected = $"frame orph (gateway) {EventTexts.IsOrphan}: {CellReasons.ParentMissing("nowhere")}. {EventRemedies.Parent}";
         Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)));
 
         Publish(Frame("nowhere"));
@@ -117,7 +116,7 @@ public class CellFaultTests
         var one = await _gateway.EventAsync("frame", "box (gateway)");
         Assert.That(one.GetProperty("what").GetString(), Is.EqualTo(EventTexts.Is("stale")));
         Assert.That(one.GetProperty("since_utc").GetString(), Is.EqualTo("2026-11-20T12:00:03.000Z"));
-        var expected = $"frame box (gateway) is stale: {CellReasons.PosesStopped} (since 2026-11-20 12:00:03 UTC). {EventRemedies.Source}";
+        var expected = $"frame box (gateway) is stale: {CellReasons.PosesStopped}. {EventRemedies.Source}";
         Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)));
 
         Publish(Frame("box", stamp: Gateways.Start + TimeSpan.FromSeconds(1.2)));
@@ -150,8 +149,7 @@ public class CellFaultTests
         }
 
         await _gateway.BeginsAsync("signal", "grip (plc)");
-        var expected = $"signal grip (plc) {EventTexts.HasNoSource}: {EventTexts.SourceEnded("plc")} (since 2026-11-20 12:00:03 UTC). "
-            + EventRemedies.Source;
+        var expected = $"signal grip (plc) {EventTexts.HasNoSource}: {EventTexts.SourceEnded("plc")}. {EventRemedies.Source}";
         Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)));
         Assert.That((await _gateway.GetAsync("/metrics")).Text, Does.Contain("nowpose_signal_state{signal=\"grip\",source=\"plc\",state=\"ended\"} 1\n"));
 

@@ -34,6 +34,18 @@ public class HeadsetFaultTests
         await Soon.BecomesAsync(() => _gateway.EventAsync("headset", "goggles").Result.GetProperty("what").GetString() == "is lost", "the headset is reported as lost");
     }
 
+    [Test]
+    public async Task Headset_MissingJointNamedLikeANumber_IsCounted()
+    {
+        await _gateway.StartAsync();
+        _gateway.Report("goggles", ("pose", "incomplete"), ("missing_joints", "3"));
+
+        await _gateway.BeginsAsync("headset", "goggles");
+
+        Assert.That((await _gateway.EventAsync("headset", "goggles")).GetProperty("reason").GetString(), Does.EndWith("3"));
+        Assert.That((await _gateway.GetAsync("/metrics")).Text, Does.Contain("nowpose_headset_missing_joints{headset=\"goggles\"} 1\n"));
+    }
+
     [TestCase("goggles", "headset", "goggles")]
     [TestCase("plant/press", "adapter", "press")]
     public async Task Client_WithAnotherVersion_CausesAWarningWithBothVersions(string hardwareId, string kind, string name)

@@ -128,8 +128,8 @@ public class JointFaultTests
         Assert.That((await _gateway.GetAsync("/metrics")).Text, Does.Contain("nowpose_joint_rest_uncertain{joint=\"a\",source=\"press\"} 1"));
         Assert.That(status.GetProperty("level").GetString(), Is.EqualTo("warning"));
         Assert.That(status.GetProperty("text").GetString(), Is.EqualTo(
-            $"joint a (press) {EventTexts.UncertainRest}: the stop itself was not observed (since 2026-11-20 11:59:57 UTC). "
-                + EventRemedies.SetDeceleration));
+            $"joint a (press) {EventTexts.UncertainRest}: the stop itself was not observed. {EventRemedies.SetDeceleration}"));
+        Assert.That(status.GetProperty("since_utc").GetString(), Is.EqualTo("2026-11-20T11:59:57.000Z"));
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
 
         _gateway.Report("adapter/press", ("state", "connected"), ("joint/a", $"live {_gateway.Since()} "));
@@ -152,7 +152,7 @@ public class JointFaultTests
         await _gateway.BeginsAsync("joint", "a (press)");
         Assert.That(
             (await _gateway.StateAsync()).GetProperty("status").GetProperty("text").GetString(),
-            Does.EndWith("UTC). " + EventRemedies.CheckRest));
+            Does.EndWith("nothing confirms it; set silence. " + EventRemedies.CheckRest));
     }
 
     [TestCase(null, "error")]
