@@ -1,5 +1,6 @@
 using System.Text;
 using System.Text.Json;
+using Nowpose.Web.Messages;
 using static Nowpose.Web.PlainPage;
 
 namespace Nowpose.Web;
@@ -17,6 +18,8 @@ public static class PlainFigures
         var html = Begin(Text(page, "title"), Style);
         Append(html, $"<p>{Text(page, "subtitle")}</p>\n");
         Table(html, "Conditions", ["Condition", "Value"], Items(page, "conditions").Select(Cells));
+        var missing = string.Join(", ", Items(page, "missing").Select(number => $"Fig. {Encoded(number)}"));
+        if (missing.Length > 0) Append(html, $"<p role=\"alert\">{PlainTexts.NotComputed(missing)}</p>\n");
         foreach (var figure in Items(page, "figures")) Figure(html, figure);
         return End(html);
     }

@@ -28,12 +28,19 @@ public sealed class PlainFiguresTests
     }
 
     [Test]
+    public void Render_InterruptedRun_NamesTheMissingFigures()
+    {
+        Assert.That(Render("""{"missing": ["13a", "18"], "figures": []}"""), Does.Contain("Fig. 13a, Fig. 18"));
+        Assert.That(Render("""{"missing": [], "figures": []}"""), Does.Not.Contain("role=\"alert\""));
+    }
+
+    [Test]
     public void Render_HostileText_IsEscaped()
     {
         const string Hostile = "</td><script>alert(1)</script>";
         var json = JsonSerializer.Serialize(new
         {
-            title = Hostile, conditions = new[] { new[] { Hostile } }, figures = new[] { new { number = Hostile, title = Hostile, claim = Hostile } },
+            title = Hostile, missing = new[] { Hostile }, conditions = new[] { new[] { Hostile } }, figures = new[] { new { number = Hostile, title = Hostile, claim = Hostile } },
         });
 
         Assert.That(Render(json), Does.Not.Contain("<script").And.Contain("&lt;/td&gt;&lt;script&gt;"));

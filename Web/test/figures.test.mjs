@@ -32,6 +32,14 @@ describe('the figures page', () => {
     assert.deepEqual(links, [['Fig. 4', true], ['Fig. 8', true], ['Fig. 13a', true], ['Fig. 16', true], ['Fig. 17', true]]);
   });
 
+  it('sets the indices of symbols as subscripts', async () => {
+    const data = figures();
+    data.figures[0].claim = 'T_s, ε_L and (ε_i) differ';
+    const page = await open(data);
+
+    assert.deepEqual(await texts(page, '#fig-4 .words .symbol'), ['Ts', 'εL', 'εi']);
+  });
+
   it('explains terms of the glossary on hover', async () => {
     const terms = await explainedTerms(complete);
     for (const term of ['Sampling interval', 'sampling interval', 'hold']) assert.ok(terms.includes(term), term);

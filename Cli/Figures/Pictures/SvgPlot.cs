@@ -69,8 +69,9 @@ sealed class SvgPlot(FigurePlot plot, int width)
         for (var i = 0; i < trace.X.Count; i++)
         {
             if (trace.Y[i] is not double y) continue;
-            if (trace.Stepped && path.Length > 0) path.Append(CultureInfo.InvariantCulture, $"H{X(trace.X[i]):0.#}");
-            path.Append(path.Length == 0 ? 'M' : 'L').Append(CultureInfo.InvariantCulture, $"{X(trace.X[i]):0.#} {Y(y):0.#}");
+            var isJoined = i > 0 && trace.Y[i - 1] != null;
+            if (trace.Stepped && isJoined) path.Append(CultureInfo.InvariantCulture, $"H{X(trace.X[i]):0.#}");
+            path.Append(isJoined ? 'L' : 'M').Append(CultureInfo.InvariantCulture, $"{X(trace.X[i]):0.#} {Y(y):0.#}");
         }
         Append($"<path d=\"{path}\" fill=\"none\" clip-path=\"url(#plot)\" {PictureInk.Of(trace.Look).Stroke}/>\n");
     }
