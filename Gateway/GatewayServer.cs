@@ -56,8 +56,8 @@ public sealed class GatewayServer : IAsyncDisposable
         var wrong = new WrongTokens(options.Time);
         var accessControl = new AccessControl(options, wrong, WebSocketConnections, Log);
         _rosbridge = new RosbridgeServer(options, Clock, PlantClocks, Hub, accessControl, _access, WebSocketConnections, Log);
-        _page = new VlcPage(options, Clock, accessControl, WebSocketConnections, Log, Web.VlcPage.Html);
-        _pairing = new PairingRoutes(options, accessControl, WebSocketConnections, Log, Web.PairingPage.Html);
+        _page = new VlcPage(options, Clock, accessControl, WebSocketConnections, Log, Web.Pages.Vlc);
+        _pairing = new PairingRoutes(options, accessControl, WebSocketConnections, Log, Web.Pages.Pairing);
         Recorder = new Recorder(options, Hub, Clock, PlantClocks, Drops, Log);
         _sync = new SyncServer(options, Clock, _access, wrong, Log);
         _limits = new LimitAlarm(Hub, Log);
@@ -72,7 +72,7 @@ public sealed class GatewayServer : IAsyncDisposable
             _pairing.ServeAsync,
             new StatusRoutes(_status, accessControl).ServeAsync,
             new RecordingRoutes(Recorder, recordings, accessControl).ServeAsync,
-            new OperationsRoutes(options, accessControl, WebSocketConnections, Log, Web.OperationsPage.Html).ServeAsync,
+            new OperationsRoutes(options, accessControl, WebSocketConnections, Log, Web.Pages.Operations).ServeAsync,
             RosbridgeServer.CountFragmentsAsync);
     }
 
@@ -90,7 +90,7 @@ public sealed class GatewayServer : IAsyncDisposable
 
     /// <summary>Addresses of the operations page, one per host name; empty if the page was not built.</summary>
     public IReadOnlyList<Uri> OperationsPageUris =>
-        Web.OperationsPage.Html == null ? [] : [.. OwnHosts.Reachable(_options.Bind).Select(host => PageUri(host, OperationsRoutes.Path))];
+        Web.Pages.Operations == null ? [] : [.. OwnHosts.Reachable(_options.Bind).Select(host => PageUri(host, OperationsRoutes.Path))];
 
     /// <summary>Whether the gateway pairs headsets. Each paired headset receives its own token.</summary>
     public bool PairsHeadsets => _options.Headsets != null;

@@ -6,7 +6,7 @@ namespace Nowpose.Web;
 /// <summary>Creates the page of a calibration without plots and JavaScript, for builds without Node.js.</summary>
 public static class PlainCalibration
 {
-    /// <param name="page">Data as for <see cref="CalibrationPage.Render"/>.</param>
+    /// <param name="page">Data as for <see cref="Pages.Calibration"/>.</param>
     public static string Render(JsonElement page)
     {
         var html = Begin(Text(page, "title"), "body{color-scheme:light dark}");

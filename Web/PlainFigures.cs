@@ -12,7 +12,7 @@ public static class PlainFigures
     const string Style = "body{color-scheme:light;--truth:#b9c2cc;--hold:#d9741a;--adaptive:#0b4a8f;--quadratic:#00856f;--ink:#16202c;"
         + "--muted:#55616f;--surface:#fff}svg{width:20rem;max-width:100%}";
 
-    /// <param name="page">Data as for <see cref="FiguresPage.Render"/>.</param>
+    /// <param name="page">Data as for <see cref="Pages.Figures"/>.</param>
     public static string Render(JsonElement page)
     {
         var html = Begin(Text(page, "title"), Style);

@@ -25,7 +25,7 @@ static class PlainPage
     }
 
     public static string End(StringBuilder html) =>
-        html.Append("<p>").Append(PlainTexts.NoPlotsOnPage).Append("</p>\n</body>\n</html>\n").ToString();
+        html.Append("<p>").Append(PlainTexts.NoPlots).Append("</p>\n</body>\n</html>\n").ToString();
 
     public static void Table(StringBuilder html, string caption, IEnumerable<string> header, IEnumerable<IEnumerable<string>> rows)
     {
@@ -39,7 +39,7 @@ static class PlainPage
 
     public static IEnumerable<string> Cells(JsonElement row) => row.EnumerateArray().Select(Encoded);
 
-    public static string Encoded(JsonElement value) => WebUtility.HtmlEncode(value.ToString());
+    public static string Encoded(JsonElement value) => value.ValueKind == JsonValueKind.Null ? "–" : WebUtility.HtmlEncode(value.ToString());
 
     public static string Text(JsonElement element, string name) =>
         element.TryGetProperty(name, out var value) && value.ValueKind == JsonValueKind.String ? Encoded(value) : "";

@@ -56,7 +56,7 @@ sealed class CalibrationOutput
         var path = profile == null ? null : isInterrupted && Path.Exists(ProfilePath) ? InterruptedProfilePath
             : profile.Range == null && EarlierLimit() is TimeSpan limit ? PathBeside(limit) : ProfilePath;
         if (profile != null) OptionPath.Write("--out", path, () => LatencyProfileFile.Save(path, profile));
-        OptionPath.Write("--out", PagePath, () => OutputFile.Write(PagePath, CalibrationPage.Render(CalibrationJson.Of(page))));
+        OptionPath.Write("--out", PagePath, () => OutputFile.Write(PagePath, Pages.Calibration.Render(CalibrationJson.Of(page))));
         return path;
     }
 

@@ -88,6 +88,6 @@ sealed class DemoOutput
     public void Write(DemoScore score, DemoRun run, DemoResult result, IReadOnlyList<Figure> figures = null)
     {
         OutputFile.Write(ResultPath, JsonText.Of(result));
-        OutputFile.Write(ReportPath, ReportPage.Render(DemoReport.Of(score, run, result, figures)));
+        OutputFile.Write(ReportPath, Pages.Report.Render(DemoReport.Of(score, run, result, figures)));
     }
 }

@@ -43,7 +43,7 @@ sealed class FiguresOutput
     {
         foreach (var figure in figures)
             OutputFile.Write(Path.Combine(_folder, figure.FileName), figure.Table.WriteCsv);
-        OutputFile.Write(PagePath, FiguresPage.Render(FiguresJson.Of(figures, settings)));
+        OutputFile.Write(PagePath, Pages.Figures.Render(FiguresJson.Of(figures, settings)));
         if (_pictures != null) PicturePaths = DocumentPictures.Write(_pictures, figures);
     }
 }

@@ -34,7 +34,7 @@ static class SyncPage
         ];
         OptionPath.Write("--page", path, () =>
         {
-            OutputFile.Write(path, FiguresPage.Render(FiguresJson.Of(
+            OutputFile.Write(path, Pages.Figures.Render(FiguresJson.Of(
                 SyncPageTexts.Title, SyncPageTexts.Subtitle, conditions, missing: [], [figure])));
             OutputFile.Write(data, figure.Table.WriteCsv);
         });

@@ -162,7 +162,7 @@ public sealed class OperationsLoginTests
     [Test]
     public async Task Page_RequestedWithoutAToken_IsServedWithTheLoginForm()
     {
-        Needs.BuiltByNode(Nowpose.Web.OperationsPage.Html != null);
+        Needs.BuiltByNode(Nowpose.Web.Pages.Operations != null);
         await using var gateway = await Gateways.StartAsync(WithTokens);
 
         using var answer = await _http.GetAsync(UriOf(gateway, "/operations")).Bounded();

@@ -23,7 +23,7 @@ public sealed class PairingPageTests
 
         var (status, page) = await gateway.SendAsync(HttpMethod.Get, "/pair");
 
-        Needs.BuiltByNode(Nowpose.Web.PairingPage.Html != null);
+        Needs.BuiltByNode(Nowpose.Web.Pages.Pairing != null);
         Assert.That(status, Is.EqualTo(HttpStatusCode.OK));
         Assert.That(page, Does.Contain("connect-src 'self'").And.Not.Contain(code.Token));
         Assert.That(gateway.Server.PairingPageUri, Is.EqualTo(new Uri($"https://127.0.0.1:{gateway.Server.WebSocketEndPoint.Port}/pair")));

@@ -37,7 +37,7 @@ public class VlcPageTests
         using var response = await AskAsync(gateway, HttpMethod.Get, "/vlc");
         var page = await response.Content.ReadAsStringAsync().Bounded();
 
-        Needs.BuiltByNode(Nowpose.Web.VlcPage.Html != null);
+        Needs.BuiltByNode(Nowpose.Web.Pages.Vlc != null);
         Assert.That(response.StatusCode, Is.EqualTo(HttpStatusCode.OK), "a browser that opens the page has no token");
         Assert.That(response.Content.Headers.ContentType.MediaType, Is.EqualTo("text/html"));
         Assert.That(page, Does.Contain("connect-src 'self'").And.Not.Contain(Gateways.ObserverToken).And.Not.Contain("https://"));

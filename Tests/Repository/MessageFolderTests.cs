@@ -36,9 +36,8 @@ public sealed partial class MessageFolderTests
         // The help of a verb and of options.
         ["Cli/Calibrate/CalibrateVerb.cs"] = 1,
         ["Cli/Calibrate/DeviceOptions.cs"] = 6,
-        // The heads of pages in HTML.
+        // The head of pages in HTML.
         ["Web/PlainPage.cs"] = 1,
-        ["Web/PlainReport.cs"] = 1,
         // A catalogue that is too small for a folder of its own.
         ["Vision/PictureReaderMessages.cs"] = 3,
         // The name of a scene.

@@ -14,9 +14,9 @@ public sealed class CalibrationPageTests
     [Test]
     public void Render_Data_MakesNoExternalRequests()
     {
-        Needs.BuiltByNode(CalibrationPage.HasPlots);
+        Needs.BuiltByNode(Pages.Calibration.HasPlots);
 
-        var page = CalibrationPage.Render("{\"title\":\"a < b\"}");
+        var page = Pages.Calibration.Render("{\"title\":\"a < b\"}");
 
         Assert.That(page, Does.Contain("{\"title\":\"a \\u003c b\"}").And.Contain("<title>Nowpose calibration</title>").And.Contain("default-src 'none'"));
         Assert.That(page, Does.Not.Contain("__REPORT_DATA__").And.Not.Match("(?i)<script[^>]+src|<link[^>]+stylesheet|@import|url\\((?!data:)"));

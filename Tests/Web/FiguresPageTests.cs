@@ -8,13 +8,13 @@ public sealed class FiguresPageTests
     [SetUp]
     public void SetUp()
     {
-        Needs.BuiltByNode(FiguresPage.HasPlots);
+        Needs.BuiltByNode(Pages.Figures.HasPlots);
     }
 
     [Test]
     public void Render_Data_EmbedsItInThePage()
     {
-        var page = FiguresPage.Render("{\"title\":\"a < b\",\"figures\":[]}");
+        var page = Pages.Figures.Render("{\"title\":\"a < b\",\"figures\":[]}");
 
         Assert.That(page, Does.Contain("{\"title\":\"a \\u003c b\",\"figures\":[]}").And.Contain("<title>Nowpose figures</title>"));
         Assert.That(page, Does.Not.Contain("__REPORT_DATA__").And.Not.Contain("/*SCRIPT*/").And.Not.Contain("/*STYLE*/"));
@@ -23,7 +23,7 @@ public sealed class FiguresPageTests
     [Test]
     public void Render_AnyData_HasNoExternalReferences()
     {
-        var page = FiguresPage.Render("{}");
+        var page = Pages.Figures.Render("{}");
 
         Assert.That(page, Does.Contain("default-src 'none'"));
         Assert.That(page, Does.Not.Match("(?i)<script[^>]+src|<link[^>]+stylesheet|@import|url\\((?!data:)"));
@@ -33,6 +33,6 @@ public sealed class FiguresPageTests
     [TestCase("[1]", "a JSON Array")]
     public void Render_JsonIsNotAnObject_Throws(string json, string reason)
     {
-        Assert.That(() => FiguresPage.Render(json), Throws.ArgumentException.With.Message.Contains(reason));
+        Assert.That(() => Pages.Figures.Render(json), Throws.ArgumentException.With.Message.Contains(reason));
     }
 }

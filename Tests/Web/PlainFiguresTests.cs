@@ -23,7 +23,7 @@ public sealed class PlainFiguresTests
         Assert.That(page, Does.Contain("<td>Less than half</td><td>2 mm</td><td>yes</td>").And.Contain("<td>None</td><td>1 mm</td><td>no</td>"));
         Assert.That(page, Does.Contain("<td>2 to 4 mm</td><td>undecided</td>").And.Contain("<td>too short</td><td>not measured</td>"));
         Assert.That(page, Does.Contain("<svg viewBox=\"0 0 1 1\">").And.Contain("A. 78 mm off").And.Contain("<td>A</td><td>2.09</td>"));
-        Assert.That(page, Does.Contain("<th>gap (mm)</th>").And.Contain("<td>308.5</td><td>6.9</td>").And.Contain("<td>707</td><td></td>"));
+        Assert.That(page, Does.Contain("<th>gap (mm)</th>").And.Contain("<td>308.5</td><td>6.9</td>").And.Contain("<td>707</td><td>–</td>"));
         Assert.That(page, Does.Contain("figure-17.csv").And.Contain("Install Node.js 20 or newer"));
     }
 

@@ -16,9 +16,9 @@ public sealed class PlainReportTests
             """);
 
         Assert.That(page, Does.Contain("<h1>A run</h1>").And.Contain("<p>20 s</p>").And.Not.Contain("<script"));
-        Assert.That(page, Does.Contain("<th>RMS (mm)</th><td class=\"n\">14.25</td><td class=\"n\">–</td>"));
-        Assert.That(page, Does.Contain("<th>frames</th><td>1200</td>").And.Contain("<th>drift</th><td>–</td>"));
-        Assert.That(page, Does.Contain("<th>network</th><td>wifi</td>"));
+        Assert.That(page, Does.Contain("<td>RMS (mm)</td><td>14.25</td><td>–</td>"));
+        Assert.That(page, Does.Contain("<td>frames</td><td>1200</td>").And.Contain("<td>drift</td><td>–</td>"));
+        Assert.That(page, Does.Contain("<td>network</td><td>wifi</td>"));
     }
 
     [TestCase("holds")]
@@ -27,7 +27,7 @@ public sealed class PlainReportTests
     {
         var page = Render($$"""{"claims": [{"figure": "18", "claim": "L < 4 ms", "paper": "4 ms", "measured": "1.5 ms", "verdict": "{{verdict}}"}]}""");
 
-        Assert.That(page, Does.Contain($"<th>Fig. 18</th><td>L &lt; 4 ms</td><td>4 ms</td><td>1.5 ms</td><td>{verdict}</td>"));
+        Assert.That(page, Does.Contain($"<td>Fig. 18</td><td>L &lt; 4 ms</td><td>4 ms</td><td>1.5 ms</td><td>{verdict}</td>"));
     }
 
     [TestCase("{}")]

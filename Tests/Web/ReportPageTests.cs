@@ -12,7 +12,7 @@ public sealed class ReportPageTests
     [SetUp]
     public void SetUp()
     {
-        Needs.BuiltByNode(ReportPage.HasPlots);
+        Needs.BuiltByNode(Pages.Report.HasPlots);
     }
 
     [Test]
@@ -20,7 +20,7 @@ public sealed class ReportPageTests
     {
         const string Json = "{\"title\":\"a < b & c > d\",\"settings\":[[\"ü\",1.5],[\"n\",null]],\"error\":{\"t\":[0,0.1]}}";
 
-        var data = DataOf(ReportPage.Render(Json));
+        var data = DataOf(Pages.Report.Render(Json));
 
         Assert.That(JsonElement.DeepEquals(data, JsonDocument.Parse(Json).RootElement), data.ToString());
     }
@@ -30,9 +30,9 @@ public sealed class ReportPageTests
     [TestCase("__REPORT_DATA__")]
     public void Render_HostileTitle_StaysInsideTheDataElement(string title)
     {
-        var harmless = ReportPage.Render("{\"title\":\"x\"}");
+        var harmless = Pages.Report.Render("{\"title\":\"x\"}");
 
-        var page = ReportPage.Render(JsonSerializer.Serialize(new { title }, Unescaped));
+        var page = Pages.Report.Render(JsonSerializer.Serialize(new { title }, Unescaped));
 
         Assert.That(DataOf(page).GetProperty("title").GetString(), Is.EqualTo(title));
         Assert.That(Count(page, "<script"), Is.EqualTo(Count(harmless, "<script")));
@@ -43,13 +43,13 @@ public sealed class ReportPageTests
     [Test]
     public void Render_AnyData_LeavesNoPlaceholder()
     {
-        Assert.That(ReportPage.Render("{}"), Does.Not.Contain("__REPORT_DATA__").And.Not.Contain("/*SCRIPT*/").And.Not.Contain("/*STYLE*/"));
+        Assert.That(Pages.Report.Render("{}"), Does.Not.Contain("__REPORT_DATA__").And.Not.Contain("/*SCRIPT*/").And.Not.Contain("/*STYLE*/"));
     }
 
     [Test]
     public void Render_AnyData_HasNoExternalReferences()
     {
-        var page = ReportPage.Render("{}");
+        var page = Pages.Report.Render("{}");
 
         Assert.That(page, Does.Contain("default-src 'none'"));
         // Checks only the styles. Scripts contain calls such as new URL(…), and the content security policy prevents requests from them.
@@ -63,7 +63,7 @@ public sealed class ReportPageTests
     [TestCase("[1]", "a JSON Array")]
     public void Render_JsonIsNotAnObject_Throws(string json, string reason)
     {
-        var refusal = Assert.Throws<ArgumentException>(() => ReportPage.Render(json));
+        var refusal = Assert.Throws<ArgumentException>(() => Pages.Report.Render(json));
 
         Assert.That(refusal.Message, Does.Contain(reason));
     }

@@ -1,6 +1,6 @@
 import type { FigureData, Verdict } from './figures/data';
 
-/** Data of the report, as passed to `ReportPage.Render`. A section that is null or missing was not measured. */
+/** Data of the report, as passed to `Pages.Report.Render`. A section that is null or missing was not measured. */
 export interface Report {
   title?: string;
   subtitle?: string;

@@ -38,7 +38,7 @@ function executable() {
   return found;
 }
 
-/** Inserts the data into a page, as ReportPage.Render and FiguresPage.Render do. */
+/** Inserts the data into a page, as Pages.Report.Render and Pages.Figures.Render do. */
 export function render(data, name = 'report') {
   return read(name).replace('__REPORT_DATA__', () => JSON.stringify(data).replaceAll('<', '\\u003c'));
 }

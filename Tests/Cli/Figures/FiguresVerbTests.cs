@@ -52,7 +52,7 @@ public partial class FiguresVerbTests
         }
         var page = File.ReadAllText(Path.Combine(_plain, "figures.html"));
         Assert.That(page, Does.Contain("recomputed").And.Not.Contain("__REPORT_DATA__"));
-        Assert.That(page.Contains("\"missing\":[]", StringComparison.Ordinal) || !Nowpose.Web.FiguresPage.HasPlots);
+        Assert.That(page.Contains("\"missing\":[]", StringComparison.Ordinal) || !Nowpose.Web.Pages.Figures.HasPlots);
     }
 
     [Test]

@@ -20,7 +20,7 @@ public sealed class SecurityHeaderTests : IDisposable
     [TestCase("/pair")]
     public async Task Page_Served_AllowsOnlyItsOwnScript(string path)
     {
-        Needs.BuiltByNode(OperationsPage.Html != null);
+        Needs.BuiltByNode(Pages.Operations != null);
         using var folder = new TemporaryFolder();
         var headsets = new Nowpose.Gateway.Pairing.HeadsetList(Path.Combine(folder.Path, "headsets.txt"));
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Headsets = headsets });
@@ -43,7 +43,7 @@ public sealed class SecurityHeaderTests : IDisposable
     [TestCase("/nowhere", HttpStatusCode.Unauthorized)]
     public async Task Answer_WithAnyStatus_ForbidsSniffingAndFraming(string path, HttpStatusCode status)
     {
-        Needs.BuiltByNode(OperationsPage.Html != null);
+        Needs.BuiltByNode(Pages.Operations != null);
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
 
         using var answer = await GetAsync(gateway, path);
@@ -58,9 +58,9 @@ public sealed class SecurityHeaderTests : IDisposable
     [Test]
     public void Pages_OpenedFromDisk_AllowOnlyTheirOwnScript()
     {
-        Needs.BuiltByNode(ReportPage.HasPlots);
+        Needs.BuiltByNode(Pages.Report.HasPlots);
 
-        foreach (var page in new[] { ReportPage.Render("{}"), FiguresPage.Render("{}"), CalibrationPage.Render("{}") })
+        foreach (var page in new[] { Pages.Report.Render("{}"), Pages.Figures.Render("{}"), Pages.Calibration.Render("{}") })
         {
             var policy = Regex.Match(page, "http-equiv=\"Content-Security-Policy\"\\s+content=\"([^\"]*)\"").Groups[1].Value;
             // Style attributes are allowed, because the data of these pages contain drawings with style attributes.

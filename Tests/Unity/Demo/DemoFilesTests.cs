@@ -38,7 +38,7 @@ public class DemoFilesTests
         Assert.That(output, Does.Contain("report.html").And.Contain("uncompensated"));
         AssertFields(JsonDocument.Parse(Written("result.json")).RootElement);
         Assert.That(Written("report.html"), Does.Contain(DemoTexts.ReportTitle("youbot")));
-        if (Nowpose.Web.ReportPage.HasPlots) AssertPlayback(Written("report.html"));
+        if (Nowpose.Web.Pages.Report.HasPlots) AssertPlayback(Written("report.html"));
     }
 
     [TestCase(false)]

@@ -1,7 +1,7 @@
 import type { Fact, Value } from '../data';
 import type { PlotData } from '../figures/data';
 
-/** Data of the page, as passed to `CalibrationPage.Render`. */
+/** Data of the page, as passed to `Pages.Calibration.Render`. */
 export interface CalibrationData {
   title: string;
   /** Result in one sentence. */

@@ -1,7 +1,7 @@
 import type { Fact, Value } from '../data';
 import type { Mark, Quantity } from '../linePlot';
 
-/** Data of the page, as passed to `FiguresPage.Render`. */
+/** Data of the page, as passed to `Pages.Figures.Render`. */
 export interface FiguresData {
   title: string;
   subtitle: string;
