@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Text.Json;
 using Nowpose.Cli.Figures;
 
 namespace Nowpose.Cli.Calibrate;
@@ -7,16 +6,14 @@ namespace Nowpose.Cli.Calibrate;
 /// <summary>Creates the JSON that calibration.html reads. <c>Web/src/calibration/data.ts</c> declares its fields.</summary>
 static class CalibrationJson
 {
-    static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
-
-    public static string Of(CalibrationPageData page) => JsonSerializer.Serialize(new
+    public static string Of(CalibrationPageData page) => JsonText.Of(new
     {
         page.Title,
         page.Result,
         page.Warnings,
         Facts = page.Facts.Append(["Evaluated", DateTime.UtcNow.ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture) + " UTC"]),
         Sections = page.Sections.Select(Of),
-    }, Options);
+    }, isIndented: false);
 
     static object Of(CalibrationSection section) => new
     {

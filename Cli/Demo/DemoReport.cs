@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Text.Json;
 using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
@@ -14,13 +13,12 @@ static class DemoReport
     const double SlowestShare = 0.05;
 
     static readonly double[] IsoErrorsMm = [5, 10, 25, 50, 100, 200];
-    static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
 
     /// <param name="figures">The paper's figures from this run; null without <c>--paper</c>.</param>
     public static string Of(DemoScore score, DemoRun run, DemoResult result, IReadOnlyList<Figure> figures = null)
     {
         var start = run.Frames.Rows.Count > 0 ? run.Frames.Rows[0].TrueLight : default;
-        return JsonSerializer.Serialize(new
+        return JsonText.Of(new
         {
             Title = DemoTexts.ReportTitle(run.Settings.Robot.Name),
             Subtitle = string.Join(' ', [DemoTexts.Subtitle, .. (result.Notes ?? []).Select(note => DemoTexts.Note(note) + ".")]),
@@ -39,7 +37,7 @@ static class DemoReport
             }),
             Figures = figures?.Select(FiguresJson.Of),
             Playback = new DemoPlayback(score, run, start).Instants(),
-        }, Options);
+        }, isIndented: false);
     }
 
     static string[][] Settings(DemoSettings s) =>

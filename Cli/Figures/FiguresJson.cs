@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Reflection;
-using System.Text.Json;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
 
@@ -9,8 +8,6 @@ namespace Nowpose.Cli.Figures;
 /// <summary>Writes the data of figures.html. <c>Web/src/figures/data.ts</c> declares their fields.</summary>
 static class FiguresJson
 {
-    static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
-
     public static string Of(IReadOnlyList<Figure> figures, FigureSettings settings) => Of(FigurePageTexts.Title,
         FigurePageTexts.Subtitle,
         Conditions(settings), FigureSet.Numbers.Except(figures.Select(f => f.Number)), figures);
@@ -18,14 +15,14 @@ static class FiguresJson
     /// <param name="conditions">Pairs of name and value.</param>
     /// <param name="missing">Numbers of the figures that were not computed.</param>
     public static string Of(string title, string subtitle, string[][] conditions, IEnumerable<string> missing, IReadOnlyList<Figure> figures) =>
-        JsonSerializer.Serialize(new
+        JsonText.Of(new
         {
             Title = title,
             Subtitle = subtitle,
             Conditions = conditions,
             Missing = missing,
             Figures = figures.Select(Of),
-        }, Options);
+        }, isIndented: false);
 
     static string[][] Conditions(FigureSettings settings) =>
     [
