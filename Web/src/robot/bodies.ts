@@ -1,5 +1,5 @@
 import {
-  type Box3,
+  Box3,
   type BufferAttribute,
   BufferGeometry,
   Float32BufferAttribute,
@@ -12,6 +12,7 @@ import {
   Vector3,
 } from 'three';
 import { colour, type Ink } from '../theme';
+import { MAX_DISTANCE_M } from './camera';
 import type { Pose } from './tracks';
 import { isDrawn, linkOf, movingJoints, paint, readUrdf, type Robot, setJoints, showKnown, toolPosition } from './urdf';
 
@@ -111,9 +112,14 @@ export class Bodies {
     return isDrawn(this.robots[part].tool);
   }
 
-  /** Extends a box so that it contains the visible copies. */
+  /** Extends a box so that it contains the visible copies. Leaves out a copy that is too far away, for example after positions in mm. */
   addTo(box: Box3): void {
-    for (const part of Object.keys(PARTS) as Part[]) if (this.isShown(part)) box.expandByObject(this.robots[part].root);
+    for (const part of Object.keys(PARTS) as Part[]) {
+      if (!this.isShown(part)) continue;
+      const own = new Box3().setFromObject(this.robots[part].root);
+      // Not true for sizes in a description that are not finite.
+      if (Math.max(own.min.length(), own.max.length()) <= MAX_DISTANCE_M) box.union(own);
+    }
   }
 
   /** Returns the pose of a link in the world; null if the link does not exist or is not drawn. */

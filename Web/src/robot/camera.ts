@@ -3,12 +3,27 @@ import { Box3, PerspectiveCamera, Vector3 } from 'three';
 const STEP = Math.PI / 36;
 const STEEPEST = 1.5;
 const CLOSEST_M = 0.1;
+
+/** Margin around the drawn objects, relative to their size. */
+const ROOM = 0.03;
+
+/** Maximum distance from the world's origin of what the camera includes, m: an object at a wrong position must not hide the cell. */
+export const MAX_DISTANCE_M = 100;
+
+/** Minimum distance of the far plane, m, and its ratio to the distance of the near plane. */
+const MIN_FAR_M = 100;
+const FAR_TO_NEAR = 10_000;
+
+/** Box that is visible before the first object. */
+const INITIAL = new Box3(new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 1));
+
 const START = { azimuth: -0.9, elevation: 0.4, zoom: 1 };
 
 /** A camera that orbits the robot. Mouse, touch and keyboard control it. z points up. */
 export class OrbitCamera {
-  readonly camera = new PerspectiveCamera(35, 1, 0.01, 100);
-  private readonly framed = new Box3(new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 1));
+  readonly camera = new PerspectiveCamera(35, 1);
+  /** Box that must be visible from every direction. */
+  private readonly framed = new Box3();
   private look = { ...START };
   private readonly fingers = new Map<number, PointerEvent>();
 
@@ -37,14 +52,23 @@ export class OrbitCamera {
     element.addEventListener('dblclick', () => this.reset());
   }
 
-  /** Sets the box that must be visible from every direction. */
-  frame(box: Box3): void {
-    this.framed.copy(box);
+  /** Moves the camera back until a box is visible, too. The boxes of earlier calls stay visible. */
+  include(box: Box3): void {
+    if (this.framed.containsBox(box)) return;
+    // Adds a margin. Otherwise, the camera would move in each picture of a motion.
+    this.framed.union(box.clone().expandByScalar(ROOM * box.getSize(new Vector3()).length()));
     this.place();
   }
 
+  /** Releases the boxes of earlier calls, so that the camera may come closer. */
+  release(): void {
+    this.framed.makeEmpty();
+  }
+
+  /** Returns to the first direction, and to a distance at which the boxes of later calls are visible. */
   reset(): void {
     this.look = { ...START };
+    this.release();
     this.place();
   }
 
@@ -92,19 +116,21 @@ export class OrbitCamera {
   private place(): void {
     const { azimuth, elevation, zoom } = this.look;
     const { camera } = this;
-    const centre = this.framed.getCenter(new Vector3());
+    const box = this.framed.isEmpty() ? INITIAL : this.framed;
+    const centre = box.getCenter(new Vector3());
     camera.position.set(Math.cos(azimuth) * Math.cos(elevation), Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation)).add(centre);
     camera.lookAt(centre);
-    const { x, y, z } = this.fitted(centre);
+    const { x, y, z } = this.fitted(box, centre);
     camera.position.copy(new Vector3(x, y, zoom * z).applyQuaternion(camera.quaternion).add(centre));
+    camera.far = Math.max(MIN_FAR_M, zoom * z + box.getSize(new Vector3()).length());
+    camera.near = camera.far / FAR_TO_NEAR;
     camera.updateProjectionMatrix();
     this.changed();
   }
 
   // Returns the camera's position relative to the centre, in the camera's axes, at which all corners of the box are visible and centred.
-  private fitted(centre: Vector3): Vector3 {
+  private fitted({ min, max }: Box3, centre: Vector3): Vector3 {
     const turned = this.camera.quaternion.clone().invert();
-    const { min, max } = this.framed;
     const corners = [min.x, max.x].flatMap(x => [min.y, max.y].flatMap(y => [min.z, max.z].map(z => new Vector3(x, y, z))));
     for (const corner of corners) corner.sub(centre).applyQuaternion(turned);
     const high = Math.tan((this.camera.fov * Math.PI) / 360);

@@ -1,5 +1,6 @@
 import { AxesHelper, type Box3, Group, LineBasicMaterial, Matrix4, Quaternion, Vector3 } from 'three';
 import { frameStates } from '../messages/robot';
+import { MAX_DISTANCE_M } from './camera';
 import type { Label } from './labels';
 import { Track } from './track';
 
@@ -21,9 +22,6 @@ const SILENT_S = 3;
 
 /** Length of the stored history, s: more than the delay of the display and the time by which a stamp may be in the future. */
 const KEEP_S = 2;
-
-/** Maximum distance from the world's origin of a frame that the camera includes, m: a frame at a wrong position must not hide the cell. */
-const MAX_DISTANCE = 100;
 
 const ONE = new Vector3(1, 1, 1);
 
@@ -135,7 +133,7 @@ export class Frames {
   }
 
   addTo(box: Box3): void {
-    for (const { axes } of this.frames.values()) if (axes.visible && axes.position.length() <= MAX_DISTANCE) box.expandByObject(axes);
+    for (const { axes } of this.frames.values()) if (axes.visible && axes.position.length() <= MAX_DISTANCE_M) box.expandByObject(axes);
   }
 
   private add({ header, child_frame_id, transform }: Transform, isStationary: boolean): void {

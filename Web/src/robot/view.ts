@@ -1,4 +1,4 @@
-import { AmbientLight, Box3, Color, DirectionalLight, GridHelper, type Group, type Mesh, Scene, Vector3, WebGLRenderer } from 'three';
+import { AmbientLight, Box3, Color, DirectionalLight, GridHelper, type Group, type Mesh, Scene, WebGLRenderer } from 'three';
 import { el } from '../dom';
 import { robotLabels, robotMessages } from '../messages/robot';
 import { colour, onColoursChanged } from '../theme';
@@ -7,9 +7,6 @@ import { OrbitCamera } from './camera';
 import { type Label, Labels } from './labels';
 
 const HEIGHT = 380;
-
-/** Margin around the drawn objects, relative to their size. */
-const ROOM = 0.03;
 
 /** Changes of a pose below this value, in m or rad, are not visible. */
 const TOLERANCE = 1e-6;
@@ -36,8 +33,6 @@ export class RobotView {
   private readonly renderer: WebGLRenderer | null;
   private readonly orbit: OrbitCamera | null = null;
   private readonly canvas: HTMLCanvasElement;
-  /** Box that contains everything drawn so far. */
-  private readonly seen = new Box3();
   /** What the last picture shows. */
   private drawn: (number | string | null)[] = [];
   private isAsked = false;
@@ -89,9 +84,7 @@ export class RobotView {
 
   /** Replaces the robot. If the URDF is invalid, shows a message and no robot. */
   describe(urdf: string): void {
-    if (this.bodiesShown) this.scene.remove(this.bodiesShown.group);
-    this.bodiesShown?.dispose();
-    this.bodiesShown = null;
+    this.clear();
     try {
       this.bodiesShown = new Bodies(urdf);
     } catch (fault) {
@@ -100,8 +93,16 @@ export class RobotView {
     }
     this.scene.add(this.bodiesShown.group);
     const { meshes } = this.bodiesShown.robots.truth;
-    if (this.renderer) this.say(meshes > 0 ? robotMessages.meshesReplaced(meshes) : '');
-    this.seen.makeEmpty();
+    if (this.renderer && meshes > 0) this.say(robotMessages.meshesReplaced(meshes));
+  }
+
+  /** Removes the robot. */
+  clear(): void {
+    if (this.bodiesShown) this.scene.remove(this.bodiesShown.group);
+    this.bodiesShown?.dispose();
+    this.bodiesShown = null;
+    if (this.renderer) this.say('');
+    this.orbit?.release();
     this.ask();
   }
 
@@ -162,12 +163,7 @@ export class RobotView {
     const box = new Box3();
     this.bodiesShown?.addTo(box);
     for (const others of this.others) others.addTo(box);
-    const size = box.getSize(new Vector3()).length();
-    // The description can contain sizes that are not finite.
-    if (box.isEmpty() || !Number.isFinite(size) || this.seen.containsBox(box)) return;
-    // Adds a margin. Otherwise, the camera would move in each picture of a motion.
-    this.seen.union(box.expandByScalar(ROOM * size));
-    this.orbit!.frame(this.seen);
+    if (!box.isEmpty()) this.orbit!.include(box);
   }
 
   private recolour(): void {

@@ -1,0 +1,42 @@
+// Tests that the camera of the 3D view shows all objects, also after objects at wrong positions.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { buildSync } from 'esbuild';
+import { Box3, Vector3 } from 'three';
+
+const { outputFiles } = buildSync({ entryPoints: [new URL('../src/robot/camera.ts', import.meta.url).pathname], bundle: true, write: false, format: 'esm' });
+const { OrbitCamera } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString('base64')}`);
+
+/** A cube with the given edge length around the origin. */
+const cube = edge => new Box3().setFromCenterAndSize(new Vector3(), new Vector3(edge, edge, edge));
+const opened = () => new OrbitCamera({ addEventListener() {} }, () => {});
+
+describe('the camera', () => {
+  for (const edge of [0.2, 2, 60, 200]) it(`shows a cell of ${edge} m completely in a narrow window`, () => {
+    const orbit = opened();
+    orbit.setAspect(0.5);
+
+    orbit.include(cube(edge));
+
+    orbit.camera.updateMatrixWorld();
+    const { min, max } = cube(edge);
+    for (const x of [min.x, max.x]) for (const y of [min.y, max.y]) for (const z of [min.z, max.z]) {
+      const at = new Vector3(x, y, z).project(orbit.camera);
+      assert.ok([at.x, at.y, at.z].every(part => Math.abs(part) <= 1), `${[x, y, z]} at ${at.toArray()}`);
+    }
+  });
+
+  it('comes back to the present objects when it is reset', () => {
+    const orbit = opened();
+    orbit.include(cube(1));
+    const before = orbit.camera.position.length();
+
+    orbit.include(cube(50));
+    orbit.include(cube(1));
+    assert.ok(orbit.camera.position.length() > 10 * before, 'the larger cube stays visible');
+    orbit.reset();
+    orbit.include(cube(1));
+
+    assert.equal(orbit.camera.position.length(), before);
+  });
+});
