@@ -74,8 +74,10 @@ export class FakeGateway {
   posts = [];
   recordings = [{ name: 'press-1.jsonl', bytes: 2_500_000, changed_utc: '2026-11-20T12:00:00.000Z' }];
   connects = 0;
-  /** Queue lengths that the page requested, by topic; 0 for the gateway's default. */
-  queues = new Map();
+  /** Subscriptions of the page, by topic. */
+  subscriptions = new Map();
+  /** Whether the gateway refuses WebSockets, like one with too many connections. */
+  isFull = false;
   /** Speed factor of the joints' swing; 0 for a robot at rest. */
   pace = 1;
   /** Positions about which the joints swing. */
@@ -109,7 +111,7 @@ export class FakeGateway {
   get now() { return 1000 + (Date.now() - this.began) / 1000; }
 
   state = {
-    cell: 'Press 3', host: 'cell-pc', version: '0.2.0', status: { level: 'ok', text: '5 joints live, 2 headsets' }, uptime_s: 12, control_time_s: 1012,
+    cell: 'Press 3', host: 'cell-pc', version: '0.2.0', status: { level: 'ok', text: '5 joints live, 2 headsets' }, uptime_s: 12,
     clock: { source: 'press', state: 'synchronised', estimated_error_us: 35, error_bound_us: 120, skew_ppm: 3.1, rtt_ms: 1.2, resolution_us: 1000, steps: 0 },
     plant_clocks: [
       { name: 'press', connected: true, is_control_clock: true, state: 'synchronised', offset_to_control_ms: 0, skew_ppm: 0, rtt_ms: 1.2, estimated_error_us: 35, error_bound_us: 120, resolution_us: 1000, exchanges: 60, failures: 0 },
@@ -194,7 +196,7 @@ export class FakeGateway {
     if (this.token && !request.headers.cookie?.includes('nowpose=abc'))
       return reply(401, "the bearer token is missing or unknown; send a token of the gateway's token file, or pair again");
     if (this.isSilent) return request.destroy();
-    if (path === '/operations/state') return reply(200, this.state);
+    if (path === '/operations/state') return reply(200, { ...this.state, control_time_s: this.now });
     if (path === '/operations/recordings') return reply(200, this.recordings);
     if (path.startsWith('/operations/recordings/')) return reply(200, 'a recording');
     if (path.startsWith('/operations/events')) return reply(200, 'id,kind');
@@ -213,6 +215,7 @@ export class FakeGateway {
 
   upgrade(request, socket) {
     this.connects++;
+    if (this.isFull) return socket.end('HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\n\r\n');
     const accept = createHash('sha1').update(request.headers['sec-websocket-key'] + '258EAFA5-E914-47DA-95CA-C5AB0DC85B11').digest('base64');
     if (this.token && !request.headers.cookie?.includes('nowpose=abc')) return socket.end('HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n');
     socket.write(`HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Accept: ${accept}\r\n\r\n`);
@@ -222,11 +225,11 @@ export class FakeGateway {
     socket.on('error', () => socket.destroy());
   }
 
-  hear(socket, { op, topic, queue_length }) {
+  hear(socket, { op, topic, ...options }) {
     if (op === 'unsubscribe') return this.sockets.get(socket).delete(topic);
     if (op !== 'subscribe') throw new Error(`the page ${op}s`);
     this.sockets.get(socket).add(topic);
-    this.queues.set(topic, queue_length);
+    this.subscriptions.set(topic, options);
     if (this.urdf && topic.endsWith('/robot_description')) socket.write(frame(JSON.stringify({ op: 'publish', topic, msg: { data: this.urdf } })));
     if (topic !== '/tf_static') return;
     for (const name of this.stationary) socket.write(frame(transforms(0, [[this.parents[name] ?? 'world', name, [0.3, 0, 0]]], topic)));

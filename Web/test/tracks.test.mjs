@@ -19,7 +19,7 @@ describe('joints published in overlapping sets', () => {
 
     assert.deepEqual(at(tracks.at(3.5)), { a: 3.5, b: 35 });
     assert.deepEqual(at(tracks.heldAt(3.5)), { a: 3, b: 30 });
-    assert.equal(tracks.last, 4);
+    assert.deepEqual([tracks.endBefore(4), tracks.endBefore(4.1)], [false, true]);
   });
 
   it('are interpolated between their own samples', () => {
@@ -29,7 +29,9 @@ describe('joints published in overlapping sets', () => {
     tracks.add(2, ['b', 'a'], [9, 3]);
 
     assert.deepEqual(at(tracks.at(1.5)), { a: 2, b: 5 });
-    assert.deepEqual(at(tracks.at(9)), { a: 3, b: 9 }, 'a joint without a newer sample keeps its position');
+    assert.deepEqual(at(tracks.at(3.7)), { a: 3, b: 9 }, 'a joint without a newer sample keeps its position for a while');
+    assert.equal(tracks.at(3.9), null);
+    assert.equal(tracks.heldAt(3.9), null);
     assert.equal(tracks.at(0.5), null);
   });
 
@@ -86,6 +88,10 @@ describe('joints published in overlapping sets', () => {
 
     assert.deepEqual(at(tracks.at(10.5)), { a: 1, c: 1 }, 'c has the same position before and after the gap');
     assert.deepEqual(at(tracks.at(11)), { a: 2, b: 2, c: 1 });
+    assert.deepEqual(at(tracks.at(60)), { a: 2 }, 'after the last sample, too');
+    assert.ok(tracks.endBefore(12));
+    rests.add('b').add('c');
+    assert.ok(!tracks.endBefore(12), 'joints at rest need no newer samples');
   });
 
   it('follow a source whose clock was set back', () => {
@@ -97,7 +103,7 @@ describe('joints published in overlapping sets', () => {
     tracks.add(5, ['a'], [7]);
 
     assert.deepEqual(at(tracks.at(5)), { a: 7 });
-    assert.equal(tracks.last, 5);
+    assert.ok(tracks.endBefore(5.1));
   });
 
   it('ignore missing positions', () => {

@@ -24,6 +24,10 @@ export const robotMessages = {
     `Lines replace ${count} ${count === 1 ? 'part' : 'parts'} of the robot, because meshes are not part of this page.`,
   noDescription: 'No robot description has arrived.',
   late: 'Joint positions arrive too late for a comparison.',
+  /** @param time Time at which the connection was lost. */
+  noConnection: (time: string) =>
+    `This page has had no connection for joint positions since ${time}, so no robot is drawn. The page connects again by itself. `
+    + 'If it does not, look for an alarm about the maximum number of connections, and check the network.',
   baseUnknown: 'The robot is not drawn, because the pose of its base is not known.',
   noHeadset: 'No headset is shown.',
   toolUnknown: 'The position of the tool is not known, because the position of a joint is not known.',

@@ -118,6 +118,7 @@ function show(state: State): void {
   robot.choose(chosen);
   budget.show(shown);
   plots.add(performance.now() / 1000, state, chosen);
+  if (state.control_time_s != null) robot.setTime(state.control_time_s);
   plants.show(state);
   cell.show(state);
   recorder.show(state);

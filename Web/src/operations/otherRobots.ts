@@ -21,13 +21,11 @@ export class OtherRobots implements Beside {
 
   /**
    * @param keepS Length of the stored history, s.
-   * @param sampled Called with the time stamp of each sample.
    * @param isAtRest Returns whether a joint of the cell is at rest.
    */
   constructor(
     private readonly link: Rosbridge,
     private readonly keepS: number,
-    private readonly sampled: (stamp: number) => void,
     private readonly isAtRest: (joint: string) => boolean,
   ) {}
 
@@ -59,9 +57,12 @@ export class OtherRobots implements Beside {
     return this.robots.get(name) ?? { bodies: null, tracks: new JointTracks(this.keepS) };
   }
 
-  /** Removes all joint positions, so that no robot is drawn. */
+  /** Removes the descriptions and joint positions of all robots. */
   clear(): void {
-    for (const { tracks } of this.robots.values()) tracks.clear();
+    for (const robot of this.robots.values()) {
+      this.removeBodies(robot);
+      robot.tracks.clear();
+    }
   }
 
   addTo(box: Box3): void {
@@ -79,11 +80,9 @@ export class OtherRobots implements Beside {
     this.link.subscribe(description, 'std_msgs/msg/String', text => this.describe(robot, text));
     const take = (text: string) => {
       const state = readJointState(text);
-      if (!state) return;
-      this.sampled(state.stamp);
-      robot.tracks.add(state.stamp, state.names, state.positions);
+      if (state) robot.tracks.add(state.stamp, state.names, state.positions);
     };
-    this.link.subscribe(states, JOINT_STATE, take, 20, 8);
+    this.link.subscribe(states, JOINT_STATE, take);
   }
 
   private remove(name: string | undefined): void {

@@ -10,6 +10,7 @@ import { LiveClock } from './liveClock';
 import { OtherRobots } from './otherRobots';
 import { JOINT_STATE, readJointState, type Rosbridge } from './rosbridge';
 import { type CellFrame, type Headset, type Joint, namespaceOf, numberOf } from './state';
+import { localTime } from './times';
 
 /**
  * BEHIND_S: age of the displayed state, in seconds. After this time, the following samples and the headset's report have arrived. KEEP_S: length of
@@ -37,11 +38,10 @@ export class RobotPanel {
   private readonly objects = el('p', { class: 'level warning', hidden: true });
   private readonly truth = new JointTracks(KEEP_S, joint => this.rests.has(joint));
   private readonly displayed = new JointTracks(KEEP_S);
-  /** Namespace of the robot that the selected headset displays; empty for the robot without a namespace. */
-  private displayedRobot = '';
+  /** Namespace of the robot in the reports of the selected headset, empty for the robot without a namespace; null before the first report. */
+  private reportedRobot: string | null = null;
   private readonly clock = new LiveClock();
-  private readonly sampled = (stamp: number) => this.clock.add(stamp, seconds());
-  private readonly frames = new Frames(this.sampled);
+  private readonly frames = new Frames();
   private readonly others: OtherRobots;
   private headset: Headset | null = null;
   /** Joints of the gateway's newest list whose position is current. */
@@ -50,30 +50,38 @@ export class RobotPanel {
   private rests = new Set<string>();
   /** State of each other joint of this list. */
   private faults = new Map<string, string>();
+  /** Namespaces of the robots with joints in this list. */
+  private robots = new Set<string>();
   private shownAt = 0;
   private drawn = 0;
 
-  constructor(link: Rosbridge, isCalm: boolean) {
+  constructor(
+    private readonly link: Rosbridge,
+    isCalm: boolean,
+  ) {
     this.element = el('div', {}, this.words, this.unknown, this.objects, this.view.element);
     link.subscribe('/robot_description', 'std_msgs/msg/String', text => this.describe(text));
-    // A throttle interval of 20 ms is short enough for a smooth motion. The queue holds several messages, because arm and gripper are often published
-    // separately.
-    link.subscribe('/joint_states', JOINT_STATE, text => this.sample(text), 20, 8);
+    link.subscribe('/joint_states', JOINT_STATE, text => this.sample(text));
     link.subscribe('/tf', TRANSFORMS, text => this.frames.take(text, false));
     link.subscribe('/tf_static', TRANSFORMS, text => this.frames.take(text, true));
     this.view.add(this.frames);
-    this.others = new OtherRobots(link, KEEP_S, this.sampled, joint => this.rests.has(joint));
+    this.others = new OtherRobots(link, KEEP_S, joint => this.rests.has(joint));
     this.view.add(this.others);
     // Has room for a message of each headset, because all headsets publish on this topic.
-    link.subscribe('/nowpose/displayed', JOINT_STATE, text => this.shown(text), 0, 256);
+    link.subscribe('/nowpose/displayed', JOINT_STATE, text => this.shown(text), 256);
     link.onOpen(() => this.clear());
     if (isCalm) setInterval(() => this.draw(), 1000);
     else this.animate();
   }
 
+  /** @param control Current control time of the gateway, s. */
+  setTime(control: number): void {
+    this.clock.add(control, seconds());
+  }
+
   /** Selects the headset whose displayed pose is drawn over the robot. */
   choose(headset: Headset | null): void {
-    if (headset?.name !== this.headset?.name) this.setDisplayedRobot('');
+    if (headset?.name !== this.headset?.name) this.setReportedRobot(null);
     this.headset = headset;
   }
 
@@ -86,6 +94,7 @@ export class RobotPanel {
     this.current = new Set(joints.filter(isGood).map(joint => joint.name));
     this.rests = new Set(joints.filter(joint => joint.state === 'rest').map(joint => joint.name));
     this.faults = new Map(joints.filter(joint => !this.current.has(joint.name)).map(joint => [joint.name, joint.state]));
+    this.robots = new Set(joints.map(joint => namespaceOf(joint.name)));
     this.others.setJoints(joints.map(joint => joint.name));
   }
 
@@ -96,13 +105,18 @@ export class RobotPanel {
 
   // Removes everything received on an earlier connection. The gateway may have restarted without some robots and objects; it sends the others again.
   private clear(): void {
-    for (const part of [this.truth, this.frames, this.others]) part.clear();
-    this.setDisplayedRobot('');
+    for (const part of [this.view, this.truth, this.frames, this.others]) part.clear();
+    this.setReportedRobot(null);
   }
 
-  private setDisplayedRobot(robot: string): void {
+  private setReportedRobot(robot: string | null): void {
     this.displayed.clear();
-    this.displayedRobot = robot;
+    this.reportedRobot = robot;
+  }
+
+  /** Namespace of the robot that the selected headset displays; null while it is not known. */
+  private get displayedRobot(): string | null {
+    return this.reportedRobot ?? (this.robots.size === 1 ? [...this.robots][0] : null);
   }
 
   private describe(text: string): void {
@@ -112,9 +126,7 @@ export class RobotPanel {
 
   private sample(text: string): void {
     const state = readJointState(text);
-    if (!state) return;
-    this.sampled(state.stamp);
-    this.truth.add(state.stamp, state.names, state.positions);
+    if (state) this.truth.add(state.stamp, state.names, state.positions);
   }
 
   private shown(text: string): void {
@@ -122,7 +134,7 @@ export class RobotPanel {
     const state = readJointState(text);
     if (state?.frame !== this.headset.name) return;
     const robot = namespaceOf(state.names[0] ?? '');
-    if (robot !== this.displayedRobot) this.setDisplayedRobot(robot);
+    if (robot !== this.reportedRobot) this.setReportedRobot(robot);
     const names = robot === '' ? state.names : state.names.map(name => name.slice(robot.length + 1));
     this.displayed.add(state.stamp, names, state.positions);
   }
@@ -138,16 +150,15 @@ export class RobotPanel {
 
   private draw(): void {
     this.drawn = performance.now();
-    // Before the first time stamp, draws the stationary objects, whose poses apply to all times.
+    // Before the first response, draws the stationary objects, whose poses apply to all times.
     const time = (this.clock.at(seconds()) ?? -Infinity) - BEHIND_S;
     const linkOf = this.pose(time);
     this.frames.pose(time, linkOf);
-    const { bodies } = this.view;
     if (performance.now() - this.shownAt >= NUMBERS_MS) {
       this.shownAt = performance.now();
-      if (bodies) this.showUnknown(bodies.joints, new Set(this.truth.at(time)?.names));
+      this.showUnknown(time);
       this.showNotDrawn();
-      this.showDistances(time);
+      setText(this.words, this.distances(time));
     }
     this.view.askIfChanged();
   }
@@ -182,21 +193,27 @@ export class RobotPanel {
 
   /** @param truth True positions of the robot. */
   private posesOf(robot: string, truth: JointTracks, time: number): Poses {
+    // Without the connection, the newest positions that have arrived are not the robot's present ones.
+    if (this.link.closedAt) return { truth: null, displayed: null, hold: null };
     const isDisplayed = robot === this.displayedRobot;
     return { truth: truth.at(time), displayed: isDisplayed ? this.recent(time) : null, hold: isDisplayed ? this.held(truth, time) : null };
   }
 
-  // Names the joints without a current position. A joint that is drawn at 0 or at its last position could be mistaken for the truth.
-  private showUnknown(all: string[], received: Set<string>): void {
-    const reasons = all
+  // Names what makes the drawing incomplete: the lost connection, or the joints without a current position. A joint that is drawn at 0 or at its last
+  // position could be mistaken for the truth.
+  private showUnknown(time: number): void {
+    const received = new Set(this.truth.at(time)?.names);
+    const reasons = (this.view.bodies?.joints ?? [])
       .filter(joint => !received.has(joint) || !this.current.has(joint))
       .map(joint => {
         if (!received.has(joint)) return this.truth.has(joint) ? jointReasons.noData(joint) : jointReasons.notReceived(joint);
         const state = this.faults.get(joint);
         return state === undefined ? jointReasons.notPublished(joint) : jointReasons.inState(joint, state);
       });
-    this.unknown.hidden = reasons.length === 0;
-    setText(this.unknown, reasons.length === 0 ? '' : robotMessages.linksNotDrawn(reasons));
+    const { closedAt } = this.link;
+    const text = closedAt ? robotMessages.noConnection(localTime(closedAt)) : reasons.length === 0 ? '' : robotMessages.linksNotDrawn(reasons);
+    this.unknown.hidden = text === '';
+    setText(this.unknown, text);
   }
 
   private showNotDrawn(): void {
@@ -207,8 +224,7 @@ export class RobotPanel {
 
   // Returns the displayed pose; null if the headset has not reported recently.
   private recent(time: number) {
-    const { last } = this.displayed;
-    return last === undefined || last < time - 0.5 ? null : this.displayed.at(time);
+    return this.displayed.endBefore(time - 0.5) ? null : this.displayed.at(time);
   }
 
   // Returns the newest samples that had arrived at that time, computed from the latencies that the headset measured.
@@ -217,19 +233,23 @@ export class RobotPanel {
     return !late || late[0] == null || late[1] == null ? null : truth.heldAt(time - (late[0] + late[1]) / 1000);
   }
 
-  // Shows the distances of the robot that the headset displays, or the reason why they are not known.
-  private showDistances(time: number): void {
+  // Returns the distances of the robot that the headset displays as text, or the reason why they are not known.
+  private distances(time: number): string {
     const name = this.headset?.name;
-    const { bodies, tracks } = this.find(this.displayedRobot);
-    if (this.view.bodies && !this.view.bodies.group.visible) setText(this.words, robotMessages.baseUnknown);
-    else if (!bodies) {
-      if (name && this.displayedRobot !== '') setText(this.words, robotMessages.displaysUnknown(name, this.displayedRobot));
-      else if (this.others.isAnyShown) setText(this.words, name ? robotMessages.toolError(name, null, null) : robotMessages.noHeadset);
-    } else if (!bodies.group.visible) setText(this.words, robotMessages.baseUnknown);
+    const robot = this.displayedRobot;
+    const { bodies, tracks } = robot === null ? { bodies: null, tracks: this.truth } : this.find(robot);
+    if (this.link.closedAt) return '';
+    if (this.view.bodies && !this.view.bodies.group.visible) return robotMessages.baseUnknown;
+    if (!bodies) {
+      if (name && robot) return robotMessages.displaysUnknown(name, robot);
+      if (robot !== null || (!this.view.bodies && !this.others.isAnyShown)) return robotMessages.noDescription;
+      return name ? robotMessages.toolError(name, null, null) : robotMessages.noHeadset;
+    }
+    if (!bodies.group.visible) return robotMessages.baseUnknown;
     // After the last sample, the true position is not known.
-    else if ((tracks.last ?? Infinity) < time) setText(this.words, robotMessages.late);
-    else if (!name) setText(this.words, robotMessages.noHeadset);
-    else if (!bodies.isToolDrawn('truth')) setText(this.words, robotMessages.toolUnknown);
-    else setText(this.words, robotMessages.toolError(name, bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth')));
+    if (tracks.endBefore(time)) return robotMessages.late;
+    if (!name) return robotMessages.noHeadset;
+    if (!bodies.isToolDrawn('truth')) return robotMessages.toolUnknown;
+    return robotMessages.toolError(name, bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth'));
   }
 }

@@ -13,7 +13,6 @@ interface JointState {
 
 interface Topic {
   type: string;
-  throttleMs: number;
   queue: number;
   take: (text: string) => void;
 }
@@ -26,13 +25,19 @@ export class Rosbridge {
   private timer = 0;
   private isWanted = false;
   private opened = () => {};
+  private closed: Date | null = null;
+
+  /** Time at which the connection was lost, or refused for the first time; null while it is open and before the first attempt has ended. */
+  get closedAt(): Date | null {
+    return this.closed;
+  }
 
   /**
    * @param take Receives each message as text, so that unneeded messages are not parsed.
    * @param queue Maximum number of messages that wait in the gateway; 0 for the gateway's default, which depends on the topic.
    */
-  subscribe(topic: string, type: string, take: (text: string) => void, throttleMs = 0, queue = 0): void {
-    this.topics.set(topic, { type, take, throttleMs, queue });
+  subscribe(topic: string, type: string, take: (text: string) => void, queue = 0): void {
+    this.topics.set(topic, { type, take, queue });
     if (this.socket?.readyState === WebSocket.OPEN) this.ask(this.socket, topic);
   }
 
@@ -66,6 +71,7 @@ export class Rosbridge {
     const socket = (this.socket = new WebSocket(location.origin.replace(/^http/, 'ws') + '/'));
     socket.addEventListener('open', () => {
       this.wait = FIRST_WAIT_MS;
+      this.closed = null;
       this.opened();
       for (const topic of this.topics.keys()) this.ask(socket, topic);
     });
@@ -74,6 +80,7 @@ export class Rosbridge {
     });
     socket.addEventListener('close', () => {
       this.socket = null;
+      this.closed ??= new Date();
       if (!this.isWanted) return;
       this.timer = window.setTimeout(() => this.connect(), this.wait);
       this.wait = Math.min(MAX_WAIT_MS, 2 * this.wait);
@@ -81,8 +88,9 @@ export class Rosbridge {
   }
 
   private ask(socket: WebSocket, topic: string): void {
-    const { type, throttleMs, queue } = this.topics.get(topic)!;
-    socket.send(JSON.stringify({ op: 'subscribe', topic, type, throttle_rate: throttleMs, queue_length: queue }));
+    const { type, queue } = this.topics.get(topic)!;
+    // Without a throttle rate, because the publishers of a topic would share it: one of them could suppress the others.
+    socket.send(JSON.stringify({ op: 'subscribe', topic, type, queue_length: queue }));
   }
 
   // Reads only the topic, because most messages are not needed.

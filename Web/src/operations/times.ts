@@ -1,5 +1,5 @@
-/** Converts a UTC time to local time as text. Includes the date unless it is today. */
-export function localTime(utc: string): string {
+/** Converts a time, or a UTC time as text, to local time as text. Includes the date unless it is today. */
+export function localTime(utc: string | Date): string {
   const time = new Date(utc);
   const clock = time.toLocaleTimeString('en-GB');
   return time.toDateString() === new Date().toDateString()

@@ -68,9 +68,6 @@ export class Frames {
   /** Frames of the gateway; null before the first list. */
   private listed: FrameStates | null = null;
 
-  /** @param sampled Called with the time stamp of each pose of a moving frame. */
-  constructor(private readonly sampled: (stamp: number) => void = () => {}) {}
-
   /** @param text A message on /tf or /tf_static. An invalid message is ignored. */
   take(text: string, isStationary: boolean): void {
     let transforms: Transform[];
@@ -147,7 +144,7 @@ export class Frames {
       frame.samples.clear();
       this.frames.delete(child_frame_id);
       this.frames.set(child_frame_id, frame);
-    } else this.sampled(time);
+    }
     frame.samples.add(time, { parent: header.frame_id, position, rotation, isStationary });
   }
 

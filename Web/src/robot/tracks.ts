@@ -31,11 +31,10 @@ export class JointTracks {
     private readonly isAtRest: (joint: string) => boolean = () => false,
   ) {}
 
-  /** Time of the newest sample of any joint. */
-  get last(): number | undefined {
-    let last: number | undefined;
-    for (const track of this.tracks.values()) if (last === undefined || track.last! > last) last = track.last;
-    return last;
+  /** Whether the samples of all joints end before a time, except those of joints at rest. False without samples. */
+  endBefore(time: number): boolean {
+    const moving = [...this.tracks].filter(([name]) => !this.isAtRest(name));
+    return moving.length > 0 && moving.every(([, track]) => track.last! < time);
   }
 
   add(time: number, names: string[], positions: ArrayLike<number>): void {
@@ -58,9 +57,9 @@ export class JointTracks {
   }
 
   /**
-   * Interpolates between samples. After its last sample, a joint keeps its position, because the gateway reports when it is no longer current. Without
-   * the joints that have no data at this time: before their first sample, and in a gap between two samples with different positions. Null if no joint
-   * has data.
+   * Interpolates between samples. After its last sample, a joint keeps its position while it is at rest, otherwise for as long as a gap between two
+   * samples may last. Without the joints that have no data at this time: before their first sample, in a longer gap between two samples with different
+   * positions, and later after their last sample. Null if no joint has data.
    */
   at(time: number): Pose | null {
     return this.pose(time, ({ from, to, share }) => from + share * (to - from));
@@ -88,6 +87,7 @@ export class JointTracks {
     for (const [name, track] of this.tracks) {
       const place = track.at(time);
       if (!place || (time > place.fromTime && place.toTime - place.fromTime > MAX_GAP && place.from !== place.to)) continue;
+      if (time - place.toTime > MAX_GAP && !this.isAtRest(name)) continue;
       pose.names.push(name);
       pose.positions.push(of(place));
     }

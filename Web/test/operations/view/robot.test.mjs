@@ -133,6 +133,68 @@ describe('the robot', () => {
     await becomes(page, '.apart', robotMessages.late);
   });
 
+  it('is compared although no new positions arrive if all of its joints are at rest', async () => {
+    Object.assign(gateway, { pace: 0, turned: 0 });
+    const page = await open();
+    await showsToolError(page);
+
+    for (const joint of gateway.state.joints) joint.state = 'rest';
+    await nextState(page);
+    gateway.sets = [null];
+    gateway.turned = 0.1;
+    // The comparison is half a second late, so the distance of the new pose is computed for a time at which no joint has a newer sample.
+    await showsToolError(page, 40);
+
+    for (const joint of gateway.state.joints) joint.state = 'live';
+    await becomes(page, '.apart', robotMessages.late);
+  });
+
+  it('is not drawn while the page has no connection for joint positions', async () => {
+    const page = await open({ reducedMotion: 'reduce' });
+    await showsToolError(page);
+
+    gateway.isFull = true;
+    gateway.hangUp();
+    await becomes(page, '#robot .level', robotMessages.noConnection('').split('since')[0]);
+    assert.match(await page.textContent('#robot .level'), /since \d\d:\d\d:\d\d,/);
+    assert.equal(await drawn(() => bodiesDrawn(page), bodies => bodies === 1), 1, 'only the floor');
+    assert.equal(await page.textContent('.apart'), '');
+
+    gateway.isFull = false;
+    await showsToolError(page);
+    assert.doesNotMatch(await page.locator('#robot .level').first().textContent(), /connection/);
+  });
+
+  it('is removed if the gateway restarts without it', async () => {
+    gateway.robots = ['arm2'];
+    gateway.state.joints.push(...JOINTS.map(joint => ({ ...gateway.state.joints[0], name: `arm2/${joint}` })));
+    const page = await open();
+    await showsToolError(page);
+
+    gateway.urdf = null;
+    gateway.robots = [];
+    gateway.turned = null;
+    gateway.state.joints = [];
+    gateway.hangUp();
+
+    await becomes(page, '.apart', robotMessages.noDescription);
+    assert.ok(await page.locator('#robot .level').first().isHidden());
+  });
+
+  it('is visible again after a position that was far too large', async () => {
+    gateway.urdf = gateway.urdf.replace('<joint name="arm_joint_1" type="revolute">', '<joint name="arm_joint_1" type="prismatic">');
+    Object.assign(gateway, { pace: 0, turned: null, rest: [1500, ...UPRIGHT.slice(1)] });
+    delete gateway.state.headsets[0].l_app_ms;
+    const page = await open(PICTURES);
+    await becomes(page, '.apart', robotMessages.toolError('left door', null, null));
+    await bodiesDrawn(page);
+
+    gateway.rest = [0, ...UPRIGHT.slice(1)];
+    const { grey } = await picture(page, page.locator('.stage'), counts => counts.grey > 2500);
+
+    assert.ok(grey > 2500, `${grey} pixels`);
+  });
+
   it('is drawn three times, each in its own colour, and stays completely visible when it moves', async () => {
     gateway.turned = 1;
     const page = await open(PICTURES);
@@ -236,10 +298,14 @@ describe('the robot', () => {
 });
 
 describe('the robot without WebGL', () => {
-  it('leaves the queue lengths of poses of objects to the gateway, whose default has room for all objects', async () => {
+  it('leaves the queue lengths of poses to the gateway, whose default has room for all objects, and requests no throttle rate', async () => {
+    gateway.robots = ['arm2'];
+    gateway.state.joints.push({ ...gateway.state.joints[0], name: 'arm2/elbow' });
     await showsToolError(await open());
 
-    assert.deepEqual(['/tf', '/tf_static'].map(topic => gateway.queues.get(topic)), [0, 0]);
+    const topics = ['/tf', '/tf_static', '/joint_states', '/arm2/joint_states'];
+    const asked = topics.map(topic => [gateway.subscriptions.get(topic).queue_length, gateway.subscriptions.get(topic).throttle_rate]);
+    assert.deepEqual(asked, topics.map(() => [0, undefined]));
   });
 
   it('needs no animation frames', async () => {

@@ -61,6 +61,17 @@ describe('a robot', () => {
     assert.deepEqual(page.complaints, []);
   });
 
+  it('is not compared while it is not known which of several robots the headset displays', async () => {
+    gateway.turned = null;
+    const page = await open();
+    await page.waitForFunction(() => /compensation/.test(document.querySelector('.apart').textContent));
+
+    gateway.robots = ['arm2'];
+    for (const joint of JOINTS) gateway.state.joints.push({ ...gateway.state.joints[0], name: `arm2/${joint}` });
+
+    await becomes(page, '.apart', robotMessages.toolError('left door', null, null));
+  });
+
   it('in a namespace is compared with the pose that the headset displays of it', async () => {
     gateway.robots = ['arm2'];
     for (const joint of JOINTS) gateway.state.joints.push({ ...gateway.state.joints[0], name: `arm2/${joint}` });
