@@ -16,6 +16,7 @@ export const LOOKS = {
   truth: { ink: '--truth', width: 5, dash: [] },
   hold: { ink: '--hold', width: 1.5, dash: [5, 3] },
   compensated: { ink: '--compensated', width: 2, dash: [] },
+  roundTrip: { ink: '--quadratic', width: 2, dash: [8, 4] },
   holdPoints: { ink: '--hold', width: 1.5, dash: [], mark: 'hollow' },
   compensatedPoints: { ink: '--compensated', width: 1.5, dash: [], mark: 'filled' },
   bound: { ink: '--muted', width: 1, dash: [2, 3] },

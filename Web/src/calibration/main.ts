@@ -2,10 +2,10 @@ import 'uplot/dist/uPlot.min.css';
 import '../report.css';
 import '../figures/figures.css';
 import './calibration.css';
-import { el } from '../dom';
-import { citation, credit, plotBlock, plotHint } from '../plotBlock';
+import { byId, el } from '../dom';
+import { citation, credit, plotHint } from '../plotBlock';
 import { calibrationLabels, creditMessages } from '../messages/report';
-import { plotOf } from '../figures/plots';
+import { plotBlocks } from '../figures/plots';
 import { dataTable } from '../figures/tables';
 import { text } from '../figures/text';
 import { factTable } from '../tables';
@@ -28,16 +28,12 @@ function page(data: CalibrationData): Node[] {
 
 function section({ heading, source, words, plots, table }: SectionData, index: number): HTMLElement {
   const id = `section-${index + 1}`;
-  const blocks = plots.map(plot => {
-    const block = plotBlock(plotOf(plot, heading, plots.length > 1));
-    return plots.length > 1 ? el('div', { class: 'titled' }, el('h3', {}, plot.title), block) : block;
-  });
   return el(
     'section',
     { 'aria-labelledby': id },
     el('h2', { id }, heading),
     el('p', {}, ...text(words), ' ', source ? citation(source) : null),
-    ...blocks,
+    ...plotBlocks(plots, heading),
     table ? el('details', {}, el('summary', {}, calibrationLabels.numbers), dataTable(heading, table)) : null,
   );
 }

@@ -1,5 +1,6 @@
 import { operatingPlot } from '../fieldPlot';
-import type { Plot } from '../plotBlock';
+import { el } from '../dom';
+import { type Plot, plotBlock } from '../plotBlock';
 import { linePlot } from '../linePlot';
 import { plotValueLabels } from '../messages/plots';
 import { format, statistics } from '../numbers';
@@ -9,8 +10,16 @@ import { lookOf, pointsOf } from './looks';
 const LINES = 300;
 const ONE_OF_SEVERAL = 220;
 
-/** @param figure Name of the figure. The plot's description for screen readers begins with it. */
-export function plotOf(plot: PlotData, figure: string, isOneOfSeveral: boolean): Plot {
+/**
+ * Creates the plots of a figure, each with its title if there are several.
+ * @param figure Name of the figure. The descriptions for screen readers begin with it.
+ */
+export function plotBlocks(plots: PlotData[], figure: string): HTMLElement[] {
+  if (plots.length === 1) return [plotBlock(plotOf(plots[0], figure, false))];
+  return plots.map(plot => el('div', { class: 'titled' }, el('h3', {}, plot.title), plotBlock(plotOf(plot, figure, true))));
+}
+
+function plotOf(plot: PlotData, figure: string, isOneOfSeveral: boolean): Plot {
   const description = `${figure}, ${plot.title}: ${inWords(plot)}`;
   if (plot.iso_mm) return operatingPlot(plot.traces.map(pathOf), plot.iso_mm, description);
   return linePlot({

@@ -1,8 +1,7 @@
 import { el } from '../dom';
-import { plotBlock } from '../plotBlock';
 import { figuresLabels, PAPER, paperLabels } from '../messages/report';
 import type { DrawingData, FigureData } from './data';
-import { plotOf } from './plots';
+import { plotBlocks } from './plots';
 import { dataTable, textTable } from './tables';
 import { text } from './text';
 import { badge, criteria } from './verdict';
@@ -17,7 +16,7 @@ export function figureSection(figure: FigureData): HTMLElement {
   const heading = `${id}-heading`;
   const name = paperLabels.figure(figure.number);
   const pictures = [
-    ...figure.plots.map(plot => titled(plot.title, figure.plots.length > 1, plotBlock(plotOf(plot, name, figure.plots.length > 1)))),
+    ...plotBlocks(figure.plots, name),
     figure.drawings.length > 0 ? el('div', { class: 'drawings' }, ...figure.drawings.map(drawing)) : null,
   ];
   return el(
@@ -43,10 +42,6 @@ export function figureSection(figure: FigureData): HTMLElement {
     el('p', { class: 'conditions' }, ...text(figure.conditions)),
     el('details', {}, el('summary', {}, figuresLabels.dataFile(figure.file)), dataTable(figuresLabels.dataOf(name), figure.table)),
   );
-}
-
-function titled(title: string, isShown: boolean, block: HTMLElement): HTMLElement {
-  return isShown ? el('div', { class: 'titled' }, el('h3', {}, title), block) : block;
 }
 
 function drawing({ title, description, svg }: DrawingData): HTMLElement {

@@ -3,9 +3,7 @@ import { emptyMessages, operationsLabels } from '../messages/operations';
 import { captionLabels, columnLabels } from '../messages/terms';
 import { LiveTable } from './liveTable';
 import { type CellFrame, type Signal, type State } from './state';
-import { localTime } from './times';
-
-const seconds = (age: number | null | undefined) => (age == null ? '–' : age < 10 ? `${age.toFixed(1)}\u00a0s` : `${Math.round(age)}\u00a0s`);
+import { lengthWords, localTime } from './times';
 
 const FAULTS = ['refused', 'fault', 'missing'];
 
@@ -24,7 +22,7 @@ export class Cell {
     [
       { label: columnLabels.state, cell: frame => frame.state, level: frame => levelOf(frame.state) },
       { label: columnLabels.parent, cell: frame => frame.parent ?? '–' },
-      { label: columnLabels.age, cell: frame => seconds(frame.age_s), isNumber: true },
+      { label: columnLabels.age, cell: frame => lengthWords(frame.age_s), isNumber: true },
       { label: columnLabels.source, cell: frame => frame.source },
     ],
     frame => frame.name,
@@ -38,7 +36,7 @@ export class Cell {
     [
       { label: columnLabels.state, cell: signal => signal.state, level: signal => levelOf(signal.state) },
       { label: columnLabels.value, cell: signal => (signal.value == null ? '–' : String(signal.value)), isNumber: true },
-      { label: columnLabels.valueFor, cell: signal => seconds(signal.age_s), isNumber: true },
+      { label: columnLabels.valueFor, cell: signal => lengthWords(signal.age_s), isNumber: true },
       { label: columnLabels.source, cell: signal => signal.source },
     ],
     signal => signal.name,

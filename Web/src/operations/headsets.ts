@@ -6,6 +6,7 @@ import { format } from '../numbers';
 import { LiveTable } from './liveTable';
 import { type Headset, isSilent, numberOf, textOf } from './state';
 import { stateWords } from './stateWords';
+import { lengthWords } from './times';
 
 const number = (label: string, key: string, digits = (v: number) => v) => ({
   label,
@@ -73,7 +74,7 @@ export class Headsets {
 }
 
 function stateOf(headset: Headset): string {
-  return isSilent(headset) ? stateLabels.silent(`${Math.round(headset.seen_s_ago)} s`) : withError(headset, 'state') || stateLabels.notKnown;
+  return isSilent(headset) ? stateLabels.silent(lengthWords(headset.seen_s_ago)) : withError(headset, 'state') || stateLabels.notKnown;
 }
 
 /** Returns the state of the clock or of the pose as text. For a coarse clock, adds the error that the headset reports. */

@@ -1,5 +1,5 @@
-import { byId } from '../pairing/elements';
-import { ask } from './state';
+import { byId } from '../dom';
+import { ask } from '../gateway';
 
 // Key that records a login in this browser, because scripts cannot read the cookie.
 const REMEMBERED = 'nowpose-logged-in';
@@ -29,7 +29,7 @@ export class Login {
   }
 
   private async logIn(changed: () => void): Promise<void> {
-    const answer = await ask<{ role: string }>('login', { token: this.token.value });
+    const answer = await ask<{ role: string }>('/operations/login', { token: this.token.value });
     const trouble = 'trouble' in answer ? answer.trouble : '';
     byId('login-fault').textContent = trouble;
     if (trouble) return this.token.select();
@@ -39,7 +39,7 @@ export class Login {
   }
 
   private async logOut(changed: () => void): Promise<void> {
-    await ask('logout', {});
+    await ask('/operations/logout', {});
     this.remember(false);
     changed();
   }

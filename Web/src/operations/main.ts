@@ -1,9 +1,11 @@
 import 'uplot/dist/uPlot.min.css';
 import '../report.css';
 import './operations.css';
+import { byId } from '../dom';
+import { ask } from '../gateway';
 import { operationsLabels, operationsMessages } from '../messages/operations';
 import { stateLabels } from '../messages/states';
-import { byId } from '../pairing/elements';
+import { listTerms } from '../terms';
 import { Budget } from './budget';
 import { Cell } from './cell';
 import { Events } from './events';
@@ -18,7 +20,7 @@ import { Recorder } from './recorder';
 import { Recordings } from './recordings';
 import { RobotPanel } from './robotPanel';
 import { Rosbridge } from './rosbridge';
-import { ask, type State, withoutOld } from './state';
+import { type State, withoutOld } from './state';
 
 /** Polling interval. With half a second, the page shows a repair of the plant within two seconds in the worst case of all intervals. */
 const POLL_MS = 500;
@@ -70,7 +72,7 @@ let asked = 0;
 
 async function read(): Promise<void> {
   const own = ++asked;
-  const answer = await ask<State>('state');
+  const answer = await ask<State>('/operations/state');
   // A newer request was sent in the meantime, for example after a login, so this response is obsolete.
   if (own !== asked) return;
   isRefused = 'trouble' in answer && answer.status === 401;

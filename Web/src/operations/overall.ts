@@ -1,7 +1,6 @@
-import { el } from '../dom';
+import { byId, el } from '../dom';
 import { operationsLabels, operationsMessages } from '../messages/operations';
 import { levelLabels } from '../messages/states';
-import { byId } from '../pairing/elements';
 import { setText } from './liveTable';
 import type { Level, State, StatusEvent } from './state';
 import { localTime } from './times';

@@ -1,5 +1,5 @@
+import { byId } from '../dom';
 import { pairingLabels } from '../messages/codes';
-import { byId } from '../pairing/elements';
 import { startToken } from '../pairing/token';
 
 /** Shows the pairing code only on request. The code is secret, and anyone who sees the screen could use it. */

@@ -4,12 +4,9 @@ import { clockLabels, stateLabels } from '../messages/states';
 import { captionLabels, columnLabels } from '../messages/terms';
 import { format } from '../numbers';
 import { LiveTable } from './liveTable';
-import { type Joint, numberOf, type PlantClock, type Source, type State, textOf, type Words } from './state';
+import { isSilent, type Joint, numberOf, type PlantClock, type Source, type State, textOf, type Words } from './state';
 import { stateWords } from './stateWords';
 import { lengthWords, localTime } from './times';
-
-/** Time without a report after which an adapter counts as silent. Adapters report once per second. */
-const SILENT_S = 3;
 
 const KEY = '\u0000';
 
@@ -32,8 +29,8 @@ export class Plants {
       word(columnLabels.kind, 'kind'),
       {
         label: columnLabels.state,
-        cell: a => (a.seen_s_ago > SILENT_S ? stateLabels.silent(lengthWords(a.seen_s_ago)) : textOf(a, 'state') || stateLabels.notKnown),
-        level: a => (a.seen_s_ago <= SILENT_S && textOf(a, 'state') === 'connected' ? 'ok' : 'error'),
+        cell: a => (isSilent(a) ? stateLabels.silent(lengthWords(a.seen_s_ago)) : textOf(a, 'state') || stateLabels.notKnown),
+        level: a => (!isSilent(a) && textOf(a, 'state') === 'connected' ? 'ok' : 'error'),
       },
       word(columnLabels.endpoint, 'endpoint'),
       word(columnLabels.security, 'security'),
@@ -59,7 +56,7 @@ export class Plants {
       },
       { label: columnLabels.since, cell: j => localTime(j.since_utc) },
       { label: columnLabels.rate, isNumber: true, cell: j => format(j.rate_hz) },
-      { label: columnLabels.age, isNumber: true, cell: j => (j.age_s == null ? '–' : lengthWords(j.age_s)) },
+      { label: columnLabels.age, isNumber: true, cell: j => lengthWords(j.age_s) },
     ],
     j => j.name + KEY + j.source,
     emptyMessages.joints,

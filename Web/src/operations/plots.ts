@@ -5,15 +5,13 @@ import { LOOKS } from '../traces';
 import { LivePlot } from './livePlot';
 import { type Headset, numberOf, type State } from './state';
 
-const DASHED = { ink: '--quadratic', width: 2, dash: [8, 4] } as const;
-
 /** Plots the selected headset and the plant over the last two minutes. */
 export class Plots {
   readonly element: HTMLElement;
   private readonly latency = new LivePlot(livePlotDescriptions.latency, axisLabels.latency, 'ms', [
     { label: traceLabels.applicationLatency, look: LOOKS.compensated },
     { label: traceLabels.visualisationLatency, look: LOOKS.hold },
-    { label: traceLabels.roundTrip, look: { ...DASHED, dash: [8, 4] } },
+    { label: traceLabels.roundTrip, look: LOOKS.roundTrip },
   ]);
   private readonly clock = new LivePlot(livePlotDescriptions.clock, axisLabels.clockBound, 'µs', [
     { label: traceLabels.shownHeadset, look: LOOKS.compensated },

@@ -1,8 +1,9 @@
+import { byId } from '../dom';
+import { ask } from '../gateway';
 import { operationsMessages, recorderLabels } from '../messages/operations';
 import { format } from '../numbers';
-import { byId } from '../pairing/elements';
 import { setText } from './liveTable';
-import { ask, type Recording, type State } from './state';
+import type { Recording, State } from './state';
 
 /** Starts and stops the recorder, and shows its state. */
 export class Recorder {
@@ -28,7 +29,7 @@ export class Recorder {
 
   private async turn(changed: () => void): Promise<void> {
     this.button.disabled = true;
-    const answer = await ask<Recording>('recording', { on: String(!this.isOn) });
+    const answer = await ask<Recording>('/operations/recording', { on: String(!this.isOn) });
     setText(byId('record-fault'), 'trouble' in answer ? answer.trouble : '');
     changed();
   }

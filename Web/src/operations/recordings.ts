@@ -1,10 +1,10 @@
-import { el } from '../dom';
+import { byId, el } from '../dom';
+import { ask } from '../gateway';
 import { emptyMessages, operationsMessages, recorderLabels } from '../messages/operations';
 import { captionLabels, columnLabels } from '../messages/terms';
 import { format } from '../numbers';
-import { byId } from '../pairing/elements';
 import { LiveTable, setText } from './liveTable';
-import { ask, type State, type StatusEvent, type StoredRecording } from './state';
+import type { State, StatusEvent, StoredRecording } from './state';
 import { localTime } from './times';
 
 const POLL_MS = 5000;
@@ -51,7 +51,7 @@ export class Recordings {
   }
 
   private async read(): Promise<void> {
-    const answer = await ask<StoredRecording[]>('recordings');
+    const answer = await ask<StoredRecording[]>('/operations/recordings');
     this.trouble = 'trouble' in answer ? operationsMessages.notListed(answer.trouble) : '';
     if ('trouble' in answer) return;
     this.listed = new Set(answer.value.map(file => file.name));

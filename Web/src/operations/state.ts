@@ -1,5 +1,3 @@
-import { gatewayReasons } from '../messages/gateway';
-
 /** Response to a request for /operations/state. The value of a field that is missing or null is unknown. The names of numbers contain their units. */
 export interface State {
   cell?: string | null;
@@ -144,37 +142,13 @@ export interface Recording {
   deleted?: boolean;
 }
 
-/** Time without a report after which the values of a headset count as outdated. */
+/** Time without a report after which the values of a headset or an adapter count as outdated. Both report once per second. */
 const SILENT_S = 3;
 
 export const isSilent = ({ seen_s_ago: ago }: Words): boolean => ago > SILENT_S;
 
 /** Removes the values of a silent headset, because its last values would look current. */
 export const withoutOld = (headset: Headset): Headset => (isSilent(headset) ? { name: headset.name, seen_s_ago: headset.seen_s_ago } : headset);
-
-/** Response of the gateway, or the reason why it did not respond. */
-export type Answer<T> = { value: T } | { trouble: string; status: number };
-
-const PATIENCE_MS = 4000;
-
-/** Sends a request to the gateway that serves this page. */
-export async function ask<T>(path: string, fields?: Record<string, string>): Promise<Answer<T>> {
-  const patience = new AbortController();
-  const timer = setTimeout(() => patience.abort(), PATIENCE_MS);
-  try {
-    const response = await fetch(`/operations/${path}`, {
-      cache: 'no-store',
-      signal: patience.signal,
-      ...(fields ? { method: 'POST', body: JSON.stringify(fields), headers: { 'Content-Type': 'application/json' } } : {}),
-    });
-    if (response.ok) return { value: (await response.json()) as T };
-    return { trouble: (await response.text()).trim(), status: response.status };
-  } catch {
-    return { trouble: gatewayReasons.noAnswer, status: 0 };
-  } finally {
-    clearTimeout(timer);
-  }
-}
 
 /** Returns a value of the diagnostics; null if it is missing or not a finite number. */
 export function numberOf(words: Words, key: string): number | null {

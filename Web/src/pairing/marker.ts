@@ -1,8 +1,18 @@
-import { el } from '../dom';
+import { byId, el } from '../dom';
+import { ask } from '../gateway';
 import { pairingLabels, pairingReasons } from '../messages/codes';
 import { draw, setEdge } from './drawing';
-import { byId } from './elements';
-import { ask, type Beginning, type Marker } from './gateway';
+
+interface Beginning {
+  name: string;
+  hosts: string[];
+  has_pin: boolean;
+}
+
+interface Marker {
+  text?: string;
+  fault?: string;
+}
 
 /** Time after the last keystroke until the code is updated. */
 const PAUSE_MS = 250;
@@ -31,7 +41,7 @@ export async function startMarker(): Promise<void> {
     event.preventDefault();
     void make().then(isMade => isMade && window.print());
   });
-  const beginning = await ask<Beginning>('cell', { begin: '' });
+  const beginning = await ask<Beginning>('/pair/cell', { begin: '' });
   if ('trouble' in beginning) {
     fail(beginning.trouble);
     return;
@@ -49,7 +59,7 @@ async function make(): Promise<boolean> {
     .filter(isEmpty)
     .map(input => input.dataset.offset);
   if (offset() !== '' && empty.length > 0) return fail(pairingReasons.poseIncomplete(empty.join(', ')));
-  const answer = await ask<Marker>('cell', { name: field('name'), host: field('host'), offset: offset(), size_mm: field('size') });
+  const answer = await ask<Marker>('/pair/cell', { name: field('name'), host: field('host'), offset: offset(), size_mm: field('size') });
   // The user has changed the form since this request.
   if (own !== newest) return false;
   if ('trouble' in answer) return fail(answer.trouble);

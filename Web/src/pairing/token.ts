@@ -1,7 +1,14 @@
+import { byId } from '../dom';
+import { ask } from '../gateway';
 import { pairingLabels } from '../messages/codes';
-import { byId } from './elements';
 import { draw } from './drawing';
-import { ask, type Answer, type ShownCode } from './gateway';
+
+interface ShownCode {
+  text: string;
+  left_s: number;
+  /** Part of the gateway's key that the headset shows when it asks the wearer for consent; empty without encryption. */
+  key: string;
+}
 
 /** Polling interval. It is also the maximum delay before the next code appears after a headset has used one. */
 const POLL_MS = 2000;
@@ -35,7 +42,7 @@ async function poll(end: AbortSignal): Promise<void> {
 }
 
 async function show(fields: Record<string, string>, end: AbortSignal): Promise<void> {
-  const answer: Answer<ShownCode> = await ask('code', fields);
+  const answer = await ask<ShownCode>('/pair/code', fields);
   // The code was hidden while the request was pending, so it must not appear.
   if (end.aborted) return;
   if ('trouble' in answer) trouble = answer.trouble;

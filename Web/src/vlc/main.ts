@@ -1,17 +1,17 @@
 import './vlc.css';
 import { controlCells, PERIOD_MS, SIDE } from './code';
+import { byId } from '../dom';
 import { clockCodeLabels, clockCodeMessages, clockCodeReasons } from '../messages/codes';
 import { Exchanges } from './exchanges';
 import { Monitor } from './monitor';
 
 const NS_PER_MS = 1_000_000n;
-const get = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
-const canvas = get<HTMLCanvasElement>('code');
-const warning = get('warning');
-const time = get('time');
-const facts = get('facts');
-const form = get<HTMLFormElement>('token');
+const canvas = byId<HTMLCanvasElement>('code');
+const warning = byId('warning');
+const time = byId('time');
+const facts = byId('facts');
+const form = byId<HTMLFormElement>('token');
 const input = form.querySelector('input')!;
 const light = canvas.getContext('2d', { alpha: false })!;
 const monitor = new Monitor();

@@ -69,7 +69,7 @@ describe('the shown state', () => {
     assert.ok(left[10].startsWith(`${stateLabels.inRange}, 11`), left[10]);
     assert.deepEqual(left.slice(11), ['900', '1']);
     const unknown = Array(8).fill('–');
-    assert.deepEqual(right, [stateLabels.silent('8 s'), stateLabels.notKnown, ...unknown, stateLabels.notKnown, '–', '–'], 'a silent headset has no values');
+    assert.deepEqual(right, [stateLabels.silent('8\u00a0s'), stateLabels.notKnown, ...unknown, stateLabels.notKnown, '–', '–'], 'a silent headset has no values');
     assert.equal(await page.locator('#budget tr:has-text("right door")').count(), 0);
     gateway.state.headsets[1].seen_s_ago = 0.3;
     await page.waitForFunction(() => document.querySelector('#budget').textContent.includes('right door'));
@@ -97,7 +97,7 @@ describe('the shown state', () => {
   it('contains the objects and signals of the cell with their states', async () => {
     const page = await open();
     const state = { ...gateway.state };
-    assert.deepEqual(await cells(page, 'workpiece_1'), ['live', 'tool_centre_point', '0.1\u00a0s', 'gateway']);
+    assert.deepEqual(await cells(page, 'workpiece_1'), ['live', 'tool_centre_point', '80\u00a0ms', 'gateway']);
     assert.deepEqual(await cells(page, 'fixture'), ['stationary', 'world', '–', 'gateway']);
     assert.deepEqual(await cells(page, 'gripper_closed'), ['live', '1', '2.4\u00a0s', 'gateway']);
 
@@ -124,7 +124,7 @@ describe('the shown state', () => {
     gateway.state.signals = [{ name: 'grip', value: 1, source: 'plc', state: 'ended', age_s: 3, reason: 'its source plc has ended', since_utc: since }];
 
     await page.locator('#cell-objects .level.warning').nth(1).waitFor();
-    assert.deepEqual(await cells(page, 'orph'), ['orphan', 'nowhere', '0.1\u00a0s', 'rosbridge 10.0.0.7']);
+    assert.deepEqual(await cells(page, 'orph'), ['orphan', 'nowhere', '100\u00a0ms', 'rosbridge 10.0.0.7']);
     const notes = await page.locator('#cell-objects .note:visible').allInnerTexts();
     assert.deepEqual(notes.map(note => note.replace(/\d.*$/, '')), ['no source publishes its parent nowhere – since ', 'its source plc has ended – since ']);
   });
