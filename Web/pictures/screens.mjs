@@ -30,7 +30,7 @@ export function setState(gateway) {
   const reason = 'refused: the router does not know this machine';
   const since = seconds => new Date(NOW - 1000 * seconds).toISOString();
   for (const joint of gateway.state.joints) joint.since_utc = since(3600);
-  gateway.state.status = { level: 'error', text: `adapter belt is not connected: ${reason} (and 1 more)` };
+  gateway.state.status = { level: 'error', text: `adapter belt is not connected: ${reason} (and 1 more)`, since_utc: since(95) };
   gateway.state.events = [
     { id: 3, kind: 'headset', which: 'right door', what: 'is lost', reason: '', level: 'warning', since_utc: since(8) },
     { id: 2, kind: 'adapter', which: 'belt', what: 'is not connected', reason, level: 'error', since_utc: since(95) },

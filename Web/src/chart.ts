@@ -56,11 +56,13 @@ export class Chart {
 
   /** Shows new data over a range of x. If the user has zoomed, keeps the zoomed range. */
   show(data: uPlot.AlignedData, x: [number, number]): void {
-    const isFull = this.range('x').every((end, i) => end === this.full.x[i]);
+    const shown = this.range('x');
+    const [min, max] = shown.every((end, i) => end === this.full.x[i]) ? x : shown;
     this.full.x = x;
     this.plot.batch(() => {
       this.plot.setData(data, false);
-      if (isFull) this.plot.setScale('x', { min: x[0], max: x[1] });
+      // Also fits the vertical axis.
+      this.plot.setScale('x', { min, max });
     });
   }
 

@@ -3,7 +3,7 @@ import './report.css';
 import './figures/figures.css';
 import './robot/robot.css';
 import { hasPoints, readReport, type Report, type SummaryRow } from './data';
-import { el } from './dom';
+import { byId, el } from './dom';
 import { credit, plotHint } from './plotBlock';
 import { plotMessages } from './messages/plots';
 import { creditMessages, reportLabels, reportMessages } from './messages/report';
@@ -15,6 +15,7 @@ import { Playhead } from './playhead';
 import { rangeSection } from './rangeSection';
 import { clockSection, errorSection, fieldSection, jointSection, latencySection } from './sections';
 import { factTable, reductionOf, summaryTable } from './tables';
+import { listTerms } from './terms';
 
 function headline(rows: SummaryRow[]): HTMLElement {
   const row = rows.find(r => reductionOf(r) != null);
@@ -80,4 +81,5 @@ function page(report: Report): Node[] {
 
 const report = readReport();
 document.title = report.title || reportLabels.title;
-document.getElementById('page')!.replaceChildren(...page(report));
+byId('page').replaceChildren(...page(report));
+listTerms(byId('page'));

@@ -73,7 +73,7 @@ describe('the calibration page', () => {
 
   it('cites the figure and keeps the numbers in a table', async () => {
     assert.match((await texts(complete, 'main section'))[1], /Schnierle & Röck 2022, Fig\. 11a/);
-    await complete.locator('summary').click();
+    await complete.locator('section summary').click();
     assert.deepEqual(await texts(complete, 'details tbody td'), ['40', '41', '–']);
   });
 

@@ -9,6 +9,7 @@ import { plotBlocks } from '../figures/plots';
 import { dataTable } from '../figures/tables';
 import { text } from '../figures/text';
 import { factTable } from '../tables';
+import { listTerms } from '../terms';
 import { type CalibrationData, readCalibration, type SectionData } from './data';
 
 function page(data: CalibrationData): Node[] {
@@ -40,4 +41,5 @@ function section({ heading, source, words, plots, table }: SectionData, index: n
 
 const data = readCalibration();
 document.title = calibrationLabels.title(data.title);
-document.getElementById('page')!.replaceChildren(...page(data));
+byId('page').replaceChildren(...page(data));
+listTerms(byId('page'));

@@ -1,11 +1,12 @@
 import 'uplot/dist/uPlot.min.css';
 import '../report.css';
 import './figures.css';
-import { el } from '../dom';
+import { byId, el } from '../dom';
 import { credit, plotHint } from '../plotBlock';
 import { creditMessages, figuresLabels, figuresMessages, paperLabels } from '../messages/report';
 import { tableLabels } from '../messages/tables';
 import { factTable } from '../tables';
+import { listTerms } from '../terms';
 import { contents } from './contents';
 import { type FiguresData, readFigures } from './data';
 import { figureSection } from './section';
@@ -41,6 +42,7 @@ function page(data: FiguresData): Node[] {
 
 const data = readFigures();
 document.title = data.title;
-document.getElementById('page')!.replaceChildren(...page(data));
+byId('page').replaceChildren(...page(data));
+listTerms(byId('page'));
 // Scrolls to the section in the fragment of the address. The sections did not exist yet when the browser tried this.
 document.getElementById(location.hash.slice(1))?.scrollIntoView();

@@ -20,7 +20,7 @@ export const operationsMessages = {
   /** @param shownAt Time of the data that the page still shows; empty if it shows none. */
   noNewState: (reason: string, shownAt: string) => (shownAt === '' ? ended(reason) : `${ended(reason)} The data shown are from ${shownAt}.`),
   beyondLimits: (joints: string[]) =>
-    `Outside the limits of the robot description, and drawn at the limit: ${joints.join(', ')}. `
+    `Outside the limits of the robot description: ${joints.join(', ')}. Headsets draw these joints at the limit. `
     + 'Check that the description belongs to this robot, and that the source sends rad and m, not degrees and mm.',
   noFolder: 'This gateway has no folder for recordings: start it with --recordings FOLDER.',
   recordAsOperator: "To start or stop the recorder, log in with an operator's token.",
@@ -34,7 +34,12 @@ export const operationsLabels = {
   host: (host: string) => `host ${host}`,
   gateway: (version: string) => `Nowpose gateway ${version}`,
   product: (version: string) => `Nowpose ${version}`,
+  timesIn: (zone: string) => `times in ${zone}`,
+  level: (level: string, text: string) => `${level}: ${text}`,
   since: (event: string, time: string) => `${event} – since ${time}`,
+  /** @param headset The selected headset; null before the first headset has connected. */
+  plots: (headset: string | null, isConnected: boolean) =>
+    `Last two minutes${headset === null ? '' : `: ${headset}`}${headset === null || isConnected ? '' : ' (not connected)'}`,
   forwarding: (median: string, p99: string) => `${median}, P99 ${p99}`,
   nothingForwarded: 'nothing forwarded',
   downloadEvents: 'Download all events as',

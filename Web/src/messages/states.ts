@@ -8,6 +8,7 @@ export const stateLabels = {
   none: 'none',
   active: 'active',
   ended: 'ended',
+  event: (level: string, state: string) => `${level}, ${state}`,
   notConnected: 'not connected',
   silent: (time: string) => `silent for ${time}`,
   assumedAtRest: 'assumed at rest',

@@ -67,6 +67,9 @@ export const columnLabels = {
   hop: (hop: string) => `${hop} (ms)`,
 };
 
+/** Heading of the list of the terms that a page explains. */
+export const termLabels = { list: 'Terms and units on this page' };
+
 /** Explanations of terms and units on the operations page, by label. They are shown on hover. */
 export const meanings: Record<string, string> = {
   [columnLabels.clockWithin]: 'Largest possible error of the headset’s estimate of the control clock, in microseconds (1 µs = 0.000001 s)',
@@ -96,5 +99,5 @@ export const meanings: Record<string, string> = {
   [columnLabels.refused]: 'Number of values that could not be used',
   [columnLabels.reconnects]: 'Number of connections after the first one',
   [columnLabels.security]: 'Encryption and signature of the connection',
-  [columnLabels.total]: 'Sum of the hops: the end-to-end latency from the sample to the display',
+  [columnLabels.total]: 'End-to-end latency from the sample to the display: the sum of the hops, which is L_app + L_visu',
 };

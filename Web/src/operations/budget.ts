@@ -3,7 +3,7 @@ import { emptyMessages, hopMeanings } from '../messages/operations';
 import { captionLabels, columnLabels } from '../messages/terms';
 import { format } from '../numbers';
 import { type Column, LiveTable } from './liveTable';
-import { type Headset, HOPS } from './state';
+import { type Headset, HOPS, numberOf } from './state';
 
 /** Shows the hops of the latency of each headset, as numbers and as a bar. */
 export class Budget {
@@ -26,13 +26,14 @@ export class Budget {
   }
 
   show(headsets: Headset[]): void {
-    const known = headsets.filter(h => totalOf(h) != null);
+    const known = headsets.filter(h => HOPS.some(hop => h.budget_ms?.[hop] != null));
     this.table.show(known);
-    const longest = Math.max(1, ...known.map(h => totalOf(h)!));
+    const longest = Math.max(1, ...known.map(h => totalOf(h) ?? 0));
     for (const headset of known) {
       const spans = this.bars.get(headset.name)!.children as HTMLCollectionOf<HTMLElement>;
       HOPS.forEach((hop, i) => {
-        spans[i].style.width = `${(100 * (headset.budget_ms?.[hop] ?? 0)) / longest}%`;
+        // A bar without one of the hops would look like that of a shorter latency.
+        spans[i].style.width = isComplete(headset) ? `${(100 * Math.max(0, headset.budget_ms?.[hop] ?? 0)) / longest}%` : '0';
       });
     }
     for (const name of this.bars.keys()) if (!known.some(h => h.name === name)) this.bars.delete(name);
@@ -45,8 +46,11 @@ export class Budget {
   }
 }
 
-/** Returns the sum of the known parts of a headset's latency; null if none is known. */
+/** Returns the end-to-end latency of a headset, which is the sum of the hops; null if a part of it is unknown. */
 function totalOf(headset: Headset): number | null {
-  const known = HOPS.map(hop => headset.budget_ms?.[hop]).filter((v): v is number => v != null);
-  return known.length === 0 ? null : known.reduce((a, b) => a + b, 0);
+  const [application, visualisation] = [numberOf(headset, 'l_app_ms'), numberOf(headset, 'l_visu_ms')];
+  return application == null || visualisation == null ? null : application + visualisation;
 }
+
+/** Returns whether the hops add up to the end-to-end latency. Without the render time, the last hop contains it. */
+const isComplete = (headset: Headset) => HOPS.every(hop => hop === 'render' || headset.budget_ms?.[hop] != null);

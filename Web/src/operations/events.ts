@@ -1,6 +1,6 @@
 import { el } from '../dom';
 import { emptyMessages, operationsLabels } from '../messages/operations';
-import { stateLabels } from '../messages/states';
+import { levelLabels, stateLabels } from '../messages/states';
 import { captionLabels, columnLabels } from '../messages/terms';
 import { LiveTable } from './liveTable';
 import { eventWords } from './overall';
@@ -13,7 +13,11 @@ export class Events {
   private readonly table = new LiveTable<StatusEvent>(
     captionLabels.events,
     [
-      { label: columnLabels.state, cell: e => (e.until_utc ? stateLabels.ended : stateLabels.active), level: e => (e.until_utc ? 'over' : e.level) },
+      {
+        label: columnLabels.state,
+        cell: e => stateLabels.event(levelLabels[e.level], e.until_utc ? stateLabels.ended : stateLabels.active),
+        level: e => (e.until_utc ? 'over' : e.level),
+      },
       { label: columnLabels.start, cell: e => localTime(e.since_utc) },
       { label: columnLabels.end, cell: e => (e.until_utc ? localTime(e.until_utc) : '–') },
       { label: columnLabels.duration, cell: e => (e.until_utc ? lengthWords((Date.parse(e.until_utc) - Date.parse(e.since_utc)) / 1000) : '–') },

@@ -23,7 +23,7 @@ export class Headsets {
   private chosenName: string | null = null;
   private readonly table: LiveTable<Headset>;
 
-  constructor(private readonly chosenChanged: (name: string | null) => void) {
+  constructor(private readonly chosenChanged: () => void) {
     this.table = new LiveTable<Headset>(
       captionLabels.headsets,
       [
@@ -56,18 +56,19 @@ export class Headsets {
 
   show(headsets: Headset[]): void {
     this.table.show(headsets);
-    if (!headsets.some(h => h.name === this.chosenName)) this.choose(headsets[0]?.name ?? null);
+    // Keeps the selection while the headset is not connected, because its history would be lost.
+    if (headsets.length > 0) this.choose(this.chosenName ?? headsets[0].name);
   }
 
-  private choose(name: string | null): void {
+  private choose(name: string): void {
     if (name === this.chosenName) return;
     this.chosenName = name;
     for (const input of this.element.querySelectorAll('input')) input.checked = input.value === name;
-    this.chosenChanged(name);
+    this.chosenChanged();
   }
 
   private choiceOf(name: string): Node {
-    const input = el('input', { type: 'radio', name: 'headset', value: name });
+    const input = el('input', { type: 'radio', name: 'headset', value: name, checked: name === this.chosenName });
     input.addEventListener('change', () => this.choose(name));
     return el('label', {}, input, name);
   }

@@ -75,7 +75,10 @@ export class LivePlot {
     const old = this.times.findIndex(t => t >= time - WINDOW_S);
     for (const list of [this.times, ...this.values]) list.splice(0, old);
     this.chart.show(this.data(), [-WINDOW_S, 0]);
-    if ((this.chart.plot.cursor.left ?? -1) < 0) this.showValues(null);
+    const { left = -1, top = -1 } = this.chart.plot.cursor;
+    if (left < 0) this.showValues(null);
+    // The curves have moved below the cursor.
+    else this.chart.plot.setCursor({ left, top });
   }
 
   private append(time: number, values: (number | null)[]): void {

@@ -38,6 +38,7 @@ const overall = new Overall();
 const events = new Events();
 const recordings = new Recordings();
 const headsets = new Headsets(() => plots.chooseAnother());
+const hidePairing = startPairing();
 const recorder = new Recorder(() => void read());
 const login = new Login(() => {
   // Reconnects, because the login has changed the permissions.
@@ -54,7 +55,7 @@ byId('budget').append(budget.element);
 byId('plots').append(plots.element);
 byId('plants').append(plants.element);
 byId('events').append(events.element);
-startPairing();
+listTerms(byId('page'));
 void poll();
 
 async function poll(): Promise<void> {
@@ -77,7 +78,10 @@ async function read(): Promise<void> {
   if (own !== asked) return;
   isRefused = 'trouble' in answer && answer.status === 401;
   login.show(isRefused);
-  if (isRefused) link.close();
+  if (isRefused) {
+    link.close();
+    hidePairing();
+  }
   if ('value' in answer) {
     link.open();
     show(answer.value);
@@ -114,13 +118,14 @@ function show(state: State): void {
   byId('pairing').hidden = !state.pairs_headsets;
   const shown = (state.headsets ?? []).map(withoutOld);
   headsets.show(shown);
+  if (state.control_time_s != null) robot.setTime(state.control_time_s);
   robot.setJoints(state.joints ?? []);
   robot.setFrames(state.frames ?? []);
   const chosen = shown.find(h => h.name === headsets.chosen) ?? null;
   robot.choose(chosen);
+  setText(byId('plots-title'), operationsLabels.plots(headsets.chosen, chosen !== null));
   budget.show(shown);
   plots.add(performance.now() / 1000, state, chosen);
-  if (state.control_time_s != null) robot.setTime(state.control_time_s);
   plants.show(state);
   cell.show(state);
   recorder.show(state);

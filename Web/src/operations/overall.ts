@@ -3,7 +3,7 @@ import { operationsLabels, operationsMessages } from '../messages/operations';
 import { levelLabels } from '../messages/states';
 import { setText } from './liveTable';
 import type { Level, State, StatusEvent } from './state';
-import { localTime } from './times';
+import { localTime, zone } from './times';
 
 const MAX_ALARMS = 8;
 
@@ -15,11 +15,15 @@ export class Overall {
 
   show({ cell, host, version, status, events }: State): void {
     setText(byId('cell'), cell || operationsLabels.operations);
-    setText(byId('place'), [host && operationsLabels.host(host), version && operationsLabels.gateway(version)].filter(Boolean).join(' · '));
+    const parts = [host && operationsLabels.host(host), version && operationsLabels.gateway(version), operationsLabels.timesIn(zone())];
+    setText(byId('place'), parts.filter(Boolean).join(' · '));
     const level = status?.level ?? 'unknown';
     this.title = [cell || operationsLabels.operations, host, version && operationsLabels.product(version)].filter(Boolean).join(' · ');
     document.title = level === 'ok' ? this.title : `${levelLabels[level]}: ${this.title}`;
-    this.setLine(level, status ? `${levelLabels[level]}: ${status.text}` : operationsMessages.stateNotReported);
+    this.setLine(
+      level,
+      status ? operationsLabels.level(levelLabels[level], withSince(status.text, status.since_utc)) : operationsMessages.stateNotReported,
+    );
     this.alarms.classList.remove('stale');
     this.showAlarms((events ?? []).filter(event => !event.until_utc));
   }
@@ -40,7 +44,7 @@ export class Overall {
     const worst = [...active].sort((a, b) => Number(b.level === 'error') - Number(a.level === 'error'));
     const lines = worst
       .slice(0, MAX_ALARMS)
-      .map(event => ({ level: event.level, text: operationsLabels.since(eventWords(event), localTime(event.since_utc)) }));
+      .map(event => ({ level: event.level, text: operationsLabels.level(levelLabels[event.level], withSince(eventWords(event), event.since_utc)) }));
     if (worst.length > MAX_ALARMS) lines.push({ level: 'warning', text: operationsLabels.moreEvents(worst.length - MAX_ALARMS) });
     this.alarms.hidden = lines.length === 0;
     while (this.alarms.children.length > lines.length) this.alarms.lastElementChild!.remove();
@@ -50,6 +54,10 @@ export class Overall {
       setText(this.alarms.children[i], text);
     });
   }
+}
+
+function withSince(text: string, since: string | undefined): string {
+  return since ? operationsLabels.since(text, localTime(since)) : text;
 }
 
 /** Returns the text of an event: fault, place, reason and remedy. Composes it from its parts if the gateway is older and does not send it. */

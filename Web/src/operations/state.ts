@@ -131,9 +131,9 @@ export type Headset = Words & { budget_ms?: Partial<Record<Hop, number | null>> 
 export interface Recording {
   can: boolean;
   on: boolean;
+  file?: string | null;
   /** Number of files of the recording, which have the lines and bytes together. */
   files?: number;
-  file?: string | null;
   lines?: number;
   bytes?: number;
   lost?: number;

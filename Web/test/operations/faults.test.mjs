@@ -17,15 +17,17 @@ describe('the operations page with faults', () => {
 
   function fail() {
     Object.assign(gateway.state.joints[2], refused);
-    gateway.state.status = { level: 'error', text: `joint arm_joint_3 (press) is refused: ${refused.reason}` };
-    gateway.state.events = [event(7, 'error')];
+    gateway.state.status = { level: 'error', text: `joint arm_joint_3 (press) is refused: ${refused.reason}`, since_utc: refused.since_utc };
+    gateway.state.events = [event(7, 'error', { since_utc: refused.since_utc })];
   }
 
   it('shows OK in title and status line without faults', async () => {
     const page = await open();
 
     assert.equal(await page.title(), 'Press 3 · cell-pc · Nowpose 0.2.0');
-    assert.equal(await page.textContent('#place'), `${operationsLabels.host('cell-pc')} · ${operationsLabels.gateway('0.2.0')}`);
+    const [host, version, zone] = (await page.textContent('#place')).split(' · ');
+    assert.deepEqual([host, version], [operationsLabels.host('cell-pc'), operationsLabels.gateway('0.2.0')]);
+    assert.match(zone, new RegExp(`^${operationsLabels.timesIn('.+')}$`));
     assert.equal(await page.textContent('#status'), `${levelLabels.ok}: 5 joints live, 2 headsets`);
     assert.equal(await page.getAttribute('#status', 'class'), 'level ok');
     assert.ok(await page.locator('#alarms').isHidden());
@@ -39,8 +41,9 @@ describe('the operations page with faults', () => {
     const page = await open();
 
     assert.match(await page.title(), /^Fault: Press 3/);
-    assert.match(await page.textContent('#status'), /^Fault: joint arm_joint_3 \(press\) is refused: status Bad/);
-    assert.match(await page.textContent('#alarms'), /arm_joint_3 \(press\) is refused: status Bad of node ns=2;s=Axis3 – since \d\d:\d\d:\d\d/);
+    assert.match(await page.textContent('#status'), /^Fault: joint arm_joint_3 \(press\) is refused: status Bad.* – since \d\d:\d\d:\d\d$/);
+    assert.equal((await page.locator('#status').innerText()).slice(-8), (await page.locator('#alarms').innerText()).slice(-8), 'the same time base');
+    assert.match(await page.textContent('#alarms'), /^Fault: joint arm_joint_3 \(press\) is refused: status Bad of node ns=2;s=Axis3 – since \d\d:\d\d:\d\d/);
     const [source, state, since, rate, age] = await jointCells(page, 'arm_joint_3');
     assert.deepEqual([source, state, rate, age], ['press', 'refused', '0', '95\u00a0s']);
     assert.match(since, /\d\d:\d\d:\d\d$/);
@@ -74,7 +77,7 @@ describe('the operations page with faults', () => {
     gateway.state.events = [event(7, 'warning', { kind: 'limit', which: 'arm_joint_3', what: 'is exceeded', text: 'joint arm_joint_3 is outside its limits. Check it.' })];
     const page = await open();
 
-    assert.match(await page.textContent('#alarms'), /^joint arm_joint_3 is outside its limits\. Check it\. – since/);
+    assert.match(await page.textContent('#alarms'), /^Warning: joint arm_joint_3 is outside its limits\. Check it\. – since/);
     assert.match(await page.textContent('#events'), /joint arm_joint_3 is outside its limits\. Check it\./);
     assert.doesNotMatch(await page.textContent('#content'), /limit arm_joint_3/);
   });
@@ -86,7 +89,8 @@ describe('the operations page with faults', () => {
     const rows = await page.locator('#events tbody tr:not(.note)').evaluateAll(all => all.map(row => row.querySelector('th').textContent));
     assert.deepEqual(rows, ['8', '9', '7']);
     const [over] = await page.locator('#events tr:has(th:text-is("7"))').locator('td').evaluateAll(cells => [cells.map(cell => cell.innerText)]);
-    assert.deepEqual([over[0], over[3]], ['ended', '5\u00a0s']);
+    assert.deepEqual([over[0], over[3]], ['Fault, ended', '5\u00a0s']);
+    assert.deepEqual((await cells(page, '8'))[0], 'Warning, active');
   });
 
   it('offers all events as CSV and as JSON', async () => {
@@ -233,12 +237,15 @@ describe('the operations page with faults', () => {
     assert.deepEqual(shown, []);
   });
 
-  it('explains terms and units on hover', async () => {
+  it('explains terms and units on hover, and in a list', async () => {
     const page = await open();
+    await page.getByText(messages.termLabels.list).press('Enter');
+    const listed = await page.locator('.terms dt').allInnerTexts();
 
     for (const term of ['RTT (ms)', 'L_app', 'L_visu', 'Skew (ppm)', 'P95 (ms)', 'Age', 'Pose', 'Control clock']) {
       const title = await page.locator('abbr', { hasText: new RegExp(`^${term.replace(/[()]/g, '\\$&')}$`) }).first().getAttribute('title');
       assert.ok(title.length > 10, term);
+      assert.equal(await page.locator('.terms dd').nth(listed.indexOf(term)).innerText(), title);
     }
   });
 });

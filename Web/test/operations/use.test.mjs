@@ -113,8 +113,11 @@ describe('actions', () => {
     assert.ok(await page.locator('#login').isHidden());
     assert.equal(await page.inputValue('#token-text'), '');
     assert.ok(!(await page.content()).includes('open-sesame'));
+    await page.click('#show-code');
+    await page.waitForSelector('#token svg');
     await page.click('#logout');
     await page.waitForSelector('#login', { state: 'visible' });
+    assert.equal(await page.locator('#token svg').count(), 0, 'the code is secret');
     assert.ok((await page.textContent('#trouble')).startsWith(operationsMessages.loggedOut));
   });
 
@@ -179,25 +182,6 @@ describe('a gateway that does not respond', () => {
     gateway.isSilent = false;
     await page.waitForFunction(() => document.querySelector('#trouble').textContent === '');
     assert.equal(await page.locator('#content.stale').count(), 0);
-  });
-});
-
-describe('a gateway that restarts', () => {
-  withGraphics();
-
-  it('is reconnected, and its robot moves again', async () => {
-    const page = await open();
-    await showsToolError(page);
-
-    gateway.hangUp();
-    gateway.began -= 100_000;
-
-    const deadline = Date.now() + 60_000;
-    while (gateway.connects < 2) {
-      assert.ok(Date.now() < deadline, 'the page did not reconnect');
-      await new Promise(done => setTimeout(done, 50));
-    }
-    await showsToolError(page);
   });
 });
 

@@ -149,38 +149,6 @@ describe('the robot', () => {
     await becomes(page, '.apart', robotMessages.late);
   });
 
-  it('is not drawn while the page has no connection for joint positions', async () => {
-    const page = await open({ reducedMotion: 'reduce' });
-    await showsToolError(page);
-
-    gateway.isFull = true;
-    gateway.hangUp();
-    await becomes(page, '#robot .level', robotMessages.noConnection('').split('since')[0]);
-    assert.match(await page.textContent('#robot .level'), /since \d\d:\d\d:\d\d,/);
-    assert.equal(await drawn(() => bodiesDrawn(page), bodies => bodies === 1), 1, 'only the floor');
-    assert.equal(await page.textContent('.apart'), '');
-
-    gateway.isFull = false;
-    await showsToolError(page);
-    assert.doesNotMatch(await page.locator('#robot .level').first().textContent(), /connection/);
-  });
-
-  it('is removed if the gateway restarts without it', async () => {
-    gateway.robots = ['arm2'];
-    gateway.state.joints.push(...JOINTS.map(joint => ({ ...gateway.state.joints[0], name: `arm2/${joint}` })));
-    const page = await open();
-    await showsToolError(page);
-
-    gateway.urdf = null;
-    gateway.robots = [];
-    gateway.turned = null;
-    gateway.state.joints = [];
-    gateway.hangUp();
-
-    await becomes(page, '.apart', robotMessages.noDescription);
-    assert.ok(await page.locator('#robot .level').first().isHidden());
-  });
-
   it('is visible again after a position that was far too large', async () => {
     gateway.urdf = gateway.urdf.replace('<joint name="arm_joint_1" type="revolute">', '<joint name="arm_joint_1" type="prismatic">');
     Object.assign(gateway, { pace: 0, turned: null, rest: [1500, ...UPRIGHT.slice(1)] });
