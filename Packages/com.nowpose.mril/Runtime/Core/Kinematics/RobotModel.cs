@@ -70,6 +70,13 @@ namespace Nowpose.Kinematics
             return false;
         }
 
+        /// <summary>Returns the joint that determines the position of a mimic joint, at the end of its chain of mimic joints; for another joint, itself.</summary>
+        internal RobotJoint MasterOf(RobotJoint joint)
+        {
+            while (joint.Mimic != null) joint = MovingJoints[IndexOfMovingJoint(joint.Mimic.Master)];
+            return joint;
+        }
+
         /// <summary>Computes the position of each mimic joint without a given position from the position of its master; allocates nothing.</summary>
         /// <param name="positions">One per moving joint, in rad or m.</param>
         /// <param name="given">One per moving joint: whether its position is given and must not be changed.</param>

@@ -18,6 +18,8 @@ namespace Nowpose.Session
         readonly double[] _positions;
         readonly double[] _held;
         readonly PredictionKind[] _kinds;
+        readonly bool[] _isShown;
+        // Whether a mimic joint has the positions of its own samples.
         readonly bool[] _given;
         readonly (int Joint, int Master)[] _mimics;
         readonly LimitWatch _limits;
@@ -42,6 +44,7 @@ namespace Nowpose.Session
             _positions = new double[count];
             _held = new double[count];
             _kinds = new PredictionKind[count];
+            _isShown = new bool[count];
             _given = new bool[count];
             _mimics = MimicsOf(robot);
             _limits = new LimitWatch(robot);
@@ -58,7 +61,7 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Method by which each position was computed. A joint without samples since a reset counts as held if it was shown before; a mimic joint
-        /// without samples of its own has the kind of its master.
+        /// that follows its master has the kind of its master.
         /// </summary>
         public ReadOnlySpan<PredictionKind> Kinds => _kinds;
 
@@ -180,7 +183,7 @@ namespace Nowpose.Session
         double PositionAt(int joint, double time, out PoseOrigin origin)
         {
             var prediction = _joints[joint].At(time);
-            var isKnown = prediction.Kind != PredictionKind.None && prediction.Kind != PredictionKind.Held;
+            var isKnown = IsPredicted(prediction.Kind);
             origin = !isKnown ? PoseOrigin.None : time > _joints[joint].NewestTime ? PoseOrigin.Forecast : PoseOrigin.Measured;
             if (isKnown || !_past[joint].TryGet(time, out var past)) return prediction.Position;
             origin = PoseOrigin.Measured;
@@ -237,33 +240,37 @@ namespace Nowpose.Session
         // A joint without a sample keeps its position, because a jump to the zero pose would be worse than a delayed pose.
         void Show(int joint, PredictionKind kind, double position)
         {
-            _given[joint] |= kind != PredictionKind.None;
+            _isShown[joint] |= kind != PredictionKind.None;
             if (kind != PredictionKind.None)
             {
                 _positions[joint] = position;
                 _held[joint] = _joints[joint].Hold;
             }
-            _kinds[joint] = kind == PredictionKind.None && _given[joint] ? PredictionKind.Held : kind;
+            _kinds[joint] = kind == PredictionKind.None && _isShown[joint] ? PredictionKind.Held : kind;
         }
 
         void CompleteMimics()
+        // A mimic joint follows its master if its own samples have ended before those of the master.
         {
             _robot.CompleteMimics(_positions, _given);
+            foreach (var (joint, master) in _mimics)
+            {
+                if (IsPredicted(_kinds[joint])) _given[joint] = true;
+                else if (IsPredicted(_kinds[master])) _given[joint] = false;
+                else _given[joint] |= HasSample(joint) && _joints[joint].NewestTime >= _joints[master].NewestTime;
+            }
             _robot.CompleteMimics(_held, _given);
             foreach (var (joint, master) in _mimics)
                 if (!_given[joint]) _kinds[joint] = _kinds[master];
         }
 
-        // In a chain of mimic joints, the master is the joint at the end of the chain, which has samples.
+        static bool IsPredicted(PredictionKind kind) => kind != PredictionKind.None && kind != PredictionKind.Held;
+
         static (int Joint, int Master)[] MimicsOf(RobotModel robot)
         {
             var mimics = new List<(int, int)>();
             foreach (var joint in robot.MovingJoints)
-            {
-                var master = joint;
-                while (master.Mimic != null) master = robot.MovingJoints[robot.IndexOfMovingJoint(master.Mimic.Master)];
-                if (master != joint) mimics.Add((joint.MovingIndex, master.MovingIndex));
-            }
+                if (joint.Mimic != null) mimics.Add((joint.MovingIndex, robot.MasterOf(joint).MovingIndex));
             return mimics.ToArray();
         }
     }

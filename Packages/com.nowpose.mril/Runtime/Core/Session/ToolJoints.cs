@@ -34,7 +34,7 @@ namespace Nowpose.Session
             {
                 var joint = link.ParentJoint;
                 if (joint.MovingIndex < 0) continue;
-                while (joint.Mimic != null) joint = robot.MovingJoints[robot.IndexOfMovingJoint(joint.Mimic.Master)];
+                joint = robot.MasterOf(joint);
                 if (!joints.Contains(joint.MovingIndex)) joints.Add(joint.MovingIndex);
             }
             joints.Reverse();
