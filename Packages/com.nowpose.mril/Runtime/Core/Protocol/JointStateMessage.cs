@@ -66,6 +66,9 @@ namespace Nowpose.Protocol
         /// <summary>Name of the headset in a message of displayed joints; otherwise empty.</summary>
         public string FrameId { get; private set; }
 
+        /// <summary>Returns whether two messages have the same joints in the same order.</summary>
+        internal static bool HaveSameNames(JointStateMessage a, JointStateMessage b) => a.Names == b.Names || a.Names.AsSpan().SequenceEqual(b.Names);
+
         /// <summary>Returns the same positions at another time; shares the arrays.</summary>
         public JointStateMessage At(ControlTime stamp) =>
             new JointStateMessage(stamp, Names, Positions, Velocities, Accelerations, FrameId);

@@ -1,5 +1,5 @@
 using System;
-using System.Collections.Concurrent;
+using System.Collections.Generic;
 using Nowpose.Protocol;
 
 namespace Nowpose.Session
@@ -26,7 +26,7 @@ namespace Nowpose.Session
         const int NewestOfAJoint = 20;
 
         readonly MessageJoints _joints;
-        readonly Arrival<JointStateMessage>[] _oldestFirst;
+        readonly List<Arrival<JointStateMessage>> _oldestFirst;
         readonly bool[] _isSelected;
         readonly int[] _samplesOfJoint;
 
@@ -34,31 +34,23 @@ namespace Nowpose.Session
         public SampleBacklog(MessageJoints joints, int capacity)
         {
             _joints = joints;
-            _oldestFirst = new Arrival<JointStateMessage>[capacity];
+            _oldestFirst = new List<Arrival<JointStateMessage>>(capacity);
             _isSelected = new bool[capacity];
             _samplesOfJoint = new int[joints.RobotJoints];
         }
 
-        public int Count { get; private set; }
+        public int Count => _oldestFirst.Count;
 
         /// <summary>Messages by index, oldest first.</summary>
-        public ref readonly Arrival<JointStateMessage> this[int index] => ref _oldestFirst[index];
+        public Arrival<JointStateMessage> this[int index] => _oldestFirst[index];
 
         public bool IsSelected(int index) => _isSelected[index];
 
-        public void TakeFrom(ConcurrentQueue<Arrival<JointStateMessage>> queue)
+        public void TakeFrom(Arrivals<JointStateMessage> arrivals)
         {
-            Count = 0;
-            while (Count < _oldestFirst.Length && queue.TryDequeue(out var arrival)) _oldestFirst[Count++] = arrival;
+            arrivals.TakeAll(_oldestFirst);
             Array.Clear(_samplesOfJoint, 0, _samplesOfJoint.Length);
             for (var i = Count - 1; i >= 0; i--) _isSelected[i] = Count <= MaxUsualCount || HasNewSample(i);
-        }
-
-        /// <summary>Removes the references to the messages.</summary>
-        public void Clear()
-        {
-            Array.Clear(_oldestFirst, 0, Count);
-            Count = 0;
         }
 
         // Called for the messages from the newest to the oldest, so that the newest samples of each joint are counted first.

@@ -12,8 +12,7 @@ namespace Nowpose.Session
     sealed class SessionIntake
     {
         /// <summary>
-        /// Queue capacity in messages: ten seconds at 100 Hz, enough for the newest sample of a joint that is sent rarely. Drops the oldest
-        /// when full. <see cref="SampleBacklog"/> limits the number of messages that a frame processes.
+        /// Queue capacity in messages: ten seconds at 100 Hz. <see cref="SampleBacklog"/> limits the number of messages that a frame processes.
         /// </summary>
         const int QueueLength = 1000;
 
@@ -26,7 +25,7 @@ namespace Nowpose.Session
         /// </summary>
         static readonly TimeSpan MinAgeBeforeSubscription = TimeSpan.FromSeconds(1);
 
-        readonly ConcurrentQueue<Arrival<JointStateMessage>> _arrivals = new ConcurrentQueue<Arrival<JointStateMessage>>();
+        readonly Arrivals<JointStateMessage> _arrivals = new Arrivals<JointStateMessage>(QueueLength, JointStateMessage.HaveSameNames);
         readonly ConcurrentQueue<PlannedMotion> _plans = new ConcurrentQueue<PlannedMotion>();
         readonly RobotModel _robot;
         readonly MessageJoints _messageJoints;
@@ -51,7 +50,7 @@ namespace Nowpose.Session
             _latency = latency;
             _followsPlans = followsPlans;
             _messageJoints = new MessageJoints(robot);
-            _backlog = new SampleBacklog(_messageJoints, QueueLength);
+            _backlog = new SampleBacklog(_messageJoints, QueueLength + Arrivals<JointStateMessage>.MaxKept);
         }
 
         /// <summary>
@@ -84,8 +83,7 @@ namespace Nowpose.Session
         /// <param name="arrival">Headset time of its arrival.</param>
         public void Add(JointStateMessage message, HeadsetTime arrival)
         {
-            _arrivals.Enqueue(new Arrival<JointStateMessage>(message, arrival));
-            if (_arrivals.Count > QueueLength && _arrivals.TryDequeue(out var oldest)) CountDrop(oldest, DropReason.SlowReader);
+            if (_arrivals.Add(message, arrival, out var dropped)) CountDrop(dropped, DropReason.SlowReader);
         }
 
         /// <summary>Queues future set-points for the next frame with a known control time. Thread-safe.</summary>
@@ -115,7 +113,6 @@ namespace Nowpose.Session
                 // Checks for handlers before and after the call, because other threads may add and remove them.
                 if (!mayBeKept && !HasSampleHandler) _backlog[i].Message.Release();
             }
-            _backlog.Clear();
             // Plans stay queued until the clock offset is known. Their stamps cannot be validated before that, and a source may take a long time to
             // repeat a dropped plan.
             while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);

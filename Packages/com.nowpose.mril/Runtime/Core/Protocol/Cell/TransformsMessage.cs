@@ -24,6 +24,14 @@ namespace Nowpose.Protocol.Cell
 
         public ref readonly FrameTransform this[int index] => ref _transforms[index];
 
+        /// <summary>Returns whether two messages have the same children in the same order.</summary>
+        public static bool HaveSameFrames(TransformsMessage a, TransformsMessage b)
+        {
+            var isSame = a.Count == b.Count;
+            for (var i = 0; isSame && i < a.Count; i++) isSame = a[i].Child == b[i].Child;
+            return isSame;
+        }
+
         public void Clear() => Count = 0;
 
         public void Add(in FrameTransform transform)

@@ -27,14 +27,13 @@ namespace Nowpose.Session.Cell
         public ArrivedSignal AfterLostChange() => new ArrivedSignal(Value, Stamp, Arrival, isAfterLostChange: true);
     }
 
-    /// <summary>Keeps the newest value of each signal from messages that did not fit into a queue. Thread-safe.</summary>
+    /// <summary>Keeps the newest value of each signal from messages that did not fit into a queue. Not thread-safe.</summary>
     /// <remarks>
     /// A source may publish a value only once, so the newest value must not be lost. If messages have repeated it, the first of them is kept too,
     /// because it has the time of the change.
     /// </remarks>
     sealed class NewestSignals
     {
-        readonly object _gate = new object();
         readonly Dictionary<string, (ArrivedSignal First, ArrivedSignal Newest)> _values =
             new Dictionary<string, (ArrivedSignal, ArrivedSignal)>(StringComparer.Ordinal);
 
@@ -42,29 +41,23 @@ namespace Nowpose.Session.Cell
         /// <returns>Reason why the given or the kept value was dropped; <see cref="DropReason.None"/> if neither value was dropped.</returns>
         public DropReason Keep(in ArrivedSignal arrived)
         {
-            lock (_gate)
-            {
-                var isKnown = _values.TryGetValue(arrived.Value.Name, out var kept);
-                if (!isKnown && _values.Count >= ProtocolLimits.Signals) return DropReason.TooManySignals;
-                var isDropped = false;
-                _values[arrived.Value.Name] = isKnown ? Newest(kept, arrived, out isDropped) : (arrived, arrived);
-                return isDropped ? DropReason.SlowReader : DropReason.None;
-            }
+            var isKnown = _values.TryGetValue(arrived.Value.Name, out var kept);
+            if (!isKnown && _values.Count >= ProtocolLimits.Signals) return DropReason.TooManySignals;
+            var isDropped = false;
+            _values[arrived.Value.Name] = isKnown ? Newest(kept, arrived, out isDropped) : (arrived, arrived);
+            return isDropped ? DropReason.SlowReader : DropReason.None;
         }
 
         /// <summary>Moves all values to the end of a list, those of each signal in the order of their arrival.</summary>
         public void Take(List<ArrivedSignal> into)
         {
-            lock (_gate)
+            if (_values.Count == 0) return;
+            foreach (var (first, newest) in _values.Values)
             {
-                if (_values.Count == 0) return;
-                foreach (var (first, newest) in _values.Values)
-                {
-                    into.Add(first);
-                    if (newest.Arrival != first.Arrival) into.Add(newest);
-                }
-                _values.Clear();
+                into.Add(first);
+                if (newest.Arrival != first.Arrival) into.Add(newest);
             }
+            _values.Clear();
         }
 
         static (ArrivedSignal First, ArrivedSignal Newest) Newest(

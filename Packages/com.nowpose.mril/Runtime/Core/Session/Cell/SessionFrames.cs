@@ -17,11 +17,15 @@ namespace Nowpose.Session.Cell
         /// <summary>Queue capacity for tracked frames, in messages. Messages wait for a display frame with a known control time.</summary>
         const int QueueLength = 1000;
 
-        /// <summary>Queue capacity for stationary frames, in messages: one per frame, because each pose is sent only once.</summary>
+        /// <summary>Queue capacity for stationary frames, in messages: one per frame, because each pose is usually sent only once.</summary>
         const int StationaryQueueLength = ProtocolLimits.Frames;
 
-        readonly Arrivals<TransformsMessage> _tracked = new Arrivals<TransformsMessage>(QueueLength);
-        readonly Arrivals<TransformsMessage> _stationary = new Arrivals<TransformsMessage>(StationaryQueueLength);
+        readonly Arrivals<TransformsMessage> _tracked = new Arrivals<TransformsMessage>(QueueLength, TransformsMessage.HaveSameFrames);
+        readonly Arrivals<TransformsMessage> _stationary = new Arrivals<TransformsMessage>(StationaryQueueLength, TransformsMessage.HaveSameFrames);
+        // Have their full capacity from the start, because a frame must not allocate.
+        readonly List<Arrival<TransformsMessage>> _takenTracked = new List<Arrival<TransformsMessage>>(QueueLength + Arrivals<TransformsMessage>.MaxKept);
+        readonly List<Arrival<TransformsMessage>> _takenStationary =
+            new List<Arrival<TransformsMessage>>(StationaryQueueLength + Arrivals<TransformsMessage>.MaxKept);
         readonly StationaryArrivals _stationaryArrivals;
         readonly StateTimes _states = new StateTimes();
         readonly NeededFrames _needed;
@@ -181,9 +185,9 @@ namespace Nowpose.Session.Cell
         /// </summary>
         public void Add(TransformsMessage message, bool isStationary, HeadsetTime arrival)
         {
-            if (!(isStationary ? _stationary : _tracked).Add(message, arrival, out var oldest)) return;
+            if (!(isStationary ? _stationary : _tracked).Add(message, arrival, out var dropped)) return;
             _drops.Count(DropReason.SlowReader);
-            oldest.Release();
+            dropped.Message.Release();
         }
 
         /// <summary>Processes the queued messages.</summary>
@@ -197,24 +201,16 @@ namespace Nowpose.Session.Cell
         // Takes the messages in the order of their arrival, because a frame can be put on another one only after this one has left it.
         void TakeQueued(in ClockModel clock)
         {
-            TransformsMessage tracked = null, stationary = null;
-            HeadsetTime trackedAt = default, stationaryAt = default;
-            while (true)
+            // Takes the tracked ones first: the stationary ones that arrived before them are then in their queue.
+            _takenTracked.Clear();
+            if (clock.IsKnown) _tracked.TakeAll(_takenTracked);
+            _stationary.TakeAll(_takenStationary);
+            for (int t = 0, s = 0; t < _takenTracked.Count || s < _takenStationary.Count;)
             {
-                // Takes the tracked one first: a stationary one that arrived before it is then in its queue.
-                if (tracked == null && clock.IsKnown) _tracked.TryTake(out tracked, out trackedAt);
-                if (stationary == null) _stationary.TryTake(out stationary, out stationaryAt);
-                if (tracked != null && !(stationary != null && stationaryAt <= trackedAt))
-                {
-                    Take(tracked, trackedAt, clock);
-                    tracked = null;
-                }
-                else if (stationary != null)
-                {
-                    Take(stationary, stationaryAt);
-                    stationary = null;
-                }
-                else return;
+                var isTracked = s == _takenStationary.Count || (t < _takenTracked.Count && _takenTracked[t].At < _takenStationary[s].At);
+                var arrival = isTracked ? _takenTracked[t++] : _takenStationary[s++];
+                if (isTracked) Take(arrival.Message, arrival.At, clock);
+                else Take(arrival.Message, arrival.At);
             }
         }
 

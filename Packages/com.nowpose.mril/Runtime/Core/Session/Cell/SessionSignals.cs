@@ -20,6 +20,8 @@ namespace Nowpose.Session.Cell
         readonly Arrivals<SignalsMessage> _arrivals = new Arrivals<SignalsMessage>(QueueLength);
         readonly NewestSignals _overflow = new NewestSignals();
         readonly List<ArrivedSignal> _kept = new List<ArrivedSignal>();
+        // Has its full capacity from the start, because a frame must not allocate.
+        readonly List<Arrival<SignalsMessage>> _taken = new List<Arrival<SignalsMessage>>(QueueLength);
         readonly Subscriptions _subscriptions;
         readonly DropCounters _drops;
         readonly ConnectionStart _connection;
@@ -115,9 +117,13 @@ namespace Nowpose.Session.Cell
         /// </summary>
         public void Add(SignalsMessage message, HeadsetTime arrival)
         {
-            if (!_arrivals.Add(message, arrival, out var oldest, out var oldestArrival)) return;
-            for (var i = 0; i < oldest.Count; i++) _drops.Count(_overflow.Keep(new ArrivedSignal(oldest[i], oldest.Stamp, oldestArrival)));
-            oldest.Release();
+            lock (_overflow)
+            {
+                if (!_arrivals.Add(message, arrival, out var dropped)) return;
+                var oldest = dropped.Message;
+                for (var i = 0; i < oldest.Count; i++) _drops.Count(_overflow.Keep(new ArrivedSignal(oldest[i], oldest.Stamp, dropped.At)));
+                oldest.Release();
+            }
         }
 
         /// <summary>Stores the reports of the signals whose source has ended. Thread-safe.</summary>
@@ -173,12 +179,18 @@ namespace Nowpose.Session.Cell
             _isTimeKnown = moment.IsTrusted;
             _isWaitingForClock = !moment.DisplayTime.HasValue;
             if (!(moment.DisplayTime is ControlTime displayTime)) return;
-            _overflow.Take(_kept);
+            // In one step: a message that leaves the queue in between would be used in the next frame, after newer messages.
+            lock (_overflow)
+            {
+                _overflow.Take(_kept);
+                _arrivals.TakeAll(_taken);
+            }
             foreach (var kept in _kept) Take(kept, moment.Clock);
             _kept.Clear();
-            while (_arrivals.TryTake(out var message, out var arrival))
+            foreach (var taken in _taken)
             {
-                for (var i = 0; i < message.Count; i++) Take(new ArrivedSignal(message[i], message.Stamp, arrival), moment.Clock);
+                var message = taken.Message;
+                for (var i = 0; i < message.Count; i++) Take(new ArrivedSignal(message[i], message.Stamp, taken.At), moment.Clock);
                 message.Release();
             }
             Table.Evaluate(displayTime);

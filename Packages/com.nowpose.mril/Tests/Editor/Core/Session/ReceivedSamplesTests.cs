@@ -210,6 +210,24 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(judged.Skip(980).Select(j => j.Reason), Is.Not.Empty.And.All.EqualTo(DropReason.None));
         }
 
+        // A gripper that sends its position only when it changes, while a source at 1 kHz sends the arm's joints.
+        [Test]
+        public void Tick_OtherSourceFillsTheQueue_NewestSampleOfEachSourceIsUsed()
+        {
+            var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
+            void SendGrip(double at, double position) => session.Listener.Received(
+                new JointStateMessage(ControlTime.FromSeconds(at), new[] { "grip" }, new[] { position }), default);
+            SendGrip(0.98, 0.01);
+            SendGrip(0.99, 0.02);
+            for (var i = 0; i < 3000; i++) Send(session, 1 + i * 0.001, i * 0.0001);
+
+            var frame = session.Tick(HeadsetTime.FromSeconds(20));
+
+            Assert.That(frame.Joints[TestRobot.Model.IndexOfMovingJoint("grip")], Is.EqualTo(0.02));
+            Assert.That(frame.Joints[Shoulder], Is.EqualTo(0.2999));
+            Assert.That((session.Statistics(default).Samples, session.Drops[DropReason.SlowReader]), Is.EqualTo((21L, 2981L)));
+        }
+
         [Test]
         public void Tick_FewQueuedMessages_UsesAll()
         {

@@ -71,10 +71,11 @@ namespace Nowpose.Tests.Core.Session
                 _events.Where(e => e.StartsWith("sample", StringComparison.Ordinal)), Is.EqualTo(new[] { "sample None", "sample " + reason }));
         }
 
+        // The queue has 1000 messages, and the newest message that left it is kept.
         [Test]
         public void Sample_OverflowsTheQueue_RaisesAnEventImmediately()
         {
-            for (var i = 0; i <= 1000; i++) _session.Listener.Received(Sample(Start.SinceEpoch + Lengths.Ms(i)), Start);
+            for (var i = 0; i <= 1001; i++) _session.Listener.Received(Sample(Start.SinceEpoch + Lengths.Ms(i)), Start);
 
             Assert.That(_events, Is.EqualTo(new[] { "sample SlowReader" }));
         }

@@ -94,6 +94,23 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That((ValueOf(cell, "grip"), ValueOf(cell, "door"), ValueOf(cell, "speed")), Is.EqualTo((1.0, 1.0, 2999.0)));
         }
 
+        // The handler runs between the values that did not fit into the queue and those that did. The message comes from the socket's thread.
+        [Test]
+        public void Show_MessageArrivesWhileTheValuesOfAFullQueueAreUsed_OldValueDoesNotReturn()
+        {
+            var cell = new CellSession(isClockKnown: false);
+            for (var k = 0; k <= 1000; k++) cell.Send("grip", 15 + 0.002 * k, k);
+            cell.Session.Signals.Judged += (in SignalValue value, ControlTime stamp, HeadsetTime arrival, DropReason reason) =>
+            {
+                if (value.Value == 0) cell.Send("grip", 17.5, 2000);
+            };
+            cell.Synchronise();
+
+            cell.Run(0.1);
+
+            Assert.That(ValueOf(cell, "grip"), Is.EqualTo(2000));
+        }
+
         [Test]
         public void Signal_MoreSignalsThanAllowedBeforeTheClockIsKnown_AreDroppedAndCounted()
         {

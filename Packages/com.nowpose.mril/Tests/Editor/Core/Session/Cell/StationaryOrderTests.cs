@@ -56,6 +56,22 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(cell.Session.Drops.Total, Is.Zero);
         }
 
+        // No frame is computed while another source repeats its pose, for example because the program loads a scene.
+        [Test]
+        public void Add_OtherSourceFillsTheQueue_PoseThatIsSentOnceIsUsed([Values] bool isStationary)
+        {
+            var cell = new CellSession(isClockKnown: false);
+            foreach (var name in new[] { "once", "repeated" }) cell.Session.Frames.Need(name);
+            cell.Send("world", "once", 18, At(7, 0), isStationary);
+            for (var k = 0; k < 1500; k++) cell.Send("world", "repeated", 18 + 0.001 * k, At(k, 0), isStationary);
+
+            cell.Synchronise();
+            cell.Run(0.1);
+
+            Assert.That(Find(cell, "once")?.World.X, Is.EqualTo(7));
+            Assert.That(Find(cell, "repeated").Held.X, Is.EqualTo(1499));
+        }
+
         static FrameTransform Pose(string parent, string child, double x) => At(x, 0).ToTransform(default, parent, child);
 
         static void Receive(CellSession cell, params FrameTransform[] poses)
