@@ -24,6 +24,7 @@ namespace Nowpose.Session
         readonly JointTracks _tracks;
         readonly TimeSpan _horizonCap;
         readonly bool[] _isToolJoint;
+        // Used under its own lock, because both the frame thread and the socket's thread call MissingSince.
         readonly List<JointStatus> _listed = new List<JointStatus>();
         volatile Reports _newest;
 
@@ -85,18 +86,21 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Returns the time since which a joint that is required for a current pose has had no data, or another joint if all these have data. Returns null
-        /// if the time is unknown or all joints have data.
+        /// if the time is unknown or all joints have data. Thread-safe while no frame is computed.
         /// </summary>
         /// <inheritdoc cref="Fill"/>
         public ControlTime? MissingSince(HeadsetTime now, in ClockModel clock, ControlTime? shownFor)
         {
-            Fill(_listed, now, clock, shownFor);
-            var isHeld = false;
-            foreach (var joint in _listed) isHeld |= HoldsPose(joint);
-            ControlTime? since = null;
-            foreach (var joint in _listed)
-                if ((isHeld ? HoldsPose(joint) : joint.IsMissing) && !(joint.Since >= since)) since = joint.Since ?? since;
-            return since;
+            lock (_listed)
+            {
+                Fill(_listed, now, clock, shownFor);
+                var isHeld = false;
+                foreach (var joint in _listed) isHeld |= HoldsPose(joint);
+                ControlTime? since = null;
+                foreach (var joint in _listed)
+                    if ((isHeld ? HoldsPose(joint) : joint.IsMissing) && !(joint.Since >= since)) since = joint.Since ?? since;
+                return since;
+            }
         }
 
         bool HoldsPose(in JointStatus joint) => HoldsPose(_robot.IndexOfMovingJoint(joint.Joint), joint.State);

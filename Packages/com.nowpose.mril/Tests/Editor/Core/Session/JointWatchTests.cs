@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading.Tasks;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Simulation;
@@ -194,6 +195,23 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(until5, Is.Not.Empty.And.All.EqualTo(PoseState.Held));
             Assert.That(after, Is.Not.Empty.And.All.EqualTo(PoseState.Current));
             Assert.That(StatisticsOf(simulated).JointStatuses, Is.Empty);
+        }
+
+        // The frame thread describes a frame while the socket's thread reports the faults of the cell.
+        [Test]
+        public void MissingSince_TwoThreads_ReturnsTheSameTime()
+        {
+            var simulated = Running();
+            Report(simulated, "elbow", JointDataState.Fault, 2);
+            var (robot, now) = (simulated.Session.Robots[0], HeadsetTime.FromSeconds(simulated.Now));
+            var clock = simulated.Session.Clock.ModelAt(now);
+            ControlTime? Since() => robot.Joints.MissingSince(now, clock, robot.Frame.DisplayTime);
+            var expected = Since();
+
+            var results = new ControlTime?[2][];
+            Parallel.For(0, 2, thread => results[thread] = Enumerable.Range(0, 20000).Select(_ => Since()).ToArray());
+
+            Assert.That(results.SelectMany(each => each).Distinct(), Is.EqualTo(new[] { expected }));
         }
 
         [Test]
