@@ -150,8 +150,11 @@ namespace Nowpose.Recording
             var clock = _session.Clock.ModelAt(frame.Start);
             if (clock.State != _clockState || clock.Steps != _clockSteps) WriteClock(frame.Start, clock, isNewStart: false);
             WriteDisplay(frame);
-            WriteFrame(frame);
-            WriteObjects(frame);
+            if (frame.IsLast)
+            {
+                WriteFrame(frame);
+                WriteObjects(frame);
+            }
             WriteStatistics(frame.Start, clock);
         }
 

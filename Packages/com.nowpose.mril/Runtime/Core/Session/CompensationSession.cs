@@ -208,7 +208,8 @@ namespace Nowpose.Session
         /// <param name="start">Headset time of the frame's start.</param>
         /// <param name="isLast">
         /// False if the frame is computed again before it is rendered, see <see cref="SessionSettings.RewriteBeforeRender"/>. Predicted
-        /// display times are compared with L_visu only in the last computation, because L_visu is calibrated for it.
+        /// display times are compared with L_visu only in the last computation, because L_visu is calibrated for it. Only that one is displayed, scored and
+        /// recorded.
         /// </param>
         /// <returns>The session's own frame, which the next tick overwrites.</returns>
         public DisplayFrame Tick(HeadsetTime start, bool isLast = true)
@@ -221,7 +222,7 @@ namespace Nowpose.Session
                 var displayTime = _display.Selector.LightOf(start, isComparable: isLast && _display.RenderTimes.State != RangeState.Outside);
                 var onControlClock = clock.IsKnown ? clock.ToControl(displayTime) : (ControlTime?)null;
                 var isTrusted = Settings.Clock.Trusts(clock);
-                _cell.Show(new DisplayMoment(start, onControlClock, clock, isTrusted, _display.Selector, _display.RenderTimes), CanReceiveSignals);
+                _cell.Show(new DisplayMoment(start, onControlClock, clock, isTrusted, _display.Selector, _display.RenderTimes, isLast), CanReceiveSignals);
                 if (isLast) _currentShare.Add(start, Robots.WorstPose == PoseState.Current);
                 Ticked?.Invoke(_main.Frame);
                 return _main.Frame;

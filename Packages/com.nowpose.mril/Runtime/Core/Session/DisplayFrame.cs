@@ -43,6 +43,9 @@ namespace Nowpose.Session
 
         public PoseState State { get; private set; }
 
+        /// <inheritdoc cref="DisplayMoment.IsLast"/>
+        internal bool IsLast { get; private set; }
+
         /// <summary>Whether the robot's moving base, and not one of its joints, is the reason for <see cref="State"/>.</summary>
         internal bool IsLimitedByBase { get; private set; }
 
@@ -90,6 +93,7 @@ namespace Nowpose.Session
             ClockState = moment.Clock.State;
             ClockError = moment.Clock.EstimatedError;
             State = state;
+            IsLast = moment.IsLast;
             IsLimitedByBase = false;
             Range = moment.Range;
             ErrorWithheld = moment.ErrorWithheld;

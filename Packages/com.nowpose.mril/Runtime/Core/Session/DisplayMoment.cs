@@ -11,14 +11,16 @@ namespace Nowpose.Session
         /// <param name="isTrusted">Whether the display time is accurate enough to show a pose as current.</param>
         /// <param name="selector">Selector that determined the display time.</param>
         /// <param name="renderTimes">Monitor of the render times of the previous frames.</param>
+        /// <param name="isLast">See <see cref="IsLast"/>.</param>
         public DisplayMoment(
             HeadsetTime start, ControlTime? displayTime, in ClockModel clock, bool isTrusted, DisplayTimeSelector selector,
-            ConstantLatencyMonitor renderTimes)
+            ConstantLatencyMonitor renderTimes, bool isLast)
         {
             Start = start;
             DisplayTime = displayTime;
             Clock = clock;
             IsTrusted = isTrusted;
+            IsLast = isLast;
             IsInconsistent = selector.IsInconsistent;
             IsImplausible = selector.IsImplausible;
             Range = renderTimes.State;
@@ -35,6 +37,9 @@ namespace Nowpose.Session
 
         /// <summary>Whether the display time is accurate enough to show a pose as current.</summary>
         public bool IsTrusted { get; }
+
+        /// <summary>False if the frame is computed again before it is rendered. Such a computation is not displayed.</summary>
+        public bool IsLast { get; }
 
         /// <summary>
         /// Whether the render time of the previous frames is in the constant-latency range. Only in this range is the display time known.

@@ -37,7 +37,7 @@ namespace Nowpose.Session
         /// <param name="isJointReportedMissing">Whether the gateway reports that a joint of the robot has no data.</param>
         public void Compute(in DisplayMoment moment, bool isJointReportedMissing)
         {
-            if (moment.DisplayTime is ControlTime displayTime) _tracks.Predict(displayTime);
+            if (moment.DisplayTime is ControlTime displayTime) _tracks.Predict(displayTime, moment.IsLast);
             else _tracks.Hold();
             var state = StateAt(moment, isJointReportedMissing);
             Frame.Set(moment, moment.DisplayTime - _tracks.Newest, state);

@@ -144,11 +144,12 @@ namespace Nowpose.Session
             time, message.Positions[i], time, message.Velocities?[i] ?? double.NaN, message.Accelerations?[i] ?? double.NaN);
 
         /// <summary>Predicts all joints to a control time. Allocates nothing.</summary>
-        public void Predict(ControlTime at)
+        /// <param name="isDisplayed">Whether the positions are displayed. The next samples are blended in from the displayed positions.</param>
+        public void Predict(ControlTime at, bool isDisplayed = true)
         {
             var time = ClockTicks.Seconds(at - _epoch);
             // Before the first sample, the epoch is unknown.
-            if (_hasEpoch) _displayed = time;
+            if (_hasEpoch && isDisplayed) _displayed = time;
             var newest = double.NegativeInfinity;
             for (var i = 0; i < _joints.Length; i++)
             {
@@ -249,16 +250,16 @@ namespace Nowpose.Session
             _kinds[joint] = kind == PredictionKind.None && _isShown[joint] ? PredictionKind.Held : kind;
         }
 
-        void CompleteMimics()
         // A mimic joint follows its master if its own samples have ended before those of the master.
+        void CompleteMimics()
         {
-            _robot.CompleteMimics(_positions, _given);
             foreach (var (joint, master) in _mimics)
             {
                 if (IsPredicted(_kinds[joint])) _given[joint] = true;
                 else if (IsPredicted(_kinds[master])) _given[joint] = false;
                 else _given[joint] |= HasSample(joint) && _joints[joint].NewestTime >= _joints[master].NewestTime;
             }
+            _robot.CompleteMimics(_positions, _given);
             _robot.CompleteMimics(_held, _given);
             foreach (var (joint, master) in _mimics)
                 if (!_given[joint]) _kinds[joint] = _kinds[master];

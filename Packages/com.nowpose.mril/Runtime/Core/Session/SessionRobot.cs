@@ -92,8 +92,11 @@ namespace Nowpose.Session
         /// <summary>Predicts the joints to the display time of a frame.</summary>
         public void Show(in DisplayMoment moment) => _computer.Compute(moment, Joints.IsAnyReportedMissing(moment.Start));
 
-        /// <summary>Records the displayed frame; later samples give its error. Call it after <see cref="PlaceRoot"/>.</summary>
-        public void Record(in DisplayMoment moment) => Hindcast.Shown(Frame, moment.Clock.ErrorBound, HasRootFrame && !HasFixedRootFrame);
+        /// <summary>Records the frame if it is displayed; later samples give its error. Call it after <see cref="PlaceRoot"/>.</summary>
+        public void Record(in DisplayMoment moment)
+        {
+            if (moment.IsLast) Hindcast.Shown(Frame, moment.Clock.ErrorBound, HasRootFrame && !HasFixedRootFrame);
+        }
 
         /// <summary>Places the root link in the cell. Call it after <see cref="Show"/>.</summary>
         /// <param name="state">State of the root link's pose.</param>

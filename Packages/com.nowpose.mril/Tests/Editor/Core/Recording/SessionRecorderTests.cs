@@ -43,6 +43,28 @@ namespace Nowpose.Tests.Core.Recording
             Assert.That(run.Text, Does.Not.Contain("secret"));
         }
 
+        // With RewriteBeforeRender, the first computation of a frame is not displayed.
+        [Test]
+        public void Frame_ComputedTwice_HasOneLineWithTheDisplayedPoses()
+        {
+            var session = NewSession();
+            session.Frames.Need("part");
+            RecordedRun run;
+            using (run = new RecordedRun(session))
+            {
+                Synchronise(session);
+                session.Frames.Add(
+                    new TransformsMessage(new FrameTransform(new ControlTime((Start + Lengths.Ms(900)).SinceEpoch), "world", "part", 1, 0, 0, 0, 0, 0, 1)), false,
+                    Start + Lengths.Ms(950));
+                session.Tick(Start + Lengths.Ms(1000), isLast: false);
+                session.Tick(Start + Lengths.Ms(1008));
+                run.Flush();
+            }
+
+            foreach (var kind in new[] { "frame", "object" })
+                Assert.That(run.Of(kind).Select(line => (long)line["start_ns"]), Is.EqualTo(new[] { 101_008_000_000 }), kind);
+        }
+
         [Test]
         public void Header_SomeConditionsUnknown_ContainsOnlyTheKnownConditions()
         {

@@ -61,6 +61,25 @@ namespace Nowpose.Tests.Core.Session
             return (Math.Sqrt(scoredFrames.Average(s => s.Displayed)), Math.Sqrt(scoredFrames.Average(s => s.Held)));
         }
 
+        // With RewriteBeforeRender, the first computation of a frame is not displayed.
+        [Test]
+        public void Statistics_FramesComputedTwice_AreScoredOnce()
+        {
+            var frames = new int[2];
+            foreach (var isTwice in new[] { false, true })
+            {
+                var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+                simulated.Run(10, (frame, _) =>
+                {
+                    if (isTwice) simulated.Session.Tick(frame.Start + Lengths.Ms(1), isLast: false);
+                });
+                frames[isTwice ? 1 : 0] = Statistics(simulated).ToolErrorOfRun.Value.Frames;
+            }
+
+            Assert.That(frames[0], Is.GreaterThan(400));
+            Assert.That(frames[1], Is.EqualTo(frames[0]));
+        }
+
         [Test]
         public void Statistics_SimulatedSession_EstimateTheTrueError(
             [Values("lan", "wifi")] string network, [Values("linear", "quadratic", "quadratic-h4")] string predictor, [Values] bool apart)

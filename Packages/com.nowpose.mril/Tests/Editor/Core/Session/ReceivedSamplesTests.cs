@@ -64,6 +64,29 @@ namespace Nowpose.Tests.Core.Session
             foreach (var joint in joints) Assert.That((tracks.NewestOf(joint) - newest).Value.TotalMilliseconds, Is.Zero.Within(0.01));
         }
 
+        // With RewriteBeforeRender, the first computation of a frame is not displayed, and a recording does not contain it.
+        [Test]
+        public void Add_AfterAnotherComputation_BlendsFromTheDisplayedPositions([Values] bool isDisplayed)
+        {
+            double ShoulderAfter(bool isComputedTwice)
+            {
+                var tracks = new JointTracks(TestRobot.Model, new PredictionSettings("linear", blendMs: 100));
+                for (var k = 0; k < 40; k++)
+                {
+                    var time = ControlTime.FromSeconds(100 + 0.05 * k);
+                    tracks.Add(new JointStateMessage(time, new[] { "shoulder" }, new[] { Math.Sin(0.1 * k) }), new[] { Shoulder });
+                    tracks.Predict(time + Lengths.Ms(100));
+                    if (isComputedTwice) tracks.Predict(time + Lengths.Ms(108), isDisplayed);
+                }
+                tracks.Predict(ControlTime.FromSeconds(102.06));
+                return tracks.Positions[Shoulder];
+            }
+
+            var difference = Math.Abs(ShoulderAfter(isComputedTwice: true) - ShoulderAfter(isComputedTwice: false));
+
+            Assert.That(difference, isDisplayed ? Is.GreaterThan(1e-6) : Is.Zero);
+        }
+
         // The elbow is a continuous joint: its angles wrap from π to −π. The predictor keeps only the newest samples.
         [TestCase("linear", 0.01)]
         [TestCase("hold", 0.05)]
