@@ -7,10 +7,13 @@ namespace Nowpose.Session.Hindcast
         readonly ErrorRun _run = new ErrorRun();
 
         /// <param name="isOfRun">False for a frame that was shown before the run started.</param>
-        public void Add(ControlTime at, in ErrorSums frame, bool isOfRun)
+        /// <returns>Whether the errors are plausible. If not, they are ignored.</returns>
+        public bool Add(ControlTime at, in ErrorSums frame, bool isOfRun)
         {
+            if (!frame.IsPlausible) return false;
             _window.Add(at, frame);
             if (isOfRun) _run.Add(frame);
+            return true;
         }
 
         /// <summary>Returns the errors of the last ten seconds; null while unknown.</summary>

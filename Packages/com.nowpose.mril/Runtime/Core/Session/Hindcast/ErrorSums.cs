@@ -1,3 +1,5 @@
+using Nowpose.Prediction;
+
 namespace Nowpose.Session.Hindcast
 {
     /// <summary>
@@ -23,6 +25,9 @@ namespace Nowpose.Session.Hindcast
         /// <summary>Creates the errors of one frame.</summary>
         public ErrorSums(double displayed, double held, double truth, double clock) =>
             (Count, Displayed, Held, Truth, Clock) = (1, displayed, held, truth, clock);
+
+        /// <summary>Whether the errors of one frame are those of a motion. The square of a corrupt position is infinite, and a sum would remain so.</summary>
+        public bool IsPlausible => Displayed + Held + Truth + Clock < JointSample.MaxMagnitude * JointSample.MaxMagnitude;
 
         public void Add(in ErrorSums sums)
         {

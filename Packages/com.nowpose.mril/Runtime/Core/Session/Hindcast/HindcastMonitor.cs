@@ -113,7 +113,8 @@ namespace Nowpose.Session.Hindcast
             for (var i = 0; i < joints.Length; i++)
             {
                 var place = joints[i] >= 0 ? _placeOfJoint[joints[i]] : -1;
-                if (place < 0) continue;
+                // The whole turns of a corrupt angle cannot be removed from the next angles.
+                if (place < 0 || !(Math.Abs(message.Positions[i]) < JointSample.MaxMagnitude)) continue;
                 ref var track = ref _tracks[place];
                 var position = _isEndless[place] ? track.Unwrapped(message.Positions[i]) : message.Positions[i];
                 if (track.Add(new TruthSample(message.Stamp, position), _maximumGap, out var span, out var isKnown))
@@ -175,8 +176,7 @@ namespace Nowpose.Session.Hindcast
                 Square(frame.HeldX - truth.X) + Square(frame.HeldY - truth.Y) + Square(frame.HeldZ - truth.Z),
                 Square(uncertain.X - truth.X) + Square(uncertain.Y - truth.Y) + Square(uncertain.Z - truth.Z),
                 Square(frame.ClockError * toolSpeed));
-            _tool.Add(frame.At, error, isOfRun);
-            ToolJudged?.Invoke(frame.At, frame.State, error);
+            if (_tool.Add(frame.At, error, isOfRun)) ToolJudged?.Invoke(frame.At, frame.State, error);
         }
 
         static double Square(double x) => x * x;

@@ -80,6 +80,27 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(frames[1], Is.EqualTo(frames[0]));
         }
 
+        // The square of such a position is infinite.
+        [TestCase("shoulder")]
+        [TestCase("elbow")]
+        public void Statistics_OnePositionIsCorrupt_ErrorsStayPlausible(string joint)
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            simulated.Run(10);
+            var now = HeadsetTime.FromSeconds(simulated.Now);
+
+            simulated.Session.Listener.Received(
+                new JointStateMessage(simulated.Link.TrueOffset(now).ToControl(now) - Lengths.Ms(30), new[] { joint }, new[] { 1e300 }), now);
+            simulated.Run(2);
+
+            foreach (var each in Statistics(simulated).JointErrors)
+            {
+                Assert.That(each.Error.Value.Rms, Is.LessThan(1), each.Joint);
+                Assert.That(each.Error.Value.HoldRms, Is.LessThan(1), each.Joint);
+            }
+            Assert.That(Statistics(simulated).ToolErrorOfRun.Value.HoldRms, Is.LessThan(300), "mm");
+        }
+
         [Test]
         public void Statistics_SimulatedSession_EstimateTheTrueError(
             [Values("lan", "wifi")] string network, [Values("linear", "quadratic", "quadratic-h4")] string predictor, [Values] bool apart)
