@@ -198,12 +198,15 @@ namespace Nowpose.Recording
             _ring.Publish(record);
         }
 
-        // A stationary object has the same pose in all frames, which is in its pose line.
+        // A stationary object that is current has the same pose in all frames, which is in its pose line.
         void WriteObjects(DisplayFrame frame)
         {
             var tree = _session.Frames.Tree;
             for (var i = 0; i < tree.Count; i++)
-                if (!tree[i].IsFixed && tree[i].IsPlaced && _session.Frames.IsShown(tree[i])) WriteObject(tree[i], frame);
+            {
+                var hasPoseLine = tree[i].IsFixed && tree[i].State == FrameState.Current;
+                if (!hasPoseLine && tree[i].IsPlaced && _session.Frames.IsShown(tree[i])) WriteObject(tree[i], frame);
+            }
         }
 
         void WriteObject(CellFrame shown, DisplayFrame frame)

@@ -53,12 +53,12 @@ namespace Nowpose.Session.Cell
 
         /// <summary>
         /// Reports each processed pose, used or dropped, but no pose that a full queue has dropped; raised within
-        /// <see cref="CompensationSession.Tick"/>.
+        /// <see cref="CompensationSession.Tick"/>. Also reports each pose from <see cref="Place"/>, with the start of the newest frame as its arrival.
         /// </summary>
         /// <remarks>A handler must be fast, must not throw, and must not call the session.</remarks>
         public event PoseJudged Judged;
 
-        /// <summary>Reports the poses of the stationary frames, which arrived earlier and are not sent again.</summary>
+        /// <summary>Reports the poses of the stationary frames, which arrived or were placed earlier and are not sent again.</summary>
         public void ReportStationary(PoseJudged report) => _stationaryArrivals.Report(report);
 
         /// <summary>Adds a robot. Its links can be parents of frames, and its root link may be a frame of the cell.</summary>
@@ -99,8 +99,12 @@ namespace Nowpose.Session.Cell
             {
                 _needed.Need(name);
                 _stationaryArrivals.Remove(name);
-                var reason = _needed.Add(pose.ToTransform(default, FrameParents.World, name), isStationary: true);
-                if (reason == DropReason.None) Find(name).IsPlacedByHand = true;
+                var placed = pose.ToTransform(default, FrameParents.World, name);
+                var reason = _needed.Add(placed, isStationary: true);
+                if (reason != DropReason.None) return reason;
+                Find(name).IsPlacedByHand = true;
+                _stationaryArrivals.Add(placed, _moment.Start, isByHand: true);
+                Judged?.Invoke(placed, isStationary: true, _moment.Start, reason);
                 return reason;
             }
         }

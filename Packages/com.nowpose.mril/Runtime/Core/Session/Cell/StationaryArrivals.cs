@@ -6,7 +6,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Session.Cell
 {
-    /// <summary>The poses of stationary frames, which a source sends only once, and their arrival times.</summary>
+    /// <summary>The poses of stationary frames, which a source sends only once or a user has placed by hand, and their arrival times.</summary>
     sealed class StationaryArrivals
     {
         /// <summary>
@@ -21,9 +21,11 @@ namespace Nowpose.Session.Cell
         public StationaryArrivals(ConnectionStart connection) => _connection = connection;
 
         /// <summary>Records the arrival of a pose that was used.</summary>
-        public void Add(in FrameTransform pose, HeadsetTime arrival) => _arrivals[pose.Child] = new Arrival(pose, arrival);
+        /// <param name="isByHand">Whether a user has placed the frame, so that its pose depends neither on the connection nor on the order of the arrivals.</param>
+        public void Add(in FrameTransform pose, HeadsetTime arrival, bool isByHand = false) =>
+            _arrivals[pose.Child] = new Arrival(pose, arrival, isByHand);
 
-        /// <summary>Records that a frame was placed by hand, independently of the connection, or that it is now tracked.</summary>
+        /// <summary>Records that a frame is now tracked, or that another one has replaced it.</summary>
         public void Remove(string frame) => _arrivals.Remove(frame);
 
         /// <summary>
@@ -31,7 +33,7 @@ namespace Nowpose.Session.Cell
         /// not.
         /// </summary>
         public bool IsLater(string frame, HeadsetTime arrivalOfTracked) =>
-            _arrivals.TryGetValue(frame, out var arrival) && arrival.At >= arrivalOfTracked;
+            _arrivals.TryGetValue(frame, out var arrival) && !arrival.IsByHand && arrival.At >= arrivalOfTracked;
 
         /// <summary>
         /// Marks the frames of a tree whose poses have not been sent again in time. The time counts from the first connection after the pose, so that a
@@ -42,11 +44,16 @@ namespace Nowpose.Session.Cell
             foreach (var known in _arrivals)
             {
                 var arrival = known.Value;
-                if (_connection.Includes(arrival.At)) continue;
+                if (!IsBeforeConnection(arrival)) continue;
                 arrival.AwaitedSince ??= _connection.Newest;
                 if (now - arrival.AwaitedSince >= Patience && tree.IndexOf(known.Key) is var index && index >= 0) tree[index].IsOutdated = true;
             }
         }
+
+        /// <summary>Returns whether the source of a stationary pose sent it before the newest connection, and not again since.</summary>
+        public bool IsBeforeConnection(string frame) => _arrivals.TryGetValue(frame, out var arrival) && IsBeforeConnection(arrival);
+
+        bool IsBeforeConnection(Arrival arrival) => !arrival.IsByHand && !_connection.Includes(arrival.At);
 
         /// <summary>Reports the newest pose of each frame with its arrival.</summary>
         public void Report(PoseJudged report)
@@ -56,11 +63,13 @@ namespace Nowpose.Session.Cell
 
         sealed class Arrival
         {
-            public Arrival(in FrameTransform pose, HeadsetTime at) => (Pose, At) = (pose, at);
+            public Arrival(in FrameTransform pose, HeadsetTime at, bool isByHand) => (Pose, At, IsByHand) = (pose, at, isByHand);
 
             public FrameTransform Pose { get; }
 
             public HeadsetTime At { get; }
+
+            public bool IsByHand { get; }
 
             /// <summary>Start of the first connection after the pose; null before such a connection.</summary>
             public HeadsetTime? AwaitedSince { get; set; }

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Kinematics;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Tests.Core.Session;
@@ -122,6 +123,55 @@ namespace Nowpose.Tests.Core.Recording
             Assert.That(
                 run.Of("signal").Select(line => ((string)line["name"], (double)line["value"], (long)line["stamp_ns"], (string)line["dropped"])),
                 Is.EqualTo(new[] { ("closed", 1.0, 100_900_000_000, null), ("closed", 0.0, 101_200_000_000, (string)null) }));
+        }
+
+        [Test]
+        public void Pose_FramePlacedByHand_IsRecordedAtThePlacementAndAtALaterStart([Values] bool isPlacedBefore)
+        {
+            var session = NewSession();
+            Synchronise(session);
+            session.Frames.Need("fixture");
+            session.Tick(Start + Lengths.Ms(1000));
+            if (isPlacedBefore) session.Frames.Place("fixture", RigidTransform.FromXyzRpy(1, 2, 3, 0, 0, 0));
+            RecordedRun run;
+            using (run = new RecordedRun(session))
+            {
+                if (!isPlacedBefore) session.Frames.Place("fixture", RigidTransform.FromXyzRpy(1, 2, 3, 0, 0, 0));
+                session.Tick(Start + Lengths.Ms(1100));
+                run.Flush();
+            }
+
+            var pose = run.Of("pose").Single();
+            Assert.That(((string)pose["frame"], (string)pose["parent"], (bool?)pose["stationary"]), Is.EqualTo(("fixture", "world", (bool?)true)));
+            Assert.That(pose["position"].Select(number => (double)number), Is.EqualTo(new[] { 1.0, 2, 3 }));
+            Assert.That((long)pose["arrival_ns"], Is.EqualTo(101_000_000_000), "the frame that was displayed then");
+            Assert.That(session.Drops.Total, Is.Zero);
+        }
+
+        [Test]
+        public void Object_StationaryFrame_HasItsStateWhileItIsNotCurrent()
+        {
+            var session = NewSession();
+            session.Frames.Need("table");
+            RecordedRun run;
+            using (run = new RecordedRun(session))
+            {
+                Synchronise(session);
+                session.Listener.Connected(Start);
+                session.Frames.Add(new TransformsMessage(new FrameTransform(default, "world", "table", 0, 2, 0, 0, 0, 0, 1)), true, Start);
+                session.Tick(Start + Lengths.Ms(1000));
+                session.Listener.Connected(Start + Lengths.Ms(1500));
+                for (var ms = 1500; ms <= 5000; ms += 500)
+                {
+                    session.Clock.Add(Exchange(Start + Lengths.Ms(ms)), out _);
+                    session.Tick(Start + Lengths.Ms(ms));
+                }
+                run.Flush();
+            }
+
+            Assert.That(
+                run.Of("object").Select(line => ((string)line["frame"], (string)line["state"], (long)line["start_ns"])),
+                Is.EqualTo(new[] { 4000, 4500, 5000 }.Select(ms => ("table", "held", 100_000_000_000 + ms * 1_000_000L))));
         }
 
         [TestCase("", "arm2")]
