@@ -24,6 +24,7 @@ namespace Nowpose.Session.Cell
 
         readonly FrameTree _tree;
         readonly DropCounters _drops;
+        readonly Predicate<string> _isBeforeConnection;
         readonly HashSet<string> _needed = new HashSet<string>(StringComparer.Ordinal);
         // Root links of robots. A frame with such a name places its robot.
         readonly HashSet<string> _roots = new HashSet<string>(StringComparer.Ordinal);
@@ -34,9 +35,11 @@ namespace Nowpose.Session.Cell
         // Control time of the newest arrival; null if unknown.
         ControlTime? _now;
 
-        public NeededFrames(FrameTree tree, DropCounters drops) => (_tree, _drops) = (tree, drops);
+        /// <param name="isBeforeConnection">Returns whether the stationary pose of a frame has not been sent again since the newest connection.</param>
+        public NeededFrames(FrameTree tree, DropCounters drops, Predicate<string> isBeforeConnection) =>
+            (_tree, _drops, _isBeforeConnection) = (tree, drops, isBeforeConnection);
 
-        /// <summary>Raised with the name of a frame that another frame has replaced in the tree.</summary>
+        /// <summary>Raised with the name of a frame in the tree, or of a stationary frame, that another frame has replaced.</summary>
         public event Action<string> Replaced;
 
         /// <summary>Names of the frames that components show.</summary>
@@ -107,7 +110,7 @@ namespace Nowpose.Session.Cell
             {
                 if (!isStationary && !kept.IsStationary && IsOvertaken(pose.Stamp, kept.Pose.Stamp)) return DropReason.LateSample;
             }
-            else if (_others.Count + _tree.Count >= ProtocolLimits.Frames && !TryRemoveSilent(arrival)
+            else if (_others.Count + _tree.Count >= ProtocolLimits.Frames && !TryRemoveSilent(arrival) && !TryRemoveOutdated()
                 && (_others.Count + _tree.Count > ProtocolLimits.Frames || FindUnused(pose.Parent) < 0)) return DropReason.TooManyFrames;
             _others[pose.Child] = (pose, isStationary);
             return DropReason.None;
@@ -145,3 +148,17 @@ namespace Nowpose.Session.Cell
         }
     }
 }
+
+        // Removes a kept stationary frame that the gateway may no longer have. It sends all its frames at the start of a connection, and these are not too
+        // many.
+        bool TryRemoveOutdated()
+        {
+            foreach (var other in _others)
+            {
+                if (!other.Value.IsStationary || !_isBeforeConnection(other.Key)) continue;
+                _others.Remove(other.Key);
+                Replaced?.Invoke(other.Key);
+                return true;
+            }
+            return false;
+        }

@@ -43,7 +43,7 @@ namespace Nowpose.Session.Cell
             _gate = gate;
             _stationaryArrivals = new StationaryArrivals(connection);
             Tree = new FrameTree(prediction.BodiesOfACell());
-            _needed = new NeededFrames(Tree, drops);
+            _needed = new NeededFrames(Tree, drops, _stationaryArrivals.IsBeforeConnection);
             _needed.Replaced += _stationaryArrivals.Remove;
             subscriptions.Add(RosTopics.Tf, RosTopics.TransformsType);
             subscriptions.Add(RosTopics.TfStatic, RosTopics.TransformsType);

@@ -203,6 +203,25 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(cell.Session.Drops[DropReason.TooManyFrames], Is.EqualTo(4));
         }
 
+        // A gateway that has restarted may have other frames. It sends all of its frames at once.
+        [TestCase(true, 0)]
+        [TestCase(false, 1)]
+        public void Add_StationaryFrameAndTooManyFromBeforeTheConnection_ReplacesOneOfThem(bool isNewConnection, int dropped)
+        {
+            var cell = new CellSession();
+            cell.Reconnect();
+            Receive(cell, 0, true, Enumerable.Range(0, ProtocolLimits.Frames).Select(i => "old" + i).ToArray());
+            cell.Run(1);
+
+            if (isNewConnection) cell.Reconnect();
+            Receive(cell, 0, true, "fixture");
+            cell.Run(0.1);
+            cell.Session.Frames.Need("fixture");
+
+            Assert.That(cell.Session.Drops[DropReason.TooManyFrames], Is.EqualTo(dropped));
+            Assert.That(Find(cell, "fixture"), dropped == 0 ? Is.Not.Null : Is.Null);
+        }
+
         static void ShowAnother(CellSession cell)
         {
             cell.Session.Frames.Need("other");
