@@ -14,6 +14,8 @@ namespace Nowpose.Session
         readonly int _toolLink;
         readonly int[] _toolJoints;
         readonly int[][] _jointsOfLinks;
+        // Kinds of the positions before the joints are held on purpose.
+        readonly PredictionKind[] _kinds;
         double[] _positionsAt;
         RigidTransform[] _linkPosesAt;
         bool _isHeldComputed;
@@ -22,6 +24,7 @@ namespace Nowpose.Session
         {
             _tracks = tracks;
             _kinematics = new ForwardKinematics(robot);
+            _kinds = new PredictionKind[robot.MovingJoints.Count];
             _linkPoses = new RigidTransform[robot.Links.Count];
             _heldLinkPoses = new RigidTransform[robot.Links.Count];
             _toolLink = robot.IndexOfLink(robot.ToolLink.Name);
@@ -39,6 +42,7 @@ namespace Nowpose.Session
         {
             if (moment.DisplayTime is ControlTime displayTime) _tracks.Predict(displayTime, moment.IsLast);
             else _tracks.Hold();
+            _tracks.Kinds.CopyTo(_kinds);
             var state = StateAt(moment, isJointReportedMissing);
             Frame.Set(moment, moment.DisplayTime - _tracks.Newest, state);
             // Holds the joints only after the state is determined, because a pose that is held on purpose must not count as stale.
@@ -57,7 +61,7 @@ namespace Nowpose.Session
             if (!IsMovedByJoints(link)) return true;
             if (Frame.State != PoseState.Current && Frame.State != PoseState.OutsideRange) return false;
             Tally(_jointsOfLinks[link], out var isIncomplete, out var isHeld);
-            return !isIncomplete && (!isHeld || IsHeldOnPurpose);
+            return !isIncomplete && !isHeld;
         }
 
         bool IsHeldOnPurpose => Frame.State == PoseState.OutsideRange && Frame.OutsideRange == OutsideRangeResponse.Hold;
@@ -110,11 +114,10 @@ namespace Nowpose.Session
         void Tally(int[] joints, out bool isIncomplete, out bool isHeld)
         {
             (isIncomplete, isHeld) = (false, false);
-            var kinds = _tracks.Kinds;
             foreach (var joint in joints)
             {
-                isIncomplete |= kinds[joint] == PredictionKind.None;
-                isHeld |= kinds[joint] == PredictionKind.Held;
+                isIncomplete |= _kinds[joint] == PredictionKind.None;
+                isHeld |= _kinds[joint] == PredictionKind.Held;
             }
         }
     }
