@@ -84,6 +84,7 @@ namespace Nowpose.Recording
         public void Dispose()
         {
             _session.Clock.Judged -= OnExchange;
+            _session.Robots.Added -= ListenTo;
             foreach (var robot in _robots) robot.Dispose();
             _session.Frames.Judged -= OnPose;
             _session.Signals.Judged -= OnSignal;
@@ -95,7 +96,8 @@ namespace Nowpose.Recording
         void Listen()
         {
             _session.Clock.Judged += OnExchange;
-            ListenToRobots();
+            foreach (var robot in _session.Robots) ListenTo(robot);
+            _session.Robots.Added += ListenTo;
             _session.Frames.Judged += OnPose;
             _session.Signals.Judged += OnSignal;
             _session.Signals.Need();
@@ -114,11 +116,7 @@ namespace Nowpose.Recording
             _ring.Publish(record);
         }
 
-        // A robot can be added to a session at any time.
-        void ListenToRobots()
-        {
-            for (var i = _robots.Count; i < _session.Robots.Count; i++) _robots.Add(new RobotTraffic(this, _session.Robots[i], isMain: i == 0));
-        }
+        void ListenTo(SessionRobot robot) => _robots.Add(new RobotTraffic(this, robot, isMain: _robots.Count == 0));
 
         void OnPose(in FrameTransform pose, bool isStationary, HeadsetTime arrival, DropReason reason)
         {
@@ -146,7 +144,6 @@ namespace Nowpose.Recording
 
         void OnFrame(DisplayFrame frame)
         {
-            ListenToRobots();
             var clock = _session.Clock.ModelAt(frame.Start);
             if (clock.State != _clockState || clock.Steps != _clockSteps) WriteClock(frame.Start, clock, isNewStart: false);
             WriteDisplay(frame);

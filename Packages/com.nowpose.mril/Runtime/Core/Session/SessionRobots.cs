@@ -43,6 +43,9 @@ namespace Nowpose.Session
             _gate = gate;
         }
 
+        /// <summary>Raised within <see cref="Add"/> with the new robot, before the session uses its first message.</summary>
+        public event Action<SessionRobot> Added;
+
         public int Count => _all.Length;
 
         public SessionRobot this[int index] => _all[index];
@@ -66,6 +69,7 @@ namespace Nowpose.Session
                 _frames.Add(added);
                 _all = new List<SessionRobot>(_all) { added }.ToArray();
             }
+            Added?.Invoke(added);
             _subscriptions.AddRobot(name);
             return added;
         }

@@ -174,6 +174,25 @@ namespace Nowpose.Tests.Core.Recording
                 Is.EqualTo(new[] { 4000, 4500, 5000 }.Select(ms => ("table", "held", 100_000_000_000 + ms * 1_000_000L))));
         }
 
+        [Test]
+        public void Sample_FirstOfARobotAddedDuringTheRecording_IsRecordedAfterTheDescription()
+        {
+            var session = NewSession();
+            RecordedRun run;
+            using (run = new RecordedRun(session))
+            {
+                Synchronise(session);
+                var names = new[] { "shoulder", "elbow" };
+                session.Robots.Add("arm2", TestRobot.Model).Intake.Add(
+                    new JointStateMessage(new ControlTime((Start + Lengths.Ms(900)).SinceEpoch), names, new double[2]), Start + Lengths.Ms(950));
+                session.Tick(Start + Lengths.Ms(1000));
+                run.Flush();
+            }
+
+            var kinds = run.Lines.Select(line => (string)line["kind"]).Where(kind => kind == "robot" || kind == "sample");
+            Assert.That(kinds, Is.EqualTo(new[] { "robot", "sample" }));
+        }
+
         [TestCase("", "arm2")]
         [TestCase("arm1", "")]
         public void Sample_OtherRobot_HasItsNamespaceBeforeTheJointNames(string main, string name)
