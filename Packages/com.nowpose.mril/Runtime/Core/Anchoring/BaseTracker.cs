@@ -95,11 +95,11 @@ namespace Nowpose.Anchoring
         /// <summary>Reason why the device does not hold or store the position, in one line; null if nothing is wrong.</summary>
         public string Problem => _place.Problem;
 
-        /// <summary>Distance to the position that the device reports, in metres, if it is too far to be followed; otherwise 0.</summary>
-        public double ElsewhereMetres => _place.ElsewhereMetres;
+        /// <summary>Distance to the pose that the device reports, in metres, if it is too far away or too much turned to be followed; otherwise 0.</summary>
+        public double ElsewhereMetres => _place.Elsewhere?.Metres ?? 0;
 
-        /// <summary>Whether the device has removed the anchor that held the position of the base.</summary>
-        internal bool IsAnchorRemoved => _place.IsRemoved;
+        /// <summary>The position that the device holds.</summary>
+        internal HeldPlace HeldPlace => _place;
 
         /// <summary>Whether markers are compared with their expected poses.</summary>
         bool IsWatching => IsKnown && !_place.IsLost;

@@ -58,9 +58,9 @@ namespace Nowpose.Messages
             (hasMarkers ? "restored from an earlier run: look at a marker to confirm it" : "restored from an earlier run: lock it to confirm it")
             + Because(problem);
 
-        public static string Elsewhere(string metres, bool hasMarkers) => hasMarkers
-            ? $"the headset now reports the base {metres} m from its last position; the new position is ignored: look around, or lock again"
-            : $"the headset now reports the base {metres} m from its last position; the new position is ignored: look around, or place it again";
+        public static string Elsewhere(string metres, string degrees, bool hasMarkers) => hasMarkers
+            ? $"the headset now reports the base {metres} m, {degrees}° from its last pose; the new pose is ignored: look around, or lock again"
+            : $"the headset now reports the base {metres} m, {degrees}° from its last pose; the new pose is ignored: look around, or place it again";
 
         /// <summary>Returns the suffix that adds a problem to a line: "; " and the problem. Empty if the problem is null.</summary>
         public static string Because(string problem) => problem == null ? "" : "; " + problem;

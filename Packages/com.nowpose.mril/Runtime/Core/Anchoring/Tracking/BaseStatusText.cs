@@ -48,8 +48,10 @@ namespace Nowpose.Anchoring.Tracking
                 case BaseAnchorState.Moved: return Move(tracker);
                 case BaseAnchorState.Locked: return Lock(tracker);
                 case BaseAnchorState.Restored: return new Subject(Kind.Restored, tracker.Problem);
-                case BaseAnchorState.Lost when tracker.IsAnchorRemoved: return new Subject(Kind.Removed, tracker.Problem);
-                case BaseAnchorState.Lost: return new Subject(Kind.Lost, tracker.Problem, a: (int)Math.Min(Math.Ceiling(10 * tracker.ElsewhereMetres), 1e6));
+                case BaseAnchorState.Lost when tracker.HeldPlace.IsRemoved: return new Subject(Kind.Removed, tracker.Problem);
+                case BaseAnchorState.Lost when tracker.HeldPlace.Elsewhere is MapCorrection jump:
+                    return new Subject(Kind.Elsewhere, a: (int)Math.Min(Math.Ceiling(10 * jump.Metres), 1e6), b: Tenths(jump.Radians));
+                case BaseAnchorState.Lost: return new Subject(Kind.Lost, tracker.Problem);
                 default: return new Subject(Kind.Placed);
             }
         }
@@ -125,10 +127,10 @@ namespace Nowpose.Anchoring.Tracking
                 case Kind.Locked: return Locked(tracker);
                 case Kind.Removed: return BaseStatusMessages.Removed(tracker.Problem);
                 case Kind.Restored: return BaseStatusMessages.Restored(tracker.Markers.Count > 0, tracker.Problem);
-                case Kind.Lost:
-                    return subject.A == 0
-                    ? BaseStatusMessages.Lost + BaseStatusMessages.Because(tracker.Problem)
-                    : BaseStatusMessages.Elsewhere(Number(tracker.ElsewhereMetres, "0.0"), tracker.Markers.Count > 0);
+                case Kind.Lost: return BaseStatusMessages.Lost + BaseStatusMessages.Because(tracker.Problem);
+                case Kind.Elsewhere:
+                    return BaseStatusMessages.Elsewhere(
+                        Number(tracker.ElsewhereMetres, "0.0"), Number(subject.B / 10.0, "0.0"), tracker.Markers.Count > 0);
                 default: return BaseStatusMessages.Placed;
             }
         }
@@ -172,7 +174,7 @@ namespace Nowpose.Anchoring.Tracking
 
         enum Kind
         {
-            Placed, BeingPlaced, Refused, Looking, Ignored, Gathers, Moving, Scatters, Conflict, Restored, Locked, Moved, Lost, Removed,
+            Placed, BeingPlaced, Refused, Looking, Ignored, Gathers, Moving, Scatters, Conflict, Restored, Locked, Moved, Lost, Elsewhere, Removed,
         }
 
         /// <summary>Content of the status text. Equal contents produce equal strings.</summary>

@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
@@ -13,8 +14,8 @@ namespace Nowpose.Anchoring.Tracking
         /// </summary>
         const double OriginMetres = 0.001, JumpMetres = 0.1;
 
-        /// <summary>Maximum correction of the map; a larger jump indicates another map or another position.</summary>
-        const double MaxJumpMetres = 0.3;
+        /// <summary>Maximum correction of the map; a larger one indicates another map or another position.</summary>
+        const double MaxJumpMetres = 0.3, MaxTurnRadians = 10 * Math.PI / 180;
 
         ISpatialAnchor _anchor, _former;
         bool _isSought, _hasTracked;
@@ -22,9 +23,9 @@ namespace Nowpose.Anchoring.Tracking
         public bool IsThere => _anchor != null;
 
         /// <summary>
-        /// Whether the pose of the position is unknown or too far away to be followed, or the device no longer holds the position.
+        /// Whether the pose of the position is unknown or too different to be followed, or the device no longer holds the position.
         /// </summary>
-        public bool IsLost => _anchor != null && (_anchor.State == SpatialAnchorState.Lost || ElsewhereMetres > 0 || IsRemoved);
+        public bool IsLost => _anchor != null && (_anchor.State == SpatialAnchorState.Lost || Elsewhere.HasValue || IsRemoved);
 
         /// <summary>Whether the device has held the position and no longer holds it.</summary>
         /// <remarks>
@@ -32,8 +33,8 @@ namespace Nowpose.Anchoring.Tracking
         /// </remarks>
         public bool IsRemoved => _hasTracked && _anchor.State == SpatialAnchorState.Failed;
 
-        /// <summary>Distance to the reported position in metres, if it is too far to be followed; otherwise 0.</summary>
-        public double ElsewhereMetres { get; private set; }
+        /// <summary>Difference of the reported pose, if it is too large to be followed; otherwise null.</summary>
+        public MapCorrection? Elsewhere { get; private set; }
 
         /// <summary>Name under which the position is stored; null when it is not stored.</summary>
         public string KeptAs => _anchor?.KeptAs;
@@ -57,7 +58,7 @@ namespace Nowpose.Anchoring.Tracking
         {
             _isSought = true;
             _hasTracked = false;
-            ElsewhereMetres = 0;
+            Elsewhere = null;
             _former?.Dispose();
             _former = _anchor;
             _anchor = anchors?.Hold(pose);
@@ -70,7 +71,7 @@ namespace Nowpose.Anchoring.Tracking
         /// name.</param>
         public void Release(bool seekAgain)
         {
-            ElsewhereMetres = 0;
+            Elsewhere = null;
             Leave(ref _former);
             Leave(ref _anchor);
             _hasTracked = false;
@@ -81,15 +82,15 @@ namespace Nowpose.Anchoring.Tracking
         /// <returns>The current pose; null when it is unknown.</returns>
         public RigidTransform? Follow(in RigidTransform? last)
         {
-            ElsewhereMetres = 0;
+            Elsewhere = null;
             if (_anchor == null || _anchor.State != SpatialAnchorState.Tracking) return null;
             _hasTracked = true;
             Leave(ref _former);
             if (!(_anchor.Pose is RigidTransform pose) || !pose.IsPose()) return null;
-            var jump = last is RigidTransform before ? before.DistanceTo(pose) : 0;
-            if (PoseNumbers.Length(pose.X, pose.Y, pose.Z) < OriginMetres && (!last.HasValue || jump > JumpMetres)) return null;
-            if (jump <= MaxJumpMetres) return pose;
-            ElsewhereMetres = jump;
+            var jump = last is RigidTransform before ? new MapCorrection(before, pose) : default;
+            if (PoseNumbers.Length(pose.X, pose.Y, pose.Z) < OriginMetres && (!last.HasValue || jump.Metres > JumpMetres)) return null;
+            if (jump.Metres <= MaxJumpMetres && jump.Radians <= MaxTurnRadians) return pose;
+            Elsewhere = jump;
             return null;
         }
 

@@ -125,8 +125,7 @@ namespace Nowpose.Tests.Core.Anchoring
 
             Assert.That(Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
             Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Lost));
-            Assert.That(
-                Tracker.Words, Is.EqualTo(BaseStatusMessages.Elsewhere("0.3", hasMarkers: true)));
+            Assert.That(Tracker.Words, Is.EqualTo(BaseStatusMessages.Elsewhere("0.3", "0.0", hasMarkers: true)));
             _anchors.Held[0].Pose = Shift(0.29) * before;
             _cell.Base = _anchors.Held[0].Pose.Value;
             _cell.Run(2);
@@ -269,6 +268,21 @@ namespace Nowpose.Tests.Core.Anchoring
             _cell.Run(1);
 
             Assert.That(Tracker.Base, Is.Null, "the base stays where the user placed it");
+        }
+
+        [TestCase(9, BaseAnchorState.Locked)]
+        [TestCase(20, BaseAnchorState.Lost)]
+        public void Tick_AnchorTurns_IsFollowedOnlyByTheAngleOfACorrection(double degrees, BaseAnchorState expected)
+        {
+            Lock();
+            var (before, radians) = (Tracker.Base.Value, degrees * Math.PI / 180);
+
+            _anchors.Held[0].Pose = _cell.Base = before * Shift(0, radians);
+            _cell.Run(2);
+
+            Assert.That(Tracker.State, Is.EqualTo(expected));
+            Assert.That(Tracker.Base.Value.AngleTo(before), Is.EqualTo(expected == BaseAnchorState.Lost ? 0 : radians).Within(1e-6));
+            if (expected == BaseAnchorState.Lost) Assert.That(Tracker.Words, Does.Contain("20.0°"));
         }
 
         [Test]
