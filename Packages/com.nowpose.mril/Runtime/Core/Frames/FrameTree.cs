@@ -96,6 +96,9 @@ namespace Nowpose.Frames
             return index;
         }
 
+        /// <summary>Returns the parent of a frame according to the newest poses; null if none is known.</summary>
+        public string ParentOf(string name) => _parents[name];
+
         /// <summary>Returns whether a frame is the parent of another one, according to the newest poses.</summary>
         public bool HasChildren(string name) => _parents.HasChildren(name);
 

@@ -64,7 +64,12 @@ namespace Nowpose.Session.Cell
         /// <summary>Reverses one <see cref="Show"/>.</summary>
         public void Hide(string name)
         {
-            if (_shown.Remove(name) && !_roots.Contains(name) && _tree.IndexOf(name) < 0 && !_tree.HasChildren(name)) _needed.Remove(name);
+            if (_shown.Remove(name)) Release(name);
+        }
+
+        void Release(string name)
+        {
+            if (!_shown.Contains(name) && !_roots.Contains(name) && _tree.IndexOf(name) < 0 && !_tree.HasChildren(name)) _needed.Remove(name);
         }
 
         /// <summary>Adds a frame to the tree from now on, even if no pose of the frame has been received yet.</summary>
@@ -84,6 +89,7 @@ namespace Nowpose.Session.Cell
             if (!_needed.Contains(pose.Child)) return Keep(pose, isStationary, arrival);
             var replaced = _tree.IndexOf(pose.Child) < 0 ? FindUnused(pose.Parent) : -1;
             var former = replaced < 0 ? null : _tree[replaced].Name;
+            var formerParent = _tree.ParentOf(former ?? pose.Child);
             var reason = _tree.Add(pose, isStationary, replaced);
             if (former != null && _tree.IndexOf(former) < 0)
             {
@@ -91,6 +97,7 @@ namespace Nowpose.Session.Cell
                 Replaced?.Invoke(former);
             }
             if (reason == DropReason.None && !_tree.IsLink(pose.Parent)) Need(pose.Parent);
+            if (formerParent != null && formerParent != pose.Parent) Release(formerParent);
             return reason;
         }
 
@@ -146,8 +153,6 @@ namespace Nowpose.Session.Cell
                 if (!other.Value.IsStationary && (oldest.Child == null || other.Value.Pose.Stamp < oldest.Stamp)) oldest = other.Value.Pose;
             return oldest.Child != null && now - oldest.Stamp > MaxSilence && _others.Remove(oldest.Child);
         }
-    }
-}
 
         // Removes a kept stationary frame that the gateway may no longer have. It sends all its frames at the start of a connection, and these are not too
         // many.
@@ -162,3 +167,5 @@ namespace Nowpose.Session.Cell
             }
             return false;
         }
+    }
+}

@@ -222,6 +222,24 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(Find(cell, "fixture"), dropped == 0 ? Is.Not.Null : Is.Null);
         }
 
+        // For example, a source that numbers the carriers of an object.
+        [Test]
+        public void Add_FrameWithAnotherParent_FormerParentIsNotNeeded()
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("box");
+            cell.Send("carrier1", "box", cell.Now, At(1, 0), isStationary: true);
+            cell.Run(0.1);
+            cell.Send("carrier2", "box", cell.Now, At(1, 0), isStationary: true);
+            cell.Run(0.1);
+
+            Receive(cell, 0, true, "carrier1", "carrier2");
+            cell.Run(0.1);
+
+            Assert.That((Find(cell, "carrier1"), Find(cell, "carrier2")?.World.X), Is.EqualTo(((CellFrame)null, (double?)1)));
+            Assert.That(Find(cell, "box").World.X, Is.EqualTo(2));
+        }
+
         static void ShowAnother(CellSession cell)
         {
             cell.Session.Frames.Need("other");
