@@ -228,16 +228,18 @@ namespace Nowpose.Signals
             Insert(place, new Change(stamp, value));
         }
 
-        // If the list is full, removes the oldest change that is not visible yet, because newer changes replace it.
+        // If the list is full, drops the oldest change that is not visible yet, because newer changes replace it.
         int Insert(int place, in Change change)
         {
             if (_count == Capacity)
             {
                 var oldest = _isVisible ? 1 : 0;
-                _changes[oldest + 1].Resume();
-                Remove(oldest);
+                var isOldest = place <= oldest;
+                _changes[isOldest ? oldest : oldest + 1].Resume();
                 Overflowed?.Invoke(this);
-                if (place > oldest) place--;
+                if (isOldest) return place;
+                Remove(oldest);
+                place--;
             }
             for (var i = _count++; i > place; i--) _changes[i] = _changes[i - 1];
             _changes[place] = change;

@@ -102,6 +102,20 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That(resumed, Has.Count.EqualTo(1));
         }
 
+        // The late change is older than all changes that wait, so it is the one that newer changes replace.
+        [Test]
+        public void Add_LateChangeToAFullList_DropsTheLateChange()
+        {
+            var (signal, resumed) = NewSignal();
+            for (var k = 0; k < 63; k++) signal.Add(At(11 + 0.01 * k), k + 2);
+
+            signal.Add(At(10.9), 100);
+            while (signal.Next(At(11.005))) { }
+
+            Assert.That((signal.Value, signal.Since), Is.EqualTo((2.0, (ControlTime?)At(11))));
+            Assert.That(resumed, Is.EqualTo(new[] { 2.0 }));
+        }
+
         static (SignalTrack Signal, List<double> Resumed) NewSignal()
         {
             var signal = new SignalTrack("grip");
