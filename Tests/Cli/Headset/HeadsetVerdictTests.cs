@@ -30,7 +30,7 @@ public class HeadsetVerdictTests
     static SessionStatistics Statistics(long samples = 100, params JointStatus[] joints)
     {
         var statistics = new SessionStatistics { Samples = samples };
-        statistics.ChangeableJointStatuses.AddRange(joints);
+        statistics.OwnRobot.JointStatuses.AddRange(joints);
         return statistics;
     }
 

@@ -147,7 +147,7 @@ public sealed class StatusPanelViewTests(string scene)
         {
             var statistics = new SessionStatistics();
             for (var i = 0; i < joints; i++)
-                statistics.ChangeableJointStatuses.Add(new JointStatus(
+                statistics.OwnRobot.JointStatuses.Add(new JointStatus(
                     "KUKA_LBR_IIWA_14_R820_joint_" + i, JointDataState.Fault, ControlTime.FromSeconds(1), TimeSpan.FromSeconds(i), new string('W', 256)));
             var texts = new StatusTexts();
             texts.Update(statistics, Network, "youbot", null);

@@ -185,8 +185,6 @@ namespace Nowpose.Session
         /// <summary>State of <see cref="CompensationSession.Robot"/>.</summary>
         internal RobotStatistics OwnRobot => _robot;
 
-        internal List<JointStatus> ChangeableJointStatuses => _robot.JointStatuses;
-
         /// <summary>States of the displayed robots other than <see cref="CompensationSession.Robot"/>.</summary>
         internal IReadOnlyList<RobotStatistics> OtherRobots => _otherRobots;
 

@@ -112,7 +112,7 @@ namespace Nowpose.Tests.Core.Session
         {
             var statistics = new SessionStatistics { WorstPose = PoseState.Current, IsDisplayTimeImplausible = true };
             const string reason = StateNames.UncertainRestReason + "nothing confirms the last value";
-            statistics.ChangeableJointStatuses.Add(new JointStatus("elbow", JointDataState.Rest, null, null, reason));
+            statistics.OwnRobot.JointStatuses.Add(new JointStatus("elbow", JointDataState.Rest, null, null, reason));
 
             var message = SessionDiagnostics.Of(statistics, CellFaults.None, "left", default);
 

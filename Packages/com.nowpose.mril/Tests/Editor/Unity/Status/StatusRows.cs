@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Unity.Status
         public static SessionStatistics Statistics(long samples, params JointStatus[] joints)
         {
             var statistics = new SessionStatistics { Samples = samples };
-            statistics.ChangeableJointStatuses.AddRange(joints);
+            statistics.OwnRobot.JointStatuses.AddRange(joints);
             return statistics;
         }
 
