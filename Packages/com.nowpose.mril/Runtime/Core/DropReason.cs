@@ -8,7 +8,7 @@ namespace Nowpose
     {
         /// <summary>
         /// Nothing was dropped. This value also applies to a sample that newer samples have overtaken, because it is used together with the next
-        /// sample.
+        /// sample, to a sample that thinning leaves out, and to the pose of a frame that is not shown, because it is kept.
         /// </summary>
         None,
 

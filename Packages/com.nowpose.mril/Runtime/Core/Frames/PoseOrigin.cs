@@ -1,6 +1,7 @@
 namespace Nowpose.Frames
 {
     /// <summary>Origin of a pose at a given time: the least certain of the origins of the positions from which the pose was computed.</summary>
+    /// <remarks>The origins are ordered by certainty, the least certain first, and are compared in this order.</remarks>
     enum PoseOrigin
     {
         /// <summary>No data exists for that time.</summary>

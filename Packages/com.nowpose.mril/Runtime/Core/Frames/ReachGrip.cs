@@ -30,6 +30,13 @@ namespace Nowpose.Frames
         readonly double _reach;
         readonly IReadOnlyList<string> _objects;
         readonly PosesAtChange _poses;
+        // States of the gripper. If _missed has a reason, any object may be in the gripper, in each state.
+        //   unknown: _isClosed is null. No value of the signal has arrived.
+        //   closing: _isClosed, not _isFinal. Samples from the time of the closing are still missing, so _held may change.
+        //   holding: _isClosed, _isFinal, IsMine.
+        //   empty: _isClosed, _isFinal, not IsMine. It gripped no object (_held < 0), or the object's source or another gripper has taken it.
+        //   opening: not _isClosed, not _isFinal. Samples from the time of the opening are missing, so the place of the release may change.
+        //   open: not _isClosed, _isFinal.
         bool? _isClosed;
         bool _isFinal = true;
         // The object that the gripper gripped when it closed, its place at the closing, its place if the grip is withdrawn, and its pose in the hand.

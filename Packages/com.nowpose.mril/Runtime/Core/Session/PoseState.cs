@@ -4,6 +4,7 @@ namespace Nowpose.Session
     /// State of the displayed pose relative to the robot's current pose. A pose in any state except <see cref="Current"/> must look different from a
     /// current pose.
     /// </summary>
+    /// <remarks>The states are ordered by severity, the most severe first, and are compared in this order.</remarks>
     public enum PoseState
     {
         /// <summary>
