@@ -1,5 +1,5 @@
 using Nowpose.Kinematics;
-using Nowpose.Prediction.Samples;
+using Nowpose.Prediction;
 
 namespace Nowpose.Frames
 {

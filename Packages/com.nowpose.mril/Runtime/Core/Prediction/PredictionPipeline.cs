@@ -73,7 +73,7 @@ namespace Nowpose.Prediction
         {
             var restarts = Restarts;
             // The oldest sample is not in the processor's cache, and only late samples are compared with it.
-            var reason = _arrivals.Add(sample, _buffer.HasNewestOrder(sample) ? double.NegativeInfinity : _buffer.History.OldestOrder);
+            var reason = _arrivals.Add(sample, _buffer.HasNewestOrder(sample) ? double.NegativeInfinity : _buffer.OldestOrder);
             if (Restarts != restarts) Restart();
             return reason;
         }
@@ -117,7 +117,7 @@ namespace Nowpose.Prediction
             var (ahead, connected) = (time - NewestTime, Timing.ConnectedSamples);
             if (_interpolates && ahead <= 0 && connected > 1)
             {
-                var first = _buffer.History[connected - 1].Time - NewestTime;
+                var first = _buffer[connected - 1].Time - NewestTime;
                 return ahead < first ? new SectionPlace(PredictionKind.Held, first, isOnCurve: true)
                     : new SectionPlace(PredictionKind.Interpolated, ahead, isOnCurve: true);
             }
@@ -128,7 +128,7 @@ namespace Nowpose.Prediction
             // its newest sample, so its value at the oldest sample is held.
             if (ahead < 0 && !double.IsPositiveInfinity(_limits.HorizonCap))
             {
-                var start = _buffer.History.StartOf(Math.Min(connected, _forecasters[0].RequiredSamples));
+                var start = _buffer.StartOf(Math.Min(connected, _forecasters[0].RequiredSamples));
                 if (ahead < start) return new SectionPlace(PredictionKind.Held, start);
             }
             if (ahead <= 0) return new SectionPlace(PredictionKind.Interpolated, ahead);
@@ -142,7 +142,7 @@ namespace Nowpose.Prediction
         public double At(in SectionPlace place, int motion, int component)
         {
             if (place.IsOnCurve)
-                return new SampleCurve<TSample>(_buffer.History, motion * _components + component, Timing.ConnectedSamples).At(NewestTime + place.Ahead);
+                return new SampleCurve<TSample>(_buffer, motion * _components + component, Timing.ConnectedSamples).At(NewestTime + place.Ahead);
             var newest = _motions[motion].Newest[component];
             if (double.IsNaN(place.Ahead)) return newest;
             var position = newest + _forecasters[motion].At(place.Ahead, component);

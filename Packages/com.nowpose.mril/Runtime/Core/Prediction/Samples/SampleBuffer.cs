@@ -3,8 +3,8 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// Prepares the samples of a joint or an object: corrects stamps, thins the samples, sorts them, and drops duplicates. All components have the same
-    /// times, so this is done once per sample.
+    /// Keeps the newest samples of a joint or an object, sorted by time; index 0 is the newest. Corrects their stamps, thins them and drops duplicates. All
+    /// components have the same times, so this is done once per sample.
     /// </summary>
     sealed class SampleBuffer<TSample> where TSample : struct, ISample<TSample>
     {
@@ -13,6 +13,8 @@ namespace Nowpose.Prediction.Samples
         /// forecasts over a tenth of a second, and windows of few samples would contain mainly their noise.
         /// </summary>
         const double MinInterval = 0.0055;
+
+        readonly TSample[] _samples;
 
         // Null if stamps are not corrected.
         readonly StampCorrection _stamps;
@@ -23,19 +25,28 @@ namespace Nowpose.Prediction.Samples
         /// <param name="parts">Whether stamps of a periodic source are corrected, and whether samples less than 5.5 ms apart are left out.</param>
         public SampleBuffer(int capacity, PredictionParts parts, PredictionLimits limits)
         {
-            History = new SampleHistory<TSample>(capacity);
+            _samples = new TSample[capacity];
             Timing = new SampleTiming(limits);
             _stamps = (parts & PredictionParts.StampCorrection) != 0 ? new StampCorrection(default(TSample).Components) : null;
             _thins = (parts & PredictionParts.Thinning) != 0;
             Clear();
         }
 
-        /// <summary>The samples for forecasts, with corrected stamps.</summary>
-        public SampleHistory<TSample> History { get; }
+        /// <summary>Number of samples.</summary>
+        public int Count { get; private set; }
+
+        /// <summary>The sample with this age, with its corrected stamp.</summary>
+        public ref readonly TSample this[int age] => ref _samples[age];
+
+        /// <summary>Corrected time of the newest sample, in s; negative infinity before the first.</summary>
+        public double NewestTime => Count > 0 ? _samples[0].Time : double.NegativeInfinity;
+
+        /// <summary>Order of the oldest sample in a full buffer, in s; negative infinity while older samples still fit.</summary>
+        public double OldestOrder => Count < _samples.Length ? double.NegativeInfinity : _samples[Count - 1].Order;
 
         public SampleTiming Timing { get; }
 
-        /// <summary>The newest sample, even if it is left out; <c>default</c> before the first.</summary>
+        /// <summary>The newest sample as received, even if it is left out; <c>default</c> before the first.</summary>
         public TSample Newest { get; private set; }
 
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first.</summary>
@@ -51,30 +62,68 @@ namespace Nowpose.Prediction.Samples
         public bool HasNewestOrder(in TSample sample) => sample.Order > _newestOrder;
 
         /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
-        /// <returns>Whether the history has changed.</returns>
+        /// <returns>Whether the buffer has changed.</returns>
         public bool Add(in TSample sample, double displayed)
         {
             var isNewestByOrder = HasNewestOrder(sample);
             var time = _stamps == null ? sample.Time : _stamps.Correct(sample, isNewestByOrder);
             // The order decides, because the corrected stamp of the newest sample may precede the corrected stamp of the previous sample.
             if (isNewestByOrder) (_newestOrder, Newest) = (sample.Order, sample);
-            var before = History.NewestTime;
+            var before = NewestTime;
             // The correction may put a newest sample before the previous one. It is then sorted in, not thinned.
-            if (_thins && (isNewestByOrder ? time > before && time - before < MinInterval : History.HasWithin(MinInterval, time))) return false;
-            // The history is sorted by corrected times, so that successive times differ.
-            if (!History.Add(sample.With(time, _stamps == null ? sample.Order : time))) return false;
-            IsNewest = History.NewestTime > before;
-            Timing.Add(History, before, displayed);
+            if (_thins && (isNewestByOrder ? time > before && time - before < MinInterval : HasWithin(MinInterval, time))) return false;
+            // The samples are sorted by corrected times, so that successive times differ.
+            if (!Insert(sample.With(time, _stamps == null ? sample.Order : time))) return false;
+            IsNewest = NewestTime > before;
+            Timing.Add(this, before, displayed);
             return true;
+        }
+
+        /// <summary>Returns the number of newest samples without a gap above the maximum.</summary>
+        public int CountWithoutGap(double maximumGap)
+        {
+            var count = Math.Min(Count, 1);
+            while (count < Count && !(_samples[count - 1].Order - _samples[count].Order > maximumGap)) count++;
+            return count;
+        }
+
+        /// <summary>Returns the earliest time of the newest samples, relative to the newest, in s; not positive.</summary>
+        /// <param name="count">Number of newest samples, at most <see cref="Count"/>.</param>
+        public double StartOf(int count)
+        {
+            var start = 0.0;
+            for (var age = 1; age < count; age++) start = Math.Min(start, _samples[age].Time - _samples[0].Time);
+            return start;
         }
 
         public void Clear()
         {
-            History.Clear();
+            Count = 0;
             Timing.Reset();
             _stamps?.Reset();
             _newestOrder = double.NegativeInfinity;
             Newest = default;
+        }
+
+        // Returns false if the buffer is full and the sample is older than its samples, or if another sample has the same order.
+        bool Insert(in TSample sample)
+        {
+            var age = 0;
+            while (age < Count && _samples[age].Order > sample.Order) age++;
+            if (IsAsOld(age - 1, sample) || IsAsOld(age, sample) || age == _samples.Length) return false;
+            Count = Math.Min(Count + 1, _samples.Length);
+            Array.Copy(_samples, age, _samples, age + 1, Count - 1 - age);
+            _samples[age] = sample;
+            return true;
+        }
+
+        bool IsAsOld(int age, in TSample sample) => age >= 0 && age < Count && JointSample.IsSameTime(_samples[age].Order, sample.Order);
+
+        bool HasWithin(double interval, double time)
+        {
+            for (var age = 0; age < Count; age++)
+                if (Math.Abs(_samples[age].Time - time) < interval) return true;
+            return false;
         }
     }
 }

@@ -15,13 +15,13 @@ namespace Nowpose.Prediction.Samples
         /// <summary>A cubic with end slopes within three times the secant's is monotone (Fritsch &amp; Carlson).</summary>
         const double MaxSlope = 3;
 
-        readonly SampleHistory<TSample> _samples;
+        readonly SampleBuffer<TSample> _samples;
         readonly int _component, _count;
 
         /// <param name="samples">Index 0 is the newest.</param>
         /// <param name="component">Component of the samples.</param>
         /// <param name="count">Number of newest samples, at least two; their times differ.</param>
-        public SampleCurve(SampleHistory<TSample> samples, int component, int count) =>
+        public SampleCurve(SampleBuffer<TSample> samples, int component, int count) =>
             (_samples, _component, _count) = (samples, component, count);
 
         /// <param name="time">Time between the oldest and the newest sample.</param>

@@ -60,7 +60,7 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Updates the intervals after a sample has been added to the history.</summary>
         /// <param name="before">Time of the previous newest sample, in s; negative infinity if there is none.</param>
         /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
-        public void Add<TSample>(SampleHistory<TSample> samples, double before, double displayed) where TSample : struct, ISample<TSample>
+        public void Add<TSample>(SampleBuffer<TSample> samples, double before, double displayed) where TSample : struct, ISample<TSample>
         {
             ConnectedSamples = samples.CountWithoutGap(_maximumGap);
             if (!(samples.NewestTime > before))

@@ -73,8 +73,8 @@ namespace Nowpose.Prediction.State
         /// <param name="isUnconfirmed">Whether the sample may be wrong (<see cref="JumpDetector.IsUnconfirmed"/>): it does not increase the maxima.</param>
         public void Add(MotionState motion, double forgettingFactor, bool isUnconfirmed)
         {
-            SamplesSince = SampleCount.Next(SamplesSince);
-            _samples = SampleCount.Next(_samples);
+            _samples = Math.Min(_samples, int.MaxValue - 1) + 1;
+            SamplesSince = Math.Min(SamplesSince + 1, _samples);
             if (_samples < 2) return;
             var interval = motion.Timing.Interval;
             _maxAcceleration = Math.Max(_maxAcceleration, _acceleration) * forgettingFactor;

@@ -1,3 +1,5 @@
+using System;
+
 namespace Nowpose.Prediction.State
 {
     /// <summary>
@@ -20,12 +22,129 @@ namespace Nowpose.Prediction.State
         public void Add(MotionState motion)
         {
             if (motion.Count < 2) Reset();
-            else SamplesSince = IsDiscontinuity(motion) ? 1 : SampleCount.Next(SamplesSince);
+            else SamplesSince = IsDiscontinuity(motion) ? 1 : Math.Min(SamplesSince, int.MaxValue - 1) + 1;
         }
 
         public virtual void Reset() => (SamplesSince, IsUnconfirmed) = (int.MaxValue, false);
 
         /// <summary>Returns whether the displacement to the newest sample is not a velocity.</summary>
         protected abstract bool IsDiscontinuity(MotionState motion);
+    }
+
+    /// <summary>
+    /// Detects the way back from wrong samples of a joint. The unit and size of a joint are unknown, so only samples that were further away than any
+    /// motion so far, and from which the joint returns soon, count as wrong.
+    /// </summary>
+    sealed class OutlierReturnDetector : JumpDetector
+    {
+        /// <summary>
+        /// Minimum speed towards a wrong sample, relative to the maximum speed in two consecutive intervals. With 1.5, the errors on recordings are 0.2 %
+        /// larger.
+        /// </summary>
+        const double MinSpeedRatio = 3;
+
+        /// <summary>
+        /// Maximum distance of the sample after a wrong one from the last right one, relative to the distance of the wrong one; also that between two
+        /// wrong samples. With half or twice this value, the mean errors are the same within 0.05 %.
+        /// </summary>
+        const double MaxReturnRatio = 0.25;
+
+        /// <summary>
+        /// Maximum number of wrong samples in a row: a driver may report zero for a moment. A joint that stays longer was moved, and the weights learn
+        /// again. With 10 or 40, the mean errors are the same within 0.05 %.
+        /// </summary>
+        const int MaxWrong = 20;
+
+        // Position before the first sample that may be wrong, and the number of such samples.
+        double _before;
+        int _wrong;
+
+        protected override bool IsDiscontinuity(MotionState motion)
+        {
+            var max = MaxReturnRatio * Math.Abs(motion.Previous[0] - _before);
+            var isReturn = IsUnconfirmed && Math.Abs(motion.Newest[0] - _before) < max;
+            var stays = IsUnconfirmed && _wrong < MaxWrong && Math.Abs(motion.Newest[0] - motion.Previous[0]) < max;
+            if (stays) _wrong++;
+            else
+            {
+                IsUnconfirmed = !isReturn && motion.MaxSpeed > 0 && motion.Speed > MinSpeedRatio * motion.MaxSpeed;
+                (_before, _wrong) = (motion.Previous[0], 1);
+            }
+            return isReturn;
+        }
+    }
+
+    /// <summary>
+    /// Detects that an object was elsewhere at once: a workpiece that reappears at the start of its conveyor, or an outlier of a tracker.
+    /// </summary>
+    /// <remarks>
+    /// A jump is a change of velocity that needs a larger acceleration than objects have, and that is clearly larger than the recent changes. The latter
+    /// distinguishes jumps from a person who shakes an object. Directly after a jump, the velocity is compared with that before it: an object that moves on
+    /// as before is at its new place, and the way back at the end of an outlier is another jump.
+    /// </remarks>
+    sealed class ObjectJumpDetector : JumpDetector
+    {
+        /// <summary>
+        /// Minimum change of velocity, relative to the mean of the recent changes. With 2.5 or 4, the errors on jumps and on shaken objects are the same
+        /// within 4 %.
+        /// </summary>
+        const double MinChangeRatio = 3;
+
+        /// <summary>Weight of a new change in the mean. With half or twice this value, the errors of objects change by at most 0.1 %.</summary>
+        const double Smoothing = 1 / 8.0;
+
+        /// <summary>Maximum change that enters the mean, relative to the limit of a jump: a far outlier would hide the next ones.</summary>
+        const double MaxLearnedRatio = 2;
+
+        /// <summary>Maximum difference from a jump, relative to its length, of a displacement that continues it: the jump was then a motion.</summary>
+        const double MaxContinuedRatio = 0.5;
+
+        readonly double _minJump, _maxAcceleration;
+        readonly double[] _velocity, _newVelocity, _jump, _displacement;
+        double _meanChange;
+        bool _isKnown;
+
+        /// <param name="components">Number of components of a position.</param>
+        /// <param name="minJump">Minimum length of a jump, in m or rad: more than the noise of a tracker.</param>
+        /// <param name="maxAcceleration">Maximum acceleration of an object, per second squared.</param>
+        public ObjectJumpDetector(int components, double minJump, double maxAcceleration)
+        {
+            (_minJump, _maxAcceleration) = (minJump, maxAcceleration);
+            (_velocity, _newVelocity) = (new double[components], new double[components]);
+            (_jump, _displacement) = (new double[components], new double[components]);
+        }
+
+        public override void Reset()
+        {
+            base.Reset();
+            (_meanChange, _isKnown) = (0, false);
+        }
+
+        protected override bool IsDiscontinuity(MotionState motion)
+        {
+            // The stamps of two close samples may be inaccurate.
+            var interval = Math.Max(motion.Timing.Interval, motion.Timing.MeanInterval);
+            for (var c = 0; c < _displacement.Length; c++)
+            {
+                _displacement[c] = motion.Newest[c] - motion.Previous[c];
+                _newVelocity[c] = _displacement[c] / interval;
+            }
+            var continues = IsVelocityUnknown && Vectors.Distance(_displacement, _jump) < MaxContinuedRatio * Vectors.Length(_jump);
+            var isJump = _isKnown && IsAbrupt(interval, motion.HasOtherMotionJumped) && !continues;
+            if (!isJump) _isKnown = true;
+            var (from, to) = isJump ? (_displacement, _jump) : (_newVelocity, _velocity);
+            Array.Copy(from, to, to.Length);
+            return isJump;
+        }
+
+        // If another part of the pose has jumped, a change is a jump even if an object could make it by moving.
+        bool IsAbrupt(double interval, bool hasOtherMotionJumped)
+        {
+            var (change, speed) = (Vectors.Distance(_newVelocity, _velocity), Vectors.Length(_newVelocity));
+            var limit = Math.Max(_minJump / interval, _maxAcceleration * interval);
+            var isAbrupt = change > MinChangeRatio * _meanChange && (hasOtherMotionJumped || (speed > limit && change > limit));
+            _meanChange += (Math.Min(change, MaxLearnedRatio * limit) - _meanChange) * Smoothing;
+            return isAbrupt;
+        }
     }
 }

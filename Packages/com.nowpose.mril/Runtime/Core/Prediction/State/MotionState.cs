@@ -90,14 +90,13 @@ namespace Nowpose.Prediction.State
         /// <summary>Takes the samples of a buffer that has added a sample.</summary>
         public void Take<TSample>(SampleBuffer<TSample> buffer) where TSample : struct, ISample<TSample>
         {
-            var history = buffer.History;
             IsNewest = buffer.IsNewest;
             if (IsNewest)
             {
                 PreviousTime = NewestTime;
                 (Velocity, _velocityBefore) = (_velocityBefore, Velocity);
             }
-            ref readonly var newest = ref history[0];
+            ref readonly var newest = ref buffer[0];
             NewestTime = newest.Time;
             (ReportedVelocity, ReportedAcceleration) = (newest.Velocity, newest.Acceleration);
             for (var c = 0; c < Components; c++)
@@ -108,7 +107,7 @@ namespace Nowpose.Prediction.State
             Count = Math.Min(Timing.ConnectedSamples, _capacity);
             for (int age = 1, at = Components; age < Count; age++, at += Components)
             {
-                ref readonly var sample = ref history[age];
+                ref readonly var sample = ref buffer[age];
                 Times[age] = sample.Time - NewestTime;
                 for (var c = 0; c < Components; c++) Displacements[at + c] = sample[_first + c] - Newest[c];
             }

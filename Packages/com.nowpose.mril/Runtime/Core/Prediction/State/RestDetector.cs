@@ -80,7 +80,7 @@ namespace Nowpose.Prediction.State
         public void AddDisplacement(double displacement, double maxDisplacement)
         {
             StillDistance = StillRatio * maxDisplacement;
-            StillSamples = displacement <= StillDistance ? SampleCount.Next(StillSamples) : 0;
+            StillSamples = displacement <= StillDistance ? Math.Min(StillSamples, int.MaxValue - 1) + 1 : 0;
         }
 
         /// <summary>Examines the noise of the samples after one has been added that is newer than all previous samples.</summary>

@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Samples;
 using NUnit.Framework;
@@ -7,6 +9,49 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 {
     public class SampleBufferTests
     {
+        const double MaximumGap = 0.5;
+
+        // Uses the samples as they are.
+        static SampleBuffer<JointSample> Buffer(int capacity) =>
+            new SampleBuffer<JointSample>(capacity, PredictionParts.None, PredictionLimits.Unlimited);
+
+        [TestCase(1)]
+        [TestCase(5)]
+        [TestCase(24)]
+        public void Add_SamplesInAnyOrder_KeepsTheNewestSorted(int capacity)
+        {
+            var (buffer, random, all) = (Buffer(capacity), new Random(capacity), new List<double>());
+            for (var i = 0; i < 300; i++)
+            {
+                // Most samples are newer than all others; some are late, some are repeated.
+                var time = random.Next(4) > 0 || i == 0 ? i : Math.Max(0, i - random.Next(2 * capacity));
+                var isKnown = all.Contains(time) || (all.Count >= capacity && time < all[capacity - 1]);
+                Assert.That(buffer.Add(new JointSample(time, -time), displayed: double.NaN), Is.EqualTo(!isKnown), "sample " + i);
+                if (!isKnown) all.Add(time);
+                all.Sort((a, b) => b.CompareTo(a));
+                if (all.Count > capacity) all.RemoveAt(capacity);
+
+                Assert.That(Enumerable.Range(0, buffer.Count).Select(age => buffer[age].Time), Is.EqualTo(all), "sample " + i);
+                Assert.That(buffer[0].Position, Is.EqualTo(-all[0]));
+                Assert.That(buffer.OldestOrder, Is.EqualTo(all.Count < capacity ? double.NegativeInfinity : all[capacity - 1]));
+            }
+        }
+
+        [Test]
+        public void CountWithoutGap_GapsAndLateSamples_CountsTheNewestWithoutGap()
+        {
+            var (buffer, random, time) = (Buffer(8), new Random(3), 0.0);
+            for (var i = 0; i < 300; i++)
+            {
+                var isNewest = i == 0 || random.Next(5) > 0;
+                if (isNewest) time += random.Next(4) > 0 ? 0.1 : 0.9;
+                buffer.Add(new JointSample(isNewest ? time : time - random.NextDouble(), 0), displayed: double.NaN);
+
+                var gaps = Enumerable.Range(1, buffer.Count).Where(age => age == buffer.Count || buffer[age - 1].Time - buffer[age].Time > MaximumGap);
+                Assert.That(buffer.CountWithoutGap(MaximumGap), Is.EqualTo(gaps.First()), "sample " + i);
+            }
+        }
+
         [TestCase(0.010, 100)]
         [TestCase(0.050, 100)]
         [TestCase(0.002, 34)]
@@ -19,7 +64,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
                 if (buffer.Add(new JointSample(k * interval, k), displayed: double.NaN)) changes++;
             }
 
-            Assert.That(buffer.History.Count, Is.EqualTo(expected).And.EqualTo(changes));
+            Assert.That(buffer.Count, Is.EqualTo(expected).And.EqualTo(changes));
             Assert.That(buffer.Newest.Position, Is.EqualTo(99));
             Assert.That(buffer.NewestStamp, Is.EqualTo(99 * interval));
         }
@@ -32,9 +77,9 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             for (var k = 0; k < 100; k += 4)
                 foreach (var i in new[] { 3, 0, 1, 2 }) buffer.Add(new JointSample((k + i) * 0.001, k + i), displayed: double.NaN);
 
-            for (var age = 1; age < buffer.History.Count; age++)
-                Assert.That(buffer.History[age - 1].Time - buffer.History[age].Time, Is.GreaterThanOrEqualTo(0.0055), "sample " + age);
-            Assert.That(buffer.History.Count, Is.GreaterThan(10));
+            for (var age = 1; age < buffer.Count; age++)
+                Assert.That(buffer[age - 1].Time - buffer[age].Time, Is.GreaterThanOrEqualTo(0.0055), "sample " + age);
+            Assert.That(buffer.Count, Is.GreaterThan(10));
         }
 
         // Scatter alone can make a corrected stamp older than the previous one, so the newest sample keeps its own stamp.
