@@ -3,6 +3,7 @@ using Nowpose.Kinematics;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Mixing;
 using Nowpose.Prediction.Samples;
+using Nowpose.Signals;
 
 namespace Nowpose.Frames
 {

@@ -4,8 +4,8 @@ using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Mixing;
-using Nowpose.Prediction.Samples;
 using Nowpose.Protocol;
+using Nowpose.Signals;
 
 namespace Nowpose.Session
 {

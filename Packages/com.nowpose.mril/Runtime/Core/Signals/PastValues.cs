@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Prediction.Samples
+namespace Nowpose.Signals
 {
     /// <summary>
     /// Keeps the values of more than a second with a resolution of 20 ms, because a signal's message can arrive later than the samples that

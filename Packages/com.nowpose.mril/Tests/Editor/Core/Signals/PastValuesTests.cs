@@ -1,8 +1,8 @@
 using System;
 using NUnit.Framework;
-using Nowpose.Prediction.Samples;
+using Nowpose.Signals;
 
-namespace Nowpose.Tests.Core.Prediction.Samples
+namespace Nowpose.Tests.Core.Signals
 {
     public class PastValuesTests
     {
