@@ -11,9 +11,10 @@ namespace Nowpose.Prediction
         internal const double SameSeconds = 1e-6;
 
         /// <summary>
-        /// Maximum displacement and velocity. Products of several larger values can overflow, and an overflow remains in every running mean.
+        /// Maximum displacement, velocity, acceleration and scored error, in m or rad and per second: larger than any of a machine. The square of a larger value
+        /// would remain in every running mean, and products of several could overflow.
         /// </summary>
-        internal const double MaxMagnitude = 1e50;
+        internal const double MaxMagnitude = 1e9;
 
         /// <param name="time">t_k in seconds of control time since a nearby epoch.</param>
         /// <param name="position">Finite; rad for revolute joints, m for prismatic ones.</param>
@@ -23,7 +24,7 @@ namespace Nowpose.Prediction
         /// <param name="time">Stamp t_k, which may be wrong, in seconds of control time since a nearby epoch.</param>
         /// <param name="position">Finite; rad for revolute joints, m for prismatic ones.</param>
         /// <param name="order">Sort key in seconds, which determines the order of the samples if <paramref name="time"/> is wrong.</param>
-        /// <param name="velocity">Velocity per second; NaN if it is unknown. A magnitude of 1e50 or more counts as unknown.</param>
+        /// <param name="velocity">Velocity per second; NaN if it is unknown. A magnitude of 1e9 or more counts as unknown.</param>
         /// <param name="acceleration">Acceleration per second squared; otherwise like <paramref name="velocity"/>.</param>
         /// <exception cref="ArgumentException">Time, position or order is not finite.</exception>
         public JointSample(

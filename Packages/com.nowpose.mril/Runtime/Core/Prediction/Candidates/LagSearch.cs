@@ -50,11 +50,6 @@ namespace Nowpose.Prediction.Candidates
         const int Block = 8;
 
         /// <summary>
-        /// Maximum distance of a position from the origin. Larger distances are limited to this value, so that squares do not overflow.
-        /// </summary>
-        const double MaxDistance = 1e15;
-
-        /// <summary>
         /// Added to each cost at each comparison, so that costs do not become subnormal: arithmetic with subnormal numbers is many times slower.
         /// </summary>
         const float MinCost = 1e-30f;
@@ -130,7 +125,8 @@ namespace Nowpose.Prediction.Candidates
             {
                 var position = _history.Points[from + c];
                 if (point == 0) _origins[c] = position;
-                _rows[to] = _positions[c] = (float)Math.Max(-MaxDistance, Math.Min(MaxDistance, position - _origins[c]));
+                // The squares of larger distances could overflow.
+                _rows[to] = _positions[c] = (float)Math.Max(-JointSample.MaxMagnitude, Math.Min(JointSample.MaxMagnitude, position - _origins[c]));
                 _varies[c] |= _positions[c] != 0;
             }
         }

@@ -35,9 +35,6 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Duration of the longest move at the maximum speed, in s. A longer move is predicted like this one until it brakes.</summary>
         const double MaxDuration = 60;
 
-        /// <summary>Ratio to the longest stroke above which a fitted stroke means that the move has not braked yet.</summary>
-        const double UnbrakedRatio = 0.999;
-
         readonly PredictionLimits _limits;
         readonly double _maxStroke;
         readonly SevenPhaseProfile _unbraked;
@@ -144,7 +141,7 @@ namespace Nowpose.Prediction.Candidates
             }
             _move = Profile(longer);
             _hasBraked = true;
-            return longer < UnbrakedRatio * _maxStroke;
+            return longer < _maxStroke;
         }
 
         double TimeTo(double displacement)

@@ -42,12 +42,6 @@ namespace Nowpose.Prediction.Mixing
         /// </summary>
         const double SameRatio = 1e-8;
 
-        /// <summary>
-        /// MinWeight: threshold below which weights and evidence count as zero, because they may be rounding errors. MinSquare: its square, the threshold
-        /// for squares, which prevents divisions by zero.
-        /// </summary>
-        const double MinWeight = 1e-9, MinSquare = 1e-18;
-
         readonly int _count;
 
         // The matrix G, and in the last row the product Gw. Gw is updated with each change, so that a solve need not compute it.
@@ -70,7 +64,7 @@ namespace Nowpose.Prediction.Mixing
         public double Evidence { get; private set; }
 
         /// <summary>Returns the mean square of one forecast's error; 0 without evidence.</summary>
-        public double MeanSquare(int forecast) => _products[forecast * (_count + 1)] / Math.Max(Evidence, MinWeight);
+        public double MeanSquare(int forecast) => Evidence > 0 ? _products[forecast * (_count + 1)] / Evidence : 0;
 
         /// <summary>Adds the errors of all forecasts for one sample.</summary>
         /// <param name="forgettingFactor">Forgetting factor of one sample, 0 to 1.</param>
@@ -106,8 +100,8 @@ namespace Nowpose.Prediction.Mixing
             var min = double.PositiveInfinity;
             for (var i = 0; i < _weighted; i += _count + 1)
                 if (_products[i] < min) min = _products[i];
-            min = Math.Max(min, MinError * MinError * Evidence) + MinSquare;
-            var lambda = Regularisation * min * (1 + priorEvidence / Math.Max(Evidence, MinWeight));
+            min = Math.Max(min, MinError * MinError * Evidence);
+            var lambda = Regularisation * min * (1 + priorEvidence / Evidence);
             Span<double> gradient = stackalloc double[_count];
             for (var i = 0; i < gradient.Length; i++) gradient[i] = _products[_weighted + i] + lambda * (Values[i] - prior[i]);
             for (var step = 0; step < Steps; step++)
@@ -131,14 +125,15 @@ namespace Nowpose.Prediction.Mixing
             {
                 var slope = gradient[i];
                 if (slope < least - same || (slope <= least + same && values[i] < values[to])) (to, least) = (i, Math.Min(slope, least));
-                if (values[i] > MinWeight && (slope > largest + same || (slope >= largest - same && values[i] > values[from])))
+                if (values[i] > 0 && (slope > largest + same || (slope >= largest - same && values[i] > values[from])))
                     (from, largest) = (i, Math.Max(slope, largest));
             }
             var difference = largest - least;
             if (from < 0 || !(difference > 0)) return 0;
             int toRow = to * _count, fromRow = from * _count;
-            var curvature = products[toRow + to] + products[fromRow + from] - 2 * products[toRow + from] + 2 * lambda + MinSquare;
-            var move = Math.Min(difference / Math.Max(curvature, MinSquare), values[from]);
+            // The sum of the products is not negative, except for rounding.
+            var curvature = Math.Max(products[toRow + to] + products[fromRow + from] - 2 * products[toRow + from], 0) + 2 * lambda;
+            var move = Math.Min(difference / curvature, values[from]);
             values[to] += move;
             values[from] -= move;
             for (var i = 0; i < gradient.Length; i++)

@@ -11,19 +11,8 @@ namespace Nowpose.Prediction.Mixing
     /// </summary>
     sealed class PendingForecasts
     {
-        /// <summary>Maximum interval in which samples are interpolated to score a forecast, s. In a longer one, a motion can start and end.</summary>
-        const double MaxInterval = 0.5;
-
-        /// <summary>Errors above this, in m or rad, are not scored: their squares would remain in every mean.</summary>
-        const double MaxError = 1e9;
-
-        /// <summary>Maximum difference of forecasts that counts as rounding, in m or rad.</summary>
-        const double Rounding = 1e-9;
-
         /// <summary>Maximum number of pending forecasts: half a second of samples at 180 Hz.</summary>
         const int Capacity = 96;
-
-        const int Hold = ForecasterSet.Hold, Line = ForecasterSet.Line;
 
         // _mixture: start of the mixture's position in the positions for one time.
         readonly int _components, _mixture;
@@ -65,7 +54,7 @@ namespace Nowpose.Prediction.Mixing
                 positions[_mixture + c] = newest + sum;
                 for (var i = 0; i < _candidates.Length; i++) positions[CandidateRow(i) + c] = newest + _candidates[i].At(time, c);
             }
-            return Vectors.Distance(positions, _mixture, positions, Line * _components, _components);
+            return Vectors.Distance(positions, _mixture, positions, ForecasterSet.Line * _components, _components);
         }
 
         /// <summary>
@@ -79,7 +68,8 @@ namespace Nowpose.Prediction.Mixing
             for (; _count > 0 && _pending[0].Due <= motion.NewestTime; DropFirst())
             {
                 var expected = _pending[0];
-                if (!(interval < MaxInterval) || expected.Due < motion.PreviousTime) continue;
+                // In an interval that is longer than the forecasts, a motion can start and end.
+                if (!(interval < ForecastTable.Span) || expected.Due < motion.PreviousTime) continue;
                 var fraction = (expected.Due - motion.PreviousTime) / interval;
                 for (var c = 0; c < _components; c++) _truth[c] = motion.Previous[c] + (motion.Newest[c] - motion.Previous[c]) * fraction;
                 hasLearned |= ScoreForecasts(expected.Positions, forgettingFactor);
@@ -108,8 +98,8 @@ namespace Nowpose.Prediction.Mixing
             var differ = false;
             for (var row = 0; row < _mixture; row += _components)
             {
-                if (!(ErrorOf(positions, row) < MaxError)) return false;
-                differ = differ || Vectors.Distance(positions, row, positions, Line * _components, _components) > Rounding;
+                if (!(ErrorOf(positions, row) < JointSample.MaxMagnitude)) return false;
+                differ = differ || Vectors.Distance(positions, row, positions, ForecasterSet.Line * _components, _components) > 0;
             }
             // From a rest without noise, all forecasts are equal. Their error at a start would hide the differences between the forecasters for seconds.
             if (!differ) return false;
@@ -124,11 +114,11 @@ namespace Nowpose.Prediction.Mixing
         void ScoreCandidates(Expectation expected, double time)
         {
             var positions = expected.Positions;
-            double mixture = ErrorOf(positions, _mixture), moved = ErrorOf(positions, Hold * _components);
+            double mixture = ErrorOf(positions, _mixture), moved = ErrorOf(positions, ForecasterSet.Hold * _components);
             for (var i = 0; i < _candidates.Length; i++)
             {
                 var row = CandidateRow(i);
-                var displacement = Math.Max(moved, Vectors.Distance(positions, Hold * _components, positions, row, _components));
+                var displacement = Math.Max(moved, Vectors.Distance(positions, ForecasterSet.Hold * _components, positions, row, _components));
                 _candidates[i].Score(ErrorOf(positions, row), mixture, displacement, expected.WasStill, time);
             }
         }

@@ -37,15 +37,6 @@ namespace Nowpose.Prediction.Planning
         /// </summary>
         const double MaxStandardErrors = 5;
 
-        /// <summary>
-        /// Minimum variances of the delay, in s², and of the offset, in rad² or m²: (1 µs)² and (1e-9)². They keep the variances positive despite rounding
-        /// errors.
-        /// </summary>
-        const double MinVarDelay = 1e-12, MinVarOffset = 1e-18;
-
-        /// <summary>Bounds above which squares overflow.</summary>
-        const double MaxVariance = 1e100, MaxRange = 1e40;
-
         double _varDelay, _covariance, _varOffset;
         double _time;
         bool _hasStarted;
@@ -81,14 +72,15 @@ namespace Nowpose.Prediction.Planning
             var offsetGain = -velocity * _covariance + _varOffset;
             var variance = -velocity * delayGain + offsetGain + noise * noise;
             // Also rejects NaN: values such as 1e200 must not enter the filter.
-            if (!(difference * difference <= MaxStandardErrors * MaxStandardErrors * variance) || !(variance < MaxVariance)) return PlanVerdict.NotFollowed;
+            if (!(difference * difference <= MaxStandardErrors * MaxStandardErrors * variance) || !(variance < JointSample.MaxMagnitude * JointSample.MaxMagnitude)) return PlanVerdict.NotFollowed;
             (delayGain, offsetGain) = (delayGain / variance, offsetGain / variance);
             Delay += delayGain * difference;
             Offset += offsetGain * difference;
             var (delayOld, both, offsetOld) = (_varDelay, _covariance, _varOffset);
-            _varDelay = Math.Max((1 + delayGain * velocity) * delayOld - delayGain * both, MinVarDelay);
+            // Rounding must not make a variance negative.
+            _varDelay = Math.Max((1 + delayGain * velocity) * delayOld - delayGain * both, 0);
             _covariance = (1 + delayGain * velocity) * both - delayGain * offsetOld;
-            _varOffset = Math.Max(offsetGain * velocity * both + (1 - offsetGain) * offsetOld, MinVarOffset);
+            _varOffset = Math.Max(offsetGain * velocity * both + (1 - offsetGain) * offsetOld, 0);
             // A plan that hardly moves agrees with any joint that is at rest at the planned position.
             return Math.Abs(velocity) * UnknownDelay > MaxStandardErrors * noise ? PlanVerdict.Followed : PlanVerdict.Unclear;
         }
@@ -111,7 +103,7 @@ namespace Nowpose.Prediction.Planning
 
         static double InitialVariance(double range)
         {
-            var offset = UnknownOffset * Math.Min(range, MaxRange) + MinNoise;
+            var offset = UnknownOffset * Math.Min(range, JointSample.MaxMagnitude) + MinNoise;
             return offset * offset;
         }
     }

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Prediction.Samples
 {
@@ -9,24 +10,13 @@ namespace Nowpose.Prediction.Samples
         /// Weight of a new value in the running means, which follow a change of rate within ten samples. With 0.05 or 0.2, the errors are up to 0.6 %
         /// larger.
         /// </summary>
-        const double MeanWeight = 0.1;
-
-        /// <summary>
-        /// Maximum sampling interval, in s. A longer pause enters the mean interval with this value, so that a pause after the first sample is forgotten soon.
-        /// </summary>
-        const double MaxInterval = 0.3;
+        public const double MeanWeight = 0.1;
 
         /// <summary>
         /// Maximum interval that enters the mean, as a multiple of the mean, so that a single gap hardly changes it. With 1.5 or 6, the mean errors change
         /// by at most 0.1 %.
         /// </summary>
         const double MaxGapRatio = 3;
-
-        /// <summary>
-        /// Range of the horizon, in s. At shorter horizons, the forecasts hardly differ, so their errors determine no weights. Forecast tables end at
-        /// 0.5 s.
-        /// </summary>
-        const double MinHorizon = 0.01, MaxHorizon = 0.45;
 
         /// <summary>
         /// Horizon until the first display time is known, in s: a typical latency of 100 ms and half a typical interval of 50 ms.
@@ -41,7 +31,7 @@ namespace Nowpose.Prediction.Samples
         {
             _maximumGap = limits.MaximumGap;
             // Positions beyond the cap are not predicted.
-            _maxHorizon = Math.Max(MinHorizon, Math.Min(MaxHorizon, limits.HorizonCap));
+            _maxHorizon = Math.Min(ForecastTable.Span, limits.HorizonCap);
             Reset();
         }
 
@@ -51,7 +41,7 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Interval before the newest sample, in s; 0 until there are two samples.</summary>
         public double Interval { get; private set; }
 
-        /// <summary>Running mean of <see cref="Interval"/>, s; 0 until there are two samples.</summary>
+        /// <summary>Running mean of <see cref="Interval"/>, s; 0 until there are two samples without a gap.</summary>
         public double MeanInterval { get; private set; }
 
         /// <summary>Mean time from the newest sample to the display time, in s.</summary>
@@ -71,10 +61,12 @@ namespace Nowpose.Prediction.Samples
             }
             if (double.IsNegativeInfinity(before)) return;
             Interval = samples.NewestTime - before;
-            UpdateMeanInterval();
+            // A pause is not a sampling interval.
+            if (!(Interval > _maximumGap))
+                MeanInterval += MeanInterval == 0 ? Interval : MeanWeight * (Math.Min(Interval, MaxGapRatio * MeanInterval) - MeanInterval);
             // This section is displayed for one sampling interval from now on, so its mean horizon is half an interval longer than the current one.
             var ahead = displayed - samples.NewestTime + MeanInterval / 2;
-            if (ahead > 0) Horizon += MeanWeight * (Math.Min(Math.Max(ahead, MinHorizon), _maxHorizon) - Horizon);
+            if (ahead > 0) Horizon += MeanWeight * (Math.Min(ahead, _maxHorizon) - Horizon);
         }
 
         public void Reset()
@@ -82,13 +74,6 @@ namespace Nowpose.Prediction.Samples
             Interval = MeanInterval = 0;
             ConnectedSamples = 0;
             Horizon = Math.Min(FirstHorizon, _maxHorizon);
-        }
-
-        void UpdateMeanInterval()
-        {
-            var bounded = Math.Min(Interval, MaxInterval);
-            MeanInterval = MeanInterval == 0 ? bounded
-                : MeanInterval + MeanWeight * (Math.Min(bounded, MaxGapRatio * MeanInterval) - MeanInterval);
         }
     }
 }

@@ -33,16 +33,8 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Ratio of scatter below which a shorter interval is preferred: shorter intervals always fit slightly better.</summary>
         const double MaxRatioOfShorter = 0.6;
 
-        /// <summary>
-        /// Maximum scatter, relative to the interval, at which the sample numbers are certain; clearly below the 0.29 of random stamps.
-        /// </summary>
-        const double ClearRatio = 0.22;
-
-        /// <summary>Maximum scatter of periodic stamps, relative to the interval: random stamps scatter by 0.29.</summary>
+        /// <summary>Maximum scatter of periodic stamps, relative to the interval, at which the sample numbers are certain: random stamps scatter by 0.29.</summary>
         const double MaxScatterRatio = 0.25;
-
-        /// <summary>Number of consecutive stamps with too much scatter after which the line restarts: as many as a new line needs.</summary>
-        const int MaxMisfits = MinStamps;
 
         /// <summary>Number of fits to the first stamps: the first line may assign wrong numbers, which the next fits correct.</summary>
         const int Refinements = 3;
@@ -100,9 +92,9 @@ namespace Nowpose.Prediction.Samples
                 if (_count == MinStamps) EstimateInterval();
             }
             if (!IsKnown) return;
-            // Wrong sample numbers would affect the line until their weight has decayed.
+            // Wrong sample numbers would affect the line until their weight has decayed, so it restarts after as many misfits as a new line needs.
             _misfits = IsTooScattered ? _misfits + 1 : 0;
-            if (_misfits == MaxMisfits) Reset();
+            if (_misfits == MinStamps) Reset();
         }
 
         public void Reset()
@@ -117,7 +109,7 @@ namespace Nowpose.Prediction.Samples
             var span = _first[MinStamps - 1] - _first[0];
             var best = 0;
             var minRatio = double.PositiveInfinity;
-            for (var lost = 0; lost <= MaxLostAtStart && minRatio > ClearRatio; lost++)
+            for (var lost = 0; lost <= MaxLostAtStart && minRatio > MaxScatterRatio; lost++)
             {
                 FitWithInterval(span / (MinStamps - 1 + lost));
                 if (!IsKnown || Deviation >= MaxRatioOfShorter * minRatio * Interval) continue;
@@ -193,7 +185,7 @@ namespace Nowpose.Prediction.Samples
         static double LikelyInterval(double slope, double standardError)
         {
             var whole = Math.Round(slope / CycleUnit) * CycleUnit;
-            return whole > 0 && Math.Abs(slope - whole) <= MaxStandardErrors * standardError && standardError < CycleUnit ? whole : slope;
+            return whole > 0 && Math.Abs(slope - whole) <= MaxStandardErrors * standardError ? whole : slope;
         }
     }
 }

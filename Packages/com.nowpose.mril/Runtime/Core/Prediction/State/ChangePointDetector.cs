@@ -31,12 +31,6 @@ namespace Nowpose.Prediction.State
         const double MinSteadyChangeRatio = 0.5;
 
         /// <summary>
-        /// Minimum speed at the sample that confirms an increase of the speed, relative to the speed at the change point. A joint that starts does
-        /// not become slower; the difference from 1 allows for noise. Without the confirmation, the errors on recordings are 1.0 % larger.
-        /// </summary>
-        const double MinConfirmationRatio = 0.9;
-
-        /// <summary>
         /// Maximum change of a constant velocity, relative to the maximum recent speed. Without the rule, turntables with abrupt starts had up to 1.3
         /// times the error of the line. With 1e-3, the errors on such motions are the same, but workpieces of a UR5, whose smooth moves are almost
         /// uniform at times, have up to 3.5 % larger errors.
@@ -119,8 +113,8 @@ namespace Nowpose.Prediction.State
             SpeedIncreased = IsSteady = _wasSteady = _isUnconfirmed = false;
         }
 
-        bool IsConfirmed(double newest, double before, double product) =>
-            SamplesSince == 2 && SpeedIncreased && product > 0 && newest >= MinConfirmationRatio * before;
+        // A joint that starts does not become slower. Without the confirmation, the errors on recordings are 1.0 % larger.
+        bool IsConfirmed(double newest, double before, double product) => SamplesSince == 2 && SpeedIncreased && product > 0 && newest >= before;
 
         bool IsChangePoint(double change, double acceleration, bool isSteady) =>
             change >= (isSteady ? MinSteadyChangeRatio : MinChangeRatio) * _maxSpeed && (isSteady || acceleration > MinAccelerationRatio * _maxAcceleration);

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.State
 {
@@ -90,9 +91,6 @@ namespace Nowpose.Prediction.State
         /// </summary>
         const double MinChangeRatio = 3;
 
-        /// <summary>Weight of a new change in the mean. With half or twice this value, the errors of objects change by at most 0.1 %.</summary>
-        const double Smoothing = 1 / 8.0;
-
         /// <summary>Maximum change that enters the mean, relative to the limit of a jump: a far outlier would hide the next ones.</summary>
         const double MaxLearnedRatio = 2;
 
@@ -143,7 +141,7 @@ namespace Nowpose.Prediction.State
             var (change, speed) = (Vectors.Distance(_newVelocity, _velocity), Vectors.Length(_newVelocity));
             var limit = Math.Max(_minJump / interval, _maxAcceleration * interval);
             var isAbrupt = change > MinChangeRatio * _meanChange && (hasOtherMotionJumped || (speed > limit && change > limit));
-            _meanChange += (Math.Min(change, MaxLearnedRatio * limit) - _meanChange) * Smoothing;
+            _meanChange += (Math.Min(change, MaxLearnedRatio * limit) - _meanChange) * SampleTiming.MeanWeight;
             return isAbrupt;
         }
     }
