@@ -36,7 +36,7 @@ namespace Nowpose.Prediction
             _components = default(TSample).Components / forecasters.Length;
             _motions = new MotionState[forecasters.Length];
             for (var i = 0; i < _motions.Length; i++)
-                _motions[i] = new MotionState(_components, i * _components, Math.Max(2, Math.Min(kept, forecasters[i].MaxSamples)), _buffer.Timing);
+                _motions[i] = new MotionState(_components, i * _components, kept, _buffer.Timing);
         }
 
         /// <summary>Whether no sample has been added.</summary>

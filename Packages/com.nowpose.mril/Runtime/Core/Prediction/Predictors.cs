@@ -25,28 +25,22 @@ namespace Nowpose.Prediction
         /// <summary>
         /// Maximum ratio of a candidate's mean square error to the mixture's mean square error at which the candidate replaces the mixture. The
         /// limit for templates is smaller, because the error of a false repetition is large: with 0.36, the error for a robot with ten different
-        /// moves was 5 % larger. The error of a wrong profile is small.
+        /// moves was 5 % larger, and with 0.3 instead of its square at a standstill, that for four moves in random order 6 %.
         /// </summary>
-        const double TemplateGate = 0.3, ProfileGate = 0.8;
+        const double TemplateGate = 0.3;
 
         /// <summary>
-        /// The same for moves that brake as they have accelerated. For a joint, it also applies before it has been tested: the newest samples already show
-        /// such a move. With 0.9 for objects, the mean errors of turns and carried objects are 1 % smaller, but some errors of rotations are up to 1.5
-        /// times those of the best fixed predictor.
+        /// The same for moves with the profile of a drive, and for moves that brake as they have accelerated. A joint's braking is also used before it has been
+        /// tested: the newest samples already show such a move. With 0.9 for objects, the mean errors of turns and carried objects are 1 % smaller, but some
+        /// errors of rotations are up to 1.5 times those of the best fixed predictor.
         /// </summary>
-        const double JointBrakingGate = 0.9, ObjectBrakingGate = 0.5;
+        const double MoveGate = 0.9, ObjectBrakingGate = 0.5;
 
         /// <summary>
         /// The same for the mean of samples that only scatter, which also applies before it has been tested: with noise, the mixture cannot be better than
         /// the mean, unless a slow motion is hidden in the noise.
         /// </summary>
         const double MeanGate = 1;
-
-        /// <summary>
-        /// The same for repetitions at a standstill: the start of one of several moves may be correct by chance. With 0.3, the error of a
-        /// robot with four moves in random order is 6 % larger.
-        /// </summary>
-        const double StartGate = 0.09;
 
         /// <summary>
         /// Prior weights of the Gaussian process and the quadratic through three samples; the line has the remainder. On first moves of real machines, a
@@ -124,7 +118,7 @@ namespace Nowpose.Prediction
         /// <inheritdoc cref="Create(string, PredictionLimits, double)"/>
         internal static PredictionPipeline<TSample> OfAnObject<TSample>(string name, PredictionLimits limits, ForecasterSet forecasters, PredictionParts parts)
             where TSample : struct, ISample<TSample> => Pipeline<TSample>(name, limits, parts, 2, motion => MixtureOf(3, limits, parts,
-                forecasters ??= ForecastersOfObjects(parts), ObjectMatchInterval, new CandidateGate(ObjectBrakingGate, ObjectBrakingGate),
+                forecasters ??= ForecastersOfObjects(parts), ObjectMatchInterval, new CandidateGate(ObjectBrakingGate),
                 motion == 0 ? new ObjectJumpDetector(3, MinJump, MaxAcceleration) : new ObjectJumpDetector(3, MinTurn, MaxAngularAcceleration)));
 
         /// <summary>Returns the time constant of the blend for a predictor: none for hold, the reference for comparisons.</summary>
@@ -153,21 +147,21 @@ namespace Nowpose.Prediction
 
         static Mixture Joint(PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters) =>
             MixtureOf(1, limits, parts, forecasters, JointMatchInterval,
-                new CandidateGate(JointBrakingGate, JointBrakingGate, untestedRatio: JointBrakingGate), new OutlierReturnDetector());
+                new CandidateGate(MoveGate, trustsUntested: true), new OutlierReturnDetector());
 
         static Mixture MixtureOf(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters,
             double matchInterval, CandidateGate braking, JumpDetector jumps)
         {
-            var history = Has(parts, PredictionParts.Repetition | PredictionParts.Braking) ? new MotionHistory(components, limits.MaximumGap) : null;
+            var history = Has(parts, PredictionParts.Repetition | PredictionParts.Braking) ? new MotionHistory(components) : null;
             var candidates = new List<Candidate>
             {
-                new Candidate(components, new MeanForecaster(), new CandidateGate(MeanGate, MeanGate, untestedRatio: MeanGate))
+                new Candidate(components, new MeanForecaster(), new CandidateGate(MeanGate, trustsUntested: true))
             };
             if (Has(parts, PredictionParts.Repetition))
-                candidates.Add(new Candidate(components, new TemplateForecaster(history, matchInterval), new CandidateGate(TemplateGate, StartGate)));
+                candidates.Add(new Candidate(components, new TemplateForecaster(history, matchInterval), new CandidateGate(TemplateGate)));
             if (Has(parts, PredictionParts.Braking)) candidates.Add(new Candidate(components, new BrakingForecaster(history), braking));
             if (Has(parts, PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
-                candidates.Add(new Candidate(components, new ProfileForecaster(limits), new CandidateGate(ProfileGate, ProfileGate)));
+                candidates.Add(new Candidate(components, new ProfileForecaster(limits), new CandidateGate(MoveGate)));
             return new Mixture(components, limits, parts, forecasters, candidates.ToArray(), jumps);
         }
 

@@ -1,6 +1,5 @@
 using System;
 using Nowpose.Prediction.Forecasting;
-using Nowpose.Prediction.Samples;
 using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Candidates
@@ -19,11 +18,11 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         const int Compared = 3;
 
-        /// <summary>Maximum RMS difference of these displacements, relative to their RMS.</summary>
+        /// <summary>
+        /// Maximum RMS difference of these displacements, relative to their RMS; also the minimum relative decrease of the speed in an interval. At constant
+        /// velocity, the speed changes by less, by noise and rounding.
+        /// </summary>
         const double MaxDifferenceRatio = 0.02;
-
-        /// <summary>Maximum ratio of the speed to that one interval before: at constant velocity, the ratio differs from 1 by noise and rounding.</summary>
-        const double MaxSpeedRatio = 0.98;
 
         /// <summary>
         /// Maximum speed at which another acceleration begins a new move, relative to the maximum speed of the move: a smaller change of the speed may be
@@ -36,6 +35,7 @@ namespace Nowpose.Prediction.Candidates
 
         readonly int _components;
         readonly MotionHistory _history;
+        MotionState _motion;
         int _starts;
         double _start, _maxSpeed, _maxSpeedAt;
         bool _beganAtRest;
@@ -49,12 +49,13 @@ namespace Nowpose.Prediction.Candidates
         /// <returns>False if the motion does not brake as it has accelerated.</returns>
         public override bool Solve(MotionState motion)
         {
+            _motion = motion;
             _history.Take(motion);
             if (!_history.HasStarted) return false;
             if (_starts != _history.Starts) Start();
             double speed = Speed(0), before = Speed(1);
-            FollowMove(motion, speed, before);
-            return !motion.Rest.IsStill && speed < MaxSpeedRatio * before && TryFind();
+            FollowMove(speed, before);
+            return !motion.Rest.IsStill && speed < (1 - MaxDifferenceRatio) * before && TryFind();
         }
 
         public override double At(double ahead, int component)
@@ -67,16 +68,14 @@ namespace Nowpose.Prediction.Candidates
 
         public override void Reset() => _history.Reset();
 
-        PositionWindow Newest => _history.Newest;
-
         // The times of an earlier history are not in this one.
-        void Start() => (_starts, _start, _maxSpeed, _beganAtRest) = (_history.Starts, Newest.Times[Newest.Count - 1], 0, false);
+        void Start() => (_starts, _start, _maxSpeed, _beganAtRest) = (_history.Starts, _motion.TimeAt(_motion.Count - 1), 0, false);
 
-        void FollowMove(MotionState motion, double speed, double before)
+        void FollowMove(double speed, double before)
         {
-            var acceleratesAgain = speed > before && before < NewMoveRatio * _maxSpeed;
-            if (motion.Rest.IsStill || Reverses || acceleratesAgain) (_start, _maxSpeed, _beganAtRest) = (Newest.Times[1], 0, motion.Rest.IsStill);
-            if (speed > _maxSpeed) (_maxSpeed, _maxSpeedAt) = (speed, Newest.Times[0]);
+            var (isStill, acceleratesAgain) = (_motion.Rest.IsStill, speed > before && before < NewMoveRatio * _maxSpeed);
+            if (isStill || Reverses || acceleratesAgain) (_start, _maxSpeed, _beganAtRest) = (_motion.TimeAt(1), 0, isStill);
+            if (speed > _maxSpeed) (_maxSpeed, _maxSpeedAt) = (speed, _motion.NewestTime);
         }
 
         bool Reverses
@@ -96,7 +95,7 @@ namespace Nowpose.Prediction.Candidates
             for (var i = 0; i < Bisections; i++)
             {
                 _match = (slower + faster) / 2;
-                if (DisplacementAfter(_match, interval) < Newest.DisplacementAt(0)) slower = _match;
+                if (DisplacementAfter(_match, interval) < _motion.DisplacementAt(0)) slower = _match;
                 else faster = _match;
             }
             return _history.Covers(_match - ForecastTable.Span / _history.Step) && _history.Covers(IndexAfter(_match, Compared)) && IsMirrored();
@@ -131,10 +130,11 @@ namespace Nowpose.Prediction.Candidates
         }
 
         // The index that is as far after an index as the newest sample is after the sample with this age.
-        double IndexAfter(double index, int age) => index + (Newest.Times[0] - Newest.Times[age]) / _history.Step;
+        double IndexAfter(double index, int age) => index - _motion.Times[age] / _history.Step;
 
-        double Displacement(int age, int component) => Newest[age][component] - Newest[age + 1][component];
+        double Displacement(int age, int component) =>
+            _motion.Displacements[age * _components + component] - _motion.Displacements[(age + 1) * _components + component];
 
-        double Speed(int age) => Newest.DisplacementAt(age) / (Newest.Times[age] - Newest.Times[age + 1]);
+        double Speed(int age) => _motion.DisplacementAt(age) / (_motion.Times[age] - _motion.Times[age + 1]);
     }
 }

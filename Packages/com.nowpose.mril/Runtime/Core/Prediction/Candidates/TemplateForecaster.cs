@@ -1,6 +1,5 @@
 using System;
 using Nowpose.Prediction.Forecasting;
-using Nowpose.Prediction.Samples;
 using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Candidates
@@ -29,30 +28,19 @@ namespace Nowpose.Prediction.Candidates
         /// </summary>
         const int MinMoving = 2;
 
-        /// <summary>
-        /// Maximum number of samples at a standstill for which a search is made. In a longer standstill, all parts of the history at rest are equal,
-        /// so the matches would drift; their lags determine when the next move starts.
-        /// </summary>
-        const int MaxStill = 2;
-
-        /// <summary>Mean square error that prevents a division of zero by zero after an exact match; negligible for every other match.</summary>
-        const double MinMeanSquare = 1e-300;
-
         readonly int _components;
         readonly double _matchInterval;
         readonly MotionHistory _history;
         readonly LagSearch _search;
         readonly MotionOverlay _overlay;
 
-        readonly int[] _found = new int[LagSearch.Kept];
-        readonly double[] _refined = new double[LagSearch.Kept];
         readonly double[] _lags = new double[LagSearch.Kept];
         readonly double[] _errors = new double[LagSearch.Kept];
         readonly double[] _weights = new double[LagSearch.Kept];
         readonly double[] _offsets;
+        MotionState _motion;
         int _starts;
         int _matches;
-        int _refinedNext;
         double _matchedAt;
 
         /// <param name="history">The past of this motion, which candidates share.</param>
@@ -70,6 +58,7 @@ namespace Nowpose.Prediction.Candidates
         /// <returns>False if the history contains no similar motion.</returns>
         public override bool Solve(MotionState motion)
         {
+            _motion = motion;
             _history.Take(motion);
             var before = _matches;
             _matches = 0;
@@ -81,17 +70,18 @@ namespace Nowpose.Prediction.Candidates
             }
             _search.Update(MinLag);
             var isSoon = motion.NewestTime - _matchedAt < _matchInterval;
-            if (before > 0 && (isSoon || motion.Rest.StillSamples > MaxStill)) KeepMatches(before);
-            else Match(motion.Rest.StillDistance);
+            // At a standstill, all parts of the history at rest are equal, so the matches would drift; their lags determine when the next move starts.
+            if (before > 0 && (isSoon || motion.Rest.StillSamples > 1)) KeepMatches(before);
+            else Match();
             return _matches > 0;
         }
 
         public override double At(double ahead, int component)
         {
-            var (index, position) = (_history.IndexOf(Newest.Times[0] + ahead), 0.0);
+            var (index, position) = (_history.IndexOf(_motion.NewestTime + ahead), 0.0);
             for (var i = 0; i < _matches; i++)
                 position += _weights[i] * (_history.At(index - _lags[i], component) + _offsets[i * _components + component]);
-            return position - Newest.Positions[component];
+            return position - _motion.Newest[component];
         }
 
         public override void Reset()
@@ -99,8 +89,6 @@ namespace Nowpose.Prediction.Candidates
             _history.Reset();
             _matches = 0;
         }
-
-        PositionWindow Newest => _history.Newest;
 
         // At a smaller lag, the history does not cover the continuation.
         int MinLag => (int)Math.Ceiling(ForecastTable.Span / _history.Step) + MotionHistory.Margin;
@@ -118,23 +106,18 @@ namespace Nowpose.Prediction.Candidates
         {
             _starts = _history.Starts;
             _search.Start();
-            Array.Clear(_found, 0, _found.Length);
         }
 
-        void Match(double stillDistance)
+        void Match()
         {
-            _matchedAt = Newest.Times[0];
-            _overlay.Take(Newest.Times, Newest.Positions, SamplesInWindow(stillDistance));
-            _refinedNext = (_refinedNext + 1) % LagSearch.Kept;
+            _matchedAt = _motion.NewestTime;
+            _overlay.Take(_motion, SamplesInWindow());
             var min = double.PositiveInfinity;
             for (var i = 0; i < _search.Count; i++)
             {
-                MoveTo(i, _search.Lags[i]);
-                // Matches keep their refined lags; one of them is refined again per search.
-                if (_found[i] != _search.Lags[i] || i == _refinedNext)
-                    (_found[i], _refined[i]) = (_search.Lags[i], _overlay.Find(_search.Lags[i], MinLag));
-                if (!_overlay.Compare(_refined[i]) || !HasContinuation(_refined[i])) continue;
-                _lags[_matches] = _refined[i];
+                var lag = _overlay.Find(_search.Lags[i], MinLag);
+                if (!_overlay.Compare(lag) || !HasContinuation(lag)) continue;
+                _lags[_matches] = lag;
                 _errors[_matches] = _overlay.MeanSquare;
                 // The offset of the newest samples from the history is assumed to stay the same.
                 Array.Copy(_overlay.Offsets, 0, _offsets, _matches * _components, _components);
@@ -143,27 +126,16 @@ namespace Nowpose.Prediction.Candidates
             Weigh(min);
         }
 
-        // Moves the match of a lag to its new place among the best lags.
-        void MoveTo(int place, int lag)
-        {
-            // The first call of Array.IndexOf would allocate a comparer.
-            var i = place;
-            while (i < _found.Length && _found[i] != lag) i++;
-            if (i == _found.Length) return;
-            (_found[place], _found[i]) = (_found[i], _found[place]);
-            (_refined[place], _refined[i]) = (_refined[i], _refined[place]);
-        }
-
-        bool HasContinuation(double lag) => _history.Covers(_history.IndexOf(Newest.Times[0]) - lag)
-            && _history.Covers(_history.IndexOf(Newest.Times[0] + ForecastTable.Span) - lag);
+        bool HasContinuation(double lag) => _history.Covers(_history.IndexOf(_motion.NewestTime) - lag)
+            && _history.Covers(_history.IndexOf(_motion.NewestTime + ForecastTable.Span) - lag);
 
         // In motion, only the samples since the start of the motion are compared, because the duration of the preceding rest varies.
-        int SamplesInWindow(double stillDistance)
+        int SamplesInWindow()
         {
             var full = 1;
-            while (full < Newest.Count && Newest.Times[0] - Newest.Times[full] <= Window) full++;
+            while (full < _motion.Count && -_motion.Times[full] <= Window) full++;
             var moving = 0;
-            while (moving + 1 < full && Newest.DisplacementAt(moving) > stillDistance) moving++;
+            while (moving + 1 < full && _motion.DisplacementAt(moving) > _motion.Rest.StillDistance) moving++;
             return moving < MinMoving ? full : Math.Min(full, moving + 2);
         }
 
@@ -172,7 +144,8 @@ namespace Nowpose.Prediction.Candidates
             var total = 0.0;
             for (var i = 0; i < _matches; i++)
             {
-                var ratio = _errors[i] / (min + MinMeanSquare) + 1;
+                // An exact match has the error 0.
+                var ratio = _errors[i] > min ? _errors[i] / min + 1 : 2;
                 _weights[i] = 1 / (ratio * ratio);
                 total += _weights[i];
             }

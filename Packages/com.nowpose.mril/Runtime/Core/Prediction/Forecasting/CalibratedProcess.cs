@@ -34,8 +34,6 @@ namespace Nowpose.Prediction.Forecasting
 
         public override int RequiredSamples => _process.RequiredSamples;
 
-        public override int MaxSamples => int.MaxValue;
-
         public override bool Solve(MotionState motion)
         {
             if (motion.IsNewest) Learn(motion);

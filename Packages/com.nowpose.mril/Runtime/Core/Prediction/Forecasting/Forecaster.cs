@@ -15,9 +15,6 @@ namespace Nowpose.Prediction.Forecasting
         /// </summary>
         public virtual int RequiredSamples => 2;
 
-        /// <summary>Maximum number of newest samples that a forecast uses.</summary>
-        public virtual int MaxSamples => RequiredSamples;
-
         /// <summary>Maximum time of a forecast after the newest sample, in s; infinite without a maximum.</summary>
         public virtual double Span => double.PositiveInfinity;
 

@@ -35,15 +35,11 @@ namespace Nowpose.Prediction.Mixing
                 (_, _prior[i], _priorWhenReported[i]) = forecasters[i - First];
                 _prior[Line] -= _prior[i];
                 _priorWhenReported[Line] -= _priorWhenReported[i];
-                MaxSamples = Math.Max(MaxSamples, _forecasters[i - First].MaxSamples);
             }
         }
 
         /// <summary>Number of forecasts, including hold and line.</summary>
         public int Count => First + _forecasters.Length;
-
-        /// <summary>Maximum number of newest samples that a forecast uses.</summary>
-        public int MaxSamples { get; }
 
         /// <summary>Returns the weights that apply without evidence: one per forecast, with the sum 1.</summary>
         /// <param name="isReported">Whether the source reports velocity and acceleration.</param>

@@ -21,12 +21,6 @@ namespace Nowpose.Prediction.Samples
 
         public double[] Positions { get; }
 
-        /// <summary>Returns the position of the sample with this age.</summary>
-        public Span<double> this[int age] => Positions.AsSpan(age * _components, _components);
-
-        /// <summary>Returns the distance between the position of the sample with this age and that of the sample before it.</summary>
-        public double DisplacementAt(int age) => Vectors.Distance(Positions, age * _components, Positions, (age + 1) * _components, _components);
-
         public void Add(double time, ReadOnlySpan<double> position)
         {
             Count = Math.Min(Count + 1, Times.Length);

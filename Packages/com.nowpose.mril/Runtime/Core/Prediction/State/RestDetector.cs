@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Prediction.State
 {
@@ -150,5 +151,22 @@ namespace Nowpose.Prediction.State
             Noise += (meanStep - Noise) * (Noise > 0 ? Smoothing : 1);
             return true;
         }
+    }
+
+    /// <summary>Forecasts the mean of the newest samples while they only scatter.</summary>
+    /// <remarks>
+    /// The other forecasters would amplify the noise. A slow motion that is hidden in the noise leaves the mean behind, for which the gate rejects it.
+    /// </remarks>
+    sealed class MeanForecaster : Forecaster
+    {
+        RestDetector _rest;
+
+        public override bool Solve(MotionState motion)
+        {
+            _rest = motion.Rest;
+            return _rest.Scatters;
+        }
+
+        public override double At(double ahead, int component) => _rest.Mean[component];
     }
 }

@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             Assert.That(with, Is.LessThan(0.97 * without), $"seed {Seed}");
         }
 
-        static JointPredictor Alone() => TestPredictors.Of(new BrakingForecaster(new MotionHistory(1, double.PositiveInfinity)));
+        static JointPredictor Alone() => TestPredictors.Of(new BrakingForecaster(new MotionHistory(1)));
 
         static double Rms(PredictionParts parts)
         {

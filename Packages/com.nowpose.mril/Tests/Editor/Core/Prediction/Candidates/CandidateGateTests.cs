@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         public void CreateGate()
         {
             _candidate = new Oracle();
-            _gate = new CandidateGate(0.3, 0.09);
+            _gate = new CandidateGate(0.3);
             _gated = Of(Mixture(new Candidate(1, _candidate, _gate)));
             _mixture = Of(Mixture());
         }
@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         [Test]
         public void ErrorRatio_TwoAccurateCandidates_IsSmallerForTheBetter()
         {
-            var worse = new CandidateGate(0.3, 0.09);
+            var worse = new CandidateGate(0.3);
             for (var i = 0; i < 20; i++)
             {
                 _gate.Score(0.1, 1, 1, wasStill: false, time: 0);
@@ -103,7 +103,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         [Test]
         public void ErrorRatio_GateWithARatioForUntestedCandidates_IsOpenUntilTheScoresAreWorse()
         {
-            var gate = new CandidateGate(1, 1, untestedRatio: 1);
+            var gate = new CandidateGate(1, trustsUntested: true);
             Assert.That(gate.ErrorRatio(isStill: false), Is.EqualTo(1));
 
             for (var i = 0; i < 3; i++) gate.Score(0.2, 0.1, 1, wasStill: false, time: 0);

@@ -98,7 +98,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         sealed class Fed
         {
             readonly Func<double, double>[] _components;
-            readonly SampleBuffer<BodySample> _buffer = new SampleBuffer<BodySample>(8, PredictionParts.None, PredictionLimits.Unlimited);
+            readonly SampleBuffer<BodySample> _buffer = new SampleBuffer<BodySample>(24, PredictionParts.None, PredictionLimits.Unlimited);
             readonly TemplateForecaster _forecaster;
             readonly MotionState _motion;
             int _samples;
@@ -106,8 +106,8 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             public Fed(params Func<double, double>[] components)
             {
                 _components = components;
-                _forecaster = new TemplateForecaster(new MotionHistory(components.Length, maximumGap: 1), matchInterval: 0);
-                _motion = new MotionState(components.Length, 0, 8, _buffer.Timing);
+                _forecaster = new TemplateForecaster(new MotionHistory(components.Length), matchInterval: 0);
+                _motion = new MotionState(components.Length, 0, 24, _buffer.Timing);
             }
 
             public bool HasMatch { get; private set; }

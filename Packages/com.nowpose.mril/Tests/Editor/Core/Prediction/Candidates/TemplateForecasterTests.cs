@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         public void Add_LongestHistory_MotionIsStillPredicted(
             [Values(0.0201, 0.0301, 0.0334, 0.0501, 0.0601, 0.1001)] double interval, [Values(MatchInterval, 0.07)] double matchInterval)
         {
-            var predictor = TestPredictors.Of(new TemplateForecaster(new MotionHistory(1, double.PositiveInfinity), matchInterval));
+            var predictor = TestPredictors.Of(new TemplateForecaster(new MotionHistory(1), matchInterval));
 
             for (var t = 0.0; t < 130; t += interval) predictor.Add(t, Position(t));
 
@@ -139,7 +139,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         }
 
         static JointPredictor Alone(PredictionLimits limits = null) =>
-            TestPredictors.Of(new TemplateForecaster(new MotionHistory(1, (limits ?? PredictionLimits.Unlimited).MaximumGap), MatchInterval), limits);
+            TestPredictors.Of(new TemplateForecaster(new MotionHistory(1), MatchInterval), limits);
 
         static double Position(double t)
         {
