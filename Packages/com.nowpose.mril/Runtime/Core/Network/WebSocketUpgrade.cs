@@ -54,15 +54,16 @@ namespace Nowpose.Network
         static void Check(HttpHead head, string key)
         {
             if (head.Status != 101) throw GatewayRefusalException.OfStatus(head.Status);
-            if (!IsAcceptance(head.Field("Sec-WebSocket-Accept"), key))
+            if (head.Field("Sec-WebSocket-Accept") != AcceptanceOf(key))
                 throw new GatewayRefusalException(ConnectionMessages.NotAWebSocket);
         }
 
-        static bool IsAcceptance(string value, string key)
+        /// <summary>Returns the value of Sec-WebSocket-Accept with which a server accepts a request with this key (RFC 6455, 4.2.2).</summary>
+        internal static string AcceptanceOf(string key)
         {
 #pragma warning disable CA5350 // RFC 6455 prescribes SHA-1; here it only shows that the other side is a WebSocket server.
             using (var sha = SHA1.Create())
-                return value == Convert.ToBase64String(sha.ComputeHash(Encoding.ASCII.GetBytes(key + AcceptSalt)));
+                return Convert.ToBase64String(sha.ComputeHash(Encoding.ASCII.GetBytes(key + AcceptSalt)));
 #pragma warning restore CA5350
         }
     }

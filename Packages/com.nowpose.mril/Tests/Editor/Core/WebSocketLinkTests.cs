@@ -1,7 +1,6 @@
 using System;
 using System.Net;
 using System.Net.Sockets;
-using System.Security.Cryptography;
 using System.Text;
 using System.Threading;
 using System.Threading.Tasks;
@@ -90,17 +89,13 @@ namespace Nowpose.Tests.Core
             }
         }
 
-        // Reads the request, and returns the value of Sec-WebSocket-Accept (RFC 6455, 4.2.2).
+        // Reads the request, and returns the value of Sec-WebSocket-Accept.
         static string AcceptFor(NetworkStream stream)
         {
             var head = "";
             while (!head.EndsWith("\r\n\r\n", StringComparison.Ordinal)) head += (char)stream.ReadByte();
             const string Field = "Sec-WebSocket-Key: ";
-            var key = head.Substring(head.IndexOf(Field, StringComparison.Ordinal) + Field.Length, 24);
-#pragma warning disable CA5350 // RFC 6455 prescribes SHA-1.
-            using (var sha = SHA1.Create())
-                return Convert.ToBase64String(sha.ComputeHash(Encoding.ASCII.GetBytes(key + "258EAFA5-E914-47DA-95CA-C5AB0DC85B11")));
-#pragma warning restore CA5350
+            return WebSocketUpgrade.AcceptanceOf(head.Substring(head.IndexOf(Field, StringComparison.Ordinal) + Field.Length, 24));
         }
 
         static void Write(NetworkStream stream, byte[] bytes) => stream.Write(bytes, 0, bytes.Length);
