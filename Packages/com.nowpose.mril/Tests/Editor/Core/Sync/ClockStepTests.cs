@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Sync
     [Category("Study")]
     public class ClockStepTests
     {
-        const int FirstSeed = 200;
+        const int FirstSeed = 200, Seeds = 4;
 
         static SimulatedLink Link(string network, int seed, bool isLoaded = false)
         {
@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("lan", -0.5, 4)]
         public void Step_OfTheControlClock_IsDetectedOnceWithinTheLimit(string network, double stepMs, double limitSeconds)
         {
-            for (var seed = FirstSeed; seed < FirstSeed + 6; seed++)
+            for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
                 var link = Link(network, seed);
                 var run = new SyncRun(new EnvelopeClockEstimator());
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Core.Sync
         [Test]
         public void ErrorBound_SmallStep_IsViolatedForLessThanASecond()
         {
-            for (var seed = FirstSeed; seed < FirstSeed + 6; seed++)
+            for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
                 var link = Link("wifi", seed);
                 var run = new SyncRun(new EnvelopeClockEstimator());
@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("wifi", -1)]
         public void Steps_DelayOfOneDirectionChanges_AreZero(string network, double upMs)
         {
-            for (var seed = FirstSeed; seed < FirstSeed + 6; seed++)
+            for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
                 var link = Link(network, seed);
                 var run = new SyncRun(new EnvelopeClockEstimator());
@@ -125,7 +125,7 @@ namespace Nowpose.Tests.Core.Sync
             [Values("lan", "wifi", "busy-wifi")] string network, [Values(4.0, 1.0)] double longer, [Values(true, false)] bool isUpLonger)
         {
             var shorter = 5 - longer;
-            for (var seed = FirstSeed; seed < FirstSeed + 6; seed++)
+            for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
                 var link = Link(network, seed);
                 if (isUpLonger) link.LongerDownMs = shorter;
