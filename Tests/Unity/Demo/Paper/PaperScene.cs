@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Globalization;
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Paper;
@@ -36,6 +37,11 @@ static class PaperScene
             Number(1), Number(2), "simulated headset", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, (int)Number(3), Number(4),
             RenderTimeSourceKind.DisplayGpuTime);
     }
+
+    static readonly ConcurrentDictionary<int, PaperRun> Played = new();
+
+    /// <summary>Returns the run with a seed and without a fault. Several tests read it, so it is played only once.</summary>
+    public static PaperRun Play(int seed) => Played.GetOrAdd(seed, _ => Play(seed, ProfileOf(VisuMs)));
 
     /// <summary>Runs the scenario.</summary>
     /// <param name="profile">Latency profile of the runtime; null for a profile with the true L_visu.</param>
