@@ -47,10 +47,14 @@ public sealed partial class MessageFolderTests
     static IEnumerable<string> Sources => RepositoryFiles.All.Where(file => file.EndsWith(".cs", StringComparison.Ordinal)
         && Products.Any(product => file.StartsWith(product, StringComparison.Ordinal)) && !file.Contains("/Messages/", StringComparison.Ordinal));
 
+    // Two tests check the same texts, and finding them takes seconds.
+    static readonly Lazy<(string File, IReadOnlyList<SourceText> Texts)[]> Found =
+        new(() => [.. Sources.Select(file => (file, SourceTexts.In(RepositoryFiles.Read(file))))]);
+
     [Test]
     public void Texts_OfProducts_AreInTheirCatalogue()
     {
-        var found = Sources.Select(file => (File: file, Texts: LongTexts(RepositoryFiles.Read(file)).ToList()))
+        var found = Found.Value.Select(source => (source.File, Texts: LongTexts(source.Texts).ToList()))
             .Where(source => source.Texts.Count != Exceptions.GetValueOrDefault(source.File))
             .Select(source => $"{source.File}: {source.Texts.Count} strings:\n  {string.Join("\n  ", source.Texts)}");
 
@@ -60,7 +64,7 @@ public sealed partial class MessageFolderTests
     [Test]
     public void TextsOfExceptionsAndLogs_OfProducts_AreInTheirCatalogue()
     {
-        var found = Sources.SelectMany(file => ReportedTexts(RepositoryFiles.Read(file)).Select(text => $"{file}: {text}"));
+        var found = Found.Value.SelectMany(source => ReportedTexts(source.Texts).Select(text => $"{source.File}: {text}"));
 
         Assert.That(string.Join("\n", found), Is.Empty, "move these texts of exceptions and log lines to the folder Messages of the product");
     }
@@ -85,7 +89,7 @@ public sealed partial class MessageFolderTests
     [TestCase("new Option<int>(\"--x\") { Description = \"the length of the arm\", }", null)]
     [TestCase("Log($\"{(isOn ? \"the arm is on now\" : \"off\")}\");", "the arm is on now")]
     public void LongTexts_SampleSource_ReturnsOnlyItsLongTexts(string source, string expected) =>
-        Assert.That(LongTexts(source), expected == null ? Is.Empty : Is.EqualTo(new[] { expected }));
+        Assert.That(LongTexts(SourceTexts.In(source)), expected == null ? Is.Empty : Is.EqualTo(new[] { expected }));
 
     [TestCase("throw new InputException(path + \": no end\");", "0: no end")]
     [TestCase("throw new InputException($\"{path}: {(isOn ? \"on\" : \"off\")}\");", "on", "off")]
@@ -99,14 +103,14 @@ public sealed partial class MessageFolderTests
     [TestCase("Console.Error.WriteLine(\"nowpose: \" + note);", "nowpose: 0")]
     [TestCase("Console.Out.WriteLine(\"code \" + code);")]
     public void ReportedTexts_SampleSource_ReturnsTextsOfExceptionsAndLogs(string source, params string[] expected) =>
-        Assert.That(ReportedTexts(source), Is.EqualTo(expected));
+        Assert.That(ReportedTexts(SourceTexts.In(source)), Is.EqualTo(expected));
 
-    static IEnumerable<string> LongTexts(string source) => SourceTexts.In(source)
+    static IEnumerable<string> LongTexts(IEnumerable<SourceText> texts) => texts
         .Where(text => !Help.Contains(text.Call) && text.Assigned != "Description")
         .Select(text => text.Text).Where(text => SourceTexts.WordsIn(text) > MaxWords);
 
     /// <summary>Returns the texts that contain a word and are passed to an exception, to a method that creates one, or to a log.</summary>
-    static IEnumerable<string> ReportedTexts(string source) => SourceTexts.In(source)
+    static IEnumerable<string> ReportedTexts(IEnumerable<SourceText> texts) => texts
         .Where(text => Reporter().IsMatch(text.Receiver) && SourceTexts.WordsIn(text.Text) > 0).Select(text => text.Text);
 
     [GeneratedRegex(@"(?:Exception|Error|Fault|Fail|Failed|Refuse|Refused|Warn|Info)$|\b_?[Ll]og\w*$|(?:\.Error|errors)\.Write\w*$")]
