@@ -13,7 +13,7 @@ sealed class PeerProcess : IDisposable
     /// Settings of the .NET runtime, as in test projects (Directory.Build.targets). Most programs run for a few seconds. In this time, optimised code
     /// does not regain the time of its compilation. The runtime reads numbers as hexadecimal.
     /// </summary>
-    static readonly (string Name, string Value)[] Runtime = [("DOTNET_TieredPGO", "0"), ("DOTNET_TC_CallCountThreshold", "3E8")];
+    static readonly (string Name, string Value)[] Runtime = [("DOTNET_TieredPGO", "0"), ("DOTNET_TC_CallCountThreshold", "1388")];
 
     readonly Process _process;
     readonly ConcurrentQueue<string> _lines = [];
