@@ -41,7 +41,7 @@ public sealed class GatewayDialerTests
     public void Open_HostNameUnknown_ThrowsWithTheName(bool isReported)
     {
         var dialer = new GatewayDialer(
-            new ConnectionSettings("gateway.example"),
+            new ConnectionSettings("gateway.example", insecureLan: true),
             resolve: _ => isReported ? throw new SocketException((int)SocketError.HostNotFound) : Task.FromResult<IPAddress[]>([]));
 
         var failure = Assert.ThrowsAsync<GatewayRefusalException>(() => dialer.OpenAsync(1, default).Bounded());

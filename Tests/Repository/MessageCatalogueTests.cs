@@ -65,6 +65,7 @@ public sealed partial class MessageCatalogueTests
         ["CellMessageFaults"] = ["ChildTwice", "Frame", "Has", "Named", "NoName", "Of", "OwnParent", "StampZero", "Twice"],
         ["ComponentMessages"] = ["GripperWithoutJoint", "Of"],
         ["ConditionMessages"] = ["PlaceOfOpenXr", "PlaceOfQuality", "PlaceOfReprojection"],
+        ["ConnectionMessages"] = ["Reported"],
         ["DeviceMessages"] =
         [
             "CountersPaired", "DepthAgain", "DepthSubmitted", "MarkerMode", "NoDisplayTime", "NotStoredYet", "PlanarLog", "PlanarProblem",

@@ -10,6 +10,8 @@ namespace Nowpose.Unity.Tests.Status;
 /// <summary>A status panel below a running session, and the text that it shows.</summary>
 sealed class PlayedPanel : IDisposable
 {
+    static readonly TimeSpan RenderTime = TimeSpan.FromMilliseconds(9.5);
+
     int _frames;
 
     public PlayedPanel()
@@ -26,6 +28,7 @@ sealed class PlayedPanel : IDisposable
         cell.fontSize = 64;
         cell.transform.SetParent(panel.transform, false);
         Panel = panel.AddComponent<StatusPanel>().With("_cell", cell);
+        EachFrame = _ => Session.Session?.Rendered(RenderTime, RenderTimeSourceKind.DisplayGpuTime);
     }
 
     public PlayedCell Cell { get; }

@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core
             var backoff = new Backoff(new Random(1));
             for (var i = 0; i < 5; i++) backoff.Next();
 
-            backoff.ResetAfter(TimeSpan.FromSeconds(connectedSeconds));
+            backoff.ResetAfter(Lengths.Seconds(connectedSeconds));
 
             Assert.That(backoff.Next().TotalSeconds, Is.InRange(min, max));
         }
