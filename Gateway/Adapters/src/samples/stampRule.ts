@@ -73,7 +73,8 @@ export class StampRule {
     const isFar = stamp > now + FAR || stamp < now - FAR;
     const inWords = (text: string): string => (isFar ? farApart(dayOf(stamp)) : text);
     if (stamp > now + FUTURE) return { reason: 'stamp-future', text: inWords(ahead(toMilliseconds(stamp - now), toMilliseconds(FUTURE))) };
-    if (!mayBeOld && stamp < now - this.oldest) return { reason: 'stamp-old', text: inWords(behind(toMilliseconds(now - stamp), toMilliseconds(this.oldest))) };
+    if (!mayBeOld && stamp < now - this.oldest)
+      return { reason: 'stamp-old', text: inWords(behind(toMilliseconds(now - stamp), toMilliseconds(this.oldest))) };
     return null;
   }
 }
