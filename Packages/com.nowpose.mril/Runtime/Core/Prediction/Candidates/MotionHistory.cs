@@ -82,7 +82,8 @@ namespace Nowpose.Prediction.Candidates
             _newestTime = motion.NewestTime;
             if (motion.Count == 1 || (HasStarted && !Continues(motion.Timing))) (_samples, Step) = (0, 0);
             if (HasStarted) ExtendTo(motion, age: 1);
-            else if (++_samples > MinIntervals) Start(motion);
+            // The motion may have left a wrong sample out.
+            else if (++_samples > MinIntervals && motion.Count > MinIntervals) Start(motion);
         }
 
         public void Reset() => (_newestTime, _samples, Step) = (double.NegativeInfinity, 0, 0);

@@ -81,6 +81,17 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             Assert.That(fed.HasMatch, Is.False);
         }
 
+        // The grid of the history starts with the ninth sample, which shows that the one before it is wrong.
+        [Test]
+        public void Solve_SampleBeforeTheStartOfTheHistoryIsWrong_FindsTheRepetition()
+        {
+            var fed = new Fed(t => Axis(t, 0) + (Math.Abs(t - 7 * Interval) < 1e-9 ? 10 : 0));
+
+            while (fed.Time < 3 * Cycle) fed.Add();
+
+            Assert.That(fed.HasMatch);
+        }
+
         // Moves by 1 in 0.4 s, starting at a given time in the cycle, and back in the second half of the cycle.
         static double Axis(double t, double start)
         {
@@ -124,6 +135,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
                 Array.Resize(ref position, 3);
                 _buffer.Add(new BodySample(Time, new Vector3D(position[0], position[1], position[2]), default, Time), displayed: double.NaN);
                 _motion.Take(_buffer);
+                if (_motion.IsPreviousWrong) _motion.OmitPrevious();
                 HasMatch = _forecaster.Solve(_motion);
             }
 
