@@ -23,9 +23,9 @@ namespace Nowpose.Messages
             "the render time is above the longest of the latency profile, so that L_visu is unknown; draw less, or calibrate with this load";
 
         const string OtherSource =
-            "the limit of the render time was found with another source, so that it is not monitored; select this source, or calibrate again";
+            "the limit of the render time was found with another source, so that it is not monitored; calibrate again with the source in use";
 
-        const string NoRenderTime = "the render time is not measured, so that its limit is not monitored; add the component Render Time Source";
+        const string NoRenderTime = "the render time is not measured, so that its limit is not monitored; add the component Render Time Source, or calibrate again on this device";
 
         /// <param name="length">Time since the start of the newest frame.</param>
         public static string NoFrames(TimeSpan length) =>

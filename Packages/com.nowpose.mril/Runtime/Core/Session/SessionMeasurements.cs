@@ -12,11 +12,15 @@ namespace Nowpose.Session
     {
         const double MillimetresPerMetre = 1000;
 
+        /// <summary>Time for which the render time may be unknown at the start, because its source is selected after some frames.</summary>
+        static readonly TimeSpan TimeToSelectSource = TimeSpan.FromSeconds(5);
+
         readonly ClockSynchroniser _clock;
         readonly ApplicationLatency _latency;
         readonly SessionDisplay _display;
         readonly DisplayFrame _frame;
         readonly HindcastMonitor _hindcast;
+        HeadsetTime? _unmeasuredSince;
 
         public SessionMeasurements(
             ClockSynchroniser clock, ApplicationLatency latency, SessionDisplay display, DisplayFrame frame, HindcastMonitor hindcast)
@@ -33,7 +37,7 @@ namespace Nowpose.Session
         {
             FillSession(into, session);
             FillClock(into, now);
-            FillLatency(into);
+            FillLatency(into, now);
             FillError(into);
             into.Fill(session.Robots, now);
             into.OutsideRange = _frame.OutsideRange;
@@ -62,7 +66,7 @@ namespace Nowpose.Session
             into.ClockSteps = clock.Steps;
         }
 
-        void FillLatency(SessionStatistics into)
+        void FillLatency(SessionStatistics into, HeadsetTime now)
         {
             var selector = _display.Selector;
             var renderTimes = _display.RenderTimes;
@@ -81,7 +85,14 @@ namespace Nowpose.Session
             into.RenderTime = renderTimes.RenderTime;
             into.RenderTimeSource = renderTimes.Source;
             into.Range = renderTimes.State;
-            into.RangeUnknownReason = renderTimes.UnknownReason;
+            into.RangeUnknownReason = ReasonAt(now, renderTimes.UnknownReason);
+        }
+
+        RangeUnknownReason ReasonAt(HeadsetTime now, RangeUnknownReason reason)
+        {
+            var isUnmeasured = reason == RangeUnknownReason.NoRenderTime;
+            _unmeasuredSince = isUnmeasured ? _unmeasuredSince ?? now : (HeadsetTime?)null;
+            return isUnmeasured && now - _unmeasuredSince < TimeToSelectSource ? RangeUnknownReason.TooFewFrames : reason;
         }
 
         void FillError(SessionStatistics into)
