@@ -4,6 +4,7 @@ using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Protocol;
+using Nowpose.Session.Cell;
 using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Session
@@ -34,6 +35,7 @@ namespace Nowpose.Session
         readonly HindcastMonitor _hindcast;
         readonly ApplicationLatency _latency;
         readonly DropCounters _drops;
+        readonly ConnectionStart _connection;
         readonly bool _followsPlans;
 
         /// <param name="tracks">Predictors that receive the samples.</param>
@@ -41,9 +43,11 @@ namespace Nowpose.Session
         /// <param name="latency">Statistics of L_app, updated with each sample.</param>
         /// <param name="drops">Counts of dropped messages by reason.</param>
         public SessionIntake(
-            RobotModel robot, JointTracks tracks, HindcastMonitor hindcast, ApplicationLatency latency, DropCounters drops, bool followsPlans)
+            RobotModel robot, JointTracks tracks, HindcastMonitor hindcast, ApplicationLatency latency, DropCounters drops, ConnectionStart connection,
+            bool followsPlans)
         {
             _drops = drops;
+            _connection = connection;
             _robot = robot;
             _tracks = tracks;
             _hindcast = hindcast;
@@ -55,7 +59,7 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Raised within <see cref="CompensationSession.Tick"/> for each message that is used, with its L_app; null while the clock offset is
-        /// unknown, and for the first sample of a joint that was at rest before this session subscribed.
+        /// unknown, and for a sample that was taken before this session subscribed.
         /// </summary>
         /// <remarks>A handler must be fast, must not throw, and must not call the session. It may keep the message.</remarks>
         public event Action<Arrival<JointStateMessage>, TimeSpan?> SampleTaken;
@@ -130,15 +134,23 @@ namespace Nowpose.Session
                 return;
             }
             var joints = _messageJoints.Of(arrival.Message);
-            var isFirst = !HasAnySample(joints);
+            var isEarlier = clock.IsKnown && IsBeforeSubscription(arrival, clock, isFirst: !HasAnySample(joints));
             var reason = _tracks.Add(arrival.Message, joints);
-            CountDrop(arrival, reason);
+            // After a reconnection, the gateway sends the newest sample of a joint at rest again.
+            CountDrop(arrival, isEarlier && reason == DropReason.DuplicateSample ? DropReason.None : reason);
             if (reason != DropReason.None) return;
             Samples++;
             _hindcast.Add(arrival.Message, joints);
-            var isMeasured = clock.IsKnown && !(isFirst && clock.ToControl(arrival.At) - stamp > MinAgeBeforeSubscription);
+            var isMeasured = clock.IsKnown && !isEarlier;
             if (isMeasured) _latency.Add(clock.ToControl(arrival.At), stamp);
             SampleTaken?.Invoke(arrival, isMeasured ? _latency.Newest : (TimeSpan?)null);
+        }
+
+        // A program that supplies the session has no connection.
+        bool IsBeforeSubscription(in Arrival<JointStateMessage> arrival, in ClockModel clock, bool isFirst)
+        {
+            var subscribed = _connection.Newest ?? (isFirst ? arrival.At : (HeadsetTime?)null);
+            return subscribed is HeadsetTime start && clock.ToControl(start) - arrival.Message.Stamp > MinAgeBeforeSubscription;
         }
 
         bool HasAnySample(ReadOnlySpan<int> joints)

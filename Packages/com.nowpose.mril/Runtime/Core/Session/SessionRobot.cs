@@ -3,6 +3,7 @@ using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Protocol;
+using Nowpose.Session.Cell;
 using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Session
@@ -18,7 +19,7 @@ namespace Nowpose.Session
         /// <param name="name">Namespace of the robot; empty for the robot without a namespace.</param>
         /// <param name="latency">Statistics of L_app, updated with each sample.</param>
         /// <param name="drops">Counts of dropped messages.</param>
-        public SessionRobot(string name, RobotModel robot, SessionSettings settings, ApplicationLatency latency, DropCounters drops)
+        public SessionRobot(string name, RobotModel robot, SessionSettings settings, ApplicationLatency latency, DropCounters drops, ConnectionStart connection)
         {
             Namespace = name;
             Root = RobotTopic.Qualified(name, robot.Root.Name);
@@ -30,7 +31,7 @@ namespace Nowpose.Session
             Joints = new JointWatch(name, robot, _tracks, settings.Prediction.HorizonCap);
             Hindcast = new HindcastMonitor(robot, settings.Prediction);
             _tracks.Restarted += Hindcast.Restart;
-            Intake = new SessionIntake(robot, _tracks, Hindcast, latency, drops, settings.Prediction.FollowsPlans);
+            Intake = new SessionIntake(robot, _tracks, Hindcast, latency, drops, connection, settings.Prediction.FollowsPlans);
         }
 
         public string Namespace { get; }

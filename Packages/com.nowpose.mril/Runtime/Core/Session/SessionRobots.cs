@@ -24,6 +24,7 @@ namespace Nowpose.Session
         readonly DropCounters _drops;
         readonly SessionFrames _frames;
         readonly Subscriptions _subscriptions;
+        readonly ConnectionStart _connection;
         readonly object _gate;
         // The array is replaced when a robot is added, and never modified, because network threads read it.
         volatile SessionRobot[] _all = Array.Empty<SessionRobot>();
@@ -33,13 +34,15 @@ namespace Nowpose.Session
         /// <param name="frames">Objects of the cell, to which the robots' links are added.</param>
         /// <param name="gate">Lock of the session.</param>
         public SessionRobots(
-            SessionSettings settings, ApplicationLatency latency, DropCounters drops, SessionFrames frames, Subscriptions subscriptions, object gate)
+            SessionSettings settings, ApplicationLatency latency, DropCounters drops, SessionFrames frames, Subscriptions subscriptions,
+            ConnectionStart connection, object gate)
         {
             _settings = settings;
             _latency = latency;
             _drops = drops;
             _frames = frames;
             _subscriptions = subscriptions;
+            _connection = connection;
             _gate = gate;
         }
 
@@ -63,7 +66,7 @@ namespace Nowpose.Session
             // Of("") is the robot without a namespace, which the limit does not count.
             if (name.Length > 0 && _all.Length - (Of("") == null ? 0 : 1) >= ProtocolLimits.Robots)
                 throw new InputException(RobotMessages.TooManyRobots(name, ProtocolLimits.Robots));
-            var added = new SessionRobot(name, robot, _settings, _latency, _drops);
+            var added = new SessionRobot(name, robot, _settings, _latency, _drops, _connection);
             lock (_gate)
             {
                 _frames.Add(added);

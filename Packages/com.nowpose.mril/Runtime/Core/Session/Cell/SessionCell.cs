@@ -24,7 +24,7 @@ namespace Nowpose.Session.Cell
             Frames = new SessionFrames(settings.Prediction, subscriptions, drops, Connection, gate);
             Signals = new SessionSignals(subscriptions, drops, Connection, gate);
             Grips = new SessionGrips(Signals, gate);
-            Robots = new SessionRobots(settings, latency, drops, Frames, subscriptions, gate);
+            Robots = new SessionRobots(settings, latency, drops, Frames, subscriptions, Connection, gate);
         }
 
         /// <summary>Start of the newest connection. Set on the socket's thread.</summary>

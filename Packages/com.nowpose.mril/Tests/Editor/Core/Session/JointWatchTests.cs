@@ -197,6 +197,28 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(StatisticsOf(simulated).JointStatuses, Is.Empty);
         }
 
+        // The joint has moved and stopped while this session was not connected.
+        [Test]
+        public void SampleTaken_SampleFromBeforeTheConnection_HasNoLatency()
+        {
+            var simulated = Running();
+            var latencies = new List<TimeSpan?>();
+            simulated.Session.Robots[0].Intake.SampleTaken += (arrival, latency) =>
+            {
+                if (arrival.Message.Names.Length == 1) latencies.Add(latency);
+            };
+            void Receive(double age) => simulated.Session.Listener.Received(
+                new JointStateMessage(ControlNow(simulated) - Lengths.Seconds(age), new[] { "grip" }, new[] { 0.03 }), HeadsetTime.FromSeconds(simulated.Now));
+
+            Receive(0.05);
+            simulated.Run(60);
+            simulated.Session.Listener.Connected(HeadsetTime.FromSeconds(simulated.Now));
+            Receive(30);
+            simulated.Run(1);
+
+            Assert.That(latencies.Select(latency => latency.HasValue), Is.EqualTo(new[] { true, false }));
+        }
+
         // The frame thread describes a frame while the socket's thread reports the faults of the cell.
         [Test]
         public void MissingSince_TwoThreads_ReturnsTheSameTime()
