@@ -23,6 +23,9 @@ public class XRAnchorStore
     /// <summary>Whether the store accepts anchors.</summary>
     internal bool Accepts { get; set; } = true;
 
+    /// <summary>Name under which the store accepts no anchor; null for none.</summary>
+    internal string RefusedName { get; set; }
+
     /// <summary>Exception that each call throws; null if calls succeed.</summary>
     internal Exception Fault { get; set; }
 
@@ -40,7 +43,7 @@ public class XRAnchorStore
     public bool TryPersistAnchor(TrackableId trackableId, string name)
     {
         if (Fault != null) throw Fault;
-        if (!Accepts || _kept.ContainsKey(name)) return false;
+        if (!Accepts || name == RefusedName || _kept.ContainsKey(name)) return false;
 
         Put(name, trackableId);
         return true;

@@ -94,6 +94,22 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
+    public void Keep_StoreRefusesTheNameAfterItsRemoval_KeepsTheNewAnchorUnderTheSpareName()
+    {
+        _played.Run(0.1);
+        _played.Kept("cell");
+        _played.Storage.RefusedName = "cell";
+
+        var second = _played.Kept("cell");
+        var kept = _played.Storage.PersistedAnchorNames.ToArray();
+        var found = _played.Anchors.Find("cell");
+
+        Assert.That(second.KeptAs, Is.EqualTo("cell"));
+        Assert.That(kept, Is.EqualTo(new[] { "cell (new)" }));
+        Assert.That(found, Is.Not.Null);
+    }
+
+    [Test]
     public void Find_AnchorOfAnEarlierRun_IsPendingThenAtTheDevicesPose()
     {
         _played.Storage.Put("cell", Earlier);

@@ -38,14 +38,14 @@ namespace Nowpose.OpenXR
 
         public string Problem { get; private set; }
 
-        public bool Has(string name) => Try("look for '" + name + "'", store => IsAmong(store.PersistedAnchorNames, name));
+        public bool Has(string name) => Try("look for '" + name + "'", store => StoredAs(store, name) != null);
 
         public TrackableId Load(string name)
         {
             var id = TrackableId.invalidId;
             Try("load '" + name + "'", store =>
             {
-                id = store.LoadAnchor(name);
+                id = store.LoadAnchor(StoredAs(store, name) ?? name);
                 return true;
             });
             return id;
@@ -61,14 +61,14 @@ namespace Nowpose.OpenXR
             if (IsAmong(store.PersistedAnchorNames, spare)) store.UnpersistAnchor(spare);
             if (!store.TryPersistAnchor(anchor, spare)) return false;
             store.UnpersistAnchor(name);
-            var isKept = store.TryPersistAnchor(anchor, name);
-            store.UnpersistAnchor(spare);
-            return isKept;
+            if (store.TryPersistAnchor(anchor, name)) store.UnpersistAnchor(spare);
+            return true;
         });
 
         public void Forget(string name) => Try("forget '" + name + "'", store =>
         {
-            if (IsAmong(store.PersistedAnchorNames, name)) store.UnpersistAnchor(name);
+            foreach (var stored in new[] { name, name + SpareEnding })
+                if (IsAmong(store.PersistedAnchorNames, stored)) store.UnpersistAnchor(stored);
             return true;
         });
 
@@ -140,6 +140,10 @@ namespace Nowpose.OpenXR
         }
 
         static void Observe(Task loading) => _ = loading.Exception;
+
+        // Returns the name under which the store has an anchor: its own or the spare one; null if it has none.
+        static string StoredAs(XRAnchorStore store, string name) =>
+            IsAmong(store.PersistedAnchorNames, name) ? name : IsAmong(store.PersistedAnchorNames, name + SpareEnding) ? name + SpareEnding : null;
 
         static bool IsAmong(IReadOnlyList<string> names, string name)
         {
