@@ -52,7 +52,7 @@ namespace Nowpose.Network
                     if (inTime.IsCancellationRequested)
                         throw new GatewayRefusalException(
                             address + ": " + ConnectionMessages.NoResponse(ProtocolLimits.DialTimeout.TotalSeconds), failure);
-                    if (failure is SocketException refused)
+                    if (failure.GetBaseException() is SocketException refused)
                         throw new GatewayRefusalException(ConnectionMessages.NotConnected(address, refused.SocketErrorCode), failure);
                     throw;
                 }
