@@ -54,9 +54,9 @@ export class ReportedJoints {
     if (this.#isThere) this.#apply(reports);
   }
 
-  /** Whether the other gateway reports that a joint rests. */
-  isAtRest(joint: string): boolean {
-    return this.#newest?.some(report => report.joint === joint && report.state === 'rest') ?? false;
+  /** Whether a joint may rest: the other gateway reports it, or its report has not arrived yet. */
+  mayRest(joint: string): boolean {
+    return this.#newest?.some(report => report.joint === joint && report.state === 'rest') ?? true;
   }
 
   /** Records that the other gateway is present. Applies its newest message. */

@@ -36,7 +36,7 @@ export async function subscribe(
   const setPoints = new SetPoints(clock, gateway);
   const take = new Map<string, (message: Record<string, unknown>) => void>([[STATUS, message => reported.hear(message)]]);
   for (const [robot, names] of robots) {
-    const states = new JointStates(names, settings.oldest, clock, gateway, status, silence, joint => reported.isAtRest(joint));
+    const states = new JointStates(names, settings.oldest, clock, gateway, status, silence, joint => reported.mayRest(joint));
     take.set(below(robot, STATES), message => states.pass(message));
     take.set(below(robot, TRAJECTORY), message => {
       const passed = passedTrajectory(message, names);
@@ -56,6 +56,8 @@ export async function subscribe(
   let refusal: string | null = null;
   /** The reason why the clock of the plant's gateway has never been read; null after the first reading. Nothing is forwarded before. */
   let unread: string | null = settings.clock === null ? null : syncMessages.notYet(placeOf(settings.clock));
+  /** The reason why the publishing bridge or its gateway is not present. */
+  let absence = '';
   /** Whether the publishing bridge and its gateway are connected. */
   let isPresent = false;
   /** Ends the trust in a retained presence. */
@@ -63,7 +65,8 @@ export async function subscribe(
   const broker = new BrokerLink(settings, configuration.plant.name, [...take.keys(), ...objects.topics, ALIVE], {
     opened: () => {
       refusal = null;
-      status.enter('waiting', brokerMessages.noPublisher(settings.topic));
+      absence = brokerMessages.noPublisher(settings.topic);
+      status.enter('waiting', absence);
     },
     away: (reason, wasOpen) => {
       leave();
@@ -73,7 +76,7 @@ export async function subscribe(
     subscriptionRefused: reason => {
       refusal = reason;
       if (isPresent) showState();
-      else status.enter('waiting', reason ?? brokerMessages.noPublisher(settings.topic));
+      else status.enter('waiting', reason ?? absence);
     },
     heard: (name, payload, isRetained) => {
       if (name === ALIVE) return enter(payload.toString(), isRetained);
@@ -110,6 +113,7 @@ export async function subscribe(
 
   function withdraw(reason: string): void {
     leave();
+    absence = reason;
     status.enter('waiting', reason);
   }
 

@@ -22,8 +22,8 @@ export class AdapterStatus {
   #failure = '';
   /** Reason for which the gateway last dropped a message, and the time in ms; null if it has dropped none. */
   #gatewayRefusal: { reason: string; at: number } | null = null;
-  /** A notice for the user while positions arrive; null if there is none. */
-  #notice: string | null = null;
+  /** Notices for the user while positions arrive, by subject. */
+  readonly #notices = new Map<string, string>();
   readonly joints: Conditions;
   readonly frames: Conditions;
   readonly signals: Conditions;
@@ -120,16 +120,21 @@ export class AdapterStatus {
     else this.#details[key] = this.log.clean(String(value));
   }
 
-  /** Sets a notice for the user while positions are valid; null removes it. */
-  notice(text: string | null): void {
+  /** Sets the notice about a subject for the user while positions are valid; null removes it. The first notice is shown. */
+  notice(text: string | null, subject = 'notice'): void {
     const clean = text === null ? null : this.log.clean(text);
-    if (clean === this.#notice) return;
-    const before = this.#notice;
-    this.#notice = clean;
-    this.detail('notice', clean);
-    if (clean === null) this.log.resume('notice', `ended: ${before}`);
-    else this.log.change('notice', clean);
+    const before = this.#notices.get(subject) ?? null;
+    if (clean === before) return;
+    if (clean === null) this.#notices.delete(subject);
+    else this.#notices.set(subject, clean);
+    this.detail('notice', this.#notice);
+    if (clean === null) this.log.resume(subject, `ended: ${before}`);
+    else this.log.change(subject, clean);
     this.changed();
+  }
+
+  get #notice(): string | null {
+    return this.#notices.values().next().value ?? null;
   }
 
   /**
@@ -172,7 +177,7 @@ export class AdapterStatus {
   /** Counts a value that is not forwarded because the source has more joints, frames or signals than an adapter forwards. */
   tooMany(kind: string, most: number): void {
     this.count('too-many');
-    this.notice(stateMessages.tooMany(kind, most));
+    this.notice(stateMessages.tooMany(kind, most), `number of ${kind}`);
   }
 
   /** Reports that the values of this subject are valid again. */

@@ -113,7 +113,7 @@ export async function run(context: AdapterContext): Promise<void> {
     if (typeof text !== 'string' || !text.includes('<robot')) return status.refuse('malformed', 'robot description', malformedMessages.noRobot);
     // The gateway would report only once that it drops the description.
     const excess = excessOf(settings.robotDescription!, text);
-    status.notice(excess);
+    status.notice(excess, 'robot description');
     if (excess === null) gateway.publishKept(topicOf(namespace, ROBOT_DESCRIPTION), description(text));
   }
 

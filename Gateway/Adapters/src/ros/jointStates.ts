@@ -31,7 +31,10 @@ export class JointStates {
    */
   readonly #judged = new Set<string>();
 
-  /** @param isAtRest Whether a joint is known to rest, so that its newest sample may be old, and may be sent again. */
+  /**
+   * @param mayRest For a source that sends the newest sample of a joint at rest again, whether a joint may rest, so that its newest sample may be old; null
+   * for another source.
+   */
   constructor(
     readonly names: JointNames,
     oldest: Nanoseconds,
@@ -39,7 +42,7 @@ export class JointStates {
     readonly gateway: Publisher,
     readonly status: AdapterStatus,
     readonly silence: SampleSilence,
-    readonly isAtRest: (joint: string) => boolean = () => false,
+    readonly mayRest: ((joint: string) => boolean) | null = null,
   ) {
     // ROS does not confirm the position of a joint whose publisher is silent.
     silence.unconfirmedMs = null;
@@ -86,9 +89,8 @@ export class JointStates {
       this.status.refuse('not-finite', joint, refusalMessages.notPosition(shown(position)));
       return false;
     }
-    const isAtRest = this.isAtRest(joint);
-    if (isAtRest && this.#rule.isNewest(index, stamp)) return false;
-    const refusal = this.#rule.judge(index, stamp, now, isAtRest);
+    if (this.mayRest !== null && this.#rule.isNewest(index, stamp)) return false;
+    const refusal = this.#rule.judge(index, stamp, now, this.mayRest?.(joint) ?? false);
     if (refusal !== null) {
       this.status.refuse(refusal.reason, joint, refusal.text);
     } else {
