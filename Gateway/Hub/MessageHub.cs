@@ -37,7 +37,7 @@ public sealed class MessageHub
     /// <summary>The links of the described robots.</summary>
     internal RobotLinks Links { get; }
 
-    /// <summary>The newest joint states and moving poses. They are not passed to new subscribers.</summary>
+    /// <summary>The newest joint states and moving poses. <see cref="Subscribe(string, Action{HubMessage})"/> does not pass them to a new subscriber.</summary>
     internal NewestSamples Samples { get; } = new();
 
     /// <summary>Times from the receipt of a joint state until it is written to a subscriber's socket.</summary>

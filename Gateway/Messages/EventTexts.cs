@@ -27,6 +27,7 @@ static class EventTexts
     public static string Is(string state) => $"is {state}";
 
     public static string ClockState(string state) => $"its state is {state}";
+
     /// <param name="offered">Names of the clocks that adapters have offered.</param>
     public static string ClockNotOffered(IReadOnlyCollection<string> offered) =>
         "no adapter has offered this clock" + (offered.Count == 0 ? "" : $"; the adapters have offered {string.Join(", ", offered)}");

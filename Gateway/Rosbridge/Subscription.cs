@@ -112,7 +112,7 @@ sealed class Subscription : IDisposable
         }
         catch (OperationCanceledException)
         {
-            return true;
+            return !_ended.Task.IsCompleted;
         }
     }
 

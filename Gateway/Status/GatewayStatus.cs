@@ -163,7 +163,8 @@ sealed class GatewayStatus : IDisposable
         if (message.Content is JointStateMessage state)
         {
             var age = _clock.AtReceived(message.ReceivedAt) - state.Stamp;
-            _sources.Add(message.Joints, message.ReceivedAt, age);
+            // The time since a sample of a joint at rest, which its source sends again, is no latency.
+            if (age < JointSamples.MaxAge) _sources.Add(message.Joints, message.ReceivedAt, age);
             _joints.Add(message.Source, message.Joints, state.Stamp, age, message.Robot);
         }
         else if (message.Content is JointTrajectoryMessage) _refusals.Accept(message);

@@ -73,7 +73,9 @@ sealed class JointRow(string joint, string source, TimeProvider time)
         if (isReportFresh && _report.State == JointDataState.Rest)
         {
             if (_refusal != null && !(samples?.ArrivedAt > _refusedAt)) return (JointDataState.Refused, null, _refusal, _refusalWord);
-            if (samples is not { HasAny: true }) return (JointDataState.Missing, null, JointReasons.NoSampleAtRest, JointFaultReasons.NoSample);
+            // The gateway no longer has the samples of a source that has ended, so a headset that connects now does not receive them.
+            if (samples is not { HasAny: true } || samples.Source is { IsEnded: true })
+                return (JointDataState.Missing, null, JointReasons.NoSampleAtRest, JointFaultReasons.NoSample);
         }
 
         if (isReportFresh && _report.State != JointDataState.Live)

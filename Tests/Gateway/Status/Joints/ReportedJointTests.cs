@@ -32,6 +32,26 @@ public class ReportedJointTests
         Assert.That(_joints.Joint("a").Age.Value.TotalSeconds, Is.GreaterThan(29));
     }
 
+    // A headset that connects now receives no position of the joint.
+    [Test]
+    public void Read_AdapterAtRestHasRestarted_IsMissingUntilItsFirstSample()
+    {
+        _joints.Source.Name = "press";
+        _joints.Send(3, "a");
+        _joints.Source.Dispose();
+        _joints.Report("press", ("a", "rest", ""));
+        var before = _joints.Joint("a").State;
+
+        _joints.Source = _joints.Hub.OpenSource();
+        _joints.Source.Name = "press";
+        _joints.Add(_joints.Source, "a");
+        _joints.Time.Advance(TimeSpan.FromSeconds(1));
+        _joints.Report("press", ("a", "rest", ""));
+
+        Assert.That(before, Is.EqualTo(JointDataState.Missing));
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Rest));
+    }
+
     [Test]
     public void Read_AdapterReportsRestThenStopsReporting_IsStale()
     {
