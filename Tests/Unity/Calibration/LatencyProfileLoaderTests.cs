@@ -106,7 +106,7 @@ public sealed class LatencyProfileLoaderTests
 
         Assert.That(_session.Session, Is.Not.Null.And.Not.SameAs(first));
         Assert.That(VisuMs, Is.EqualTo(51));
-        Assert.That(_session.Statistics.RangeUnknownReason, Is.EqualTo(RangeUnknownReason.NoRenderTime), "a limit is known");
+        Assert.That(_session.Statistics.RangeUnknownReason, Is.EqualTo(RangeUnknownReason.TooFewFrames), "a limit is known");
     }
 
     [Test]

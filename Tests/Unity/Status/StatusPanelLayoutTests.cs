@@ -91,6 +91,20 @@ public class StatusPanelLayoutTests
         Assert.That(Place("Message 0"), Is.GreaterThan(Place("Pose 0")));
     }
 
+    // The source of the render time is selected after some frames.
+    [Test]
+    public void LateUpdate_RenderTimeNotMeasured_IsReportedAfterSomeSeconds()
+    {
+        _played.EachFrame = null;
+        _played.Play(4);
+        var before = _played.Text("Message 0");
+
+        _played.Run(4);
+
+        Assert.That(before, Is.Empty);
+        Assert.That(_played.Text("Message 0"), Is.Not.Empty);
+    }
+
     float Place(string cell) => _played.Sheet.Find(cell).position.y;
 
     Bounds GroundBounds => _played.Sheet.Find("Ground").GetComponent<MeshRenderer>().bounds;

@@ -77,20 +77,6 @@ public class StatusPanelTests
         Assert.That(_played.Text("Message 0"), Is.Empty);
     }
 
-    // The source of the render time is selected after some frames.
-    [Test]
-    public void LateUpdate_RenderTimeNotMeasured_IsReportedAfterSomeSeconds()
-    {
-        _played.EachFrame = null;
-        _played.Play(4);
-        var before = _played.Text("Message 0");
-
-        _played.Run(4);
-
-        Assert.That(before, Is.Empty);
-        Assert.That(_played.Text("Message 0"), Is.Not.Empty);
-    }
-
     [Test]
     public void LateUpdate_ScriptsRecompiled_RebuildsItsCells()
     {
