@@ -22,7 +22,7 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Minimum age of a sample that was taken before this session subscribed. The gateway sends the newest sample of each joint at rest to a new
-        /// subscriber; its age is no latency.
+        /// subscriber; its age is not a latency.
         /// </summary>
         static readonly TimeSpan MinAgeBeforeSubscription = TimeSpan.FromSeconds(1);
 
