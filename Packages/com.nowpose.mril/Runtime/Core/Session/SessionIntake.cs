@@ -134,7 +134,7 @@ namespace Nowpose.Session
                 return;
             }
             var joints = _messageJoints.Of(arrival.Message);
-            var isEarlier = clock.IsKnown && IsBeforeSubscription(arrival, clock, isFirst: !HasAnySample(joints));
+            var isEarlier = clock.IsKnown && IsBeforeSubscription(arrival, joints, clock);
             var reason = _tracks.Add(arrival.Message, joints);
             // After a reconnection, the gateway sends the newest sample of a joint at rest again.
             CountDrop(arrival, isEarlier && reason == DropReason.DuplicateSample ? DropReason.None : reason);
@@ -146,10 +146,10 @@ namespace Nowpose.Session
             SampleTaken?.Invoke(arrival, isMeasured ? _latency.Newest : (TimeSpan?)null);
         }
 
-        // A program that supplies the session has no connection.
-        bool IsBeforeSubscription(in Arrival<JointStateMessage> arrival, in ClockModel clock, bool isFirst)
+        // A program that supplies the session has no connection: it subscribes with the first sample of a joint.
+        bool IsBeforeSubscription(in Arrival<JointStateMessage> arrival, ReadOnlySpan<int> joints, in ClockModel clock)
         {
-            var subscribed = _connection.Newest ?? (isFirst ? arrival.At : (HeadsetTime?)null);
+            var subscribed = _connection.Newest ?? (HasAnySample(joints) ? (HeadsetTime?)null : arrival.At);
             return subscribed is HeadsetTime start && clock.ToControl(start) - arrival.Message.Stamp > MinAgeBeforeSubscription;
         }
 
