@@ -163,8 +163,7 @@ sealed class GatewayStatus : IDisposable
         if (message.Content is JointStateMessage state)
         {
             var age = _clock.AtReceived(message.ReceivedAt) - state.Stamp;
-            // The age of a sample of a joint at rest, which its source sends again, is not a latency.
-            if (age < JointSamples.MaxAge) _sources.Add(message.Joints, message.ReceivedAt, age);
+            _sources.Add(message.Joints, message.ReceivedAt, age);
             _joints.Add(message.Source, message.Joints, state.Stamp, age, message.Robot);
         }
         else if (message.Content is JointTrajectoryMessage) _refusals.Accept(message);
