@@ -1,10 +1,12 @@
-// Builds the adapters in dist: plant.mjs, one file per kind of plant, the schema of the configuration, and the licences of the bundled packages.
+// Builds the adapters in dist: plant.mjs, one file per kind of plant, the schema of the configuration, and the licences of the bundled packages. Also
+// generates plantFiles.d.ts, the types of the configuration for the sources.
 // `npm run build` and prepare.mjs run this file.
 import { mkdirSync, readdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
-import { kinds, loading, requireForBundle, withoutTrial } from './loading.mjs';
+import { compile } from 'json-schema-to-typescript';
+import { kinds, loading, requireForBundle, schema, withoutTrial } from './loading.mjs';
 
 const adapters = dirname(fileURLToPath(import.meta.url));
 const entries = { plant: 'src/main.ts', ...Object.fromEntries(kinds.map(kind => [kind, `src/${kind}/adapter.ts`])) };
@@ -34,6 +36,16 @@ function licenceOf(folder) {
   return `${name} ${version}, ${license}\n\n${text.trim()}\n`;
 }
 
+/** Gets the schema of the file of each kind, by kind. An entry with a default is required, because the check of a file sets the default. */
+function filesSchema() {
+  const { $defs } = JSON.parse(JSON.stringify(schema), (_, part) => {
+    if (part.properties === undefined) return part;
+    const withDefault = Object.keys(part.properties).filter(name => part.properties[name].default !== undefined);
+    return { ...part, required: [...(part.required ?? []), ...withDefault] };
+  });
+  return { type: 'object', required: kinds, properties: Object.fromEntries(kinds.map(kind => [kind, $defs[kind]])), $defs };
+}
+
 const { outputFiles, metafile } = await build({
   absWorkingDir: adapters,
   entryPoints: entries,
@@ -58,5 +70,6 @@ const { outputFiles, metafile } = await build({
 
 mkdirSync(join(adapters, 'dist'), { recursive: true });
 write('adapter-licences.txt', packagesIn(metafile.inputs).map(licenceOf).join('\n\n'));
-write('plant.schema.json', readFileSync(join(adapters, 'plant.schema.json'), 'utf8'));
+write('plant.schema.json', `${JSON.stringify(schema, null, 2)}\n`);
+write('plantFiles.d.ts', await compile(filesSchema(), 'PlantFiles', { additionalProperties: false, format: false, ignoreMinAndMaxItems: true }));
 for (const file of outputFiles) write(file.path.slice(join(adapters, 'dist').length + 1), file.text);

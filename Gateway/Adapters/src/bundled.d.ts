@@ -4,8 +4,11 @@ declare module '*.urdf' {
   export default text;
 }
 
-// For this import, the bundler inserts one function per kind of plant that checks a configuration against plant.schema.json.
-declare module 'plant.schema.checks' {
+// For this import, the bundler inserts the schema of the configuration, and for each kind of plant a function that checks its file.
+declare module 'plant.schema' {
   import type { ValidateFunction } from 'ajv';
-  export const opcua: ValidateFunction, ads: ValidateFunction, rtde: ValidateFunction, ros: ValidateFunction, broker: ValidateFunction;
+  import type { Described } from './configuration/schemaCheck';
+  import type { KindName } from './configuration/plantFile';
+  export const schema: Described & { $defs: Record<string, Described> };
+  export const checks: Record<KindName, ValidateFunction>;
 }

@@ -1,6 +1,6 @@
 import { OfferedClock } from './clock/offeredClock';
-import type { Configuration } from './configuration/configuration';
-import { silenceMs } from './configuration/silenceEntry';
+import type { CheckedConfiguration } from './configuration/configuration';
+import { silenceMs } from './configuration/plantFile';
 import { diagnosticsOf } from './gateway/diagnosticsOf';
 import { GatewayLink } from './gateway/link';
 import { description, DIAGNOSTICS, ROBOT_DESCRIPTION, topicOf, VERSION_TOPIC } from './gateway/messages';
@@ -17,11 +17,12 @@ const SILENCE_CHECK_MS = 250;
 
 /** Delay of the report after a change, so that the report includes further changes that follow immediately. */
 const CHANGE_MS = 100;
+
+/** Maximum difference between the time stamps of one sample, for kinds of plant without the entry `group_ms`. */
 const GROUP_MS = 0.5;
-const OLDEST_MS = 10_000;
 
 /** Runs one adapter until it is aborted. */
-export async function runPlant(configuration: Configuration, log: Log, ending: AbortController): Promise<void> {
+export async function runPlant(configuration: CheckedConfiguration, log: Log, ending: AbortController): Promise<void> {
   const { plant, robot, robots } = configuration;
   let changed: NodeJS.Timeout | null = null;
   const status = new AdapterStatus(plant.kind, log, () => {
@@ -33,14 +34,10 @@ export async function runPlant(configuration: Configuration, log: Log, ending: A
       if (!isMeasuring) status.refusedByGateway(reason);
     },
   });
-  const { clock_resolution_us: resolutionUs, group_ms: groupMs, oldest_ms: oldestMs } = plant;
-  const fixed = resolutionUs === undefined ? null : ofMilliseconds(Number(resolutionUs) / 1000);
+  const { clock_resolution_us: resolutionUs, group_ms: groupMs = GROUP_MS } = plant;
+  const fixed = resolutionUs === undefined ? null : ofMilliseconds(resolutionUs / 1000);
   const clock = new OfferedClock(gateway, plant.name, fixed, undefined, coarse => reportCoarse(status, log, coarse));
-  const limits = {
-    tolerance: ofMilliseconds(Number(groupMs ?? GROUP_MS)),
-    oldest: ofMilliseconds(Number(oldestMs ?? OLDEST_MS)),
-    faultAfterMs: silenceMs(plant.silence),
-  };
+  const limits = { tolerance: ofMilliseconds(groupMs), oldest: ofMilliseconds(plant.oldest_ms), faultAfterMs: silenceMs(plant.silence) };
   const output = new PlantOutput(configuration, limits, clock, gateway, status);
   gateway.watch(output.signals.sender);
   gateway.watch(output.repeater);

@@ -1,5 +1,5 @@
 import type { Kind } from './adapter';
-import { type Configuration, type OwnCheck, readConfiguration } from './configuration/configuration';
+import { type CheckedConfiguration, readConfiguration } from './configuration/configuration';
 import { ConfigurationError } from './configuration/problem';
 import { kinds } from './kinds';
 import { Log } from './log';
@@ -48,23 +48,14 @@ async function runCommand(args: string[], host: Host): Promise<number> {
     return others[0] === '--help' ? 0 : BAD_INPUT;
   }
   const isCheck = args.includes('--check');
-  const checks = Object.entries(kinds).map(([name, kind]) => [name, isCheck ? withMachine(kind) : kind.check] as const);
-  const configuration = readConfiguration(others[0], host.environment, Object.fromEntries(checks));
+  const configuration = readConfiguration(others[0], host.environment, kinds, isCheck);
   if (isCheck) return describe(configuration, host);
   host.listen();
   await runPlant(configuration, new Log(`plant/${configuration.plant.name}`, configuration.secrets, host.err), host.ending);
   return 0;
 }
 
-/** Gets the checks of a kind for --check. The adapter itself repeats what fails on its machine until it succeeds. */
-const withMachine =
-  ({ check, checkMachine }: Kind): OwnCheck =>
-  (...about) => {
-    check(...about);
-    checkMachine?.(...about);
-  };
-
-async function describe(configuration: Configuration, { out, err }: Host): Promise<number> {
+async function describe(configuration: CheckedConfiguration, { out, err }: Host): Promise<number> {
   const kind = kinds[configuration.plant.kind];
   await out(`${configuration.file} is valid: ${kind.summary(configuration)}\n`);
   if (configuration.isSupervised) await out(`${JSON.stringify(contentOf(kind, configuration))}\n`);
@@ -73,12 +64,12 @@ async function describe(configuration: Configuration, { out, err }: Host): Promi
 }
 
 /** Gets the content of the configuration that the gateway needs before it starts the adapter. */
-function contentOf(kind: Kind, configuration: Configuration): object {
+function contentOf(kind: Kind, configuration: CheckedConfiguration): object {
   return {
     name: configuration.plant.name,
     joints: configuration.joints.map(({ joint }) => joint),
     passes_unlisted: kind.passesUnlisted?.(configuration) ?? false,
-    offers_clock: kind.offersClock?.(configuration) ?? true,
+    offers_clock: kind.offersClock?.(configuration.settings) ?? true,
     has_objects: configuration.hasObjects,
     frames: configuration.parents,
     signals: configuration.signals.map(({ signal }) => signal),

@@ -10,7 +10,7 @@ import { parts } from './parts.mjs';
 import { check, startProcess } from './program.mjs';
 import { temporaryFile, temporaryFolder } from './temporary.mjs';
 
-const { KINDS, readConfiguration } = await parts('configuration/configuration', 'configuration/schemaCheck');
+const { KINDS, kinds, readConfiguration } = await parts('configuration/configuration', 'configuration/schemaCheck', 'kinds');
 const { configurationMessages, fileMessages, opcuaSettingMessages, robotMessages } = messages;
 
 const INCLUDED = ['ur3e', 'ur5', 'ur5e', 'ur10e', 'ur16e', 'youbot'];
@@ -134,13 +134,13 @@ describe('configuration', () => {
 `;
     const path = temporaryFile('plant.yaml', GOOD.replace(/joints:[^]*/, `  silence: {fault_after_s: 3}\n  max_deceleration: 15\n${joints}`));
 
-    const read = readConfiguration(path, {}, {}).joints.map(({ faultAfterMs, maxDeceleration, isLinear }) => [faultAfterMs, maxDeceleration, isLinear]);
+    const read = readConfiguration(path, {}, kinds).joints.map(({ faultAfterMs, maxDeceleration, isLinear }) => [faultAfterMs, maxDeceleration, isLinear]);
 
     assert.deepEqual(read, [[null, 2, true], [3000, 15, false]]);
   });
 
   it('Silence_NotConfigured_MeansRestForSourcesOfChangesAndFaultForPeriodicSources', () => {
-    const silenceOf = text => readConfiguration(temporaryFile('plant.yaml', text), {}, {}).plant.silence;
+    const silenceOf = text => readConfiguration(temporaryFile('plant.yaml', text), {}, kinds).plant.silence;
 
     assert.equal(silenceOf(GOOD), 'rest');
     assert.deepEqual(silenceOf('plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\n'), { fault_after_s: 1 });

@@ -7,11 +7,11 @@ import { parse } from 'yaml';
 import { parts } from './parts.mjs';
 import { adapters, check } from './program.mjs';
 
-const { readConfiguration, robotOf } = await parts('configuration/configuration', 'configuration/robot');
+const { kinds, readConfiguration, robotOf } = await parts('configuration/configuration', 'configuration/robot', 'kinds');
 
 const folder = join(adapters, 'examples');
 
-const read = name => readConfiguration(join(folder, name), {}, {});
+const read = name => readConfiguration(join(folder, name), {}, kinds);
 
 const names = readdirSync(folder, { recursive: true }).filter(f => /\.ya?ml$/.test(f) && statSync(join(folder, f)).isFile());
 

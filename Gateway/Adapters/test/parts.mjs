@@ -32,12 +32,12 @@ async function build(modules) {
 
 /** Returns the folder with the built modules. It is created once for each state of the sources; folders of other states are deleted. */
 async function built() {
-  const sources = readdirSync(join(adapters, 'src'), { recursive: true }).filter(path => path.endsWith('.ts')).sort();
+  const sources = readdirSync(join(adapters, 'src'), { recursive: true }).filter(path => /\.(ts|json)$/.test(path)).sort();
   const hash = createHash('sha256');
   for (const file of [...sources.map(path => join('src', path)), ...INPUTS]) hash.update(file).update(readFileSync(join(adapters, file)));
   const name = `parts-${hash.digest('hex').slice(0, 16)}`, folder = join(dist, name);
   if (existsSync(folder)) return folder;
-  const modules = sources.filter(path => path !== 'main.ts' && !path.endsWith('.d.ts'));
+  const modules = sources.filter(path => path !== 'main.ts' && /(?<!\.d)\.ts$/.test(path));
   const draft = `${folder}.${process.pid}.tmp`;
   for (const { path, text } of await build(modules)) {
     mkdirSync(dirname(join(draft, path)), { recursive: true });

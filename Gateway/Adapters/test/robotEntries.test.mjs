@@ -8,7 +8,7 @@ import { messages } from './messages.mjs';
 import { parts } from './parts.mjs';
 import { temporaryFile } from './temporary.mjs';
 
-const { readConfiguration } = await parts('configuration/configuration');
+const { kinds, readConfiguration } = await parts('configuration/configuration', 'kinds');
 const { configurationMessages, robotMessages } = messages;
 
 const ARM = `<robot name="arm">
@@ -37,14 +37,14 @@ describe('units of joints', () => {
     const path = plant('  - { joint: elbow, node: i=1, unit: deg }\n  - { joint: turntable, node: i=2 }\n  - { joint: axis > 1, node: i=3, scale: 0.01 }\n');
 
     assert.deepEqual(wrongIn(path), []);
-    assert.deepEqual(readConfiguration(path, {}, {}).joints.map(({ isLinear }) => isLinear), [false, false, true]);
+    assert.deepEqual(readConfiguration(path, {}, kinds).joints.map(({ isLinear }) => isLinear), [false, false, true]);
   });
 });
 
 describe('addresses of joints', () => {
   const linesIn = (joints, others = '') => readConfiguration(temporaryFile('plant.yaml', `plant: { kind: opcua, endpoint: opc.tcp://plc }
 joints:
-${joints}${others}`), {}, {}).warnings.map(line => line.replace(/^.*?, line/, 'line'));
+${joints}${others}`), {}, kinds).warnings.map(line => line.replace(/^.*?, line/, 'line'));
 
   it('Check_TwoJointsWithTheSameAddress_WarnsOfTheSecond', () => {
     const lines = linesIn('  - { joint: elbow, node: i=1, index: 2 }\n  - { joint: wrist, node: i=1, index: 2 }\n  - { joint: tool, node: i=1, index: 3 }\n');

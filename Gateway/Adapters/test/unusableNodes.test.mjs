@@ -17,11 +17,11 @@ function adapter() {
   const cell = { now: START };
   const status = new AdapterStatus('opcua', new Log('plant/test', [], () => {})), sent = [];
   const label = 'joint a', joint = { joint: 'a', robot: '', name: 'a', scale: 1, offset: 0 };
-  const configuration = { joints: [joint], frames: [], wholeFrames: [], signals: [], values: [{ label, address: { node: 'n0' }, path: ['joints', 0] }], plant: {} };
+  const configuration = { joints: [joint], frames: [], wholeFrames: [], signals: [], values: [{ label, address: { node: 'n0' }, path: ['joints', 0] }] };
   const clock = { get now() { return ofMs(cell.now); }, isSettled: true };
   const output = new PlantOutput(configuration, { tolerance: 1_000_000n, oldest: 10_000_000_000n }, clock,
     { publish: (topic, msg) => sent.push(msg), publishNewest: () => {}, publishKept: () => {}, forgetKept: () => {} }, status, () => cell.now);
-  const reader = new NotificationReader({ configuration, output, status, clock }, { time: null, timestamp: 'source' });
+  const reader = new NotificationReader({ configuration, output, status, clock }, { time: null, timestamp: 'source', groupMs: 0.5 });
   Object.assign(cell, { status, reader, sent, value: good(1, cell.now) });
   status.enter('connected');
   cell.connect = () => {

@@ -1,13 +1,11 @@
 // Replaces each entry of a configuration by values of other forms. If a value is invalid, the check must report this entry only.
 import assert from 'node:assert/strict';
-import { readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { rmSync, writeFileSync } from 'node:fs';
 import { it } from 'node:test';
+import { kinds, schema } from '../loading.mjs';
 import { wrongIn } from './checking.mjs';
-import { adapters } from './program.mjs';
 import { temporaryFile } from './temporary.mjs';
 
-const { $defs } = JSON.parse(readFileSync(join(adapters, 'plant.schema.json'), 'utf8'));
 /**
  * Values of every form. The section has the name of a robot, because the joints need it in the section robots. Every second
  * entry takes one half of them and the others the other half: the same entries of other joints, frames and kinds of plants take the rest.
@@ -91,16 +89,16 @@ const pathsIn = value => (value === null || typeof value !== 'object' ? [] : Obj
 
 /** Returns the paths of the entries at the top level and in the section of the plant which only other kinds have. */
 function foreignTo(kind) {
-  const namesIn = section => Object.keys($defs).filter(name => name in VALID).flatMap(name => Object.keys(section($defs[name].properties)));
+  const namesIn = section => kinds.flatMap(name => Object.keys(section(schema.$defs[name].properties)));
   return [...namesIn(top => top).map(name => [name]), ...namesIn(top => top.plant.properties).map(name => ['plant', name])]
     .filter(([first, second]) => !((second ?? first) in (second === undefined ? VALID[kind] : VALID[kind].plant)));
 }
 
 const textOf = path => path.map((step, i) => (/^\d+$/.test(step) ? `[${step}]` : i > 0 ? `.${step}` : step)).join('');
 
-for (const [kind, entries] of Object.entries(VALID))
+for (const kind of kinds)
   it(`Check_EntryOfAnotherForm_${kind}_ReportsOnlyThisEntry`, () => {
-    const path = temporaryFile('plant.yaml', ''), valid = { gateway, ...entries };
+    const path = temporaryFile('plant.yaml', ''), valid = { gateway, ...VALID[kind] };
     const check = changed => {
       rmSync(path);
       writeFileSync(path, JSON.stringify(changed));

@@ -1,15 +1,15 @@
 import type { AdapterContext } from '../adapter';
 import { reconnecting } from '../backoff';
 import { AdsSession } from './session';
-import { settingsOf } from './settings';
+import type { AdsSettings } from './kind';
 import { adsMessages } from '../messages/ads';
 
 /** Reads a PLC over ADS until it is stopped. */
-export async function run(context: AdapterContext): Promise<void> {
+export async function run(context: AdapterContext<AdsSettings>): Promise<void> {
   const { configuration, status, log, stopping } = context;
-  const settings = settingsOf(configuration);
+  const { settings } = configuration;
   log.line(adsMessages.notSecure);
-  status.detail('endpoint', String(configuration.plant.endpoint));
+  status.detail('endpoint', settings.address);
   status.detail('security', 'none');
   status.detail('sampling_ms', settings.samplingMs);
   status.detail('publishing_ms', settings.publishingMs);

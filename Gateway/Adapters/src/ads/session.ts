@@ -9,7 +9,7 @@ import { canHoldTime, isNumber, isState, numberOf, timeOf, unitOf } from './deco
 import { NotificationTime, type PlcTime, VariableTime } from './plcTime';
 import { ReadOnlyClient } from './readOnlyClient';
 import { reasonOf } from './reasons';
-import type { AdsSettings } from './settings';
+import type { AdsSettings } from './kind';
 import { SilentSymbols } from './silentSymbols';
 import type { StampedSamples } from './stream';
 import { findSymbol, type NamedSymbol, SymbolError } from './symbols';

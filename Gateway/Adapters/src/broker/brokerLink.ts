@@ -1,7 +1,7 @@
 import { SendQueue } from '../gateway/sendQueue';
 import { MqttLink } from '../mqtt/link';
 import { Refusals } from './refusals';
-import type { BrokerSettings } from './settings';
+import type { BrokerSettings } from './kind';
 import { brokerMessages } from '../messages/broker';
 
 /**

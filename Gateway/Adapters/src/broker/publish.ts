@@ -2,7 +2,7 @@ import type { AdapterContext } from '../adapter';
 import { JOINT_STATES, JOINT_STATUS, JOINT_TRAJECTORY, ROBOT_DESCRIPTION, topicOf } from '../gateway/messages';
 import { BrokerLink, below, DESCRIPTION, STATES, STATUS, TRAJECTORY } from './brokerLink';
 import { PublishedObjects } from './publishedObjects';
-import type { BrokerSettings } from './settings';
+import type { BrokerSettings } from './kind';
 import { brokerMessages } from '../messages/broker';
 
 /** Publishes the messages of the plant's gateway on the broker, in the same JSON format that headsets receive. */

@@ -8,7 +8,7 @@ import { ALIVE, below, BrokerLink, DESCRIPTION, type Presence, STATES, STATUS, T
 import { kindOf } from './objectTopics';
 import { ReceivedObjects } from './receivedObjects';
 import { ReportedJoints } from './reportedJoints';
-import { type BrokerSettings, placeOf } from './settings';
+import { type BrokerSettings, placeOf } from './kind';
 import { runUpstreamClock } from './upstreamClock';
 import { brokerMessages, malformedMessages, syncMessages } from '../messages/broker';
 
@@ -36,7 +36,7 @@ export async function subscribe(
   const setPoints = new SetPoints(clock, gateway);
   const take = new Map<string, (message: Record<string, unknown>) => void>([[STATUS, message => reported.hear(message)]]);
   for (const [robot, names] of robots) {
-    const states = new JointStates(names, settings.oldest, clock, gateway, status, silence, joint => reported.mayRest(joint));
+    const states = new JointStates(names, output.joints.options.oldest, clock, gateway, status, silence, joint => reported.mayRest(joint));
     take.set(below(robot, STATES), message => states.pass(message));
     take.set(below(robot, TRAJECTORY), message => {
       const passed = passedTrajectory(message, names);

@@ -3,7 +3,7 @@ import { connect as connectSecurely } from 'node:tls';
 import type { ClockReading } from '../clock/offeredClock';
 import { pinProblem } from '../gateway/pin';
 import { monotonicTime, type Nanoseconds } from '../times';
-import { placeOf, type Upstream } from './settings';
+import { placeOf, type Upstream } from './kind';
 import { FRAME, isAccepted, parseReply, type Reply, request, tokenRequest } from './syncFrame';
 import { syncMessages } from '../messages/broker';
 

@@ -1,5 +1,5 @@
 import type { OfferedClock } from '../clock/offeredClock';
-import type { Signal } from '../configuration/signals';
+import type { EntryOf } from '../configuration/plantFile';
 import type { Publisher } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
 import { numberIn } from '../samples/number';
@@ -27,7 +27,7 @@ export class SignalOutput {
    * @param counter Monotonic clock in ms; by default, the clock of this machine.
    */
   constructor(
-    readonly signals: Signal[],
+    readonly signals: EntryOf<'signals'>[],
     readonly offset: number,
     readonly clock: Pick<OfferedClock, 'now' | 'isSettled'>,
     gateway: Publisher,

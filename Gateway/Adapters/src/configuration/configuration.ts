@@ -1,16 +1,17 @@
+import type { Kind } from '../adapter';
 import { requireAddress } from './address';
-import { type Frame, type FrameEntry, type FrameSettings, framesOf } from './frames';
+import { type Frame, type FrameSettings, framesOf } from './frames';
 import { nearest } from './nearest';
 import { checkParents } from './parents';
+import { type AnyOf, type EntryOf, type KindName, type PlantFile, type Silence, silenceMs } from './plantFile';
 import { linesOf } from './problem';
 import { type NamedJoint, namedIn, requireJoints, robotOf } from './robot';
 import { checkAgainstSchema, hasEntry, KINDS, knownEntries } from './schemaCheck';
 import { secretIn } from './secret';
 import { warnOfSharedAddresses } from './sharedAddresses';
 import { requireTls } from './plain';
-import { type Signal, signalsOf } from './signals';
-import { type SilenceEntry, silenceMs } from './silenceEntry';
-import { ADDRESS, type Address, addressIn, type Value } from './values';
+import { signalsOf } from './signals';
+import { type Address, addressIn, type Value } from './values';
 import { type Path, pathText, YamlFile } from './yamlFile';
 import { configurationMessages } from '../messages/configuration';
 
@@ -30,22 +31,23 @@ export interface Joint extends Address, NamedJoint {
   maxDeceleration?: number;
   /** Time without data after which the joint has a fault, ms; absent or null if a silent joint counts as at rest. */
   faultAfterMs?: number | null;
-  [own: string]: unknown;
+  unit?: string;
+  /** ROS only: the name that the robot uses. */
+  source?: string;
 }
 
-/** Default meaning of missing data for the kinds of plant that send each joint periodically, even at rest. */
-const PERIODIC: Record<string, SilenceEntry> = { ros: { fault_after_s: 1 }, rtde: { fault_after_s: 1 }, broker: { fault_after_s: 3 } };
+type Content = AnyOf<PlantFile> & { plant: AnyOf<PlantFile['plant']> };
 
 export interface Configuration {
   file: string;
   gateway: GatewayAddress;
-  /** Name and kind of the plant, and the entries of this kind, as specified in the schema. */
-  plant: { kind: string; name: string; silence: SilenceEntry; [own: string]: unknown };
+  /** The entries of the plant's section, with the default name and meaning of missing data. */
+  plant: Content['plant'] & { name: string; silence: Silence };
   joints: Joint[];
   frames: Frame[];
   /** Settings of the frames whose poses arrive as a whole: those of ROS without `position`. */
   wholeFrames: FrameSettings[];
-  signals: Signal[];
+  signals: EntryOf<'signals'>[];
   /** The possible parents of each frame in the file, by the name of the frame. Empty for a frame of ROS whose parent arrives with its pose. */
   parents: Record<string, string[]>;
   /** Whether the file configures frames or signals. */
@@ -70,55 +72,53 @@ export interface Configuration {
   lineOf(path: Path): number;
 }
 
-interface Sections {
-  gateway?: { url?: string; token_file?: string; pin?: string };
-  plant: { kind: string; name?: string; silence?: SilenceEntry; max_deceleration?: number; namespace?: string };
-  joints?: { joint: string; unit?: string; scale?: number; offset?: number; silence?: SilenceEntry; max_deceleration?: number }[];
-  frames?: FrameEntry[];
-  signals?: Signal[];
-  robot?: string;
-  robots?: Record<string, string>;
+/** A configuration without errors, and the settings of its kind of plant. */
+export interface CheckedConfiguration<Settings = unknown> extends Configuration {
+  settings: Settings;
 }
-
-/** Checks the entries of one kind of plant, after the check against the schema. */
-export type OwnCheck = (file: YamlFile, configuration: Configuration, environment: NodeJS.ProcessEnv) => void;
 
 /**
  * Reads and checks a configuration.
  * @param environment Environment variables, which take precedence over the file if a gateway has set them.
+ * @param isForMachine Whether to check also that the adapter can run on this machine. The adapter itself repeats what fails until it succeeds.
  * @throws ConfigurationError The configuration is invalid. The error contains all invalid entries; of a file that is not valid YAML, only its first
  * error; of a file without a valid kind of plant, only the errors about the kind and the entries that exist for no kind.
  */
-export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, ownChecks: Record<string, OwnCheck>): Configuration {
+export function readConfiguration(
+  path: string,
+  environment: NodeJS.ProcessEnv,
+  kinds: Record<KindName, Kind>,
+  isForMachine = false,
+): CheckedConfiguration {
   const file = new YamlFile(path);
-  const kind = kindOf(file);
-  checkAgainstSchema(file, kind);
-  const sections = file.value as Sections;
-  const gateway = gatewayOf(file, sections, environment);
-  const silence = sections.plant.silence ?? PERIODIC[kind] ?? 'rest';
-  const namespace = sections.plant.namespace ?? '';
-  const described = sections.robot === undefined ? null : robotOf(file, ['robot'], sections.robot);
-  const joints = jointsOf(file, sections, silence);
+  const name = kindOf(file);
+  const kind = kinds[name];
+  const content: Content = checkAgainstSchema(file, name);
+  const gateway = gatewayOf(file, content.gateway, environment);
+  const silence = content.plant.silence ?? kind.silence ?? 'rest';
+  const namespace = content.plant.namespace ?? '';
+  const described = content.robot === undefined ? null : robotOf(file, ['robot'], content.robot);
+  const joints = jointsOf(file, content, silence);
   const values: Value[] = joints.map((joint, i) => ({ label: joint.joint, path: ['joints', i], address: addressIn(joint) }));
   const wholeFrames: FrameSettings[] = [];
   const where = (entry: Path): string => `${path}, line ${file.lineOf(entry)}: ${pathText(entry)}`;
-  const frames = kind in ADDRESS ? framesOf(file, kind, sections.frames ?? [], silence, values, wholeFrames) : [];
+  const frames = framesOf(file, kind, content.frames ?? [], silence, values, wholeFrames);
   const configuration: Configuration = {
     file: path,
     gateway,
-    plant: { ...sections.plant, name: sections.plant.name ?? kind, silence },
+    plant: { ...content.plant, name: content.plant.name ?? name, silence },
     joints,
     frames,
     wholeFrames,
-    parents: Object.fromEntries([...(sections.frames ?? []), ...frames].map(entry => [entry.frame, 'parents' in entry ? entry.parents : []])),
-    signals: signalsOf(file, sections.signals ?? [], values),
-    hasObjects: (sections.frames ?? []).length + (sections.signals ?? []).length > 0,
+    parents: Object.fromEntries([...(content.frames ?? []), ...frames].map(entry => [entry.frame, 'parents' in entry ? entry.parents : []])),
+    signals: signalsOf(file, content.signals ?? [], values),
+    hasObjects: (content.frames ?? []).length + (content.signals ?? []).length > 0,
     values,
     robot: namespace === '' ? described : null,
-    robots: { ...robotsOf(file, sections), ...(namespace === '' || described === null ? {} : { [namespace]: described }) },
+    robots: { ...robotsOf(file, content), ...(namespace === '' || described === null ? {} : { [namespace]: described }) },
     describedBy: {
-      ...Object.fromEntries(Object.entries(sections.robots ?? {}).map(([robot, name]) => [robot, `${where(['robots', robot])}: ${name}`])),
-      ...(sections.robot === undefined ? {} : { [namespace]: `${where(['robot'])}: ${sections.robot}` }),
+      ...Object.fromEntries(Object.entries(content.robots ?? {}).map(([robot, text]) => [robot, `${where(['robots', robot])}: ${text}`])),
+      ...(content.robot === undefined ? {} : { [namespace]: `${where(['robot'])}: ${content.robot}` }),
     },
     warnings: [],
     secrets: gateway.token === null ? [] : [gateway.token],
@@ -126,19 +126,19 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
     where,
     lineOf: entry => file.lineOf(entry),
   };
-  const namespaces = hasEntry(kind, 'robots') ? Object.keys(sections.robots ?? {}) : null;
+  const namespaces = hasEntry(name, 'robots') ? Object.keys(content.robots ?? {}) : null;
   for (const [robot, urdf] of Object.entries({ ...configuration.robots, '': configuration.robot }))
     requireJoints(file, joints, robot, urdf, namespaces);
   warnOfSharedAddresses(file, values, joints);
-  checkParents(file, sections.frames ?? [], { ...configuration.robots, ...(configuration.robot === null ? {} : { '': configuration.robot }) });
-  ownChecks[kind]?.(file, configuration, environment);
+  checkParents(file, content.frames ?? [], { ...configuration.robots, ...(configuration.robot === null ? {} : { '': configuration.robot }) });
+  const settings = kind.check(file, content, configuration, environment);
+  if (isForMachine) kind.checkMachine?.(file, settings);
   file.throwIfWrong();
-  configuration.warnings = linesOf(path, file.warnings);
-  return configuration;
+  return { ...configuration, settings, warnings: linesOf(path, file.warnings) };
 }
 
 // Gets the kind of plant, which must be known before the other entries can be checked.
-function kindOf(file: YamlFile): string {
+function kindOf(file: YamlFile): KindName {
   const root = file.value as { plant?: { kind?: unknown } } | null;
   const isSection = typeof root === 'object' && typeof root?.plant === 'object' && root.plant !== null;
   const kind = isSection ? root?.plant?.kind : undefined;
@@ -149,12 +149,12 @@ function kindOf(file: YamlFile): string {
     if (meant === undefined) file.report([...path, missing], configurationMessages.noKind(KINDS));
     else file.report([...path, meant], configurationMessages.misspelt(missing));
     if (!isSection) reportUnknown(file, root, meant);
-  } else if (!KINDS.includes(kind as string)) {
+  } else if (!KINDS.includes(kind as KindName)) {
     const [guess] = nearest(String(kind), KINDS);
     file.report(['plant', 'kind'], configurationMessages.notAllowed(kind, guess, KINDS));
   }
   file.throwIfWrong();
-  return kind as string;
+  return kind as KindName;
 }
 
 /** Reports top-level entries that exist for no kind of plant, except the entry that was already reported. */
@@ -175,9 +175,8 @@ const misspelt = (missing: string, section: unknown, known: string[]): string | 
       )[0]
     : undefined;
 
-function gatewayOf(file: YamlFile, sections: Sections, environment: NodeJS.ProcessEnv): GatewayAddress {
-  const section = sections.gateway ?? {};
-  const url = environment.NOWPOSE_GATEWAY ?? section.url ?? 'ws://127.0.0.1:47011';
+function gatewayOf(file: YamlFile, section: Content['gateway'], environment: NodeJS.ProcessEnv): GatewayAddress {
+  const url = environment.NOWPOSE_GATEWAY ?? section.url;
   const fromFile = section.token_file === undefined ? null : secretIn(file, ['gateway', 'token_file'], section.token_file);
   const token = environment.NOWPOSE_TOKEN ?? fromFile;
   requireAddress(file, ['gateway', 'url'], url);
@@ -187,29 +186,29 @@ function gatewayOf(file: YamlFile, sections: Sections, environment: NodeJS.Proce
   return { url, token, pin: environment.NOWPOSE_PIN ?? section.pin ?? null };
 }
 
-function jointsOf(file: YamlFile, sections: Sections, silence: SilenceEntry): Joint[] {
+function jointsOf(file: YamlFile, content: Content, silence: Silence): Joint[] {
   const lines = new Map<string, number>();
-  return (sections.joints ?? []).map((entry, i) => {
+  return (content.joints ?? []).map((entry: EntryOf<'joints'>, i) => {
     const path: Path = ['joints', i];
     if (lines.has(entry.joint)) file.report([...path, 'joint'], configurationMessages.nameTwice(entry.joint, lines.get(entry.joint), 'joint'));
     lines.set(entry.joint, file.lineOf([...path, 'joint']));
     if (entry.unit !== undefined && entry.scale !== undefined) file.report([...path, 'scale'], configurationMessages.unitAndScale);
-    const namespace = sections.plant.namespace ?? '';
+    const namespace = content.plant.namespace ?? '';
     return {
       ...entry,
       ...(namespace === ''
-        ? namedIn(entry.joint, Object.keys(sections.robots ?? {}))
+        ? namedIn(entry.joint, Object.keys(content.robots ?? {}))
         : { joint: `${namespace}/${entry.joint}`, robot: namespace, name: entry.joint }),
       scale: entry.scale ?? UNITS[entry.unit ?? 'rad'],
       offset: entry.offset ?? 0,
       isLinear: entry.unit === 'm' || entry.unit === 'mm',
-      maxDeceleration: entry.max_deceleration ?? sections.plant.max_deceleration,
+      maxDeceleration: entry.max_deceleration ?? content.plant.max_deceleration,
       faultAfterMs: silenceMs(entry.silence ?? silence),
     };
   });
 }
 
-function robotsOf(file: YamlFile, { robots = {} }: Sections): Record<string, string> {
+function robotsOf(file: YamlFile, { robots = {} }: Content): Record<string, string> {
   const valid = Object.entries(robots).filter(([namespace]) => !file.isInvalid(['robots', namespace]));
   const found = valid.map(([namespace, robot]) => [namespace, robotOf(file, ['robots', namespace], robot)]);
   return Object.fromEntries(found.filter(([, urdf]) => urdf !== null));

@@ -1,5 +1,6 @@
-import { type SilenceEntry, silenceMs } from './silenceEntry';
-import { ADDRESS, type Address, addressIn, type Value } from './values';
+import type { Kind } from '../adapter';
+import { type EntryOf, type PlantFile, type Silence, silenceMs } from './plantFile';
+import { type Address, addressIn, type Value } from './values';
 import type { Path, YamlFile } from './yamlFile';
 import { valuesOf } from '../cell/framePose';
 import { tooFar } from '../cell/messages';
@@ -41,25 +42,12 @@ export interface Frame extends FrameSettings {
   rotation: RotationSource | null;
 }
 
-type NumberEntry = number | Address;
+type Vector = Pick<NonNullable<PlantFile<'opcua'>['frames']>[number]['position'], 'x' | 'y' | 'z'>;
 
-export interface FrameEntry {
-  frame: string;
-  /** A field with the whole pose: x, y, z in m, then the rotation vector. It replaces `position` and `vector`. */
-  field?: string;
-  /** ROS only: the topic of the pose, and the type of its messages. */
-  topic?: string;
-  type?: string;
-  parent?: string | (Address & { of: string[] });
-  /** Absent for a frame of ROS whose whole pose arrives in one message. */
-  position?: { unit: string; x: NumberEntry; y: NumberEntry; z: NumberEntry };
-  /** The rotation vector: the axis times the angle in rad. */
-  vector?: { x: NumberEntry; y: NumberEntry; z: NumberEntry };
-  quaternion?: { x: NumberEntry; y: NumberEntry; z: NumberEntry; w: NumberEntry };
-  angles?: { order: string; axes: 'fixed' | 'moving'; unit: string; values: NumberEntry[] };
-  silence?: SilenceEntry;
-  max_deceleration?: number;
-}
+type NumberEntry = Vector['x'];
+
+/** An entry of the list of frames. `vector` is the rotation vector: the axis times the angle in rad. */
+export type FrameEntry = EntryOf<'frames'> & { vector?: Vector };
 
 const LENGTHS: Record<string, number> = { m: 1, mm: 0.001 };
 const ANGLES: Record<string, number> = { rad: 1, deg: Math.PI / 180 };
@@ -75,14 +63,7 @@ const MAX_NORM_ERROR = 0.001;
  * Gets the frames of a configuration whose poses consist of individual values, and adds the values to be read for them to `values`.
  * @param whole Receives the settings of the other frames, whose poses arrive as a whole.
  */
-export function framesOf(
-  file: YamlFile,
-  kind: string,
-  entries: FrameEntry[],
-  silence: SilenceEntry,
-  values: Value[],
-  whole: FrameSettings[],
-): Frame[] {
+export function framesOf(file: YamlFile, kind: Kind, entries: FrameEntry[], silence: Silence, values: Value[], whole: FrameSettings[]): Frame[] {
   const seen = new Map<string, number>();
   const paths: Path[] = [];
   const frames = entries.map(ofField).flatMap((entry, i): Frame[] => {
@@ -158,19 +139,16 @@ function rotationOf(
  * Adds a value to be read. Reports an address that has the form of another kind of plant.
  * @param common The part of the address that all numbers of the frame share.
  */
-function read(file: YamlFile, kind: string, { label, path, address }: Value, common: Address, values: Value[]): Component {
-  const allowed = ADDRESS[kind];
+function read(file: YamlFile, { address: allowed = [] }: Kind, { label, path, address }: Value, common: Address, values: Value[]): Component {
   for (const key of Object.keys(address))
     if (!allowed.includes(key as keyof Address)) file.report([...path, key], configurationMessages.unknownEntry(undefined, allowed));
   if (address[allowed[0]] === undefined) file.report([...path, allowed[0]], frameMessages.noAddress(allowed[0]));
-  values.push({ label, path, address: addressIn(kind === 'ros' ? { ...address, ...common } : address) });
+  values.push({ label, path, address: addressIn({ ...common, ...address }) });
   return { value: values.length - 1 };
 }
 
 /** Warns of a parent that is selected by another variable or message than the pose, if the two can arrive at different times. */
-function warnOfSelector(file: YamlFile, kind: string, frame: Frame, values: Value[], path: Path): void {
-  // ADS samples the variables of a task together, and a pose of ROS has one topic.
-  const key = ({ opcua: 'node', mqtt: 'topic' } as const)[kind];
+function warnOfSelector(file: YamlFile, { arrivesBy: key }: Kind, frame: Frame, values: Value[], path: Path): void {
   if (frame.selector === null || key === undefined) return;
   const sources = new Set(valuesOf(frame).map(index => values[index].address[key]));
   if (sources.size > 1) file.warn(path, frameMessages.separateSelector(key));

@@ -1,34 +1,38 @@
 import type { ErrorObject, ValidateFunction } from 'ajv';
-import * as checks from 'plant.schema.checks';
+import { checks, schema } from 'plant.schema';
 import { nearest } from './nearest';
+import type { KindName, PlantFile } from './plantFile';
 import { shown } from './problem';
 import { replaceInvalid } from './validPart';
 import type { Path, YamlFile } from './yamlFile';
-import schema from '../../plant.schema.json';
 import { configurationMessages } from '../messages/configuration';
 
-type Described = { $ref?: string; description?: string; enum?: unknown[]; properties?: Record<string, Described>; required?: string[] };
+/** A part of the schema. */
+export interface Described {
+  $ref?: string;
+  description?: string;
+  enum?: unknown[];
+  properties?: Record<string, Described>;
+}
 
 /** The kinds of plant that the schema describes. */
-export const KINDS = schema.properties.plant.properties.kind.enum;
+export const KINDS = Object.keys(checks) as KindName[];
 
 /** Whether a kind of plant may have an entry of this name at the top level. */
-export const hasEntry = (kind: string, name: string): boolean => name in (schema.$defs as Record<string, Described>)[kind].properties!;
+export const hasEntry = (kind: KindName, name: string): boolean => name in schema.$defs[kind].properties!;
 
 /** Gets the names of all entries that any kind of plant may have at the top level, or in the section at this path. */
 export const knownEntries = (path: string[]): string[] =>
-  KINDS.flatMap(kind => {
-    const top = (schema.$defs as Record<string, Described>)[kind];
-    return Object.keys(path.reduce((section, step) => section.properties![step], top).properties!);
-  });
+  KINDS.flatMap(kind => Object.keys(path.reduce((section, step) => section.properties![step], schema.$defs[kind]).properties!));
 
 /**
  * Reports each entry that violates the schema of a kind of plant. Sets missing entries to their defaults, and replaces invalid entries, so that all
  * other entries can be checked.
+ * @returns The content of the file. An entry that was replaced and has no default may be undefined.
  */
-export function checkAgainstSchema(file: YamlFile, kind: string): void {
-  const check = (checks as Record<string, ValidateFunction>)[kind]!;
-  if (check(file.value)) return;
+export function checkAgainstSchema(file: YamlFile, kind: KindName): PlantFile {
+  const check = checks[kind];
+  if (check(file.value)) return file.value as PlantFile;
   const errors = check.errors!.filter(e => !['if', 'oneOf', 'anyOf', 'allOf', 'not'].includes(e.keyword) || isOwnWords(e));
   const all = errors.map(error => inWords(error, file.value));
   const misspelt = all.filter(({ meant }) => meant !== undefined && !file.has(meant));
@@ -38,13 +42,15 @@ export function checkAgainstSchema(file: YamlFile, kind: string): void {
     file.report(path, text);
     file.markInvalid(path);
   }
-  for (const { meant } of wrong) {
+  for (const { path, meant, isTooLong } of wrong) {
+    if (isTooLong !== true) replaceInvalid(file, path);
     if (meant === undefined || file.has(meant)) continue;
     file.markInvalid(meant);
-    // Removes the default of the schema.
     replaceInvalid(file, meant);
   }
-  for (const { path, isTooLong } of wrong) if (isTooLong !== true) replaceInvalid(file, path);
+  // Sets the replaced entries to their defaults.
+  check(file.value);
+  return file.value as PlantFile;
 }
 
 // Whether the schema describes the allowed forms of an entry in words, so that one message can report that none of them matches.
@@ -117,7 +123,7 @@ function inWords(error: ErrorObject, root: unknown): Wrong {
 
 /** Gets the definition of a property. Follows a reference to another definition. */
 const named = (property?: Described): Described | undefined =>
-  property?.$ref === undefined ? property : (schema.$defs as Record<string, Described>)[property.$ref.replace('#/$defs/', '')];
+  property?.$ref === undefined ? property : schema.$defs[property.$ref.replace('#/$defs/', '')];
 
 const because = (property?: Described): string =>
   property?.enum ? `; allowed: ${property.enum.join(', ')}` : property?.description ? `; add ${property.description}` : '';

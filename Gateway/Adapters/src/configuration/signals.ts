@@ -1,15 +1,10 @@
-import { type Address, addressIn, type Value } from './values';
+import type { EntryOf } from './plantFile';
+import { addressIn, type Value } from './values';
 import type { YamlFile } from './yamlFile';
 import { configurationMessages } from '../messages/configuration';
 
-/** A configured signal: the state of an actuator or a sensor as a number, or as a Boolean, which is 0 or 1. */
-export interface Signal extends Address {
-  signal: string;
-  [own: string]: unknown;
-}
-
 /** Checks the names of the signals, and adds the values to be read for them to `values`. */
-export function signalsOf(file: YamlFile, entries: Signal[], values: Value[]): Signal[] {
+export function signalsOf(file: YamlFile, entries: EntryOf<'signals'>[], values: Value[]): EntryOf<'signals'>[] {
   const seen = new Map<string, number>();
   entries.forEach(({ signal, ...entry }, i) => {
     if (seen.has(signal)) file.report(['signals', i, 'signal'], configurationMessages.nameTwice(signal, seen.get(signal), 'signal'));

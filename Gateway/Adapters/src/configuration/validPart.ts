@@ -9,15 +9,15 @@ const isSection = (value: unknown): value is Section => typeof value === 'object
 
 /**
  * Replaces an entry that violates the schema, so that the following checks can use the entries beside it: an invalid name or endpoint by an empty
- * text, an invalid position by the origin, and any other entry by its default. Keeps the other elements of a list, because joints without an index
- * depend on their places.
+ * text, an invalid position by the origin, an invalid list of joints, frames or signals by an empty one, and any other entry by undefined. Keeps the
+ * other elements of a list, because joints without an index depend on their places.
  * @param path The entry; for an invalid part of an entry of a list element, the whole entry is replaced.
  */
 export function replaceInvalid(file: YamlFile, [section, entry, key, ...inner]: Path): void {
   const root = file.value as Section;
   const name = NAMES[section];
   const found = root[section];
-  if (entry === undefined) root[section] = undefined;
+  if (entry === undefined) root[section] = name === undefined ? undefined : [];
   else if (name !== undefined) {
     const list = found as unknown[];
     if (!isSection(list[Number(entry)])) list[Number(entry)] = {};

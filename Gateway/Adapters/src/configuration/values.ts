@@ -23,15 +23,5 @@ export interface Address {
   type?: string;
 }
 
-/** The entries of an address for each kind of plant. The first entry is required. */
-export const ADDRESS: Record<string, (keyof Address)[]> = {
-  opcua: ['node', 'index'],
-  ads: ['symbol'],
-  rtde: ['field', 'index', 'bit'],
-  mqtt: ['topic', 'field'],
-  // The topic and its type are entries of the frame.
-  ros: ['field'],
-};
-
 /** Gets the address in an entry of the configuration. */
 export const addressIn = ({ node, index, symbol, field, bit, topic, type }: Address): Address => ({ node, index, symbol, field, bit, topic, type });

@@ -5,7 +5,7 @@ import { fieldIn, TopicValues } from '../samples/topicValues';
 import type { Nanoseconds } from '../times';
 import { reportAddress } from './address';
 import { MqttLink } from './link';
-import { settingsOf, type TimeField } from './settings';
+import type { MqttSettings, TimeField } from './kind';
 import { stampIn } from './stamps';
 import { mqttMessages } from '../messages/broker';
 
@@ -18,9 +18,9 @@ const SAMPLING_S = 0.1;
 const RETAINED: Refusal = { reason: 'retained', text: mqttMessages.retained };
 
 /** Reads the topics of a broker until it is stopped. */
-export async function run(context: AdapterContext): Promise<void> {
+export async function run(context: AdapterContext<MqttSettings>): Promise<void> {
   const { configuration, clock, output, status, stopping } = context;
-  const { broker, time } = settingsOf(configuration);
+  const { broker, time } = configuration.settings;
   reportAddress(broker, context);
   // Unchanged values are not confirmed, because MQTT has no request for the current value of a topic.
   output.unconfirmedMs = null;

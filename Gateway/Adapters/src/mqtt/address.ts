@@ -1,6 +1,7 @@
 import type { AdapterContext } from '../adapter';
 import { requireAddress } from '../configuration/address';
 import { type Configuration, isLoopback } from '../configuration/configuration';
+import type { PlantFile } from '../configuration/plantFile';
 import { requirePlain } from '../configuration/plain';
 import { secretText } from '../configuration/secret';
 import { type User, userIn } from '../configuration/user';
@@ -18,13 +19,7 @@ export interface BrokerAddress {
   user: User | null;
 }
 
-/** The entries about the broker in the plant section of the configuration. */
-export interface BrokerSection {
-  endpoint: string;
-  plain?: boolean;
-  authority_file?: string;
-  user?: { name: string; password_file?: string };
-}
+type BrokerSection = PlantFile<'mqtt' | 'broker'>['plant'];
 
 /** Checks the address of a broker, and reads the files with the login credentials. */
 export function brokerOf(file: YamlFile, section: BrokerSection, configuration: Configuration, environment: NodeJS.ProcessEnv): BrokerAddress {

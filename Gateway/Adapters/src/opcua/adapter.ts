@@ -12,16 +12,16 @@ import { ReadOnlySession } from './readOnlySession';
 import { folderTrouble } from './security/folder';
 import { ownCertificate, type OwnCertificate } from './security/ownCertificate';
 import { thumbprints, TrustList } from './security/trustList';
-import { type OpcUaSettings, settingsOf } from './settings';
+import type { OpcUaSettings } from './kind';
 import { SilentNodes } from './silentNodes';
 import { Refused, refusalOf } from './troubles';
 import { ServerSilence } from './serverSilence';
 import { certificateMessages, nodeMessages, opcuaMessages } from '../messages/opcua';
 
 /** Reads an OPC UA server, and reconnects after failures, until the adapter is stopped. */
-export async function run(context: AdapterContext): Promise<void> {
+export async function run(context: AdapterContext<OpcUaSettings>): Promise<void> {
   const { status, log, stopping } = context;
-  const settings = settingsOf(context.configuration);
+  const { settings } = context.configuration;
   status.detail('endpoint', settings.endpoint);
   status.detail('security', settings.security.mode === 'none' ? 'none' : `SignAndEncrypt ${settings.security.policy}`);
   const trust = new TrustList(settings.security);

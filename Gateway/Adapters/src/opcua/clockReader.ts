@@ -3,7 +3,7 @@ import type { Log } from '../log';
 import { monotonicTime, type Nanoseconds, NS_PER_MS } from '../times';
 import { isGood } from './nodeValues';
 import type { ReadOnlySession } from './readOnlySession';
-import type { OpcUaSettings } from './settings';
+import type { OpcUaSettings } from './kind';
 import { ofDate, timeIn } from './stamps';
 import { clockMessages } from '../messages/gateway';
 import { nodeMessages, opcuaMessages } from '../messages/opcua';

@@ -2,76 +2,75 @@ import type { Kind } from '../adapter';
 import { requireAddress } from '../configuration/address';
 import { besides } from '../configuration/besides';
 import { type Configuration, readNames } from '../configuration/configuration';
+import type { PlantFile } from '../configuration/plantFile';
 import { shown } from '../configuration/problem';
 import { secretText } from '../configuration/secret';
+import { requireTiming } from '../configuration/timing';
 import { type User, userIn } from '../configuration/user';
 import type { Path, YamlFile } from '../configuration/yamlFile';
 import type { TimeUnit } from '../samples/timeUnit';
 import { requireCertificate, requirePair } from './security/certificateFiles';
 import { folderTrouble, tryFolder } from './security/folder';
-import { type OpcUaSettings, settingsOf } from './settings';
 import { configurationMessages } from '../messages/configuration';
 import { summaryMessages } from '../messages/gateway';
 import { opcuaSettingMessages } from '../messages/opcua';
 
-const SAMPLING_MS = 10;
+/** Default of `publishing_ms`, unless the sampling interval is longer. */
 const PUBLISHING_MS = 20;
 
-/** The plant section as specified in the schema. */
-interface Section {
-  endpoint: string;
-  security?: {
-    mode?: 'sign_and_encrypt' | 'none';
-    i_know_this_is_open?: boolean;
-    policy?: OpcUaSettings['security']['policy'];
-    folder?: string;
-    thumbprint?: string;
-    server_certificate?: string;
-  };
-  user?: { name?: string; password_file?: string; certificate?: string; key?: string };
-  timestamp?: OpcUaSettings['timestamp'];
-  time?: { node: string; unit?: TimeUnit };
-  sampling_ms?: number;
-  publishing_ms?: number;
+type Section = PlantFile<'opcua'>['plant'];
+
+export interface SecuritySettings extends Pick<Section['security'], 'mode' | 'policy'> {
+  /** Path of the folder with the own, trusted and rejected certificates. */
+  folder: string;
+  thumbprint: string | null;
+  serverCertificate: string | null;
 }
 
-export const opcua: Kind = {
-  check: (file, configuration, environment) => {
-    const section = configuration.plant as unknown as Section;
-    const at = ['plant'] as const;
-    requireAddress(file, [...at, 'endpoint'], section.endpoint);
+/** The settings of the kind opcua, including the contents of files. */
+export interface OpcUaSettings {
+  endpoint: string;
+  security: SecuritySettings;
+  user: User | null;
+  userCertificate: { certificate: string; key: string } | null;
+  timestamp: NonNullable<Section['timestamp']>;
+  time: { node: string; unit: TimeUnit | null } | null;
+  samplingMs: number;
+  publishingMs: number;
+  groupMs: number;
+}
+
+export const opcua: Kind<'opcua', OpcUaSettings> = {
+  address: ['node', 'index'],
+  arrivesBy: 'node',
+  check(file, { plant }, configuration, environment) {
+    const { endpoint, time, sampling_ms: samplingMs, publishing_ms: publishingMs = Math.max(samplingMs, PUBLISHING_MS), group_ms: groupMs } = plant;
+    const { timestamp = time === undefined ? 'source' : 'variable' } = plant;
+    requireAddress(file, ['plant', 'endpoint'], endpoint);
     for (const { path, address } of configuration.values) if (address.node !== undefined) requireNode(file, [...path, 'node'], address.node);
-    if (section.time !== undefined) requireNode(file, [...at, 'time', 'node'], section.time.node);
-    const samplingMs = section.sampling_ms ?? SAMPLING_MS;
-    const publishingMs = section.publishing_ms ?? Math.max(samplingMs, PUBLISHING_MS);
-    if (publishingMs < samplingMs && !file.isInvalid([...at, 'sampling_ms']))
-      file.report([...at, 'publishing_ms'], configurationMessages.publishingTooShort(publishingMs, samplingMs));
-    const timestamp = section.timestamp ?? (section.time === undefined ? 'source' : 'variable');
-    if (timestamp === 'variable' && section.time === undefined && !file.isInvalid([...at, 'time']))
-      file.report([...at, 'timestamp'], configurationMessages.noTimeVariable('node'));
-    if (timestamp !== 'variable' && section.time !== undefined) file.report([...at, 'time'], configurationMessages.unusedTime(timestamp));
-    const settings: OpcUaSettings = {
-      endpoint: section.endpoint,
-      security: securityOf(file, section, environment),
-      user: userOf(file, section, configuration, environment),
-      userCertificate: userCertificateOf(file, section),
+    if (time !== undefined) requireNode(file, ['plant', 'time', 'node'], time.node);
+    requireTiming(file, plant, publishingMs, 'node');
+    return {
+      endpoint,
+      security: securityOf(file, plant, environment),
+      user: userOf(file, plant, configuration, environment),
+      userCertificate: userCertificateOf(file, plant),
       timestamp,
-      time: section.time === undefined ? null : { node: section.time.node, unit: section.time.unit ?? null },
+      time: time === undefined ? null : { unit: null, ...time },
       samplingMs,
       publishingMs,
+      groupMs,
     };
-    configuration.plant.settings = settings;
   },
-  checkMachine: (file, configuration) => {
-    const { folder } = settingsOf(configuration).security;
+  checkMachine(file, { security: { folder } }) {
     try {
       tryFolder(folder);
     } catch (error) {
       file.report(['plant', 'security', 'folder'], folderTrouble(folder, error as Error));
     }
   },
-  summary: configuration => {
-    const { endpoint, security, timestamp, time, samplingMs, publishingMs } = settingsOf(configuration);
+  summary(configuration) {
+    const { endpoint, security, timestamp, time, samplingMs, publishingMs } = configuration.settings;
     const guard = security.mode === 'none' ? 'NO SECURITY' : `SignAndEncrypt, ${security.policy}`;
     const stamp = timestamp === 'variable' ? summaryMessages.timeVariable(time!.node) : `the ${timestamp} time stamp`;
     return [
@@ -89,9 +88,9 @@ function requireNode(file: YamlFile, entry: Path, node: string): void {
   if (Number(id) > 4294967295) file.report(entry, opcuaSettingMessages.numericId(node));
 }
 
-function securityOf(file: YamlFile, { security = {} }: Section, environment: NodeJS.ProcessEnv): OpcUaSettings['security'] {
+function securityOf(file: YamlFile, { security }: Section, environment: NodeJS.ProcessEnv): SecuritySettings {
   const at = ['plant', 'security'] as const;
-  const mode = security.mode ?? 'sign_and_encrypt';
+  const { mode, policy } = security;
   if (mode === 'none' && security.i_know_this_is_open !== true && !file.isInvalid([...at, 'i_know_this_is_open']))
     file.report([...at, 'mode'], opcuaSettingMessages.open);
   if (mode !== 'none' && security.i_know_this_is_open !== undefined && !file.isInvalid([...at, 'mode']))
@@ -100,7 +99,7 @@ function securityOf(file: YamlFile, { security = {} }: Section, environment: Nod
   if (security.server_certificate !== undefined) requireCertificate(file, [...at, 'server_certificate'], security.server_certificate);
   return {
     mode,
-    policy: security.policy ?? 'Basic256Sha256',
+    policy,
     folder: text('folder') ?? (environment.STATE_DIRECTORY ? `${environment.STATE_DIRECTORY}/opcua` : besides(file.path, 'opcua-certificates')),
     thumbprint: security.thumbprint?.replace(/[:\s]/g, '').toLowerCase() ?? null,
     serverCertificate: text('server_certificate'),
@@ -108,8 +107,7 @@ function securityOf(file: YamlFile, { security = {} }: Section, environment: Nod
 }
 
 function userOf(file: YamlFile, { user, security }: Section, configuration: Configuration, environment: NodeJS.ProcessEnv): User | null {
-  if (user?.name !== undefined && security?.mode === 'none')
-    file.report(['plant', 'user'], configurationMessages.passwordInClear('sign_and_encrypt'));
+  if (user?.name !== undefined && security.mode === 'none') file.report(['plant', 'user'], configurationMessages.passwordInClear('sign_and_encrypt'));
   return userIn(file, user, configuration, environment);
 }
 

@@ -6,12 +6,13 @@ import { ofMilliseconds, type Nanoseconds } from '../times';
 import type { DataValue } from 'node-opcua-client';
 import { isGone, isOverflown, NODE_GONE, type NodeAddress, statusRefusal, valueOf } from './nodeValues';
 import type { NodeValue } from './readOnlySession';
-import type { OpcUaSettings } from './settings';
+import type { OpcUaSettings } from './kind';
 import { serverStamp, sourceStamp, timeIn } from './stamps';
 import { type CycleTime, TimeVariable } from './timeVariable';
 import { nodeMessages } from '../messages/opcua';
 
-const GROUP_MS = 0.5;
+/** Minimum difference of time stamps up to which a value and a time belong to the same cycle. */
+const MIN_TOLERANCE_MS = 0.5;
 
 /** Converts notifications of the server to plant values. */
 export class NotificationReader {
@@ -39,7 +40,7 @@ export class NotificationReader {
     this.#readers = nodes.map(node => this.#addresses.flatMap((address, i) => (address.node === node ? [i] : [])));
     this.valueNodes = nodes;
     this.nodes = settings.time === null ? nodes : [...nodes, settings.time.node];
-    const tolerance = ofMilliseconds(Math.max(Number(context.configuration.plant.group_ms ?? GROUP_MS), GROUP_MS));
+    const tolerance = ofMilliseconds(Math.max(settings.groupMs, MIN_TOLERANCE_MS));
     this.#time = settings.time === null ? null : new TimeVariable(tolerance);
   }
 
@@ -154,9 +155,8 @@ export class NotificationReader {
   }
 
   get #unmatched(): Refusal {
-    const { node } = this.settings.time!;
-    const ms = this.context.configuration.plant.group_ms ?? GROUP_MS;
-    return { reason: 'time-unmatched', text: nodeMessages.noTimeOfCycle(node, String(ms)) };
+    const { time, groupMs } = this.settings;
+    return { reason: 'time-unmatched', text: nodeMessages.noTimeOfCycle(time!.node, String(groupMs)) };
   }
 
   /** Whether a value has a stamp. The age of a value without a stamp is unknown. */

@@ -14,7 +14,7 @@ import {
   type UserIdentityInfo,
 } from 'node-opcua-client';
 import { RequestParts } from './requestParts';
-import type { OpcUaSettings } from './settings';
+import type { OpcUaSettings } from './kind';
 import { applicationUri, type OwnCertificate } from './security/ownCertificate';
 import type { TrustList } from './security/trustList';
 import { opcuaMessages } from '../messages/opcua';

@@ -1,6 +1,6 @@
 import { type OwnCertificate } from './security/ownCertificate';
 import { thumbprints, type TrustList } from './security/trustList';
-import type { OpcUaSettings } from './settings';
+import type { OpcUaSettings } from './kind';
 import { opcuaMessages, opcuaRefusalMessages } from '../messages/opcua';
 
 /** The error for a server that refuses this adapter, or that this adapter refuses. A user must act, because waiting does not help. */

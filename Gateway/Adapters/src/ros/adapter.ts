@@ -8,7 +8,7 @@ import { RosFrames } from './frames';
 import { JointNames } from './jointNames';
 import { JointStates } from './jointStates';
 import { SetPoints } from './setPoints';
-import { settingsOf } from './settings';
+import type { RosSettings } from './kind';
 import { TopicMessages } from './topicMessages';
 import { passedTrajectory } from './trajectory';
 import { malformedMessages } from '../messages/broker';
@@ -28,12 +28,13 @@ const TRANSFORMS = 'tf2_msgs/TFMessage';
 const DATA = 'data';
 
 /** Subscribes to topics of a robot's rosbridge and forwards its messages, until the adapter is stopped. */
-export async function run(context: AdapterContext): Promise<void> {
-  const { configuration, gateway, clock, status, log, stopping } = context;
-  const settings = settingsOf(configuration);
+export async function run(context: AdapterContext<RosSettings>): Promise<void> {
+  const { configuration, gateway, clock, output, status, log, stopping } = context;
+  const { settings } = configuration;
+  const { oldest } = output.joints.options;
   const setPoints = new SetPoints(clock, gateway);
   const values = new TopicValues(configuration.values, DATA);
-  const topics = new TopicMessages(values, context.output, clock);
+  const topics = new TopicMessages(values, output, clock);
   let connection = new AbortController();
   /** Whether the gateway's clock stamps the messages without a header, because the robot's clock is not available yet. */
   let isWithout = false;
@@ -88,17 +89,16 @@ export async function run(context: AdapterContext): Promise<void> {
     return { received: now, sent: now };
   }
 
-  const { output } = context;
   const { namespace } = settings;
   const names = new JointNames(configuration.joints, namespace, settings.maxDeceleration);
-  const states = new JointStates(names, settings.oldest, clock, gateway, status, output.joints.silence);
+  const states = new JointStates(names, oldest, clock, gateway, status, output.joints.silence);
   robot.subscribe(settings.jointStates, message => states.pass(message), JOINT_STATE);
   const isDescribed = configuration.robot !== null || namespace in configuration.robots;
   if (!isDescribed && settings.robotDescription !== null)
     robot.subscribe(settings.robotDescription, message => passDescription(message?.data), STRING);
   if (settings.jointTrajectory !== null) robot.subscribe(settings.jointTrajectory, passTrajectory, TRAJECTORY);
 
-  const frames = new RosFrames(settings, settings.oldest, clock, gateway, status, output.frames.states);
+  const frames = new RosFrames(settings, oldest, clock, gateway, status, output.frames.states);
   if (settings.frames.some(({ topic }) => topic === null)) {
     robot.subscribe(settings.tf, message => frames.pass(message), TRANSFORMS);
     robot.subscribe(settings.tfStatic, message => frames.passStationary(message), TRANSFORMS);

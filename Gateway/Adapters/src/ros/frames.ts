@@ -7,7 +7,7 @@ import type { Publisher } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
 import { type Refusal, StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
-import { bare } from './settings';
+import { bare, type RosSettings } from './kind';
 import { rosMessages } from '../messages/ros';
 import { refusalMessages } from '../messages/values';
 
@@ -25,15 +25,7 @@ interface RosTransform {
   transform?: Record<string, Record<string, unknown> | undefined>;
 }
 
-interface Names {
-  frames: RosFrame[];
-  /** ROS name of the cell's world frame. */
-  world: string;
-  /** Namespace of the robot whose links can be parents; empty if it has none. */
-  namespace: string;
-  /** The text before the names of these links in ROS; empty if there is none. */
-  linkPrefix: string;
-}
+type Names = Pick<RosSettings, 'frames' | 'world' | 'namespace' | 'linkPrefix'>;
 
 /** Forwards the configured frames of a robot with their own stamps. */
 export class RosFrames {

@@ -35,8 +35,7 @@ export class JointNames {
   ) {
     joints.forEach(({ joint, name, source, topic, scale, offset, isLinear = false, maxDeceleration: limit = null }, index) => {
       // Skips a joint with its own topic, because the joint states do not contain it.
-      if (topic === undefined)
-        this.#known.set((source as string | undefined) ?? name, { index, joint, name, scale, offset, isLinear, maxDeceleration: limit });
+      if (topic === undefined) this.#known.set(source ?? name, { index, joint, name, scale, offset, isLinear, maxDeceleration: limit });
     });
     this.isOpen = joints.length === 0;
   }

@@ -4,13 +4,13 @@ import { publishCalibrated } from './calibration/calibration';
 import { at, RefusalError } from './connection';
 import { fieldsOf, MissingFieldsError, RecipeError } from './recipe';
 import { RtdeSession } from './session';
-import { settingsOf } from './settings';
+import type { RtdeSettings } from './kind';
 import { fieldMessages, rtdeMessages } from '../messages/rtde';
 
 /** Reads a robot's controller over RTDE, until the adapter is stopped. */
-export async function run(context: AdapterContext): Promise<void> {
+export async function run(context: AdapterContext<RtdeSettings>): Promise<void> {
   const { configuration, status, log, stopping } = context;
-  const settings = settingsOf(configuration);
+  const { settings } = configuration;
   let fields = fieldsOf(settings.source, settings.addresses);
   log.line(rtdeMessages.notSecure);
   status.detail('endpoint', at(settings));

@@ -2,7 +2,7 @@ import type { Address } from '../configuration/values';
 import type { PlantOutput } from '../samples/plantOutput';
 import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
 import type { Cycle, Recipe } from './recipe';
-import type { RtdeSettings } from './settings';
+import type { RtdeSettings } from './kind';
 
 /** Time by which a package may be earlier than the chosen interval, because timestamps are rounded. */
 const TOLERANCE: Nanoseconds = NS_PER_MS / 2n;

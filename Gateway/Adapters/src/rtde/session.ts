@@ -10,7 +10,7 @@ import { Pace } from './pace';
 import { type Cycle, type Field, Recipe } from './recipe';
 import { ControllerClock } from './controllerClock';
 import { isProgramRunning, Power, programOf, safetyStopOf } from './robotState';
-import type { RtdeSettings } from './settings';
+import type { RtdeSettings } from './kind';
 import { robotStateMessages, rtdeMessages } from '../messages/rtde';
 
 const VERSION = 2;

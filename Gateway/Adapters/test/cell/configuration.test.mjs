@@ -69,7 +69,7 @@ signals:
 // Frames f0 to f(count − 1), each with the frame before it as its parent and the first one in the world, before another frame.
 const chainOf = (count, last) => Array.from({ length: count }, (_, i) => `  - { frame: f${i}, parent: ${i ? `f${i - 1}` : 'world'}, position: { unit: m, x: 0, y: 0, z: 0 } }\n`).join('') + last;
 
-const read = text => readConfiguration(temporaryFile('plant.yaml', text), {}, Object.fromEntries(Object.entries(kinds).map(([name, kind]) => [name, kind.check])));
+const read = text => readConfiguration(temporaryFile('plant.yaml', text), {}, kinds);
 const linesOf = (text, from, to) => {
   const changed = text.replace(from, to);
   assert.notEqual(changed, text);

@@ -49,8 +49,8 @@ describe('values with the time of a variable', () => {
   for (const [samplingMs, publishingMs] of [[10, 1000], [1, 1000]])
     it(`Values_SampledEvery${samplingMs}MsAndPublishedEvery${publishingMs}Ms_AllHaveTheirTime`, () => {
       const found = [], output = { publish: values => found.push(...values), hold: () => {} }, refused = [];
-      const context = { configuration: { values: [{ address: { node: 'a' } }], plant: {} }, output, status: { refuse: reason => refused.push(reason) }, clock: { now: null } };
-      const reader = new NotificationReader(context, { time: { node: 'time', unit: null }, timestamp: 'variable' });
+      const context = { configuration: { values: [{ address: { node: 'a' } }] }, output, status: { refuse: reason => refused.push(reason) }, clock: { now: null } };
+      const reader = new NotificationReader(context, { time: { node: 'time', unit: null }, timestamp: 'variable', groupMs: 0.5 });
       const value = (node, dataType, number, ms) => ({ node, value: new DataValue({ value: new Variant({ dataType, value: number }), statusCode: StatusCodes.Good, sourceTimestamp: new Date(START + ms) }) });
 
       for (let from = 0; from < 3 * publishingMs; from += publishingMs) {

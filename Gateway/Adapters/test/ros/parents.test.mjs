@@ -2,9 +2,10 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
+import { temporaryFile } from '../temporary.mjs';
 import { rosCell } from './frames.mjs';
 
-const { settingsOf } = await parts('ros/settings');
+const { kinds, readConfiguration } = await parts('configuration/configuration', 'kinds');
 
 /** Returns the parent in the cell of an object whose parent in ROS is `source`. */
 function parentOf(source, names) {
@@ -30,9 +31,11 @@ describe('parents in ROS', () => {
     it(`Parent_${source}With${JSON.stringify(names)}_Is${expected}`, () => assert.equal(parentOf(source, names), expected));
 
   it('NamesInTheFile_WithALeadingSlash_AreThoseInTheMessages', () => {
-    const plant = { endpoint: 'ws://robot:9090', world: '/map', link_prefix: '/right_', frames: [{ frame: 'part', source: '/detected_part' }, { frame: 'pallet' }] };
+    const path = temporaryFile('plant.yaml', `plant: { kind: ros, endpoint: "ws://robot:9090", plain: true, world: /map, link_prefix: /right_ }
+frames: [{ frame: part, source: /detected_part }, { frame: pallet }]
+`);
 
-    const { frames, world, linkPrefix } = settingsOf({ plant, values: [] });
+    const { frames, world, linkPrefix } = readConfiguration(path, {}, kinds).settings;
 
     assert.deepEqual([world, linkPrefix, frames.map(({ source }) => source)], ['map', 'right_', ['detected_part', 'pallet']]);
   });

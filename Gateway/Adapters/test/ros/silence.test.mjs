@@ -8,8 +8,7 @@ import { temporaryFile } from '../temporary.mjs';
 import { rosCell } from './frames.mjs';
 
 const { silenceMessages } = messages;
-const { JointNames, JointStates, kinds, readConfiguration, settingsOf } = await parts(
-  'configuration/configuration', 'kinds', 'ros/jointNames', 'ros/jointStates', 'ros/settings');
+const { JointNames, JointStates, kinds, readConfiguration } = await parts('configuration/configuration', 'kinds', 'ros/jointNames', 'ros/jointStates');
 
 /** Moves an object at 0.3 m/s until `endMs`. Calls `observe` every 10 ms until `untilMs`. */
 function moving(settings, { endMs = 1000, untilMs = 6000, observe = () => {} } = {}) {
@@ -30,7 +29,7 @@ frames:
   - { frame: pallet, topic: /pallet, type: geometry_msgs/PoseStamped, silence: rest }
   - { frame: box }
 `);
-    const { wholeFrames } = readConfiguration(path, {}, { ros: kinds.ros.check });
+    const { wholeFrames } = readConfiguration(path, {}, kinds);
 
     assert.deepEqual(wholeFrames, [
       { frame: 'part', faultAfterMs: 5000, maxDeceleration: 2 }, { frame: 'pallet', faultAfterMs: null, maxDeceleration: null }, { frame: 'box', faultAfterMs: 3000, maxDeceleration: null },
@@ -87,9 +86,9 @@ describe('silence of a joint of ROS', () => {
   /** Returns the state of joint a, which sends its position every 50 ms, accelerates to 0.5 rad/s and is silent from 1 s on. */
   function stateAfterMotion(entries) {
     const path = temporaryFile('plant.yaml', `plant: { kind: ros, endpoint: "ws://127.0.0.1:9090", silence: rest${entries}`);
-    const configuration = readConfiguration(path, {}, { ros: kinds.ros.check });
+    const configuration = readConfiguration(path, {}, kinds);
     const { status, clock, time, output, stateOf } = plant([], { faultAfterMs: null });
-    const names = new JointNames(configuration.joints, '', settingsOf(configuration).maxDeceleration);
+    const names = new JointNames(configuration.joints, '', configuration.settings.maxDeceleration);
     const states = new JointStates(names, 10n * S, clock, { publish: () => {} }, status, output.silence);
     for (; time.ms < 3000; time.ms += 50) {
       const stamp = { sec: Number(clock.now / S), nanosec: Number(clock.now % S) };

@@ -2,7 +2,7 @@ import { createHash, X509Certificate } from 'node:crypto';
 import { mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { type StatusCode, StatusCodes } from 'node-opcua-client';
-import type { SecuritySettings } from '../settings';
+import type { SecuritySettings } from '../kind';
 import { certificateMessages } from '../../messages/opcua';
 
 /** Maximum number of rejected certificates that are stored. The limit prevents an attacker from filling the disk. */

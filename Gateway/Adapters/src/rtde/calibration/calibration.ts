@@ -1,7 +1,7 @@
 import type { AdapterContext } from '../../adapter';
 import { pause } from '../../backoff';
 import { description, ROBOT_DESCRIPTION, topicOf } from '../../gateway/messages';
-import type { RtdeSettings } from '../settings';
+import type { RtdeSettings } from '../kind';
 import { readKinematics } from './primary';
 import { calibrated } from './urdf';
 import { calibrationMessages } from '../../messages/rtde';

@@ -1,6 +1,6 @@
 import type { Kind } from '../adapter';
-import { type Configuration, readNames } from '../configuration/configuration';
-import { type BrokerAddress, brokerOf, type BrokerSection } from './address';
+import { readNames } from '../configuration/configuration';
+import { type BrokerAddress, brokerOf } from './address';
 import type { MqttTimeUnit } from './stamps';
 import { mqttMessages } from '../messages/broker';
 
@@ -11,30 +11,23 @@ export interface TimeField {
 }
 
 /** The settings of the kind mqtt, including the contents of files. */
-interface MqttSettings {
+export interface MqttSettings {
   broker: BrokerAddress;
   /** The field that contains t_k; null if the arrival time is used as t_k. */
   time: TimeField | null;
 }
 
-interface Section extends BrokerSection {
-  time?: TimeField;
-}
-
-/** Gets the settings that `check` has stored in the configuration. */
-export const settingsOf = (configuration: Configuration): MqttSettings => configuration.plant.settings as MqttSettings;
-
-export const mqtt: Kind = {
-  check(file, configuration, environment) {
-    const section = configuration.plant as unknown as Section;
+export const mqtt: Kind<'mqtt', MqttSettings> = {
+  address: ['topic', 'field'],
+  arrivesBy: 'topic',
+  check(file, { plant }, configuration, environment) {
     const hasLists = ['joints', 'frames', 'signals'].every(list => !file.isInvalid([list]));
     if (configuration.values.length === 0 && hasLists) file.report(['plant'], mqttMessages.nothingRead);
-    const settings: MqttSettings = { broker: brokerOf(file, section, configuration, environment), time: section.time ?? null };
-    configuration.plant.settings = settings;
+    return { broker: brokerOf(file, plant, configuration, environment), time: plant.time ?? null };
   },
   offersClock: () => false,
   summary(configuration) {
-    const { broker, time } = settingsOf(configuration);
+    const { broker, time } = configuration.settings;
     const stamp = time === null ? mqttMessages.arrivalTime : `the field ${time.field} (${time.unit})`;
     return `MQTT ${broker.endpoint}; t_k is ${stamp}; ${readNames(configuration, 'nothing')}`;
   },

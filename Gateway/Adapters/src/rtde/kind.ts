@@ -1,5 +1,5 @@
 import type { Kind } from '../adapter';
-import { type Configuration, readNames } from '../configuration/configuration';
+import { readNames } from '../configuration/configuration';
 import type { Address } from '../configuration/values';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { fieldsOf, type PositionSource } from './recipe';
@@ -12,7 +12,7 @@ const ARMS = ['ur3e', 'ur5e', 'ur10e', 'ur16e', 'ur5'];
 /** Maximum length of the names in a recipe, in bytes. */
 const MAX_RECIPE = 2048;
 
-/** The settings of the kind rtde, with the defaults from the schema. */
+/** The settings of the kind rtde. */
 export interface RtdeSettings {
   host: string;
   port: number;
@@ -29,38 +29,20 @@ export interface RtdeSettings {
   addresses: Address[];
 }
 
-interface PlantSection {
-  host: string;
-  port: number;
-  rate_hz: number;
-  positions: PositionSource;
-  send_delay_ms?: number;
-  calibration: boolean;
-  calibration_port: number;
-}
-
-const sectionOf = (configuration: Configuration): PlantSection => configuration.plant as unknown as PlantSection;
-
-export function settingsOf(configuration: Configuration): RtdeSettings {
-  const section = sectionOf(configuration);
-  const { host, port, rate_hz: rateHz, positions, send_delay_ms: sendDelayMs } = section;
-  return {
-    host,
-    port,
-    rateHz,
-    source: positions,
-    sendDelay: sendDelayMs === undefined ? null : ofMilliseconds(sendDelayMs),
-    indices: configuration.joints.map((joint, i) => (joint.index as number | undefined) ?? i),
-    isCalibrated: section.calibration,
-    calibrationPort: section.calibration_port,
-    addresses: configuration.values.slice(configuration.joints.length).map(({ address }) => address),
-  };
-}
-
-export const rtde: Kind = {
-  check(file, configuration) {
-    const { indices, source, addresses, isCalibrated } = settingsOf(configuration);
-    const { robot = '' } = file.value as { robot?: string };
+export const rtde: Kind<'rtde', RtdeSettings> = {
+  address: ['field', 'index', 'bit'],
+  silence: { fault_after_s: 1 },
+  check(file, { plant, robot = '' }, { joints, values }) {
+    const {
+      host,
+      port,
+      rate_hz: rateHz,
+      positions: source,
+      calibration: isCalibrated,
+      calibration_port: calibrationPort,
+      send_delay_ms: delay,
+    } = plant;
+    const addresses = values.slice(joints.length).map(({ address }) => address);
     if (isCalibrated && !ARMS.includes(robot)) file.report(['robot'], rtdeSettingMessages.notCalibrated(robot, ARMS));
     const length = fieldsOf(source, addresses)
       .map(({ name }) => name)
@@ -68,14 +50,26 @@ export const rtde: Kind = {
     if (length > MAX_RECIPE) file.report(['signals'], rtdeSettingMessages.recipeTooLong(length, MAX_RECIPE));
     // The place of a joint is its index only if its entry is valid.
     const isKnown = (i: number): boolean =>
-      configuration.joints[i].index !== undefined || !(file.isInvalid(['joints', i]) || file.isInvalid(['joints', i, 'index']));
+      joints[i].index !== undefined || !(file.isInvalid(['joints', i]) || file.isInvalid(['joints', i, 'index']));
+    const indices = joints.map(({ index }, i) => index ?? i);
     indices.forEach((index, i) => {
       const first = indices.findIndex((other, j) => other === index && isKnown(j));
       if (first < i && isKnown(i)) file.report(['joints', i, 'index'], rtdeSettingMessages.indexTwice(index, file.lineOf(['joints', first])));
     });
+    return {
+      host,
+      port,
+      rateHz,
+      source,
+      sendDelay: delay === undefined ? null : ofMilliseconds(delay),
+      indices,
+      isCalibrated,
+      calibrationPort,
+      addresses,
+    };
   },
   summary(configuration) {
-    const { host, port, rateHz, source } = settingsOf(configuration);
+    const { host, port, rateHz, source } = configuration.settings;
     return rtdeSettingMessages.summary(`${host}:${port}`, source, rateHz, readNames(configuration, summaryMessages.onlyClock));
   },
 };
