@@ -25,7 +25,7 @@ function reconnected(cell, afterMs, { value = 0.44, stamp = LAST } = {}) {
   const before = cell.sent.length;
   cell.time.ms += afterMs;
   cell.output.restart();
-  cell.output.publish([{ joint: 0, value, stamp, isFirst: true }]);
+  cell.output.publish([{ index: 0, value, stamp, isFirst: true }]);
   moveAndStop(cell, cell.time.ms / 1000 + 1);
   return cell.sent.slice(before).filter(({ name }) => name.includes('a')).length;
 }
@@ -75,8 +75,8 @@ describe('a joint whose data have ended', () => {
   }
 
   for (const [end, interruption, interrupt, stamp] of [
-    ['InMotion', 'AfterABadOne', output => output.refuse(0, 'BadSensorFailure', 'the sensor failed'), LAST],
-    ['Silent', 'AfterABadOne', output => output.refuse(0, 'BadSensorFailure', 'the sensor failed'), LAST],
+    ['InMotion', 'AfterABadOne', output => output.refuse(0, { reason: 'BadSensorFailure', text: 'the sensor failed' }), LAST],
+    ['Silent', 'AfterABadOne', output => output.refuse(0, { reason: 'BadSensorFailure', text: 'the sensor failed' }), LAST],
     ['InMotion', 'OfAReturnedVariable', output => output.lose(0, { reason: 'node-gone', text: 'the node is missing' }), null],
   ])
     it(`FirstValue_${end}${interruption}_ReasonIsTheEndOfTheDataAgain`, () => {
@@ -85,7 +85,7 @@ describe('a joint whose data have ended', () => {
       assert.notDeepEqual(reports(), before);
 
       cell.time.ms += 20_000;
-      cell.output.publish([{ joint: 0, value: 0.44, stamp, isFirst: true }]);
+      cell.output.publish([{ index: 0, value: 0.44, stamp, isFirst: true }]);
 
       assert.deepEqual(reports(), before);
       cell.output.explain(0, { reason: 'retained', text: 'of unknown age' });

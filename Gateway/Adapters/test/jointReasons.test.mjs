@@ -115,7 +115,7 @@ describe('word for the reason of a joint', () => {
   it('Joint_StampInAnotherUnit_IsReportedWithItsTimeAndTheUnit', () => {
     const cell = plant();
 
-    cell.output.publish([{ joint: 0, value: 1, stamp: T / 1000n }]);
+    cell.output.publish([{ index: 0, value: 1, stamp: T / 1000n }]);
 
     assert.ok(cell.status.values()['joint/a'].endsWith(messages.refusalMessages.farApart('1970-01-20')), cell.status.values()['joint/a']);
     assert.equal(wordOf(cell), 'stamp-old');
@@ -124,7 +124,7 @@ describe('word for the reason of a joint', () => {
   it('Joint_StampBeyondAllDates_IsReportedWithoutADate', () => {
     const cell = plant();
 
-    cell.output.publish([{ joint: 0, value: 1, stamp: 1_000_000n * T }]);
+    cell.output.publish([{ index: 0, value: 1, stamp: 1_000_000n * T }]);
 
     assert.ok(cell.status.values()['joint/a'].endsWith(messages.refusalMessages.farApart(null)), cell.status.values()['joint/a']);
     assert.equal(wordOf(cell), 'stamp-future');

@@ -16,7 +16,7 @@ export function plant(joints = [{ joint: 'a' }, { joint: 'b' }], options = {}) {
     clock, { publish: (topic, msg) => sent.push(msg) }, status, () => time.ms);
   for (const { joint } of joints) status.joints.expect(joint);
   status.enter('connected');
-  const value = (joint, position) => output.publish([{ joint, value: position, stamp: clock.now }]);
+  const value = (index, position) => output.publish([{ index, value: position, stamp: clock.now }]);
   const stateOf = joint => /^\w+/.exec(status.values()[`joint/${joint}`])[0];
   const cell = { output, status, clock, lines, sent, time, value, stateOf, faultMs: null };
   status.joints.changed = () => { if (status.values()[`joint/${joints[0]?.joint}`]?.startsWith('fault')) cell.faultMs ??= time.ms; };

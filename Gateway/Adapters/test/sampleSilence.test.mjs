@@ -205,7 +205,7 @@ describe('silence', () => {
   it('Joint_ValidThenInvalidValueInOneBatch_IsRefused', () => {
     const cell = plant();
 
-    cell.output.publish([{ joint: 0, value: 1, stamp: T - MS }, { joint: 0, value: null, stamp: null, refusal: { reason: 'node-gone', text: 'gone' }, isLost: true }]);
+    cell.output.publish([{ index: 0, value: 1, stamp: T - MS }, { index: 0, value: null, stamp: null, refusal: { reason: 'node-gone', text: 'gone' }, isLost: true }]);
 
     assert.equal(cell.stateOf('a'), 'fault');
   });

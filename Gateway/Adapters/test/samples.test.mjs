@@ -13,27 +13,27 @@ const T = 1_700_000_000n * S;
 
 describe('grouping', () => {
   it('Samples_WithEqualTimeStamps_AreOneGroup', () => {
-    const groups = grouped([{ joint: 1, position: 2, stamp: T }, { joint: 0, position: 1, stamp: T }], 0n);
+    const groups = grouped([{ index: 1, value: 2, stamp: T }, { index: 0, value: 1, stamp: T }], 0n);
 
-    assert.deepEqual(groups.map(g => [g.stamp, g.samples.map(s => s.joint)]), [[T, [0, 1]]]);
+    assert.deepEqual(groups.map(g => [g.stamp, g.samples.map(s => s.index)]), [[T, [0, 1]]]);
   });
 
   it('Samples_WithinTheTolerance_GetTheMiddleOfTheirTimeStamps', () => {
-    const groups = grouped([0n, 300n, 500n, 501n].map((stamp, joint) => ({ joint, position: 0, stamp: T + stamp })), 500n);
+    const groups = grouped([0n, 300n, 500n, 501n].map((stamp, index) => ({ index, value: 0, stamp: T + stamp })), 500n);
 
-    assert.deepEqual(groups.map(g => [g.stamp - T, g.samples.map(s => s.joint)]), [[250n, [0, 1, 2]], [501n, [3]]]);
+    assert.deepEqual(groups.map(g => [g.stamp - T, g.samples.map(s => s.index)]), [[250n, [0, 1, 2]], [501n, [3]]]);
   });
 
   it('Samples_OfSeveralCyclesInAnyOrder_AreOrderedByTime', () => {
-    const cycle = n => [0, 1].map(joint => ({ joint, position: n, stamp: T + BigInt(n) * 10n * MS }));
+    const cycle = n => [0, 1].map(index => ({ index, value: n, stamp: T + BigInt(n) * 10n * MS }));
 
     const groups = grouped([...cycle(2), ...cycle(0), ...cycle(1)], MS);
 
-    assert.deepEqual(groups.map(g => g.samples.map(s => s.position)), [[0, 0], [1, 1], [2, 2]]);
+    assert.deepEqual(groups.map(g => g.samples.map(s => s.value)), [[0, 0], [1, 1], [2, 2]]);
   });
 
   it('Samples_TwoOfOneJointWithinTheTolerance_AreTwoGroups', () => {
-    const groups = grouped([{ joint: 0, position: 1, stamp: T }, { joint: 0, position: 2, stamp: T + 1n }], MS);
+    const groups = grouped([{ index: 0, value: 1, stamp: T }, { index: 0, value: 2, stamp: T + 1n }], MS);
 
     assert.deepEqual(groups.map(g => g.samples.length), [1, 1]);
   });
@@ -51,34 +51,33 @@ describe('stamps', () => {
     ['ClockUnknown', T, null, null],
   ]) {
     it(`TimeStamp_${name}_${reason === null ? 'IsAccepted' : 'IsRefused'}`, () => {
-      const refusal = new StampRule(1, 10n * S).judge(0, stamp, now);
+      const refusal = new StampRule(10n * S).judge(stamp, now);
 
       assert.equal(refusal?.reason ?? null, reason);
     });
   }
 
   it('TimeStamp_ZeroOrBefore1970_HasItsOwnText', () => {
-    const rule = new StampRule(1, 10n * S);
+    const rule = new StampRule(10n * S);
 
-    assert.deepEqual([rule.judge(0, 0n, T).text, rule.judge(0, -1n, T).text], [refusalMessages.zeroStamp, refusalMessages.before1970]);
+    assert.deepEqual([rule.judge(0n, T).text, rule.judge(-1n, T).text], [refusalMessages.zeroStamp, refusalMessages.before1970]);
   });
 
-  it('TimeStamp_NotNewerForOneJoint_IsRefusedForThisJointOnly', () => {
-    const rule = new StampRule(2, 10n * S);
-    rule.judge(0, T, T);
+  it('TimeStamp_NotNewer_IsRefused', () => {
+    const rule = new StampRule(10n * S);
+    rule.judge(T, T);
 
-    assert.equal(rule.judge(0, T, T).reason, 'stamp-not-newer');
-    assert.equal(rule.judge(0, T - 1n, T).reason, 'stamp-not-newer');
-    assert.equal(rule.judge(1, T, T), null);
-    assert.equal(rule.judge(0, T + 1n, T), null);
+    assert.equal(rule.judge(T, T).reason, 'stamp-not-newer');
+    assert.equal(rule.judge(T - 1n, T).reason, 'stamp-not-newer');
+    assert.equal(rule.judge(T + 1n, T), null);
   });
 
   it('TimeStamp_AfterTheClockWasSetBack_IsAccepted', () => {
-    const rule = new StampRule(1, 10n * S), before = T - 3600n * S;
-    rule.judge(0, T, T);
+    const rule = new StampRule(10n * S), before = T - 3600n * S;
+    rule.judge(T, T);
 
-    assert.equal(rule.judge(0, before, before), null);
-    assert.equal(rule.judge(0, before, before).reason, 'stamp-not-newer');
+    assert.equal(rule.judge(before, before), null);
+    assert.equal(rule.judge(before, before).reason, 'stamp-not-newer');
   });
 });
 
@@ -96,7 +95,7 @@ describe('joint output', () => {
   it('Value_WithScaleAndOffset_KeepsItsTimeStampToTheNanosecond', () => {
     const { out, sent } = output([joint('a', 2, 0.5), joint('b', -1)]);
 
-    out.publish([{ joint: 0, value: 3, stamp: T + 100n }, { joint: 1, value: 7n, stamp: T + 100n }]);
+    out.publish([{ index: 0, value: 3, stamp: T + 100n }, { index: 1, value: 7n, stamp: T + 100n }]);
 
     assert.deepEqual(sent, [{
       topic: '/joint_states',
@@ -111,7 +110,7 @@ describe('joint output', () => {
     it(`Value_${name}_IsRefusedAndCounted`, () => {
       const { out, sent, status } = output([joint('a', 100)]);
 
-      out.publish([{ joint: 0, value, stamp: T }]);
+      out.publish([{ index: 0, value, stamp: T }]);
 
       assert.equal(sent.length, 0);
       assert.equal(status.values()[`refused/${reason}`], '1');
@@ -121,11 +120,11 @@ describe('joint output', () => {
   it('Refusals_WithTheSameReason_AreLoggedOnceUntilAValidValue', () => {
     const { out, lines, clock } = output([joint('a')]);
 
-    for (let i = 1n; i < 6n; i++) out.publish([{ joint: 0, value: NaN, stamp: T + i }]);
-    out.publish([{ joint: 0, value: 1, stamp: T + 10n }]);
-    out.publish([{ joint: 0, value: 1, stamp: T + 11n }]);
+    for (let i = 1n; i < 6n; i++) out.publish([{ index: 0, value: NaN, stamp: T + i }]);
+    out.publish([{ index: 0, value: 1, stamp: T + 10n }]);
+    out.publish([{ index: 0, value: 1, stamp: T + 11n }]);
     clock.now = T + 20n * S;
-    for (let i = 20n; i < 26n; i++) out.publish([{ joint: 0, value: 1, stamp: T + i }]);
+    for (let i = 20n; i < 26n; i++) out.publish([{ index: 0, value: 1, stamp: T + i }]);
 
     assert.deepEqual(
       lines.map(line => /not-finite|stamp-old/.exec(line)?.[0] ?? line), ['not-finite', `[plant/test] ${stateMessages.validAgain('a')}\n`, 'stamp-old']);
@@ -135,9 +134,9 @@ describe('joint output', () => {
     const { out, sent, status, lines, clock } = output([joint('a')]);
 
     clock.isSettled = false;
-    out.publish([{ joint: 0, value: 1, stamp: T }]);
+    out.publish([{ index: 0, value: 1, stamp: T }]);
     clock.isSettled = true;
-    out.publish([{ joint: 0, value: 2, stamp: T + 1n }]);
+    out.publish([{ index: 0, value: 2, stamp: T + 1n }]);
 
     assert.deepEqual(sent.map(s => s.msg.position), [[2]]);
     assert.equal(status.values()['refused/clock-unknown'], '1');
@@ -152,21 +151,21 @@ describe('joint output', () => {
     it('Joint_AtRest_IsRepeatedUpToTheConfirmedTime', () => {
       const { out, sent, clock } = output([joint('a'), joint('b')]);
       clock.now = T + S;
-      out.publish([{ joint: 0, value: 1, stamp: T }, { joint: 1, value: 2, stamp: T }]);
+      out.publish([{ index: 0, value: 1, stamp: T }, { index: 1, value: 2, stamp: T }]);
 
       for (let i = 1n; i <= 20n; i++) {
-        out.publish([{ joint: 0, value: 1, stamp: T + i * 10n * MS }]);
+        out.publish([{ index: 0, value: 1, stamp: T + i * 10n * MS }]);
         out.hold(T + i * 10n * MS, 0n, new Set([0]));
       }
 
       assert.deepEqual(passed(sent).filter(([, name]) => name === 'b'), [60n, 110n, 160n].map(ms => [ms * MS, 'b', '2']));
-      out.publish([{ joint: 1, value: 3, stamp: T + 205n * MS }]);
+      out.publish([{ index: 1, value: 3, stamp: T + 205n * MS }]);
       assert.deepEqual(passed(sent).at(-1), [205n * MS, 'b', '3']);
     });
 
     it('FirstValue_WithOldTimeStamp_IsPublishedOnceConfirmedAtRest', () => {
       const { out, sent, status, clock } = output([joint('a')]);
-      out.publish([{ joint: 0, value: 7, stamp: T - HOUR, isFirst: true }]);
+      out.publish([{ index: 0, value: 7, stamp: T - HOUR, isFirst: true }]);
       out.hold(T + 50n * MS, 0n);
       const soon = sent.length;
 
@@ -181,7 +180,7 @@ describe('joint output', () => {
       const { out, sent, status, clock } = output([joint('a')]);
       for (let i = 0n; i < 5n; i++) {
         clock.now = T + i * 10n * MS;
-        out.publish([{ joint: 0, value: Number(i), stamp: clock.now - HOUR, isFirst: i === 0n }]);
+        out.publish([{ index: 0, value: Number(i), stamp: clock.now - HOUR, isFirst: i === 0n }]);
       }
 
       clock.now = T + 10n * S;
@@ -192,7 +191,7 @@ describe('joint output', () => {
 
     it('Joint_Refused_IsNotRepeated', () => {
       const { out, sent, clock } = output([joint('a'), joint('b')]);
-      out.publish([{ joint: 0, value: 1, stamp: T }, { joint: 1, value: 1, stamp: T }, { joint: 0, value: NaN, stamp: T + 1n }]);
+      out.publish([{ index: 0, value: 1, stamp: T }, { index: 1, value: 1, stamp: T }, { index: 0, value: NaN, stamp: T + 1n }]);
       clock.now = T + S;
 
       out.hold(T + 500n * MS, 0n);
@@ -206,7 +205,7 @@ describe('joint output', () => {
   it('Joint_Refused_DoesNotDelayOthers', () => {
     const { out, sent } = output([joint('a'), joint('b')]);
 
-    out.publish([{ joint: 0, value: NaN, stamp: T }, { joint: 1, value: 1, stamp: T }]);
+    out.publish([{ index: 0, value: NaN, stamp: T }, { index: 1, value: 1, stamp: T }]);
 
     assert.deepEqual(sent.map(s => s.msg.name), [['b']]);
   });

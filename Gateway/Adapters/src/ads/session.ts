@@ -50,7 +50,8 @@ export class AdsSession {
       Math.ceil(settings.publishingMs / settings.samplingMs),
       (time, values) => this.#put(time, values),
       values => {
-        for (const { index } of values) context.output.refuse(index, 'stamp-missing', adsMessages.noTimeOfCycle(settings.time!.symbol));
+        for (const { index } of values)
+          context.output.refuse(index, { reason: 'stamp-missing', text: adsMessages.noTimeOfCycle(settings.time!.symbol) });
       },
     );
   }
@@ -218,7 +219,7 @@ export class AdsSession {
     if (isOnChange && stamp !== null && this.#isRunning)
       this.context.output.hold(stamp - ofMilliseconds(samplingMs + publishingMs), ofMilliseconds(3 * samplingMs), new Set(values.map(v => v.index)));
     if (this.#isRunning) return this.context.output.publish(values.map(value => ({ ...value, stamp })));
-    for (const { index } of values) this.context.output.refuse(index, 'plc-stopped', adsMessages.valuesStopped);
+    for (const { index } of values) this.context.output.refuse(index, { reason: 'plc-stopped', text: adsMessages.valuesStopped });
   }
 
   #reportState(): void {

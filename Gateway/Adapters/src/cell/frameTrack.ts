@@ -1,4 +1,5 @@
 import type { Frame } from '../configuration/frames';
+import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, NS_PER_MS } from '../times';
 import type { FrameMotion } from './frameMotion';
 import { valuesOf } from './framePose';
@@ -16,8 +17,9 @@ const MAX_INTERVAL: Nanoseconds = 500n * NS_PER_MS;
 
 /** The state of a tracked frame. */
 export interface Track {
-  index: number;
   frame: Frame;
+  /** Checks the stamps of the poses. */
+  rule: StampRule;
   /** Indices of the values from which the pose is computed. */
   values: number[];
   /** Index of the value that selects the parent; null if the parent is constant. */
@@ -41,9 +43,10 @@ export interface Track {
   end: 'in-motion' | 'silent' | null;
 }
 
-export const trackOf = (frame: Frame, index: number, motion: FrameMotion): Track => ({
-  index,
+/** @param oldest Maximum age of a stamp. */
+export const trackOf = (frame: Frame, oldest: Nanoseconds, motion: FrameMotion): Track => ({
   frame,
+  rule: new StampRule(oldest),
   values: valuesOf(frame),
   selector: frame.selector !== null && 'value' in frame.selector ? frame.selector.value : null,
   choice: null,

@@ -3,11 +3,11 @@ import type { OfferedClock } from '../clock/offeredClock';
 import type { Publisher } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
 import { grouped } from '../samples/grouping';
-import type { SourceStop } from '../samples/jointOutput';
+import type { SourceStop } from '../samples/jointTrack';
 import { numberIn } from '../samples/number';
 import type { PlantValue } from '../samples/plantOutput';
 import { ENDED_IN_MOTION, type SampleSilence } from '../samples/sampleSilence';
-import { isNewer, OF_LONG_AGO, type Refusal, StampRule } from '../samples/stampRule';
+import { isNewer, OF_LONG_AGO, type Refusal } from '../samples/stampRule';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { ComponentTrack } from './component';
 import { FrameStates } from './frameStates';
@@ -28,7 +28,6 @@ const PATIENCE_INTERVALS = 5;
 /** Computes the poses of frames from a plant's values, and publishes them. A pose needs a valid value for each of its components. */
 export class PoseOutput {
   readonly #tracks: Track[];
-  readonly #rule: StampRule;
   /** Components by index of the value. A component is empty before the first valid value and after an invalid one. */
   readonly #components: ComponentTrack[];
   /** The states of these frames, and of those whose poses arrive as a whole. */
@@ -54,8 +53,7 @@ export class PoseOutput {
     this.#components = labels.map(() => new ComponentTrack());
     const moving = frames.filter(frame => !isStationary(frame));
     this.states = new FrameStates([...moving, ...whole], status, counter);
-    this.#tracks = moving.map((frame, i) => trackOf(frame, i, this.states.motionOf(frame.frame)));
-    this.#rule = new StampRule(this.#tracks.length, options.oldest);
+    this.#tracks = moving.map(frame => trackOf(frame, options.oldest, this.states.motionOf(frame.frame)));
     this.#publishStationary(frames.filter(isStationary));
   }
 
@@ -71,11 +69,11 @@ export class PoseOutput {
       const number = this.#numberOf(value, now);
       if (typeof number === 'object') invalid.set(value.index, { ...value, refusal: number });
       else invalid.delete(value.index);
-      return typeof number === 'number' ? [{ joint: value.index, position: number, stamp: value.stamp! }] : [];
+      return typeof number === 'number' ? [{ index: value.index, value: number, stamp: value.stamp! }] : [];
     });
     for (const { stamp, samples: group } of grouped(samples, this.options.tolerance)) {
-      for (const { joint: index, position } of group) this.#components[index].add(position, stamp);
-      const changed = new Set(group.map(({ joint }) => joint));
+      for (const { index, value } of group) this.#components[index].add(value, stamp);
+      const changed = new Set(group.map(({ index }) => index));
       const tracks = this.#tracks.filter(track => track.values.some(index => changed.has(index)));
       const poses = tracks.flatMap(track => this.#poseUpTo(track, stamp, now));
       if (isSettled) this.#send(poses);
@@ -101,7 +99,7 @@ export class PoseOutput {
       const unmatched = this.#unmatchedSince(track);
       if (unmatched !== null) return time - unmatched >= this.#skew ? this.#accept(track, time, pose, now) : [];
       const isDue = track.newest === null || time - track.newest >= silenceOf(track, silence);
-      if (!isDue || this.#hasEnded(track) || this.#rule.judge(track.index, time, now) !== null) return [];
+      if (!isDue || this.#hasEnded(track) || track.rule.judge(time, now) !== null) return [];
       [track.newest, track.isRepeated, track.choice] = [time, true, this.#choiceOf(track)];
       this.silence.confirm(track.frame.frame, this.#uncertaintyOf(track));
       return [{ stamp: time, pose }];
@@ -235,7 +233,7 @@ export class PoseOutput {
   /** Gets the pose of a frame with a stamp as a list of one element, and updates its state; an empty list if the pose is refused. */
   #accept(track: Track, stamp: Nanoseconds, pose: Pose | Refusal, now: Nanoseconds | null): StampedPose[] {
     const { frame } = track.frame;
-    const refusal = 'reason' in pose ? pose : this.#rule.judge(track.index, stamp, now);
+    const refusal = 'reason' in pose ? pose : track.rule.judge(stamp, now);
     if (refusal !== null) {
       if (track.newest !== null || !OF_LONG_AGO.includes(refusal.reason)) this.status.refuse(refusal.reason, frame, refusal.text, this.status.frames);
       return [];

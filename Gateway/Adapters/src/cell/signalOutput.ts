@@ -14,7 +14,7 @@ const ANY_AGE: Nanoseconds = 1n << 80n;
 
 /** Publishes the signals from a plant's values. A signal is published when its value changes, with the stamp of the change. */
 export class SignalOutput {
-  #rule: StampRule;
+  #rules: StampRule[] = [];
   readonly sender: SignalSender;
   /** Signals whose newest value is valid. Only these can be confirmed. */
   readonly #valid = new Set<number>();
@@ -34,7 +34,7 @@ export class SignalOutput {
     readonly status: AdapterStatus,
     counter: () => number = () => performance.now(),
   ) {
-    this.#rule = new StampRule(signals.length, ANY_AGE);
+    this.#forgetStamps();
     this.sender = new SignalSender(clock, gateway, () => status.sampled(), counter);
     this.silence = new SampleSilence(status, () => null, counter, status.signals);
     for (const { signal } of signals) status.signals.expect(signal);
@@ -42,14 +42,14 @@ export class SignalOutput {
 
   /** Prepares for a new connection. Values and the origin of the control clock may have changed since the previous one. */
   restart(): void {
-    this.#rule = new StampRule(this.signals.length, ANY_AGE);
+    this.#forgetStamps();
     this.#valid.clear();
     for (const { signal } of this.signals) this.sender.forget(signal);
   }
 
   /** Prepares for stamps of a control clock that has stepped. The next value of each signal is sent even if it is equal; until then, it keeps its value. */
   clockStepped(): void {
-    this.#rule = new StampRule(this.signals.length, ANY_AGE);
+    this.#forgetStamps();
     for (const i of this.signals.keys()) this.#outdated.add(i);
   }
 
@@ -82,6 +82,10 @@ export class SignalOutput {
     this.status.refuse(reason, this.#nameOf(value), text, this.status.signals);
   }
 
+  #forgetStamps(): void {
+    this.#rules = this.signals.map(() => new StampRule(ANY_AGE));
+  }
+
   #nameOf(value: number): string {
     return this.signals[value - this.offset].signal;
   }
@@ -96,7 +100,7 @@ export class SignalOutput {
     if (this.#outdated.has(i) || this.sender.valueOf(name) !== number) {
       // Uses the current time for a first value without a stamp, because the signal certainly has the value at this time.
       const at = stamp === null && isFirst === true ? now : stamp;
-      const trouble = this.#rule.judge(i, at, now);
+      const trouble = this.#rules[i].judge(at, now);
       if (trouble !== null) return this.refuse(index, trouble);
       // Otherwise, a stamp of the stepped clock could count as late.
       if (this.#outdated.delete(i)) this.sender.forget(name);

@@ -1,5 +1,5 @@
 import type { AdapterContext } from '../adapter';
-import type { SourceStop } from '../samples/jointOutput';
+import type { SourceStop } from '../samples/jointTrack';
 import type { PlantValue } from '../samples/plantOutput';
 import type { Refusal } from '../samples/stampRule';
 import { ofMilliseconds, type Nanoseconds } from '../times';
@@ -86,8 +86,8 @@ export class NotificationReader {
   }
 
   /** Reports that the value of this node is invalid. */
-  refuse(node: number, { reason, text }: Refusal): void {
-    for (const value of this.#readers[node]) this.context.output.refuse(value, reason, text);
+  refuse(node: number, refusal: Refusal): void {
+    for (const value of this.#readers[node]) this.context.output.refuse(value, refusal);
   }
 
   /** Sets the function that returns the phase in which the source stopped writing a node, or null if it has not stopped. */

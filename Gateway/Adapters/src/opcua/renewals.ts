@@ -1,4 +1,4 @@
-import type { SourceStop } from '../samples/jointOutput';
+import type { SourceStop } from '../samples/jointTrack';
 import type { Nanoseconds } from '../times';
 
 /** Minimum number of renewals of a node at rest after which its source counts as writing the node periodically. */

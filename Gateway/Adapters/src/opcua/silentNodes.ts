@@ -3,7 +3,7 @@ import { isDeepStrictEqual } from 'node:util';
 import { isGone, isGood, NODE_GONE, reasonNotMonitored, statusRefusal } from './nodeValues';
 import type { NotificationReader } from './notificationReader';
 import type { NodeValue, ReadOnlySession } from './readOnlySession';
-import type { SourceStop } from '../samples/jointOutput';
+import type { SourceStop } from '../samples/jointTrack';
 import { isUnnotified, SILENT_MS } from '../samples/silentValues';
 import type { Refusal } from '../samples/stampRule';
 import { Renewals } from './renewals';

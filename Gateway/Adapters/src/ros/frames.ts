@@ -29,7 +29,7 @@ type Names = Pick<RosSettings, 'frames' | 'world' | 'namespace' | 'linkPrefix'>;
 
 /** Forwards the configured frames of a robot with their own stamps. */
 export class RosFrames {
-  readonly #rule: StampRule;
+  readonly #rules: StampRule[];
 
   constructor(
     readonly names: Names,
@@ -39,7 +39,7 @@ export class RosFrames {
     readonly status: AdapterStatus,
     readonly states: FrameStates,
   ) {
-    this.#rule = new StampRule(names.frames.length, oldest);
+    this.#rules = names.frames.map(() => new StampRule(oldest));
     // ROS does not confirm the poses of a frame whose publisher is silent.
     states.silence.unconfirmedMs = null;
   }
@@ -59,7 +59,7 @@ export class RosFrames {
     if (!this.clock.isSettled) return this.status.count('clock-unknown');
     const { now } = this.clock;
     const transforms = found.flatMap(({ index, pose, stamp }) => {
-      const refusal = this.#rule.judge(index, stamp, now);
+      const refusal = this.#rules[index].judge(stamp, now);
       if (refusal !== null) {
         this.status.refuse(refusal.reason, pose.frame, refusal.text, this.status.frames);
         return [];

@@ -20,16 +20,17 @@ interface RosJointState {
   acceleration?: unknown[];
 }
 
+interface JointState {
+  rule: StampRule;
+  end: EndOfData;
+  /** Whether the end of the data was already judged since the last sample. Later motions of other joints are not evidence. */
+  isJudged: boolean;
+}
+
 /** Forwards joint states with their own stamps. Omits joints without a valid position. */
 export class JointStates {
-  readonly #rule: StampRule;
-  /** End-of-data detection for each joint. `names` limits the number of joints. */
-  readonly #ends = new Map<string, EndOfData>();
-  /**
-   * Joints whose end of data was already judged since their last sample. A joint is judged once, because later motions of other joints are not
-   * evidence.
-   */
-  readonly #judged = new Set<string>();
+  /** The joints of which a position has arrived. `names` limits their number. */
+  readonly #joints = new Map<string, JointState>();
 
   /**
    * @param mayRest For a source that sends the newest sample of a joint at rest again, whether a joint may rest, so that its newest sample may be old; null
@@ -37,7 +38,7 @@ export class JointStates {
    */
   constructor(
     readonly names: JointNames,
-    oldest: Nanoseconds,
+    readonly oldest: Nanoseconds,
     readonly clock: Pick<OfferedClock, 'now' | 'isSettled'>,
     readonly gateway: Publisher,
     readonly status: AdapterStatus,
@@ -48,7 +49,6 @@ export class JointStates {
     silence.unconfirmedMs = null;
     const others = silence.endOf;
     silence.endOf = (joint, silentMs) => others(joint, silentMs) ?? (this.#hasEnded(joint, silentMs) ? silenceMessages.ended : null);
-    this.#rule = new StampRule(MAX_JOINTS, oldest);
   }
 
   pass(message: RosJointState | null): void {
@@ -82,35 +82,38 @@ export class JointStates {
   }
 
   #isUsable(out: OutJoint, position: unknown, stamp: Nanoseconds | null, now: Nanoseconds | null): boolean {
-    const { index, joint, scale, offset, isLinear, maxDeceleration } = out;
+    const { joint, scale, offset, isLinear, maxDeceleration } = out;
     this.status.joints.expect(joint);
     // The position may be null, because rosbridge sends NaN as null.
     if (typeof position !== 'number' || !Number.isFinite(position * scale + offset)) {
       this.status.refuse('not-finite', joint, refusalMessages.notPosition(shown(position)));
       return false;
     }
-    if (this.mayRest !== null && this.#rule.isNewest(index, stamp)) return false;
-    const refusal = this.#rule.judge(index, stamp, now, this.mayRest?.(joint) ?? false);
+    let state = this.#joints.get(joint);
+    if (state === undefined) {
+      state = { rule: new StampRule(this.oldest), end: new EndOfData(decelerationFloor(isLinear), maxDeceleration), isJudged: false };
+      this.#joints.set(joint, state);
+    }
+    if (this.mayRest !== null && state.rule.isNewest(stamp)) return false;
+    const refusal = state.rule.judge(stamp, now, this.mayRest?.(joint) ?? false);
     if (refusal !== null) {
       this.status.refuse(refusal.reason, joint, refusal.text);
-    } else {
-      this.status.accept(joint);
-      this.silence.heard(joint);
-      let end = this.#ends.get(joint);
-      if (end === undefined) this.#ends.set(joint, (end = new EndOfData(decelerationFloor(isLinear), maxDeceleration)));
-      end.add(stamp!, position * scale + offset);
-      this.#judged.delete(joint);
+      return false;
     }
-    return refusal === null;
+    this.status.accept(joint);
+    this.silence.heard(joint);
+    state.end.add(stamp!, position * scale + offset);
+    state.isJudged = false;
+    return true;
   }
 
   #hasEnded(joint: string, silentMs: number): boolean {
-    const end = this.#ends.get(joint);
-    if (end === undefined || silentMs < end.overdueMs || this.#judged.has(joint)) return false;
-    this.#judged.add(joint);
-    const { newest } = end;
-    const areOthersMoving = newest !== null && [...this.#ends.values()].some(other => other !== end && other.goesOnAfter(newest));
-    return end.verdict(0, areOthersMoving) !== null;
+    const state = this.#joints.get(joint);
+    if (state === undefined || silentMs < state.end.overdueMs || state.isJudged) return false;
+    state.isJudged = true;
+    const { newest } = state.end;
+    const areOthersMoving = newest !== null && [...this.#joints.values()].some(({ end }) => end.goesOnAfter(newest));
+    return state.end.verdict(0, areOthersMoving) !== null;
   }
 }
 

@@ -39,11 +39,11 @@ export class CycleOutput {
     this.#published = stamp;
     frames.publish(values.filter(({ index }) => index < signals.offset));
     joints.publish(
-      this.settings.indices.map((index, joint) => ({
-        joint,
-        value: positions[index],
+      this.settings.indices.map((place, index) => ({
+        index,
+        value: positions[place],
         stamp,
-        ...(velocities === null ? {} : { velocity: velocities[index] }),
+        ...(velocities === null ? {} : { velocity: velocities[place] }),
       })),
     );
   }

@@ -5,7 +5,8 @@ import type { Configuration } from '../configuration/configuration';
 import type { Publisher } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
 import type { Nanoseconds } from '../times';
-import { JointOutput, type JointOutputOptions, type SourceStop } from './jointOutput';
+import { JointOutput, type JointOutputOptions } from './jointOutput';
+import type { SourceStop } from './jointTrack';
 import { SampleRepeater } from './sampleRepeater';
 import type { Refusal } from './stampRule';
 
@@ -14,6 +15,8 @@ export interface PlantValue {
   /** Index among the configured values: first those of the joints, then of the frames, then of the signals. */
   index: number;
   value: unknown;
+  /** Velocity of a joint in the unit of the control system; absent if the control system does not provide it. */
+  velocity?: number;
   /** Time stamp; null if the value has no readable one. */
   stamp: Nanoseconds | null;
   /** Whether this is the first value of a connection, or the first one after bad ones. Its stamp may be old. */
@@ -55,9 +58,7 @@ export class PlantOutput {
 
   /** Publishes values that arrived together. Several values with the same index are sorted, the oldest first. */
   publish(values: PlantValue[]): void {
-    this.joints.publish(values.filter(({ index }) => index < this.#firstOfFrames).map(({ index, ...value }) => ({ joint: index, ...value })));
-    this.frames.publish(values.filter(({ index }) => this.#isOfFrame(index)));
-    this.signals.publish(values.filter(({ index }) => index >= this.#firstOfSignals));
+    for (const output of [this.joints, this.frames, this.signals]) output.publish(values.filter(({ index }) => this.#outputOf(index) === output));
   }
 
   /**
@@ -101,16 +102,12 @@ export class PlantOutput {
 
   /** Reports that the control system no longer has this variable. */
   lose(index: number, refusal: Refusal): void {
-    if (index < this.#firstOfFrames) this.joints.lose(index, refusal);
-    else if (this.#isOfFrame(index)) this.frames.lose(index, refusal);
-    else this.signals.lose(index, refusal);
+    this.#outputOf(index).lose(index, refusal);
   }
 
   /** Counts an unusable value. */
-  refuse(index: number, reason: string, text: string): void {
-    if (index < this.#firstOfFrames) this.joints.refuse(index, reason, text);
-    else if (this.#isOfFrame(index)) this.frames.refuse(index, { reason, text });
-    else this.signals.refuse(index, { reason, text });
+  refuse(index: number, refusal: Refusal): void {
+    this.#outputOf(index).refuse(index, refusal);
   }
 
   /** Whether the value belongs to a joint whose data ended during a motion, or to a frame whose data ended. */
@@ -133,8 +130,7 @@ export class PlantOutput {
 
   /** Reports the reason why a joint or frame is not published yet although its value has arrived. Ignores signals, which are published at once. */
   explain(index: number, reason: Refusal): void {
-    if (index < this.#firstOfFrames) this.joints.explain(index, reason);
-    else if (this.#isOfFrame(index)) this.frames.explain(index, reason);
+    if (index < this.#firstOfSignals) (index < this.#firstOfFrames ? this.joints : this.frames).explain(index, reason);
   }
 
   /** Sets the time in ms without a confirmation after which a value has a fault; null if the control system does not confirm values. */
@@ -142,7 +138,8 @@ export class PlantOutput {
     for (const { silence } of [this.joints, this.frames, this.signals]) silence.unconfirmedMs = ms;
   }
 
-  #isOfFrame(index: number): boolean {
-    return index >= this.#firstOfFrames && index < this.#firstOfSignals;
+  #outputOf(index: number): JointOutput | PoseOutput | SignalOutput {
+    if (index < this.#firstOfFrames) return this.joints;
+    return index < this.#firstOfSignals ? this.frames : this.signals;
   }
 }

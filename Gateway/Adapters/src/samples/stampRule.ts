@@ -22,50 +22,42 @@ export const OF_LONG_AGO = ['stamp-old', 'stamp-not-newer', 'stamp-missing'];
 export const isNewer = (stamp: Nanoseconds, newest: Nanoseconds | null, now: Nanoseconds | null): boolean =>
   newest === null || stamp > newest || (now !== null && newest > now + FUTURE);
 
-/** Checks whether stamps are plausible as t_k. */
+/** Checks whether the stamps of a joint, frame or signal are plausible as t_k. */
 export class StampRule {
-  readonly #newest: (Nanoseconds | null)[];
+  #newest: Nanoseconds | null = null;
+
+  /** @param oldest Maximum age of a stamp on the control clock. Older values are useless for showing a motion. */
+  constructor(readonly oldest: Nanoseconds) {}
 
   /**
-   * @param joints Number of joints, frames or signals.
-   * @param oldest Maximum age of a stamp on the control clock. Older values are useless for showing a motion.
-   */
-  constructor(
-    joints: number,
-    readonly oldest: Nanoseconds,
-  ) {
-    this.#newest = Array<Nanoseconds | null>(joints).fill(null);
-  }
-
-  /**
-   * Checks a stamp, and stores it as the joint's newest stamp if it is accepted.
+   * Checks a stamp, and stores it as the newest stamp if it is accepted.
    * @param now Control time; null while it is unknown.
    * @param mayBeOld Whether the maximum age does not apply, because the joint has not moved since.
    * @returns The refusal; null if the stamp is accepted.
    */
-  judge(joint: number, stamp: Nanoseconds | null, now: Nanoseconds | null, mayBeOld = false): Refusal | null {
+  judge(stamp: Nanoseconds | null, now: Nanoseconds | null, mayBeOld = false): Refusal | null {
     if (stamp === null) return { reason: 'stamp-missing', text: refusalMessages.noStamp };
     if (stamp <= 0n) return { reason: 'stamp-zero', text: stamp === 0n ? refusalMessages.zeroStamp : refusalMessages.before1970 };
     const refusal = now === null ? null : this.#against(now, stamp, mayBeOld);
     if (refusal !== null) return refusal;
-    const newest = this.#newest[joint];
+    const newest = this.#newest;
     if (newest !== null && !isNewer(stamp, newest, now))
       return {
         reason: 'stamp-not-newer',
         text: stamp === newest ? refusalMessages.sameStamp : refusalMessages.notNewer(toMilliseconds(newest - stamp)),
       };
-    this.#newest[joint] = stamp;
+    this.#newest = stamp;
     return null;
   }
 
-  /** Whether a stamp is newer than the newest accepted stamp of the joint. */
-  isNewer(joint: number, stamp: Nanoseconds, now: Nanoseconds | null): boolean {
-    return isNewer(stamp, this.#newest[joint], now);
+  /** Whether a stamp is newer than the newest accepted stamp. */
+  isNewer(stamp: Nanoseconds, now: Nanoseconds | null): boolean {
+    return isNewer(stamp, this.#newest, now);
   }
 
-  /** Whether a stamp equals the newest accepted stamp of the joint. */
-  isNewest(joint: number, stamp: Nanoseconds | null): boolean {
-    return stamp !== null && stamp === this.#newest[joint];
+  /** Whether a stamp equals the newest accepted stamp. */
+  isNewest(stamp: Nanoseconds | null): boolean {
+    return stamp !== null && stamp === this.#newest;
   }
 
   #against(now: Nanoseconds, stamp: Nanoseconds, mayBeOld: boolean): Refusal | null {
