@@ -3,7 +3,7 @@ using BenchmarkDotNet.Reports;
 namespace Nowpose.Benchmarks;
 
 /// <summary>
-/// Limits the frame time of a scene with many robots, and the time of one tracked frame. A headset at 60 Hz has 16.7 ms for everything. The verb
+/// Limits the frame time of a scene with many robots, and the time of one tracked frame. A headset at 60 Hz has 16.7 ms for everything. The command
 /// <c>cell</c> limits the frame time of a cell with many objects.
 /// </summary>
 static class FrameLimit

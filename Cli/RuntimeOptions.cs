@@ -6,7 +6,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli;
 
-/// <summary><c>--estimator</c> and <c>--profile</c>: options for the runtime that several verbs share.</summary>
+/// <summary><c>--estimator</c> and <c>--profile</c>: options for the runtime that several commands share.</summary>
 static class RuntimeOptions
 {
     public static Option<string> Estimator() => ChoiceOption.Create(

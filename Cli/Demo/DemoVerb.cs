@@ -13,7 +13,7 @@ using Nowpose.Simulation.Work;
 namespace Nowpose.Cli.Demo;
 
 /// <summary>
-/// <c>demo</c>, the default verb: runs gateway, network, headset runtime and robot in one process and compares the displayed poses with the
+/// <c>demo</c>, the default command: runs gateway, network, headset runtime and robot in one process and compares the displayed poses with the
 /// true ones.
 /// </summary>
 static class DemoVerb

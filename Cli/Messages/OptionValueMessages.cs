@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Error messages about invalid values of options that several verbs use.</summary>
+/// <summary>Error messages about invalid values of options that several commands use.</summary>
 static class OptionValueMessages
 {
     public static string NotABox(string option, string text, int minSide, int maxSide) =>

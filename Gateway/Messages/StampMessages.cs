@@ -12,7 +12,7 @@ static class StampMessages
     public const string Corrected = "they followed a correction of the system clock";
     /// <summary>The remedy for a source whose clock is not the control clock.</summary>
     public const string SourceRemedy = "Set the clock of the source, or let its adapter offer that clock.";
-    /// <summary>The remedy for a gateway with its own clock; does not apply to the verb simulate.</summary>
+    /// <summary>The remedy for a gateway with its own clock; does not apply to the command simulate.</summary>
     public const string SystemRemedy = "Restart the gateway. With serve --own-clock system, it follows the system clock.";
 
     public const string FitsSystemClock = ", and that match the system clock";

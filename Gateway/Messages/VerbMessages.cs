@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Error messages of the verbs cell, pair and pairings, with remedies.</summary>
+/// <summary>Error messages of the commands cell, pair and pairings, with remedies.</summary>
 static class VerbMessages
 {
     public static string OutName(string path) => $"--out {path}: the file name must end in .svg or .png";

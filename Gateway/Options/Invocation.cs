@@ -11,10 +11,10 @@ namespace Nowpose.Gateway.Options;
 public static class Invocation
 {
     /// <summary>Creates the root command. Its name is the program's name, even if the executable file has another name.</summary>
-    public static Command Root(string program, string description, params Command[] verbs)
+    public static Command Root(string program, string description, params Command[] commands)
     {
         var root = new Command(program, description) { new HelpOption { Recursive = true }, new VersionOption() };
-        foreach (var verb in verbs) root.Subcommands.Add(verb);
+        foreach (var command in commands) root.Subcommands.Add(command);
         return root;
     }
 
@@ -81,8 +81,8 @@ public static class Invocation
     {
         if (parsed.UnmatchedTokens.Count == 0) return OptionMessages.SeeHelp(parsed.Errors[0].Message);
         var unknown = parsed.UnmatchedTokens[0];
-        var isVerb = parsed.RootCommandResult.Command.Subcommands.Any(verb => verb.Name == unknown);
-        return isVerb ? OptionMessages.SeeHelp(OptionMessages.CommandFirst(unknown)) : OptionMessages.UnknownArgument(unknown);
+        var isCommand = parsed.RootCommandResult.Command.Subcommands.Any(command => command.Name == unknown);
+        return isCommand ? OptionMessages.SeeHelp(OptionMessages.CommandFirst(unknown)) : OptionMessages.UnknownArgument(unknown);
     }
 
     static int Fail(string program, int status, string message)

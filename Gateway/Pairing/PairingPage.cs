@@ -12,7 +12,7 @@ namespace Nowpose.Gateway.Pairing;
 /// </summary>
 /// <remarks>
 /// Anyone who can open the page can pair a headset. On another machine, an operator first logs in on the operations page. Alternatives are a
-/// tunnel to this machine, and the verb "pair", which shows the code on a terminal.
+/// tunnel to this machine, and the command "pair", which shows the code on a terminal.
 /// </remarks>
 /// <param name="html">The page; null if it was not built.</param>
 sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl accessControl, string html)

@@ -11,7 +11,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The verb "pair", which shows the pairing code of a gateway on this machine in the terminal.</summary>
+/// <summary>The command "pair", which shows the pairing code of a gateway on this machine in the terminal.</summary>
 static class PairVerb
 {
     static readonly TimeSpan RequestTimeout = TimeSpan.FromSeconds(10);

@@ -6,7 +6,7 @@ using Nowpose.Gateway.Pairing;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The verb "pairings", which lists the paired headsets and revokes their tokens.</summary>
+/// <summary>The command "pairings", which lists the paired headsets and revokes their tokens.</summary>
 static class PairingsVerb
 {
     public static Command Create()

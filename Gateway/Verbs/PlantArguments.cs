@@ -5,7 +5,7 @@ using Nowpose.Simulation.Work;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The options of the verbs "simulate" and "replay" for the robot and its samples.</summary>
+/// <summary>The options of the commands "simulate" and "replay" for the robot and its samples.</summary>
 sealed class PlantArguments
 {
     readonly Option<string> _robot = new("--robot")

@@ -9,7 +9,7 @@ using Nowpose.Simulation.Work;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The common part of the verbs "simulate" and "replay", which start a gateway with its own robot cell.</summary>
+/// <summary>The common part of the commands "simulate" and "replay", which start a gateway with its own robot cell.</summary>
 static class PlantCommand
 {
     /// <summary>Completes a command: adds its options and its action.</summary>

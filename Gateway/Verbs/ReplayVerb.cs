@@ -5,7 +5,7 @@ using Nowpose.Gateway.Plants;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The verb "replay", which starts a gateway with a recorded motion.</summary>
+/// <summary>The command "replay", which starts a gateway with a recorded motion.</summary>
 static class ReplayVerb
 {
     public static Command Create(ConfiguredArguments configured)

@@ -9,7 +9,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The verb "serve", which starts a gateway for sources that connect to it.</summary>
+/// <summary>The command "serve", which starts a gateway for sources that connect to it.</summary>
 static class ServeVerb
 {
     const string Monotonic = "monotonic", System = "system";
@@ -138,7 +138,7 @@ static class ServeVerb
             result.AddError(AddressOptionMessages.ClockName(name));
     }
 
-    // Returns the text of the URDF. Also parses it, so that the verb rejects an invalid file at startup.
+    // Returns the text of the URDF. Also parses it, so that the command rejects an invalid file at startup.
     static string Describe(string robot)
     {
         RobotFiles.Load(robot, out var urdf);

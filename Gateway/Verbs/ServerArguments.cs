@@ -13,7 +13,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The options of all verbs that start a gateway: addresses and ports, access, recordings, and the control clock.</summary>
+/// <summary>The options of all commands that start a gateway: addresses and ports, access, recordings, and the control clock.</summary>
 /// <param name="configured">The entries of the configuration file.</param>
 sealed class ServerArguments(ConfiguredArguments configured)
 {

@@ -4,7 +4,7 @@ using Nowpose.Motion;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The verb "simulate", which starts a gateway with a simulated robot cell.</summary>
+/// <summary>The command "simulate", which starts a gateway with a simulated robot cell.</summary>
 static class SimulateVerb
 {
     public static Command Create(ConfiguredArguments configured) => PlantCommand.Complete(

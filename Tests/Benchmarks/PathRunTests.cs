@@ -36,7 +36,7 @@ public class PathRunTests
         (link == LinkProfile.Bad || link == LinkProfile.Roaming)
         && change.Name is ("requests longer, replies shorter" or "requests shorter, replies longer");
 
-    /// <summary>Uses the limits of the verb `paths`, which runs more seeds and sizes. The limit for the skew is at most 5 ppm.</summary>
+    /// <summary>Uses the limits of the command `paths`, which runs more seeds and sizes. The limit for the skew is at most 5 ppm.</summary>
     [TestCaseSource(nameof(Changes))]
     public void Play_ChangeOfThePath_MeetsAllLimits(string link, string change)
     {

@@ -1,10 +1,13 @@
+using System.CommandLine;
+using System.Text.RegularExpressions;
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Configuration;
 using Nowpose.Gateway.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli;
 
-public class CommandLineTests
+public partial class CommandLineTests
 {
     [TestCase("sync", "x.csv", "--nope")]
     [TestCase("sync", "x.csv", "--estimator")]
@@ -59,4 +62,20 @@ public class CommandLineTests
         Assert.That(run.ExitStatus, Is.EqualTo(0));
         Assert.That(run.Output.ReplaceLineEndings("\n"), Does.Contain("Usage:\n  nowpose "));
     }
+
+    [TestCase("command-line.md")]
+    [TestCase("gateway.md")]
+    public void Create_Commands_AreThoseInTheTableOfTheManual(string page)
+    {
+        var program = page == "gateway.md" ? Nowpose.Gateway.CommandLine.Create(new ConfiguredArguments()) : Nowpose.Cli.CommandLine.Create();
+        var rows = RepositoryFiles.Read($"{RepositoryFiles.Package}/Documentation~/{page}").Split('\n')
+            .SkipWhile(line => line != "| Command | Purpose |").Skip(2).TakeWhile(line => line.StartsWith('|'));
+
+        var listed = rows.SelectMany(row => ListedCommand().Matches(row.Split('|')[1])).Select(match => match.Groups[1].Value);
+
+        Assert.That(listed, Is.EquivalentTo(program.Subcommands.Select(command => command.Name)), $"each command needs a row in the table of {page}");
+    }
+
+    [GeneratedRegex(@"`([\w-]+)[^`]*`")]
+    private static partial Regex ListedCommand();
 }

@@ -1,14 +1,7 @@
+using System.CommandLine;
 using System.Diagnostics;
-using Nowpose.Cli.Calibrate;
-using Nowpose.Cli.Demo;
-using Nowpose.Cli.Headset;
-using Nowpose.Cli.Kinematics;
-using Nowpose.Cli.Recommend;
-using Nowpose.Cli.Sync;
-using Nowpose.Cli.Unity;
 using Nowpose.Gateway.Configuration;
 using Nowpose.Gateway.Options;
-using Nowpose.Gateway.Verbs;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli;
@@ -17,16 +10,43 @@ namespace Nowpose.Headless.Tests.Cli;
 [Platform(Exclude = "Win")]
 public class InterruptTests
 {
-    static readonly Dictionary<string, Func<System.CommandLine.Command>> Programs = new()
+    static readonly Dictionary<string, Func<Command>> Programs = new()
     {
-        ["nowpose"] = () => Invocation.Root(
-            "nowpose", "", KinematicsVerb.Create(), Nowpose.Cli.Replay.ReplayVerb.Create(), SyncVerb.Create(), RecommendVerb.Create(),
-            CalibrateVerb.Create(), UnityVerb.Create(), HeadsetVerb.Create(), DemoVerb.Create()),
-        ["gateway"] = () => Invocation.Root(
-            "gateway", "", Nowpose.Gateway.Verbs.SimulateVerb.Create(new ConfiguredArguments()), ReplayVerb.Create(new ConfiguredArguments()),
-            ServeVerb.Create(new ConfiguredArguments()), MarkerCodeVerb.Create(),
-            PairVerb.Create(), PairingsVerb.Create()),
+        ["nowpose"] = Nowpose.Cli.CommandLine.Create,
+        ["gateway"] = () => Nowpose.Gateway.CommandLine.Create(new ConfiguredArguments()),
     };
+
+    /// <summary>Command lines with each option or argument that reads a file.</summary>
+    static readonly string[] Lines =
+    [
+        "nowpose kinematics FIFO",
+        "nowpose replay FIFO",
+        "nowpose sync FIFO",
+        "nowpose recommend FIFO",
+        "nowpose calibrate range FIFO",
+        "nowpose calibrate sine FIFO",
+        "nowpose calibrate sine FILE.csv --profile FIFO",
+        "nowpose calibrate vlc FOLDER/a.png --profile FIFO",
+        "nowpose calibrate vlc FOLDER/a.png --sweep FIFO",
+        "nowpose calibrate head FOLDER/a.png --profile FIFO",
+        "nowpose calibrate nudge --speed-mm-s 100 --forward-mm 1 --backward-mm 1 --profile FIFO",
+        "nowpose unity FOLDER",
+        "nowpose headset --token-file FIFO",
+        "nowpose headset --robot FIFO",
+        "nowpose demo --recording FIFO",
+        "gateway pairings --pairing FIFO",
+        "gateway cell --cell c --host h --certificate FIFO",
+        "gateway pair --certificate FIFO",
+        "gateway replay FIFO",
+        "gateway replay FIFO --check",
+        "gateway simulate --config FIFO",
+        "gateway simulate --tokens FIFO",
+        "gateway serve --stationary FIFO",
+        "gateway serve --robot FIFO --check",
+    ];
+
+    /// <summary>Commands that read no file.</summary>
+    static readonly string[] WithoutInput = ["nowpose figures", "nowpose calibrate simulate"];
 
     TemporaryFolder _folder;
     string _fifo;
@@ -47,30 +67,7 @@ public class InterruptTests
     [TearDown]
     public void TearDown() => _folder.Dispose();
 
-    [TestCase("nowpose kinematics FIFO")]
-    [TestCase("nowpose replay FIFO")]
-    [TestCase("nowpose sync FIFO")]
-    [TestCase("nowpose recommend FIFO")]
-    [TestCase("nowpose calibrate range FIFO")]
-    [TestCase("nowpose calibrate sine FIFO")]
-    [TestCase("nowpose calibrate sine FILE.csv --profile FIFO")]
-    [TestCase("nowpose calibrate vlc FOLDER/a.png --profile FIFO")]
-    [TestCase("nowpose calibrate vlc FOLDER/a.png --sweep FIFO")]
-    [TestCase("nowpose calibrate head FOLDER/a.png --profile FIFO")]
-    [TestCase("nowpose calibrate nudge --speed-mm-s 100 --forward-mm 1 --backward-mm 1 --profile FIFO")]
-    [TestCase("nowpose unity FOLDER")]
-    [TestCase("nowpose headset --token-file FIFO")]
-    [TestCase("nowpose headset --robot FIFO")]
-    [TestCase("nowpose demo --recording FIFO")]
-    [TestCase("gateway pairings --pairing FIFO")]
-    [TestCase("gateway cell --cell c --host h --certificate FIFO")]
-    [TestCase("gateway pair --certificate FIFO")]
-    [TestCase("gateway replay FIFO")]
-    [TestCase("gateway replay FIFO --check")]
-    [TestCase("gateway simulate --config FIFO")]
-    [TestCase("gateway simulate --tokens FIFO")]
-    [TestCase("gateway serve --stationary FIFO")]
-    [TestCase("gateway serve --robot FIFO --check")]
+    [TestCaseSource(nameof(Lines))]
     public async Task Cancel_CommandReadsAFile_EndsAtOnce(string line)
     {
         var words = Complete(line).Split(' ');
@@ -84,6 +81,15 @@ public class InterruptTests
         Assert.That((await run.Bounded()).Status, Is.EqualTo(130));
     }
 
+    [Test]
+    public void Lines_OfThisTest_ContainEachCommandThatReadsAFile()
+    {
+        var missing = Programs.SelectMany(program => Leaves(program.Key, program.Value()))
+            .Where(command => !WithoutInput.Contains(command) && !Lines.Any(line => line.StartsWith(command + " ", StringComparison.Ordinal)));
+
+        Assert.That(missing, Is.Empty, $"add a line for each of its options that read a file to {nameof(Lines)}, or the command to {nameof(WithoutInput)}");
+    }
+
     [TestCase("Nowpose.Cli.dll", "kinematics FIFO", TestName = "CtrlC_Kinematics_ExitsWith130")]
     [TestCase("Nowpose.Gateway.dll", "simulate --config FIFO", TestName = "CtrlC_Simulate_ExitsWith130")]
     public async Task CtrlC_CommandReadsAFile_ExitsWith130(string program, string arguments)
@@ -93,6 +99,9 @@ public class InterruptTests
 
         Assert.That(await command.InterruptAsync(), Is.EqualTo(130), command.All);
     }
+
+    static IEnumerable<string> Leaves(string path, Command command) => command.Subcommands.Count == 0
+        ? [path] : command.Subcommands.SelectMany(inner => Leaves($"{path} {inner.Name}", inner));
 
     string Complete(string line) => line.Replace("FIFO", _fifo).Replace("FOLDER", _folder.Path);
 

@@ -21,7 +21,7 @@ public sealed class OutputFailureTests
 
     [Test]
     public Task Cell_CannotComplete_KeepsTheEarlierCode() => AssertKeptAsync(
-        MarkerCodeVerb.Create(), "code.svg", "cell", "--cell", "c", "--host", "127.0.0.1", "--out", At("code.svg"));
+        CellVerb.Create(), "code.svg", "cell", "--cell", "c", "--host", "127.0.0.1", "--out", At("code.svg"));
 
     [Test]
     public Task Nudge_CannotComplete_KeepsTheEarlierPage() => AssertKeptAsync(

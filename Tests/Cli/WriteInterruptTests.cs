@@ -26,7 +26,7 @@ public class WriteInterruptTests
 
     [Test]
     public Task CtrlC_CellWritesTheCode_CompletesTheFile() => AssertCompletesAsync(
-        MarkerCodeVerb.Create(), At("code.svg"), "</svg>", "cell", "--cell", new string('c', 40), "--host", "127.0.0.1", "--out", At("code.svg"));
+        CellVerb.Create(), At("code.svg"), "</svg>", "cell", "--cell", new string('c', 40), "--host", "127.0.0.1", "--out", At("code.svg"));
 
     [Test]
     public Task CtrlC_NudgeWritesThePage_CompletesTheFile() => AssertCompletesAsync(

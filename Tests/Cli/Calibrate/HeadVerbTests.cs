@@ -12,8 +12,8 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
 /// <summary>
-/// Tests the verb <c>calibrate head</c>: from rendered pictures of a moving headset to readings, and from readings to a profile. HeadResultTests covers
-/// the estimation. Needs Node.js, as the build does.
+/// Tests the command <c>calibrate head</c>: from rendered pictures of a moving headset to readings, and from readings to a profile. HeadResultTests
+/// covers the estimation. Needs Node.js, as the build does.
 /// </summary>
 [ReadsPictures]
 public sealed class HeadVerbTests : CalibrationFolder

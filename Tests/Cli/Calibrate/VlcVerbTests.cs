@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Tests the verb <c>calibrate vlc</c>, which reads pictures and writes a latency profile. Needs Node.js, as the build does.</summary>
+/// <summary>Tests the command <c>calibrate vlc</c>, which reads pictures and writes a latency profile. Needs Node.js, as the build does.</summary>
 [ReadsPictures]
 public sealed class VlcVerbTests
 {

@@ -6,7 +6,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
 /// <summary>
-/// Tests the complete verb <c>figures</c> with the minimum number of runs. The results do not depend on how long the computation takes.
+/// Tests the complete command <c>figures</c> with the minimum number of runs. The results do not depend on how long the computation takes.
 /// </summary>
 public partial class FiguresVerbTests
 {

@@ -10,7 +10,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Cli.Headset;
 
 /// <summary>
-/// Tests runs of 20 s in virtual time in which the samples stop once. The runs are scored in the same way as a run of the verb <c>headset</c>.
+/// Tests runs of 20 s in virtual time in which the samples stop once. The runs are scored in the same way as a run of the command <c>headset</c>.
 /// </summary>
 public class HeadsetOutageTests
 {

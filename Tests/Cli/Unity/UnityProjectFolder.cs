@@ -32,7 +32,7 @@ sealed class UnityProjectFolder : IDisposable
         File.WriteAllBytes(At(path), content);
     }
 
-    /// <summary>Runs the verb <c>unity</c> on this project.</summary>
+    /// <summary>Runs the command <c>unity</c> on this project.</summary>
     public Task<CliRun> RunAsync(params string[] options) => CliRun.OfAsync(["unity", Root, .. options]);
 
     public void Dispose() => _folder.Dispose();

@@ -5,7 +5,7 @@ using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
 
 namespace Nowpose.Headless.Tests.Cli.Unity;
 
-/// <summary>Tests which Unity versions and folders the verb <c>unity</c> accepts.</summary>
+/// <summary>Tests which Unity versions and folders the command <c>unity</c> accepts.</summary>
 public class UnityVersionTests
 {
     [TestCase("2020.3.48f1", "2021.3", "--check")]

@@ -9,8 +9,8 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The verb "cell", which creates the code of a robot's marker for printing.</summary>
-static class MarkerCodeVerb
+/// <summary>The command "cell", which creates the code of a robot's marker for printing.</summary>
+static class CellVerb
 {
     const int PixelsPerModule = 20;
 
