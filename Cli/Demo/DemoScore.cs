@@ -2,7 +2,7 @@ using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Compares the displayed values with the true ones frame by frame, and computes the results defined in cli.md.</summary>
+/// <summary>Compares the displayed values with the true ones frame by frame, and computes the results of the run.</summary>
 sealed class DemoScore
 {
     /// <summary>Time before which no frame is scored, even if the clock has converged: buffers fill and code is compiled.</summary>

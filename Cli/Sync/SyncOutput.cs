@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Sync;
 
-/// <summary>Prints estimates as CSV or JSON. The columns are specified in cli.md.</summary>
+/// <summary>Prints estimates as CSV or JSON.</summary>
 static class SyncOutput
 {
     public static void WriteCsv(IEnumerable<SyncEstimate> estimates, bool atInstants, TextWriter output)
