@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json.Nodes;
+using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
@@ -21,7 +22,7 @@ static class StatusObjects
     static readonly string[] Own = ["name", "seen_s_ago", "budget_ms"];
 
     // Keys whose values are text even if they read as a number, such as the name of a missing joint.
-    static readonly string[] Texts = ["state", "pose", "missing_joints", "version"];
+    static readonly string[] Texts = [HeadsetKeys.State, HeadsetKeys.Pose, HeadsetKeys.MissingJoints, HeadsetKeys.Version];
 
     /// <summary>Whether a hardware_id belongs to an adapter.</summary>
     public static bool IsAdapter(string hardwareId) => Array.Exists(AdapterPrefixes, prefix => hardwareId.StartsWith(prefix, StringComparison.Ordinal));
@@ -49,6 +50,9 @@ static class StatusObjects
     public static string Word(JsonObject words, string key) =>
         words[key] is JsonValue value && value.TryGetValue(out string word) ? word : null;
 
+    /// <summary>Returns 1 if the value of a key is a certain word, and 0 if it is another word; null if there is none.</summary>
+    public static double? OneIf(JsonObject words, string key, string yes) => Word(words, key) is { } word ? (word == yes ? 1 : 0) : null;
+
     static JsonObject Words(string name, TimeSpan ago, IReadOnlyList<KeyValuePair<string, string>> values)
     {
         var words = new JsonObject { ["name"] = name, ["seen_s_ago"] = Math.Round(ago.TotalSeconds, 1) };
@@ -67,9 +71,9 @@ static class StatusObjects
     // because the other times are medians and half of a round-trip time. The hops always add up to the reported latency.
     static JsonObject Budget(JsonObject headset, HopTimes hops)
     {
-        var network = Number(headset, "rtt_ms") / 2;
-        var queue = Number(headset, "l_app_ms") - hops.PlantMs - hops.GatewayMs - network;
-        var render = Number(headset, "render_ms");
+        var network = Number(headset, HeadsetKeys.RoundTripMs) / 2;
+        var queue = Number(headset, HeadsetKeys.ApplicationLatencyMs) - hops.PlantMs - hops.GatewayMs - network;
+        var render = Number(headset, HeadsetKeys.RenderMs);
         return new JsonObject
         {
             ["plant"] = Rounded(hops.PlantMs),
@@ -77,7 +81,7 @@ static class StatusObjects
             ["network"] = Rounded(network),
             ["queue"] = Rounded(queue),
             ["render"] = Rounded(render),
-            ["display"] = Rounded(Number(headset, "l_visu_ms") - (render ?? 0)),
+            ["display"] = Rounded(Number(headset, HeadsetKeys.VisualisationLatencyMs) - (render ?? 0)),
         };
     }
 

@@ -210,10 +210,10 @@ sealed class Conditions(
             yield return new(kind, name, EventTexts.HasNotice, notice, Level.Warning);
         if (NowposeVersion.MismatchOf(Value("version"), "it", EventTexts.ThisGateway) is { } mismatch)
             yield return new(kind, name, EventTexts.OtherVersion, mismatch, Level.Warning);
-        if (!isAdapter && Value("pose") is { } pose && !CurrentPoses.Contains(pose))
-            yield return new(kind, name, EventTexts.NoCurrentPose, ReasonOf(pose, Value("missing_joints")), Level.Warning)
+        if (!isAdapter && Value(HeadsetKeys.Pose) is { } pose && !CurrentPoses.Contains(pose))
+            yield return new(kind, name, EventTexts.NoCurrentPose, ReasonOf(pose, Value(HeadsetKeys.MissingJoints)), Level.Warning)
             {
-                Remedy = RemedyOf(pose, Value("missing_joints")),
+                Remedy = RemedyOf(pose, Value(HeadsetKeys.MissingJoints)),
             };
     }
 

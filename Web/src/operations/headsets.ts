@@ -3,12 +3,13 @@ import { emptyMessages, operationsLabels } from '../messages/operations';
 import { stateLabels } from '../messages/states';
 import { captionLabels, columnLabels } from '../messages/terms';
 import { format } from '../numbers';
+import type { HeadsetKey } from './headsetKeys';
 import { LiveTable } from './liveTable';
 import { type Headset, isSilent, numberOf, textOf } from './state';
 import { stateWords } from './stateWords';
 import { lengthWords } from './times';
 
-const number = (label: string, key: string, digits = (v: number) => v) => ({
+const number = (label: string, key: HeadsetKey, digits = (v: number) => v) => ({
   label,
   isNumber: true,
   cell: (headset: Headset) => {
@@ -79,7 +80,7 @@ function stateOf(headset: Headset): string {
 }
 
 /** Returns the state of the clock or of the pose as text. For a coarse clock, adds the error that the headset reports. */
-function withError(headset: Headset, key: string): string {
+function withError(headset: Headset, key: HeadsetKey): string {
   return stateWords(textOf(headset, key), numberOf(headset, 'estimated_error_us'), numberOf(headset, 'error_bound_us'));
 }
 
@@ -112,11 +113,11 @@ function noteOf(headset: Headset): string {
 function partsOf(
   headset: Headset,
   prefix: 'object_status/' | 'signal_status/',
-  count: string,
+  count: HeadsetKey,
   label: (name: string, state: string) => string,
   notListed: (count: number) => string,
 ): string[] {
-  const listed = Object.keys(headset).filter(key => key.startsWith(prefix));
+  const listed = Object.keys(headset).filter((key): key is HeadsetKey => key.startsWith(prefix));
   const others = (numberOf(headset, count) ?? 0) - listed.length;
   return [...listed.map(key => label(key.slice(prefix.length), textOf(headset, key))), ...(others > 0 ? [notListed(others)] : [])];
 }

@@ -2,6 +2,7 @@ import { el } from '../dom';
 import { livePlotDescriptions } from '../messages/operations';
 import { axisLabels, traceLabels } from '../messages/plots';
 import { LOOKS } from '../traces';
+import type { HeadsetKey } from './headsetKeys';
 import { LivePlot } from './livePlot';
 import { type Headset, numberOf, type State } from './state';
 
@@ -35,7 +36,7 @@ export class Plots {
    * @param headset The selected headset; null if none is selected.
    */
   add(time: number, state: State, headset: Headset | null): void {
-    const of = (key: string) => (headset ? numberOf(headset, key) : null);
+    const of = (key: HeadsetKey) => (headset ? numberOf(headset, key) : null);
     const rates = (state.sources ?? []).map(s => s.rate_hz);
     this.latency.add(time, [of('l_app_ms'), of('l_visu_ms'), of('rtt_ms')]);
     this.clock.add(time, [of('error_bound_us'), state.clock?.error_bound_us ?? null]);

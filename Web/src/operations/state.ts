@@ -1,3 +1,5 @@
+import type { HeadsetKey } from './headsetKeys';
+
 /** Response to a request for /operations/state. The value of a field that is missing or null is unknown. The names of numbers contain their units. */
 export interface State {
   cell?: string | null;
@@ -113,8 +115,14 @@ export interface PlantClock {
   last_failure?: string | null;
 }
 
-/** Diagnostics of a headset or an adapter. Values are numbers if possible, otherwise strings. */
-export type Words = { name: string; seen_s_ago: number } & Record<string, unknown>;
+interface Report {
+  name: string;
+  /** Time since the last report. */
+  seen_s_ago: number;
+}
+
+/** Diagnostics of an adapter. Values are numbers if possible, otherwise strings. */
+export type Words = Report & Record<string, unknown>;
 
 export interface Source {
   joints: string[];
@@ -126,7 +134,8 @@ export interface Source {
 export const HOPS = ['plant', 'gateway', 'network', 'queue', 'render', 'display'] as const;
 type Hop = (typeof HOPS)[number];
 
-export type Headset = Words & { budget_ms?: Partial<Record<Hop, number | null>> | null };
+/** Diagnostics of a headset. Values are numbers if possible, otherwise strings. */
+export type Headset = Report & { [key in HeadsetKey]?: unknown } & { budget_ms?: Partial<Record<Hop, number | null>> | null };
 
 export interface Recording {
   can: boolean;
@@ -145,18 +154,18 @@ export interface Recording {
 /** Time without a report after which the values of a headset or an adapter count as outdated. Both report once per second. */
 const SILENT_S = 3;
 
-export const isSilent = ({ seen_s_ago: ago }: Words): boolean => ago > SILENT_S;
+export const isSilent = ({ seen_s_ago: ago }: Report): boolean => ago > SILENT_S;
 
 /** Removes the values of a silent headset, because its last values would look current. */
 export const withoutOld = (headset: Headset): Headset => (isSilent(headset) ? { name: headset.name, seen_s_ago: headset.seen_s_ago } : headset);
 
 /** Returns a value of the diagnostics; null if it is missing or not a finite number. */
-export function numberOf(words: Words, key: string): number | null {
+export function numberOf<T extends Report>(words: T, key: keyof T): number | null {
   const value = words[key];
   return typeof value === 'number' && Number.isFinite(value) ? value : null;
 }
 
-export function textOf(words: Words, key: string): string {
+export function textOf<T extends Report>(words: T, key: keyof T): string {
   const value = words[key];
   return value == null ? '' : String(value);
 }

@@ -29,47 +29,48 @@ namespace Nowpose.Session
             }
             void AddMs(string key, TimeSpan? length) => AddNumber(key, length?.TotalMilliseconds);
 
-            Add("version", NowposeVersion.Text);
-            Add("state", statistics.Clock.State.Word());
+            Add(HeadsetKeys.Version, NowposeVersion.Text);
+            Add(HeadsetKeys.State, statistics.Clock.State.Word());
             AddPose(statistics, values);
-            Add("objects_not_current", Count(cell.Objects.Count));
-            Add("signals_not_current", Count(cell.Signals.Count));
+            Add(HeadsetKeys.ObjectsNotCurrent, Count(cell.Objects.Count));
+            Add(HeadsetKeys.SignalsNotCurrent, Count(cell.Signals.Count));
             if (statistics.Offset.HasValue)
             {
                 var nanoseconds = statistics.Offset.Value.HeadsetMinusControl.Ticks * (decimal)ClockTicks.NanosecondsPerTick;
-                Add("offset_ns", nanoseconds.ToString(CultureInfo.InvariantCulture));
-                Add("skew_ppm", Number(statistics.Clock.Skew * 1e6));
-                Add("error_bound_us", Number(statistics.Clock.ErrorBound.TotalMilliseconds * 1000));
-                Add("estimated_error_us", Number(statistics.Clock.EstimatedError.TotalMilliseconds * 1000));
+                Add(HeadsetKeys.OffsetNs, nanoseconds.ToString(CultureInfo.InvariantCulture));
+                Add(HeadsetKeys.SkewPpm, Number(statistics.Clock.Skew * 1e6));
+                Add(HeadsetKeys.ErrorBoundUs, Number(statistics.Clock.ErrorBound.TotalMilliseconds * 1000));
+                Add(HeadsetKeys.EstimatedErrorUs, Number(statistics.Clock.EstimatedError.TotalMilliseconds * 1000));
             }
-            AddMs("rtt_ms", statistics.RoundTripTime);
-            AddMs("l_app_ms", statistics.ApplicationLatency);
-            AddMs("l_visu_ms", statistics.VisualisationLatency);
+            AddMs(HeadsetKeys.RoundTripMs, statistics.RoundTripTime);
+            AddMs(HeadsetKeys.ApplicationLatencyMs, statistics.ApplicationLatency);
+            AddMs(HeadsetKeys.VisualisationLatencyMs, statistics.VisualisationLatency);
             if (statistics.IsDisplayTimeImplausible)
             {
-                Add("display_time", "implausible");
-                AddMs("display_time_ahead_ms", statistics.DisplayTimeAhead);
+                Add(HeadsetKeys.DisplayTime, "implausible");
+                AddMs(HeadsetKeys.DisplayTimeAheadMs, statistics.DisplayTimeAhead);
             }
-            else if (statistics.IsLightPredicted) Add("display_time", "predicted");
-            AddMs("display_time_difference_ms", statistics.DisplayTimeDifference);
-            if (statistics.Reprojection != ReprojectionMode.Unknown) Add("reprojection", LatencyNames.Reprojection.NameOf(statistics.Reprojection));
+            else if (statistics.IsLightPredicted) Add(HeadsetKeys.DisplayTime, "predicted");
+            AddMs(HeadsetKeys.DisplayTimeDifferenceMs, statistics.DisplayTimeDifference);
+            if (statistics.Reprojection != ReprojectionMode.Unknown)
+                Add(HeadsetKeys.Reprojection, LatencyNames.Reprojection.NameOf(statistics.Reprojection));
             if (statistics.DepthSubmission != DepthSubmission.Unknown)
-                Add("depth_submission", LatencyNames.DepthSubmission.NameOf(statistics.DepthSubmission));
+                Add(HeadsetKeys.DepthSubmission, LatencyNames.DepthSubmission.NameOf(statistics.DepthSubmission));
             if (statistics.ProfileMismatches.Count > 0)
-                Add("profile_mismatch", string.Join(",", statistics.ProfileMismatches.Select(each => each.Field)));
-            AddMs("horizon_ms", statistics.FramesMissingFor == null ? statistics.Horizon : null);
-            AddMs("render_ms", statistics.RenderTime);
-            if (statistics.Range != RangeState.Unknown) Add("range", statistics.Range.ToString().ToLowerInvariant());
-            if (BeyondLimits(statistics) is { Length: > 0 } beyond) Add("beyond_limits", beyond);
-            if (OtherDescriptions(statistics) is { Length: > 0 } described) Add("description_differs", described);
-            if (WithheldErrors.WordsOf(statistics.ErrorWithheld) is { } withheld) Add("error_withheld", withheld);
-            AddNumber("error_mm_hold", statistics.HoldErrorMm);
-            AddNumber("error_mm", statistics.ErrorMm);
-            AddNumber("reduction", statistics.ErrorReduction);
-            Add("samples", Count(statistics.Samples));
-            Add("dropped", Count(statistics.Dropped));
-            foreach (var part in cell.Objects.Take(MaxParts)) values.AddDetail("object_status/" + part.Name, part.Description);
-            foreach (var part in cell.Signals.Take(MaxParts)) values.AddDetail("signal_status/" + part.Name, part.Description);
+                Add(HeadsetKeys.ProfileMismatch, string.Join(",", statistics.ProfileMismatches.Select(each => each.Field)));
+            AddMs(HeadsetKeys.HorizonMs, statistics.FramesMissingFor == null ? statistics.Horizon : null);
+            AddMs(HeadsetKeys.RenderMs, statistics.RenderTime);
+            if (statistics.Range != RangeState.Unknown) Add(HeadsetKeys.Range, statistics.Range.ToString().ToLowerInvariant());
+            if (BeyondLimits(statistics) is { Length: > 0 } beyond) Add(HeadsetKeys.BeyondLimits, beyond);
+            if (OtherDescriptions(statistics) is { Length: > 0 } described) Add(HeadsetKeys.DescriptionDiffers, described);
+            if (WithheldErrors.WordsOf(statistics.ErrorWithheld) is { } withheld) Add(HeadsetKeys.ErrorWithheld, withheld);
+            AddNumber(HeadsetKeys.ErrorMmHold, statistics.HoldErrorMm);
+            AddNumber(HeadsetKeys.ErrorMm, statistics.ErrorMm);
+            AddNumber(HeadsetKeys.Reduction, statistics.ErrorReduction);
+            Add(HeadsetKeys.Samples, Count(statistics.Samples));
+            Add(HeadsetKeys.Dropped, Count(statistics.Dropped));
+            foreach (var part in cell.Objects.Take(MaxParts)) values.AddDetail(HeadsetKeys.ObjectStatus + part.Name, part.Description);
+            foreach (var part in cell.Signals.Take(MaxParts)) values.AddDetail(HeadsetKeys.SignalStatus + part.Name, part.Description);
             // The errors of many joints come last, because the gateway drops values above its limit.
             AddErrors(statistics, (key, value) => { if (value.HasValue) values.AddDetail(key, Fine(value.Value)); });
             var (level, message) = Status(statistics, cell);
@@ -136,29 +137,30 @@ namespace Nowpose.Session
 
         static void AddPose(SessionStatistics statistics, DiagnosticValues values)
         {
-            values.Add("pose", PoseOf(statistics));
-            if (statistics.CurrentShare.HasValue && statistics.FramesMissingFor == null) values.Add("current_share", Number(statistics.CurrentShare.Value));
-            values.Add("missing_joints", MissingJoints(statistics));
-            foreach (var joint in Joints(statistics)) values.AddDetail("joint_status/" + joint.Joint, joint.Description);
+            values.Add(HeadsetKeys.Pose, PoseOf(statistics));
+            if (statistics.CurrentShare.HasValue && statistics.FramesMissingFor == null)
+                values.Add(HeadsetKeys.CurrentShare, Number(statistics.CurrentShare.Value));
+            values.Add(HeadsetKeys.MissingJoints, MissingJoints(statistics));
+            foreach (var joint in Joints(statistics)) values.AddDetail(HeadsetKeys.JointStatus + joint.Joint, joint.Description);
         }
 
         static void AddErrors(SessionStatistics statistics, Action<string, double?> add)
         {
             var tool = statistics.ToolError;
-            add("error_mm_p95", tool?.P95);
-            add("error_mm_hold_p95", tool?.HoldP95);
-            add("error_mm_truth", tool?.TruthUncertainty);
-            add("error_mm_clock", tool?.ClockUncertainty);
-            add("reduction_uncertainty", tool?.ReductionUncertainty);
+            add(HeadsetKeys.ErrorMmP95, tool?.P95);
+            add(HeadsetKeys.ErrorMmHoldP95, tool?.HoldP95);
+            add(HeadsetKeys.ErrorMmTruth, tool?.TruthUncertainty);
+            add(HeadsetKeys.ErrorMmClock, tool?.ClockUncertainty);
+            add(HeadsetKeys.ReductionUncertainty, tool?.ReductionUncertainty);
             foreach (var joint in statistics.JointErrors)
             {
                 var name = statistics.OwnRobot.NameOf(joint.Joint);
-                add("error/" + name, joint.Error?.Rms);
-                add("error_p95/" + name, joint.Error?.P95);
-                add("error_hold/" + name, joint.Error?.HoldRms);
-                add("error_hold_p95/" + name, joint.Error?.HoldP95);
-                add("reduction/" + name, joint.Error?.Reduction);
-                add("reduction_uncertainty/" + name, joint.Error?.ReductionUncertainty);
+                add(HeadsetKeys.JointError + name, joint.Error?.Rms);
+                add(HeadsetKeys.JointErrorP95 + name, joint.Error?.P95);
+                add(HeadsetKeys.JointErrorHold + name, joint.Error?.HoldRms);
+                add(HeadsetKeys.JointErrorHoldP95 + name, joint.Error?.HoldP95);
+                add(HeadsetKeys.JointReduction + name, joint.Error?.Reduction);
+                add(HeadsetKeys.JointReductionUncertainty + name, joint.Error?.ReductionUncertainty);
             }
         }
 
