@@ -136,23 +136,33 @@ sealed class GatewayStatus : IDisposable
         var joints = _joints.Read();
         var conditions = ConditionsOf(joints);
         var (frames, signals) = (_cell.Frames(_clock.Now, joints), _cell.Signals(_clock.Now));
-        return new StatusSnapshot(
-            _options.Cell, Environment.MachineName, Version,
-            OverallStatus.Of(conditions, joints, frames, signals, _hub.IsRobotDescribed, reports.Count(one => !IsAdapter(one))),
-            _started.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture),
-            Math.Round(Stopwatch.GetElapsedTime(_startCount).TotalSeconds, 1), Math.Round(_clock.Now.SinceEpoch.TotalSeconds, 6), OfClock(),
-            [.. _clock.Status().Select(Of)],
-            [.. reports.Where(IsAdapter).Select(StatusObjects.Adapter)],
-            [.. sources.Select(source => Of(source, beyond))],
-            [.. joints.Select(Of)],
-            frames, signals,
-            [.. reports.Where(one => !IsAdapter(one)).Select(one => StatusObjects.Headset(one, hops))],
-            OfForwarding(),
-            _connections.ToDictionary(server => server.Name, server => Of(server.Counters)),
-            Enumerable.Range(0, Counted.Length).ToDictionary(topic => Counted[topic], topic => Interlocked.Read(ref _messages[topic])),
-            _drops.Snapshot().ToDictionary(drop => drop.Key.ToString(), drop => drop.Value),
-            _recorder.Status, _options.Headsets != null, !conditions.Any(condition => condition.Blocks),
-            [.. Events.Read(EventsInState).Select(one => one.View)], CertificateExpiresUtc: _options.CertificateExpires);
+        return new StatusSnapshot
+        {
+            Cell = _options.Cell,
+            Host = Environment.MachineName,
+            Version = Version,
+            Status = OverallStatus.Of(conditions, joints, frames, signals, _hub.IsRobotDescribed, reports.Count(one => !IsAdapter(one))),
+            StartedUtc = _started.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture),
+            UptimeS = Math.Round(Stopwatch.GetElapsedTime(_startCount).TotalSeconds, 1),
+            ControlTimeS = Math.Round(_clock.Now.SinceEpoch.TotalSeconds, 6),
+            Clock = OfClock(),
+            PlantClocks = [.. _clock.Status().Select(Of)],
+            Adapters = [.. reports.Where(IsAdapter).Select(StatusObjects.Adapter)],
+            Sources = [.. sources.Select(source => Of(source, beyond))],
+            Joints = [.. joints.Select(Of)],
+            Frames = frames,
+            Signals = signals,
+            Headsets = [.. reports.Where(one => !IsAdapter(one)).Select(one => StatusObjects.Headset(one, hops))],
+            ForwardMs = OfForwarding(),
+            Connections = _connections.ToDictionary(server => server.Name, server => Of(server.Counters)),
+            Messages = Enumerable.Range(0, Counted.Length).ToDictionary(topic => Counted[topic], topic => Interlocked.Read(ref _messages[topic])),
+            Drops = _drops.Snapshot().ToDictionary(drop => drop.Key.ToString(), drop => drop.Value),
+            Recording = _recorder.Status,
+            PairsHeadsets = _options.Headsets != null,
+            IsReady = !conditions.Any(condition => condition.Blocks),
+            Events = [.. Events.Read(EventsInState).Select(one => one.View)],
+            CertificateExpiresUtc = _options.CertificateExpires,
+        };
     }
 
     IReadOnlyList<Condition> ConditionsOf(IReadOnlyList<JointSnapshot> joints) => Events.Date(_conditions.Read(joints));

@@ -6,24 +6,55 @@ using Nowpose.Gateway.Status.Joints;
 namespace Nowpose.Gateway.Status;
 
 /// <summary>
-/// The state of a gateway at an instant. /operations/state returns it as JSON with names in snake case. The name of a
+/// The state of a gateway at an instant. /operations/state returns it as JSON with names in snake case, in the order of the properties. The name of a
 /// quantity ends with its unit.
 /// </summary>
-/// <param name="ControlTimeS">Current time of the control clock.</param>
-/// <param name="Adapters">The latest diagnostics of each adapter, with their age.</param>
-/// <param name="Headsets">The latest diagnostics of each headset, with their age and the latency budget.</param>
-/// <param name="Messages">Number of forwarded messages by topic.</param>
-/// <param name="Drops">Number of dropped messages by reason.</param>
-/// <param name="Role">Role of the requesting client.</param>
-/// <param name="CertificateExpiresUtc">Expiry of the certificate, after which headsets refuse it; null without TLS.</param>
-sealed record StatusSnapshot(
-    string Cell, string Host, string Version, OverallStatus Status, string StartedUtc, double UptimeS, double ControlTimeS, ClockStatus Clock, IReadOnlyList<PlantClockView> PlantClocks,
-    IReadOnlyList<JsonObject> Adapters, IReadOnlyList<SourceStatus> Sources, IReadOnlyList<JointView> Joints,
-    IReadOnlyList<FrameView> Frames, IReadOnlyList<SignalView> Signals,
-    IReadOnlyList<JsonObject> Headsets, SpanStatus ForwardMs,
-    IReadOnlyDictionary<string, ConnectionStatus> Connections, IReadOnlyDictionary<string, long> Messages, IReadOnlyDictionary<string, long> Drops,
-    RecordingStatus Recording, bool PairsHeadsets, bool IsReady, IReadOnlyList<EventView> Events, string Role = null,
-    DateTime? CertificateExpiresUtc = null);
+sealed record StatusSnapshot
+{
+    public required string Cell { get; init; }
+    public required string Host { get; init; }
+    public required string Version { get; init; }
+    public required OverallStatus Status { get; init; }
+    public required string StartedUtc { get; init; }
+    public required double UptimeS { get; init; }
+
+    /// <summary>Current time of the control clock.</summary>
+    public required double ControlTimeS { get; init; }
+
+    public required ClockStatus Clock { get; init; }
+    public required IReadOnlyList<PlantClockView> PlantClocks { get; init; }
+
+    /// <summary>The latest diagnostics of each adapter, with their age.</summary>
+    public required IReadOnlyList<JsonObject> Adapters { get; init; }
+
+    public required IReadOnlyList<SourceStatus> Sources { get; init; }
+    public required IReadOnlyList<JointView> Joints { get; init; }
+    public required IReadOnlyList<FrameView> Frames { get; init; }
+    public required IReadOnlyList<SignalView> Signals { get; init; }
+
+    /// <summary>The latest diagnostics of each headset, with their age and the latency budget.</summary>
+    public required IReadOnlyList<JsonObject> Headsets { get; init; }
+
+    public required SpanStatus ForwardMs { get; init; }
+    public required IReadOnlyDictionary<string, ConnectionStatus> Connections { get; init; }
+
+    /// <summary>Number of forwarded messages by topic.</summary>
+    public required IReadOnlyDictionary<string, long> Messages { get; init; }
+
+    /// <summary>Number of dropped messages by reason.</summary>
+    public required IReadOnlyDictionary<string, long> Drops { get; init; }
+
+    public required RecordingStatus Recording { get; init; }
+    public required bool PairsHeadsets { get; init; }
+    public required bool IsReady { get; init; }
+    public required IReadOnlyList<EventView> Events { get; init; }
+
+    /// <summary>Role of the requesting client.</summary>
+    public string Role { get; init; }
+
+    /// <summary>Expiry of the certificate, after which headsets refuse it; null without TLS.</summary>
+    public DateTime? CertificateExpiresUtc { get; init; }
+}
 
 /// <summary>The state of one joint of one source.</summary>
 /// <param name="Source">Name of the adapter; "gateway" for the gateway's own robot, "rosbridge" for another client.</param>

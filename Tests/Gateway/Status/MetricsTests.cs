@@ -27,21 +27,36 @@ public class MetricsTests
         return all;
     }
 
-    static StatusSnapshot Snapshot(params JsonObject[] headsets) => new(
-        "press", "cell-pc", "1.2.3", new OverallStatus("ok", "fine"), "2026-11-20T12:00:00Z", 5, 100, new ClockStatus("own", "synchronised", true, 120, 3, 0.5, 1000, 2),
-        [new PlantClockView("press", true, true, "synchronised", null, 4.2, 1.5, 200, 1000, 40, 2, "no response within 2 s")],
-        [Words("press", ("state", "connected"), ("samples", 12.0), ("refused", 9.0), ("refused/bad_status", 7.0), ("refused/nan", 2.0))],
-        [new SourceStatus(["a", "b"], 49.9, new AgeStatus(80, 120), ["b"])],
+    static StatusSnapshot Snapshot(params JsonObject[] headsets) => new()
+    {
+        Cell = "press",
+        Host = "cell-pc",
+        Version = "1.2.3",
+        Status = new OverallStatus("ok", "fine"),
+        StartedUtc = "2026-11-20T12:00:00Z",
+        UptimeS = 5,
+        ControlTimeS = 100,
+        Clock = new ClockStatus("own", "synchronised", true, 120, 3, 0.5, 1000, 2),
+        PlantClocks = [new PlantClockView("press", true, true, "synchronised", null, 4.2, 1.5, 200, 1000, 40, 2, "no response within 2 s")],
+        Adapters = [Words("press", ("state", "connected"), ("samples", 12.0), ("refused", 9.0), ("refused/bad_status", 7.0), ("refused/nan", 2.0))],
+        Sources = [new SourceStatus(["a", "b"], 49.9, new AgeStatus(80, 120), ["b"])],
+        Joints =
         [
             new JointView("a", "press", "live", "2026-11-20T12:00:00.000Z", 0.08, 49.9, ""),
             new JointView("b", "press", "refused", "2026-11-20T12:00:01.000Z", null, 0, "status Bad", ReasonWord: "status-bad"),
         ],
-        [new FrameView("box", "world", "press", "live", 0.1)], [new SignalView("grip", 1, "press", "live", 2)],
-        headsets, new SpanStatus(0.2, 0.9),
-        new Dictionary<string, ConnectionStatus> { ["sync"] = new(2, 5, new Dictionary<string, long> { ["Silence"] = 3 }) },
-        new Dictionary<string, long> { ["/joint_states"] = 77 }, new Dictionary<string, long> { ["NotJson"] = 4 },
-        new RecordingStatus(true, true, "x.jsonl", 10, 2000, 1, null), false, true,
-        [new EventView(1, "joint", "b (press)", "is refused", "status Bad", "error", "2026-11-20T12:00:01.000Z", null)]);
+        Frames = [new FrameView("box", "world", "press", "live", 0.1)],
+        Signals = [new SignalView("grip", 1, "press", "live", 2)],
+        Headsets = headsets,
+        ForwardMs = new SpanStatus(0.2, 0.9),
+        Connections = new Dictionary<string, ConnectionStatus> { ["sync"] = new(2, 5, new Dictionary<string, long> { ["Silence"] = 3 }) },
+        Messages = new Dictionary<string, long> { ["/joint_states"] = 77 },
+        Drops = new Dictionary<string, long> { ["NotJson"] = 4 },
+        Recording = new RecordingStatus(true, true, "x.jsonl", 10, 2000, 1, null),
+        PairsHeadsets = false,
+        IsReady = true,
+        Events = [new EventView(1, "joint", "b (press)", "is refused", "status Bad", "error", "2026-11-20T12:00:01.000Z", null)],
+    };
 
     static JsonNode Parse(string text)
     {
