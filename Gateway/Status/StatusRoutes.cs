@@ -4,6 +4,7 @@ using System.Text.Json.Serialization;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status.Events;
+using Nowpose.Gateway.Status.Prometheus;
 
 namespace Nowpose.Gateway.Status;
 

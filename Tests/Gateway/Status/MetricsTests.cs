@@ -4,6 +4,7 @@ using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Nowpose.Gateway.Status;
 using Nowpose.Gateway.Status.Events;
+using Nowpose.Gateway.Status.Prometheus;
 using YamlDotNet.Serialization;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;

@@ -1,16 +1,15 @@
+using Nowpose.Gateway.Status.Cell;
 using Nowpose.Protocol;
 
-namespace Nowpose.Gateway.Status.Cell;
+namespace Nowpose.Gateway.Status.Prometheus;
 
 /// <summary>Writes the metrics of the state of each frame and signal.</summary>
 /// <remarks>
-/// The number of label values is bounded: the states are fixed sets, the published frames and signals are limited where they are received, and those that
-/// adapters only report are limited here.
+/// The number of label values is bounded: the states are fixed sets, the published frames and signals are limited where they are received, and those
+/// that adapters only report are limited here.
 /// </remarks>
 static class CellMetrics
 {
-    const string Gauge = "gauge";
-
     // Maximum number of frames or signals that are reported but not published.
     const int MaxReported = ProtocolLimits.Frames;
 
@@ -29,7 +28,7 @@ static class CellMetrics
         (string Name, string Source, string State, bool IsPublished)[] all)
     {
         if (all.Length == 0) return;
-        text.Begin(metric, Gauge, help);
+        text.Begin(metric, help);
         foreach (var (name, source, state, _) in all.Where(one => one.IsPublished).Concat(all.Where(one => !one.IsPublished).Take(MaxReported)))
             foreach (var word in states) text.Add(state == word ? 1 : 0, (kind, name), ("source", source), ("state", word));
     }

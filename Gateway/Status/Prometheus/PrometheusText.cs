@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
 
-namespace Nowpose.Gateway.Status;
+namespace Nowpose.Gateway.Status.Prometheus;
 
 /// <summary>Writes metrics in the text format of Prometheus, version 0.0.4: help and type of each metric, then its samples.</summary>
 sealed class PrometheusText
@@ -14,11 +14,13 @@ sealed class PrometheusText
     string _name;
 
     /// <summary>Starts a metric. Samples added afterwards belong to this metric.</summary>
-    public PrometheusText Begin(string name, string type, string help)
+    /// <param name="type">Type of the metric; null for a counter if the name ends with "_total", and for a gauge otherwise.</param>
+    public PrometheusText Begin(string name, string help, string type = null)
     {
         _name = name;
         _written.Clear();
         _text.Append("# HELP ").Append(name).Append(' ').Append(help.Replace("\\", "\\\\").Replace("\n", "\\n")).Append('\n');
+        type ??= name.EndsWith("_total", StringComparison.Ordinal) ? "counter" : "gauge";
         _text.Append("# TYPE ").Append(name).Append(' ').Append(type).Append('\n');
         return this;
     }
@@ -37,7 +39,15 @@ sealed class PrometheusText
     }
 
     /// <summary>Adds a metric that has one sample without labels. Skips a metric whose value is unknown.</summary>
-    public PrometheusText One(string name, string type, string help, double? value) => value == null ? this : Begin(name, type, help).Add(value);
+    public PrometheusText One(string name, string help, double? value) => value == null ? this : Begin(name, help).Add(value);
+
+    /// <summary>Adds a metric that has one sample for each of several things, such as headsets. Skips a metric without things.</summary>
+    public void Each<T>(string name, string help, IReadOnlyList<T> all, Func<T, (string, string)> label, Func<T, double?> value)
+    {
+        if (all.Count == 0) return;
+        Begin(name, help);
+        foreach (var one in all) Add(value(one), label(one));
+    }
 
     public override string ToString() => _text.ToString();
 
