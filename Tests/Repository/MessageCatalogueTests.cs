@@ -47,7 +47,7 @@ public sealed partial class MessageCatalogueTests
 
     /// <summary>Catalogues of states, results and log lines, which need no remedy.</summary>
     static readonly string[] OfStatuses =
-        ["BaseStatusMessages", "ConsoleMessages", "PathMessages", "PlantClockMessages", "PoseMessages", "StampMessages", "StatusMessages"];
+        ["BaseStatusMessages", "ConsoleMessages", "PlannedPathMessages", "PlantClockMessages", "PoseMessages", "StampMessages", "StatusMessages"];
 
     /// <summary>
     /// Texts of the other catalogues that need no remedy: statuses, results, names, and parts of a message that contains the remedy elsewhere.
@@ -61,7 +61,6 @@ public sealed partial class MessageCatalogueTests
         [
             "BeingPlacedLabel", "FollowsMarker", "Lost", "LostLabel", "MovedLabel", "NotConfirmedLabel", "NotLocated", "NotLockedLabel",
         ],
-        ["CalibrationMessages"] = ["Of"],
         ["CellMessageFaults"] = ["ChildTwice", "Frame", "Has", "Named", "NoName", "Of", "OwnParent", "StampZero", "Twice"],
         ["ComponentMessages"] = ["GripperWithoutJoint", "Of"],
         ["ConditionMessages"] = ["PlaceOfOpenXr", "PlaceOfQuality", "PlaceOfReprojection"],
@@ -86,6 +85,7 @@ public sealed partial class MessageCatalogueTests
         ],
         ["KeyFileMessages"] = ["Renewed"],
         ["KinematicsMessages"] = ["BeyondLimits", "FixedJoint", "Title", "UnknownJoint"],
+        ["LatencyProfileMessages"] = ["Of"],
         ["LimitMessages"] = ["MoreLines"],
         ["LoadSweepMessages"] = ["Building", "WaitingForClock"],
         ["LoaderMessages"] = ["Unkept"],

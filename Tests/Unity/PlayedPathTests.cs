@@ -17,7 +17,7 @@ public class PlayedPathTests : PlayedParts
     {
         var (rig, path, line) = NewPath();
         Run(1);
-        Assert.That((line.enabled, path.DrawnSeconds, path.Fault), Is.EqualTo((false, 0f, PathMessages.NoPlan)));
+        Assert.That((line.enabled, path.DrawnSeconds, path.Fault), Is.EqualTo((false, 0f, PlannedPathMessages.NoPlan)));
 
         SendPlan(_cell.Now, 3);
         Run(0.2);
@@ -91,7 +91,7 @@ public class PlayedPathTests : PlayedParts
         Run(1, t => SendPose("world", carrier, t, Along(0.5 * t)));
         SendPlan(_cell.Now, 6);
         Run(1, t => SendPose("world", carrier, t, Along(0.5 * t)));
-        Assert.That((_session.Frame.State, line.enabled, path.Fault), Is.EqualTo((PoseState.Current, false, PathMessages.BaseMoves)));
+        Assert.That((_session.Frame.State, line.enabled, path.Fault), Is.EqualTo((PoseState.Current, false, PlannedPathMessages.BaseMoves)));
 
         _session.Session.Listener.FramesReceived(
             new TransformsMessage(Along(1).ToTransform(default, "world", carrier)), true, HeadsetTime.FromSeconds(1000 + _cell.Now));
@@ -111,7 +111,7 @@ public class PlayedPathTests : PlayedParts
         rig.transform.SetParent(link.Length == 0 ? carrier.transform : carrier.Link(link), false);
         rig.transform.localPosition = new Vector3(1, 2, -3);
         Run(1);
-        Assert.That(path.Fault, Is.EqualTo(PathMessages.NoPlan));
+        Assert.That(path.Fault, Is.EqualTo(PlannedPathMessages.NoPlan));
 
         SendPlan(_cell.Now, 3);
         Run(0.2);
@@ -135,13 +135,13 @@ public class PlayedPathTests : PlayedParts
         rig.transform.SetParent(carrier.Link("arm_link_2"), false);
         SendPlan(_cell.Now, 6);
         Run(0.5);
-        Assert.That((path.Fault, line.enabled), Is.EqualTo((PathMessages.CarrierNotCurrent, false)), "without data");
+        Assert.That((path.Fault, line.enabled), Is.EqualTo((PlannedPathMessages.CarrierNotCurrent, false)), "without data");
 
         var joints = RobotFiles.Load("youbot").MovingJoints.Select(joint => joint.Name).ToArray();
         Run(1, t => _session.Session.Listener.Received(
             new JointStateMessage(At(t), joints, [.. joints.Select(_ => 0.01)]), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2"));
 
-        Assert.That((path.Fault, line.enabled), Is.EqualTo((PathMessages.CarrierWithoutPlan, false)));
+        Assert.That((path.Fault, line.enabled), Is.EqualTo((PlannedPathMessages.CarrierWithoutPlan, false)));
     }
 
     // The session does not move the links of such a rig, or moves them at the time of another clock.
@@ -161,7 +161,7 @@ public class PlayedPathTests : PlayedParts
 
         Assert.That(carrier.IsFollowing, Is.EqualTo(isBound));
         Assert.That((rig.Session, _session.Frame.State), Is.EqualTo((_session, PoseState.Current)));
-        Assert.That((path.Fault, line.enabled), Is.EqualTo((PathMessages.CarrierUnknown, false)));
+        Assert.That((path.Fault, line.enabled), Is.EqualTo((PlannedPathMessages.CarrierUnknown, false)));
     }
 
     (RobotRig Rig, PlannedPath Path, LineRenderer Line) NewPath()

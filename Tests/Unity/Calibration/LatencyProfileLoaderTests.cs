@@ -74,7 +74,7 @@ public sealed class LatencyProfileLoaderTests
         Assert.That(VisuMs, Is.EqualTo(51));
         Assert.That(_loader.From, Is.EqualTo(Saved));
         Assert.That(_session.Statistics.Profile, Is.SameAs(_loader.Profile));
-        Assert.That(_cell.Messages, Has.Exactly(1).EqualTo("[Nowpose] " + CalibrationMessages.Loaded(Profile(51), Saved)));
+        Assert.That(_cell.Messages, Has.Exactly(1).EqualTo("[Nowpose] " + LatencyProfileMessages.Loaded(Profile(51), Saved)));
     }
 
     [Test]

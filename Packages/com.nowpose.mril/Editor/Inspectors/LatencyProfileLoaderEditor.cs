@@ -13,7 +13,7 @@ namespace Nowpose.Editor.Inspectors
         protected override void DrawLive()
         {
             var loader = (LatencyProfileLoader)target;
-            EditorGUILayout.LabelField("Profile", loader.Profile == null ? InspectorTexts.NoProfile : CalibrationMessages.Of(loader.Profile));
+            EditorGUILayout.LabelField("Profile", loader.Profile == null ? InspectorTexts.NoProfile : LatencyProfileMessages.Of(loader.Profile));
             EditorGUILayout.LabelField("From", loader.From ?? "–");
             if (loader.Problem != null) EditorGUILayout.HelpBox(loader.Problem, MessageType.Warning);
             if (GUILayout.Button(InspectorTexts.FindProfile)) loader.Reload();

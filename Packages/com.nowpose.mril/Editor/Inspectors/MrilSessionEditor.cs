@@ -19,7 +19,7 @@ namespace Nowpose.Editor.Inspectors
 
         readonly StatusTexts _texts = new StatusTexts();
 
-        readonly DescribedRobot _described = new DescribedRobot();
+        readonly DescriptionReader _described = new DescriptionReader();
 
         MrilSession Target => (MrilSession)target;
 

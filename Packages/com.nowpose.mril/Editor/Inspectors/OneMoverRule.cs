@@ -14,7 +14,7 @@ namespace Nowpose.Editor.Inspectors
     /// </summary>
     sealed class OneMoverRule : IShortcomingRule
     {
-        readonly DescribedRobot _described = new DescribedRobot();
+        readonly DescriptionReader _described = new DescriptionReader();
 
         public bool IsBrokenBy(Component component) =>
             component is ActuatedPart && !EditorUtility.IsPersistent(component) && MessageOf(component) != null;

@@ -9,7 +9,7 @@ namespace Nowpose.Editor.Inspectors
     [CanEditMultipleObjects]
     sealed class RobotRigEditor : LiveInspector
     {
-        readonly DescribedRobot _described = new DescribedRobot();
+        readonly DescriptionReader _described = new DescriptionReader();
         string _refusal;
 
         RobotRig Target => (RobotRig)target;

@@ -47,7 +47,7 @@ namespace Nowpose.Unity
         readonly Occlusion _occlusion = new Occlusion();
         readonly CellGhosts _ghosts = new CellGhosts();
         MrilSession _source;
-        CellState _lastRaised;
+        MenuState _lastRaised;
 
         /// <summary>Raised when one or more properties of this class have changed; at most once per frame.</summary>
         public event Action Changed;
@@ -216,7 +216,7 @@ namespace Nowpose.Unity
             Changed?.Invoke();
         }
 
-        CellState State => new CellState(IsConnecting, IsGhostShown, IsOcclusionOn, IsPanelShown, Opacity, NudgeMs, IsNudgeIdle);
+        MenuState State => new MenuState(IsConnecting, IsGhostShown, IsOcclusionOn, IsPanelShown, Opacity, NudgeMs, IsNudgeIdle);
 
         // A user interface may call the actions while this component is disabled.
         MrilSession Session => _source != null ? _source : this.SessionOr(_session);

@@ -123,7 +123,7 @@ namespace Nowpose.Unity
             Profile = profile;
             From = from;
             _calibrated = null;
-            ConsoleLog.Info(this, CalibrationMessages.Loaded(profile, from));
+            ConsoleLog.Info(this, LatencyProfileMessages.Loaded(profile, from));
         }
 
         void Fail(string problem)

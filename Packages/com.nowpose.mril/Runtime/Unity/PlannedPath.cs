@@ -106,7 +106,7 @@ namespace Nowpose.Unity
             if (robot.Frame.State != PoseState.Current) return StatusMessages.ReasonOf(robot.Frame.State, robot.Frame.IsLimitedByBase);
             if (_carriers.Find(_source) is string unknown) return unknown;
             _count = Plan(robot, displayTime);
-            return _count >= 2 ? null : _isCarrierUnplanned ? PathMessages.CarrierWithoutPlan : PathMessages.NoPlan;
+            return _count >= 2 ? null : _isCarrierUnplanned ? PlannedPathMessages.CarrierWithoutPlan : PlannedPathMessages.NoPlan;
         }
 
         int Plan(SessionRobot robot, ControlTime displayTime)

@@ -23,14 +23,15 @@ namespace Nowpose.Unity.Robot
             while (true)
             {
                 var robot = rig.Robot;
-                if (robot.HasRootFrame) return robot.HasFixedRootFrame ? null : PathMessages.BaseMoves;
-                if (!TryFindAbove(rig, out var carrier, out var isFixed)) return isFixed ? null : PathMessages.BaseMoves;
+                if (robot.HasRootFrame) return robot.HasFixedRootFrame ? null : PlannedPathMessages.BaseMoves;
+                if (!TryFindAbove(rig, out var carrier, out var isFixed)) return isFixed ? null : PlannedPathMessages.BaseMoves;
                 // Without a binding, no link moves. Another session has another clock.
-                if (!carrier.IsFollowing || carrier.Session != rig.Session || carrier.Robot == null) return PathMessages.CarrierUnknown;
+                if (!carrier.IsFollowing || carrier.Session != rig.Session || carrier.Robot == null) return PlannedPathMessages.CarrierUnknown;
                 var link = carrier.LinkAbove(rig.transform, out var place);
                 if (link >= 0 && carrier.Robot.IsMovedByJoints(link))
                 {
-                    if (carrier.Shows != RigPose.Displayed || carrier.Robot.Frame.State != PoseState.Current) return PathMessages.CarrierNotCurrent;
+                    if (carrier.Shows != RigPose.Displayed || carrier.Robot.Frame.State != PoseState.Current)
+                        return PlannedPathMessages.CarrierNotCurrent;
                     _carriers.Add((carrier, place, link));
                 }
                 rig = carrier;

@@ -26,7 +26,7 @@ namespace Nowpose.Unity.Status
             {
                 _profile = statistics.Profile;
                 _mismatches = statistics.ProfileMismatches;
-                _measured = _mismatches.Count > 0 ? "other " + _mismatches[0].Label : CalibrationMessages.OriginOf(_profile);
+                _measured = _mismatches.Count > 0 ? "other " + _mismatches[0].Label : LatencyProfileMessages.OriginOf(_profile);
             }
             return _measured;
         }

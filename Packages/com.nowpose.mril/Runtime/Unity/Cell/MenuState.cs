@@ -1,9 +1,9 @@
 namespace Nowpose.Unity.Cell
 {
     /// <summary>Values shown by the toggles and sliders of a menu.</summary>
-    readonly struct CellState
+    readonly struct MenuState
     {
-        public CellState(bool isConnecting, bool isGhostShown, bool isOcclusionOn, bool isPanelShown, float opacity, float nudgeMs, bool isNudgeIdle)
+        public MenuState(bool isConnecting, bool isGhostShown, bool isOcclusionOn, bool isPanelShown, float opacity, float nudgeMs, bool isNudgeIdle)
         {
             IsConnecting = isConnecting;
             IsGhostShown = isGhostShown;
@@ -22,7 +22,7 @@ namespace Nowpose.Unity.Cell
         public float NudgeMs { get; }
         public bool IsNudgeIdle { get; }
 
-        public bool IsSameAs(in CellState other) =>
+        public bool IsSameAs(in MenuState other) =>
             IsConnecting == other.IsConnecting && IsGhostShown == other.IsGhostShown && IsOcclusionOn == other.IsOcclusionOn
             && IsPanelShown == other.IsPanelShown && Opacity == other.Opacity && NudgeMs == other.NudgeMs && IsNudgeIdle == other.IsNudgeIdle;
     }

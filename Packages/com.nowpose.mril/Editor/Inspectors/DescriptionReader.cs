@@ -4,7 +4,7 @@ using Nowpose.Unity;
 namespace Nowpose.Editor.Inspectors
 {
     /// <summary>Reads the robot of a description only when its text has changed, because an inspector is drawn several times per second.</summary>
-    sealed class DescribedRobot
+    sealed class DescriptionReader
     {
         string _urdf;
         RobotModel _model;

@@ -1,7 +1,7 @@
 namespace Nowpose.Unity.Messages
 {
     /// <summary>Reasons why the planned path of a tool is not drawn.</summary>
-    static class PathMessages
+    static class PlannedPathMessages
     {
         public const string NoPlan = "no set-points of all joints up to the tool have arrived, or the robot does not follow them";
         public const string BaseMoves = "the robot stands on an object that can move, and set-points do not contain the motion of this object";

@@ -6,7 +6,7 @@ using Nowpose.Latency.Profile;
 namespace Nowpose.Unity.Messages
 {
     /// <summary>Messages about a calibration, for the status panel and the console.</summary>
-    static class CalibrationMessages
+    static class LatencyProfileMessages
     {
         public static string Of(CalibrationMethod method)
         {
