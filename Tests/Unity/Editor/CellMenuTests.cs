@@ -114,7 +114,9 @@ public sealed class CellMenuTests : EditorFixture
     {
         var items = MenuItem.All.Where(item => item.Path.StartsWith("GameObject/Nowpose/", StringComparison.Ordinal));
 
-        Assert.That(CellMenu.Entries.Select(entry => ("GameObject/Nowpose/" + entry.Name, entry.Create.Method)), Is.EquivalentTo(items));
+        Assert.That(
+            CellMenu.Entries.Select(entry => ("GameObject/Nowpose/" + entry.Name, entry.Create.Method)), Is.EquivalentTo(items),
+            "each [MenuItem] of CellMenu needs an entry in CellMenu.Entries");
     }
 
     [Test]

@@ -58,8 +58,8 @@ public sealed class LinkerProtectionTests : EditorFixture
             var isOptional = !RepositoryFiles.Read(definition).Contains("\"defineConstraints\": []");
             var name = Path.GetFileNameWithoutExtension(definition);
 
-            Assert.That(kept.ContainsKey(name), Is.EqualTo(hasComponents), name);
-            if (hasComponents) Assert.That(kept[name], Is.EqualTo(isOptional), name);
+            Assert.That(kept.ContainsKey(name), Is.EqualTo(hasComponents), name + ": LinkerProtection.cs must list exactly the assemblies with components");
+            if (hasComponents) Assert.That(kept[name], Is.EqualTo(isOptional), name + ": ignoreIfMissing belongs to assemblies for optional packages");
         }
     }
 }

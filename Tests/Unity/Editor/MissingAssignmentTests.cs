@@ -22,8 +22,8 @@ public sealed class MissingAssignmentTests : EditorFixture
         var alone = Inspect(Keep(new GameObject("alone")).AddComponent(component));
         alone.OnInspectorGUI();
 
-        Assert.That(alone, Is.InstanceOf<LiveInspector>());
-        Assert.That(GuiRecorder.Texts, Has.Some.Matches<string>(IsReport));
+        Assert.That(alone, Is.InstanceOf<LiveInspector>(), "add an editor to Editor/Inspectors that is derived from LiveInspector");
+        Assert.That(GuiRecorder.Texts, Has.Some.Matches<string>(IsReport), "add a SessionRule or a RigRule to Editor/Inspectors/Shortcomings.cs");
 
         GuiRecorder.Clear();
         var cell = Keep(new GameObject("cell"));

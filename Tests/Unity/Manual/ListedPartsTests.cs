@@ -20,7 +20,7 @@ public sealed class ListedPartsTests
             .SelectMany(row => row.Split('|')[1].Split(',')).Select(name => name.Trim(' ', '`'));
         var used = Runtime.SelectMany(name => Assembly.Load(name).GetExportedTypes()).Select(type => type.Namespace).Distinct();
 
-        Assert.That(table, Is.EquivalentTo(used));
+        Assert.That(table, Is.EquivalentTo(used), "correct the table of namespaces in the package's README.md");
     }
 
     [Test]
@@ -29,7 +29,7 @@ public sealed class ListedPartsTests
         var readme = RepositoryFiles.Read(RepositoryFiles.Package + "/README.md");
         var section = readme[readme.IndexOf("### Scripts in your own assembly", StringComparison.Ordinal)..];
 
-        Assert.That(Runtime.Where(name => !section.Contains('`' + name + '`', StringComparison.Ordinal)), Is.Empty);
+        Assert.That(Runtime.Where(name => !section.Contains('`' + name + '`', StringComparison.Ordinal)), Is.Empty, "name them in README.md");
     }
 
     [TestCase("project-setup.md")]
@@ -38,6 +38,8 @@ public sealed class ListedPartsTests
     {
         var text = RepositoryFiles.Read(RepositoryFiles.Package + "/Documentation~/" + page).Replace('\n', ' ');
 
-        Assert.That(CellMenu.Entries.Select(entry => entry.Name).Where(name => !text.Contains(name, StringComparison.Ordinal)), Is.Empty);
+        Assert.That(
+            CellMenu.Entries.Select(entry => entry.Name).Where(name => !text.Contains(name, StringComparison.Ordinal)), Is.Empty,
+            $"{page} must name these entries of the menu");
     }
 }

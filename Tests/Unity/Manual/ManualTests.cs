@@ -23,8 +23,10 @@ public sealed partial class ManualTests
     {
         var inspected = new InspectedType(type);
 
-        Assert.That(inspected.Title, Is.Not.Null, "no menu entry below Nowpose/");
-        Assert.That(ManualPage.Exists(inspected.PageName), inspected.PageName + " is missing");
+        Assert.That(inspected.Title, Is.Not.Null, "add [AddComponentMenu(\"Nowpose/TITLE\")], or [CreateAssetMenu] for an asset");
+        Assert.That(
+            ManualPage.Exists(inspected.PageName),
+            $"add the page Documentation~/{inspected.PageName} with this title, the tables Fields and For scripts, and a link in {Index}");
         Assert.That(ManualPage.Read(inspected.PageName).Title, Is.EqualTo(inspected.Title).IgnoreCase);
     }
 
@@ -35,7 +37,9 @@ public sealed partial class ManualTests
 
         var rows = ManualPage.Read(inspected.PageName).TableUnder("Fields");
 
-        Assert.That(rows.Select(r => r[0]), Is.EqualTo(inspected.Fields.Select(f => f.Label)));
+        Assert.That(
+            rows.Select(r => r[0]), Is.EqualTo(inspected.Fields.Select(f => f.Label)),
+            $"the table Fields of {inspected.PageName} needs one row for each field, in the order of the Inspector");
     }
 
     [TestCaseSource(nameof(Types))]
@@ -47,7 +51,7 @@ public sealed partial class ManualTests
         // On the page, a unit may follow the default.
         var wrong = inspected.Fields.Where(f => !(rows[f.Label][1] + " ").StartsWith(f.Default + " ", StringComparison.Ordinal));
 
-        Assert.That(wrong.Select(f => f.Label + ": " + rows[f.Label][1] + " is " + f.Default), Is.Empty);
+        Assert.That(wrong.Select(f => f.Label + ": " + rows[f.Label][1] + " is " + f.Default), Is.Empty, "correct the defaults on " + inspected.PageName);
     }
 
     [TestCaseSource(nameof(Types))]
@@ -70,7 +74,9 @@ public sealed partial class ManualTests
 
         var wrong = inspected.Fields.Where(f => UnitOf(f.Label) is { } unit && !rows[f.Label].Skip(1).Take(2).All(cell => HasUnit(cell, unit)));
 
-        Assert.That(wrong.Select(f => string.Join(" | ", rows[f.Label].Take(3))), Is.Empty);
+        Assert.That(
+            wrong.Select(f => string.Join(" | ", rows[f.Label].Take(3))), Is.Empty,
+            $"on {inspected.PageName}, the default and the range of these fields need the unit");
     }
 
     [TestCaseSource(nameof(Types))]
@@ -78,7 +84,9 @@ public sealed partial class ManualTests
     {
         var rows = ManualPage.Read(new InspectedType(type).PageName).TableUnder("Fields");
 
-        Assert.That(rows.Where(r => r.Length != 4 || r.Any(c => c.Length == 0)).Select(r => string.Join(" | ", r)), Is.Empty);
+        Assert.That(
+            rows.Where(r => r.Length != 4 || r.Any(c => c.Length == 0)).Select(r => string.Join(" | ", r)), Is.Empty,
+            "each row has a label, a default, the allowed values and a description");
     }
 
     [TestCaseSource(nameof(Types))]
@@ -88,7 +96,21 @@ public sealed partial class ManualTests
 
         var rows = ManualPage.Read(inspected.PageName).TableUnder("For scripts");
 
-        Assert.That(rows.Select(r => Member().Match(r[0]).Groups[1].Value), Is.EquivalentTo(inspected.Members));
+        Assert.That(
+            rows.Select(r => Member().Match(r[0]).Groups[1].Value), Is.EquivalentTo(inspected.Members),
+            $"the table For scripts of {inspected.PageName} needs one row for each public member");
+    }
+
+    [Test]
+    public void Types_AssembliesWithComponents_AreComplete()
+    {
+        var withComponents = RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime", ".asmdef")
+            .Where(file => RepositoryFiles.Under(file[..file.LastIndexOf('/')], ".cs").Any(f => RepositoryFiles.Read(f).Contains("[AddComponentMenu(")))
+            .Select(file => Path.GetFileNameWithoutExtension(file));
+
+        Assert.That(
+            withComponents, Is.SubsetOf(Types.Select(type => type.Assembly.GetName().Name)),
+            $"add the components of the new assembly to {nameof(InspectedType)}.{nameof(InspectedType.All)}");
     }
 
     [Test]
@@ -96,7 +118,7 @@ public sealed partial class ManualTests
     {
         var pages = ManualPage.Names.Where(n => n != Index);
 
-        Assert.That(ManualPage.Read(Index).Linked, Is.SupersetOf(pages));
+        Assert.That(ManualPage.Read(Index).Linked, Is.SupersetOf(pages), $"{Index} needs a link to each page");
     }
 
     [TestCase("40 ms", "ms", true)]

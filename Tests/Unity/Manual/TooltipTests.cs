@@ -22,7 +22,7 @@ public sealed partial class TooltipTests
     {
         var without = new InspectedType(type).Fields.Where(f => string.IsNullOrWhiteSpace(f.Tooltip));
 
-        Assert.That(without.Select(f => f.Label), Is.Empty);
+        Assert.That(without.Select(f => f.Label), Is.Empty, "add a [Tooltip] to these fields");
     }
 
     [TestCaseSource(nameof(Types))]
@@ -30,7 +30,9 @@ public sealed partial class TooltipTests
     {
         var wrong = new InspectedType(type).Fields.Where(f => IsQuantity(f.Type) && !NamesItsUnit(f.Label, f.Tooltip));
 
-        Assert.That(wrong.Select(f => f.Label + ": " + f.Tooltip), Is.Empty);
+        Assert.That(
+            wrong.Select(f => f.Label + ": " + f.Tooltip), Is.Empty,
+            $"the name of a number ends with its unit ({string.Join(", ", Units.Keys)}), and the tooltip states it ({string.Join(", ", Units.Values)})");
     }
 
     [TestCaseSource(nameof(Types))]
@@ -42,7 +44,7 @@ public sealed partial class TooltipTests
 
         var wrong = stated.Where(f => f.Values.Count > 0 && !f.Values.Contains(f.Default));
 
-        Assert.That(wrong.Select(f => $"{f.Label}: {string.Join(", ", f.Values)}; the default is {f.Default}"), Is.Empty);
+        Assert.That(wrong.Select(f => $"{f.Label}: {string.Join(", ", f.Values)}; the default is {f.Default}"), Is.Empty, "correct the tooltip");
     }
 
     [TestCase("Glide Seconds", "Seconds in which it glides.", true)]

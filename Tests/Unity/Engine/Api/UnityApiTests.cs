@@ -5,7 +5,7 @@ namespace Nowpose.Unity.Tests.Engine.Api;
 
 /// <summary>
 /// Tests that the public members of a stand-in exist in Unity with the same signatures; otherwise code could compile here but not in Unity. The
-/// lists contain the members in use, as read from Unity's assemblies. To add a member, copy its line from the complete list of Unity's API.
+/// lists contain the members in use, as they are in Unity's assemblies.
 /// </summary>
 [TestFixture("UnityEngine", "Api/unity-api-used.txt")]
 [TestFixture("UnityEditor", "Api/unity-editor-api-used.txt")]
@@ -28,10 +28,12 @@ public sealed class UnityApiTests(string assembly, string list)
     }
 
     [Test]
-    public void StandIn_PublicMembers_ExistInUnity() => Assert.That(_made.Except(_listed), Is.Empty);
+    public void StandIn_PublicMembers_ExistInUnity() => Assert.That(
+        _made.Except(_listed), Is.Empty, $"if these members exist in Unity's assembly with the same signature, add their lines to {list}");
 
     [Test]
-    public void List_EachLine_HasAMemberInTheStandIn() => Assert.That(_listed.Except(_made), Is.Empty);
+    public void List_EachLine_HasAMemberInTheStandIn() => Assert.That(
+        _listed.Except(_made), Is.Empty, $"implement these members in Headless/StandIn, or remove their lines from {list}");
 
     [Test]
     public void List_EachLine_ExistsInTheOldestSupportedUnity() => Assert.That(
