@@ -46,6 +46,22 @@ public sealed partial class LinkTests
         Assert.That(Links().Matches(RepositoryFiles.Read(path)).Select(m => m.Value).Where(link => link.Contains("/OWNER/")), Is.Empty);
     }
 
+    /// <summary>
+    /// Checks file names and folders in code, and the files of commands such as <c>cd Web &amp;&amp; node --test test/FILE.mjs</c>. A name in capital
+    /// letters, such as KIND, is a placeholder.
+    /// </summary>
+    [Test]
+    public void Contributing_NamedFilesAndFolders_Exist()
+    {
+        var text = RepositoryFiles.Read("CONTRIBUTING.md");
+        var files = NamedFiles().Matches(text).Select(m => m.Groups[1].Value).Where(name => !RepositoryFiles.All.Any(f => $"/{f}".EndsWith($"/{name}")));
+        var top = RepositoryFiles.All.Select(f => f.Split('/')[0]).ToHashSet();
+        var folders = NamedFolders().Matches(text).Select(m => m.Groups[1].Value).Where(path => top.Contains(path.Split('/')[0]))
+            .Concat(Commands().Matches(text).Select(m => $"{m.Groups[1].Value}/{m.Groups[2].Value}")).Where(path => !RepositoryFiles.Exists(path));
+
+        Assert.That(files.Concat(folders).Where(path => !path.Split('/').Any(part => part.All(char.IsAsciiLetterUpper))), Is.Empty);
+    }
+
     [TestCase("### The `sync` client, in short", "the-sync-client-in-short")]
     [TestCase("# Röck & Schnierle 2022", "röck--schnierle-2022")]
     public void Anchor_Heading_EqualsTheAnchorOnGitHub(string heading, string anchor)
@@ -91,6 +107,15 @@ public sealed partial class LinkTests
 
     [GeneratedRegex(@"```.*?```|`[^`\n]*`", RegexOptions.Singleline)]
     private static partial Regex Code();
+
+    [GeneratedRegex(@"`([\w.~/-]+\.(?:cs|mjs|ts|md|json|txt|svg|props|yml))`")]
+    private static partial Regex NamedFiles();
+
+    [GeneratedRegex(@"`([\w.-]+(?:/[\w.~-]+)+)`")]
+    private static partial Regex NamedFolders();
+
+    [GeneratedRegex(@"^cd (\S+) && .*?(\S+\.mjs)$", RegexOptions.Multiline)]
+    private static partial Regex Commands();
 
     [GeneratedRegex(@"^[a-z][a-z0-9+.-]*:", RegexOptions.IgnoreCase)]
     private static partial Regex Schemes();
