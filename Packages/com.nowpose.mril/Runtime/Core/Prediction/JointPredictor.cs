@@ -21,6 +21,10 @@ namespace Nowpose.Prediction
         readonly PredictionPipeline<JointSample> _pipeline;
         readonly PlanFollower _plan = new PlanFollower();
 
+        // A plan that arrived before the first sample. It starts with this sample, because the position of the joint is unknown before.
+        JointPath _waitingPath;
+        double _waitingStart;
+
         // Position of the newest sample, and the whole turns that unwrapping added to it, in rad. The sections have unwrapped positions.
         double _newest, _turns;
 
@@ -91,9 +95,10 @@ namespace Nowpose.Prediction
         /// <param name="displayed">See <see cref="Add"/>.</param>
         internal void Follow(JointPath path, double start, double displayed = double.NaN)
         {
+            (_waitingPath, _waitingStart) = (_pipeline.IsEmpty ? path : null, start);
             var shown = ShownAt(displayed);
             if (path == null) _plan.Drop();
-            else StartPlan(path, start, displayed);
+            else if (!_pipeline.IsEmpty) StartPlan(path, start, displayed);
             StartBlend(displayed, shown);
         }
 
@@ -118,6 +123,7 @@ namespace Nowpose.Prediction
         void Clear()
         {
             _newest = _turns = 0;
+            _waitingPath = null;
             _plan.Reset();
             _blend.Reset();
         }
@@ -133,6 +139,8 @@ namespace Nowpose.Prediction
             if (isNewest)
             {
                 (_newest, _turns) = (sample.Position, turns);
+                if (_waitingPath != null) StartPlan(_waitingPath, _waitingStart, displayed);
+                _waitingPath = null;
                 // A plan has the time of the control system, so the samples that follow it need no correction or thinning.
                 _plan.Add(sample.Time, sample.Position + turns);
             }
@@ -150,8 +158,11 @@ namespace Nowpose.Prediction
             var here = _plan.IsFollowedAt(reached, NewestTime) ? _plan.At(reached) : SectionAt(reached).Position;
             // A plan contains a continuous joint's angle within one turn; the samples are unwrapped.
             var turns = _limits.IsEndless ? WholeTurns(Hold + _turns - path.FirstPosition) : 0;
+            // A single sample from after the start shows where the joint is on its way to the first set-point.
+            var (first, elapsed) = (path.FirstPosition + turns + _plan.Offset, NewestTime - reached);
+            if (Motion.Count == 1 && elapsed > 0 && elapsed < path.First) here = first + (here - first) * path.First / (path.First - elapsed);
             var from = path.First <= 0 ? path.FirstPosition : here - _plan.Offset - turns;
-            _plan.Replace(path, start, from, turns, double.IsNaN(displayed) ? double.NegativeInfinity : displayed, NewestTime);
+            _plan.Replace(path, start, from, turns, displayed, NewestTime);
         }
 
         // Returns the displayed position if the blend needs it.

@@ -37,10 +37,11 @@ namespace Nowpose.Prediction.Planning
         /// <param name="start">Stamp of the plan, in s.</param>
         /// <param name="from">See <see cref="ActivePlan"/>.</param>
         /// <param name="turns">See <see cref="ActivePlan"/>.</param>
-        /// <param name="now">Last display time, in s.</param>
+        /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
         /// <param name="newest">Time of the newest sample, in s.</param>
-        public void Replace(JointPath path, double start, double from, double turns, double now, double newest)
+        public void Replace(JointPath path, double start, double from, double turns, double displayed, double newest)
         {
+            var now = displayed > newest ? displayed : newest;
             var before = PlanAt(start + _filter.Delay);
             var plan = new ActivePlan(path, start, from, turns, IsFollowedAt(start + _filter.Delay, newest) ? before.Since : start);
             if (!_next.IsNone && _next.Start <= now - _filter.Delay) _current = _next;
@@ -81,7 +82,8 @@ namespace Nowpose.Prediction.Planning
         {
             var (plan, at) = (PlanAt(time), time - _filter.Delay);
             if (plan.IsNone || _agreements < AgreementsToReturn || at < plan.Start) return false;
-            return at <= plan.End || (plan.EndsAtRest && newest - _filter.Delay < plan.End + Settling);
+            // The end plus the delay, minus the delay, differs from the end by rounding.
+            return at - plan.End < JointSample.SameSeconds || (plan.EndsAtRest && newest - _filter.Delay < plan.End + Settling);
         }
 
         /// <summary>

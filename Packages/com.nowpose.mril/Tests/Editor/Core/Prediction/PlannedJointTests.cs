@@ -165,6 +165,38 @@ namespace Nowpose.Tests.Core.Prediction
                 Assert.That(shown.Position, Is.EqualTo(Truth(at)).Within(3e-3), "at " + at);
         }
 
+        // A headset that connects during a move may receive the plan before the first sample.
+        [TestCase(4.8)]
+        [TestCase(5.4)]
+        public void Follow_BeforeTheFirstSample_FollowsFromThisSampleOn(double connected)
+        {
+            var (joint, first) = (New(), (int)(connected / Interval));
+            double Truth(double t) => 0.1 + 0.4 * Math.Min(Math.Max(t - 5, 0), 1) + 0.4 * Math.Min(Math.Max(t - 6, 0), 1);
+            joint.Follow(new JointPath(new[] { 1.0, 2 }, new[] { 0.5, 0.9 }), 5);
+
+            var shown = joint.Play(k => new JointSample((first + k) * Interval, Truth((first + k) * Interval)), connected + 0.11, 7, 0.01);
+
+            foreach (var (at, joints) in shown)
+            {
+                Assert.That(joints.Kind == PredictionKind.Planned, Is.EqualTo(at >= 5 - 1e-9), "at " + at);
+                Assert.That(joints.Position, Is.EqualTo(Truth(at)).Within(2e-3), "at " + at);
+            }
+        }
+
+        [Test]
+        public void Follow_NothingIsDisplayed_UsesEachPlanFromItsStartOn()
+        {
+            var predictor = Predictors.Create("quadratic", Limits);
+            for (var k = 0; k <= 30; k++)
+            {
+                predictor.Add(k * Interval, k * Interval);
+                if (k % 10 == 0) predictor.Follow(new JointPath(new[] { 0.0, 1 }, new[] { k / 10, k / 10 + 1.0 }), k / 10);
+            }
+
+            Assert.That(predictor.At(1.55).Kind, Is.EqualTo(PredictionKind.Planned), "the plan that started at 1 s");
+            Assert.That(predictor.At(1.55).Position, Is.EqualTo(1.55).Within(1e-3));
+        }
+
         [Test]
         public void At_TimeBeforeThePlan_IsPredictedEvenAfterAReadWithinThePlan()
         {
