@@ -90,7 +90,7 @@ namespace Nowpose.Prediction.Candidates
 
         bool TryFind()
         {
-            var interval = IndexAfter(0, 1);
+            var interval = -_motion.Times[1] / _history.Step;
             double slower = _history.IndexOf(_start) - interval, faster = _history.IndexOf(_maxSpeedAt) - interval;
             for (var i = 0; i < Bisections; i++)
             {

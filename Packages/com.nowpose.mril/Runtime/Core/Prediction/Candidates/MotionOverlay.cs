@@ -19,7 +19,7 @@ namespace Nowpose.Prediction.Candidates
         readonly MotionHistory _history;
 
         // The compared samples, newest first: grid index, and position, whose components are adjacent.
-        readonly double[] _indices = new double[2 * ComparedSamples];
+        readonly double[] _indices = new double[ComparedSamples + 1];
         readonly double[] _positions;
         int _count;
 
@@ -29,7 +29,7 @@ namespace Nowpose.Prediction.Candidates
         public MotionOverlay(MotionHistory history)
         {
             _history = history;
-            _positions = new double[2 * ComparedSamples * history.Components];
+            _positions = new double[_indices.Length * history.Components];
             Offsets = new double[history.Components];
         }
 

@@ -68,12 +68,7 @@ namespace Nowpose.Prediction.Candidates
         {
             (_newestTime, _newestPosition) = (motion.NewestTime, motion.Newest[0]);
             (_stillDistance, _tolerance) = (motion.Rest.StillDistance, ToleranceRatio * motion.MaxDisplacement);
-            if (motion.Count < 2)
-            {
-                Rest(_newestPosition);
-                return _isKnown;
-            }
-            if (motion.Rest.StillSamples > 1) Rest(_newestPosition);
+            if (motion.Count < 2 || motion.Rest.StillSamples > 1) Rest(_newestPosition);
             else if (_direction == 0) StartMove(motion.PreviousTime);
             else if (_isKnown) ContinueMove(motion);
             return _isKnown;

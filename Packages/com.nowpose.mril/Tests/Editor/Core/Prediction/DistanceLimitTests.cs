@@ -32,18 +32,6 @@ namespace Nowpose.Tests.Core.Prediction
         [Test]
         public void Factor_SecondLargeDistance_IsOne() => Assert.That(After(1, 100, 100).Factor, Is.EqualTo(1));
 
-        // No forecast is added for the first samples after a jump.
-        [Test]
-        public void Factor_ReleasedByAJump_IsOneAndKeepsTheMaximum()
-        {
-            var limit = After(1, 100);
-            limit.Release();
-            Assert.That(limit.Factor, Is.EqualTo(1));
-
-            limit.Add(1000, ForgettingFactor, isUnconfirmed: false);
-            Assert.That(1000 * limit.Factor, Is.EqualTo(150).Within(1));
-        }
-
         [Test]
         public void Factor_AfterALongTime_DependsOnTheNewerDistances()
         {
