@@ -130,8 +130,12 @@ namespace Nowpose.Frames
             foreach (var blend in _blends) blend.Reset();
         }
 
-        DropReason Order(in PoseSample sample) =>
-            _pipeline.Sort(new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order));
+        DropReason Order(in PoseSample sample)
+        {
+            var reason = _pipeline.Sort(new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order));
+            if (_pipeline.IsNewestStampWrong) _rotations.RemoveNewest();
+            return reason;
+        }
 
         // Adds the samples of the clock that went back again, because their angles are relative to the earlier history.
         void Restart(double displayed)

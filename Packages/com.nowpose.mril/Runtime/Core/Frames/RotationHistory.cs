@@ -45,6 +45,13 @@ namespace Nowpose.Frames
             return angles;
         }
 
+        /// <summary>Removes the newest sample, because its stamp is wrong.</summary>
+        public void RemoveNewest()
+        {
+            _newest = (_newest + 1) & (Capacity - 1);
+            Count--;
+        }
+
         /// <summary>Converts the angles at a given time to a rotation.</summary>
         public UnitQuaternion RotationOf(in Vector3D angles, double time)
         {

@@ -36,7 +36,7 @@ namespace Nowpose.Prediction
             _components = default(TSample).Components / forecasters.Length;
             _motions = new MotionState[forecasters.Length];
             for (var i = 0; i < _motions.Length; i++)
-                _motions[i] = new MotionState(_components, i * _components, kept, _buffer.Timing);
+                _motions[i] = new MotionState(_components, i * _components, kept, _buffer.Timing, omitsWrong: (parts & PredictionParts.Jumps) != 0);
         }
 
         /// <summary>Whether no sample has been added.</summary>
@@ -56,6 +56,9 @@ namespace Nowpose.Prediction
 
         public SampleTiming Timing => _buffer.Timing;
 
+        /// <inheritdoc cref="ArrivalOrder{TSample}.IsNewestStampWrong"/>
+        public bool IsNewestStampWrong => _arrivals.IsNewestStampWrong;
+
         /// <summary>Number of times that the samples showed that their clock went back.</summary>
         public int Restarts => _arrivals.Restarts;
 
@@ -68,13 +71,18 @@ namespace Nowpose.Prediction
         /// <inheritdoc cref="SampleBuffer{TSample}.HasNewestOrder"/>
         public bool HasNewestOrder(in TSample sample) => _buffer.HasNewestOrder(sample);
 
-        /// <summary>Puts a received sample into order. It may be ready now or later. If the clock went back, all earlier samples are discarded.</summary>
+        /// <summary>
+        /// Puts a received sample into order. It may be ready now or later. If the clock went back, all earlier samples are discarded; if only the newest stamp
+        /// was wrong, its sample is discarded.
+        /// </summary>
         public DropReason Sort(in TSample sample)
         {
             var restarts = Restarts;
             // The oldest sample is not in the processor's cache, and only late samples are compared with it.
             var reason = _arrivals.Add(sample, _buffer.HasNewestOrder(sample) ? double.NegativeInfinity : _buffer.OldestOrder);
             if (Restarts != restarts) Restart();
+            else if (IsNewestStampWrong && _buffer.RemoveNewest(after: Ready[0].Order))
+                foreach (var motion in _motions) motion.ForgetNewest();
             return reason;
         }
 

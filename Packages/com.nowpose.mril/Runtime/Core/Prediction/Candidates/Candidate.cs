@@ -117,7 +117,7 @@ namespace Nowpose.Prediction.Candidates
         /// <param name="mixture">Error of the mixture.</param>
         /// <param name="displacement">The larger of the true and the forecast displacement.</param>
         /// <param name="wasStill">Whether the joint stood still when the forecast was made.</param>
-        /// <param name="time">Time of the sample, in s; not before that of the previous score.</param>
+        /// <param name="time">Time of the sample, in s.</param>
         public void Score(double error, double mixture, double displacement, bool wasStill, double time)
         {
             // At rest, every forecast is correct.
@@ -125,7 +125,8 @@ namespace Nowpose.Prediction.Candidates
             // An overflow must not enter the sums.
             if (!(error * error + mixture * mixture + displacement * displacement < double.PositiveInfinity)) return;
             ref var record = ref wasStill ? ref _still : ref _moving;
-            var elapsed = (time - record.Time) / TimeConstant;
+            // The stamp of the previous score may have been wrong.
+            var elapsed = Math.Max(time - record.Time, 0) / TimeConstant;
             var forgettingFactor = record.Scores == 0 ? 0 : Math.Exp(-(wasStill ? elapsed : Math.Min(elapsed, 1)));
             record.Candidate = forgettingFactor * record.Candidate + error * error;
             record.Mixture = forgettingFactor * record.Mixture + mixture * mixture;

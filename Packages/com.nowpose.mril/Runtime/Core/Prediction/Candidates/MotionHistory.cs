@@ -78,7 +78,7 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Adds the newest sample, unless another candidate has added it. A gap between two samples restarts the history.</summary>
         public void Take(MotionState motion)
         {
-            if (!(motion.NewestTime > _newestTime)) return;
+            if (motion.NewestTime == _newestTime) return;
             _newestTime = motion.NewestTime;
             if (motion.Count == 1 || (HasStarted && !Continues(motion.Timing))) (_samples, Step) = (0, 0);
             if (HasStarted) ExtendTo(motion, age: 1);

@@ -71,7 +71,7 @@ namespace Nowpose.Prediction.Candidates
             _search.Update(MinLag);
             var isSoon = motion.NewestTime - _matchedAt < _matchInterval;
             // At a standstill, all parts of the history at rest are equal, so the matches would drift; their lags determine when the next move starts.
-            if (before > 0 && (isSoon || motion.Rest.StillSamples > 1)) KeepMatches(before);
+            if (before > 0 && !motion.IsPreviousWrong && (isSoon || motion.Rest.StillSamples > 1)) KeepMatches(before);
             else Match();
             return _matches > 0;
         }

@@ -23,7 +23,7 @@ namespace Nowpose.Prediction.Forecasting
             if (!_isReported) return _otherwise.Solve(motion);
             _speed = motion.ReportedVelocity;
             // Without an acceleration, the mean speed in the last interval determines the second derivative.
-            _bend = double.IsNaN(motion.ReportedAcceleration) ? (_speed - motion.Velocity[0]) / motion.Timing.Interval : motion.ReportedAcceleration / 2;
+            _bend = double.IsNaN(motion.ReportedAcceleration) ? (_speed - motion.Velocity[0]) / motion.Interval : motion.ReportedAcceleration / 2;
             _stop = _speed * _bend < 0 ? -_speed / (2 * _bend) : double.PositiveInfinity;
             return true;
         }

@@ -93,7 +93,7 @@ namespace Nowpose.Prediction.Mixing
             if (motion.IsNewest)
             {
                 _forgettingFactor = Math.Exp(-motion.Timing.Interval / TimeConstant);
-                if (Uses(PredictionParts.Jumps)) DetectJump(motion);
+                if (Uses(PredictionParts.Jumps)) _jumps.Add(motion);
                 DetectChangePoint(motion);
                 Learn(motion);
                 DetectStart(motion);
@@ -120,12 +120,6 @@ namespace Nowpose.Prediction.Mixing
 
         bool Uses(PredictionParts part) => (_parts & part) != 0;
 
-        void DetectJump(MotionState motion)
-        {
-            _jumps.Add(motion);
-            if (motion.IsPreviousWrong) motion.OmitPrevious();
-        }
-
         void DetectChangePoint(MotionState motion)
         {
             if (IsVelocityUnknown) _changePoints.AddJump();
@@ -135,11 +129,8 @@ namespace Nowpose.Prediction.Mixing
         void Learn(MotionState motion)
         {
             // After a gap or a jump, earlier forecasts are wrong for a reason that no forecaster can know.
-            if (motion.Count == 1 || IsVelocityUnknown)
-            {
-                _pending.Clear();
-                _distance.Release();
-            }
+            if (motion.Count == 1 || IsVelocityUnknown) _pending.Clear();
+            if (motion.IsPreviousWrong) _pending.DropNewest();
             // One error per component and sample, all of which the weights forget with the same time constant.
             var factorPerError = Math.Exp(-motion.Timing.Interval / (_components * TimeConstant));
             // An error that a wrong sample shows would remain in all means for seconds. The next sample drops its forecasts.
@@ -158,7 +149,7 @@ namespace Nowpose.Prediction.Mixing
         // The weights that result from noise at rest are unsuitable for a first move. After one horizon, they include the errors of this move.
         bool IsFirstMove(MotionState motion)
         {
-            var displacement = Vectors.Distance(motion.Newest, motion.Previous) * motion.Timing.Horizon / motion.Timing.Interval;
+            var displacement = Vectors.Distance(motion.Newest, motion.Previous) * motion.Timing.Horizon / motion.Interval;
             return displacement * displacement > FirstMoveRatio * _components * _weights.MeanSquare(ForecasterSet.Hold);
         }
 
@@ -206,7 +197,7 @@ namespace Nowpose.Prediction.Mixing
             var lineShare = Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady ? 1 : motion.NewestTime < _firstMoveUntil ? FirstMoveShare : 0;
             AddForecasts(1 - lineShare);
             if (lineShare > 0) _forecasters.AddTo(_table, ForecasterSet.Line, lineShare, _points);
-            if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Timing.Interval, _limits);
+            if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Interval, _limits);
         }
 
         // Adds the weighted sum, within the limit of the distance, with this share.
@@ -247,9 +238,6 @@ namespace Nowpose.Prediction.Mixing
             _max *= forgettingFactor;
             if (double.IsFinite(distance) && !isUnconfirmed) _max = Math.Max(_max, distance);
         }
-
-        /// <summary>Ends the limit of the last forecast: the next forecasts are made without the samples before a gap or a jump.</summary>
-        public void Release() => Factor = 1;
 
         public void Clear() => (_max, Factor) = (0, 1);
     }

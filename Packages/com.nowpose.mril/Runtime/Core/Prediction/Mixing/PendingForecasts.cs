@@ -64,12 +64,12 @@ namespace Nowpose.Prediction.Mixing
         /// <returns>Whether the weights have learned.</returns>
         public bool Score(MotionState motion, double forgettingFactor)
         {
-            var (interval, hasLearned) = (motion.Timing.Interval, false);
+            var (interval, hasLearned) = (motion.Interval, false);
             for (; _count > 0 && _pending[0].Due <= motion.NewestTime; DropFirst())
             {
                 var expected = _pending[0];
-                // In an interval that is longer than the forecasts, a motion can start and end.
-                if (!(interval < ForecastTable.Span) || expected.Due < motion.PreviousTime) continue;
+                // In a long interval, a motion can start and end.
+                if (motion.Timing.IsAfterPause || !(interval < ForecastTable.Span) || expected.Due < motion.PreviousTime) continue;
                 var fraction = (expected.Due - motion.PreviousTime) / interval;
                 for (var c = 0; c < _components; c++) _truth[c] = motion.Previous[c] + (motion.Newest[c] - motion.Previous[c]) * fraction;
                 hasLearned |= ScoreForecasts(expected.Positions, forgettingFactor);
@@ -77,6 +77,9 @@ namespace Nowpose.Prediction.Mixing
             }
             return hasLearned;
         }
+
+        /// <summary>Drops the forecasts that were made from the sample before the newest, because its position is wrong.</summary>
+        public void DropNewest() => _count = Math.Max(_count - 1, 0);
 
         public void Clear() => _count = 0;
 

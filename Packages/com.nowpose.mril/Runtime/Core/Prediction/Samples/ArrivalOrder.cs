@@ -27,8 +27,9 @@ namespace Nowpose.Prediction.Samples
     /// In both cases, the stamp is not newer than the newest stamp. If a sample of a clock that went back is mistaken for an overtaken sample, the
     /// section is wrong; in the opposite case, all learned state is lost. Therefore up to four late samples wait. The next newer sample, or a late
     /// sample that is not newer than the last waiting sample, shows that they were overtaken, and they are inserted, except samples whose positions
-    /// contradict their neighbours: their stamps are wrong. If their number, or at least two contradictions, show that the clock went back, the
-    /// history restarts with all of them.
+    /// contradict their neighbours: their stamps are wrong. Their number, two contradictions, or two delays above <see cref="ArrivalLimits.MaxDelay"/> show
+    /// that they were not overtaken. If they are all newer than the sample before the newest, only the stamp of the newest was wrong. Otherwise the clock
+    /// went back, and the history restarts with all of them.
     /// </remarks>
     sealed class ArrivalOrder<TSample> where TSample : struct, ISample<TSample>
     {
@@ -40,7 +41,7 @@ namespace Nowpose.Prediction.Samples
 
         readonly RecentSamples<TSample> _recent;
         readonly TSample[] _ready = new TSample[ArrivalLimits.MinLateForRestart + 1];
-        double _newest = double.NegativeInfinity;
+        double _newest = double.NegativeInfinity, _beforeNewest = double.NegativeInfinity;
         int _readyCount;
 
         // The waiting samples, each newer than the previous one. Some are only evidence: they are used only if the clock has gone back.
@@ -59,6 +60,12 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Number of times that the samples showed that the clock went back; all earlier samples are then invalid.</summary>
         public int Restarts { get; private set; }
 
+        /// <summary>
+        /// Whether the last added sample showed that the newest stamp before it was wrong, because it was too far in the future. The sample with this stamp is
+        /// then invalid.
+        /// </summary>
+        public bool IsNewestStampWrong { get; private set; }
+
         /// <summary>Adds a sample, which may be ready at once, wait, or be dropped.</summary>
         /// <returns>
         /// Reason why the sample is used only if the clock went back. <see cref="DropReason.None"/> also means that the sample waits; if it never
@@ -70,6 +77,7 @@ namespace Nowpose.Prediction.Samples
         public DropReason Add(in TSample sample, double oldest)
         {
             _readyCount = 0;
+            IsNewestStampWrong = false;
             if (sample.Order > _newest && !JointSample.IsSameTime(_newest, sample.Order))
             {
                 ReleaseLate(withEvidence: false);
@@ -87,10 +95,11 @@ namespace Nowpose.Prediction.Samples
                 : contradicts ? DropReason.LateSample : DropReason.None;
             _isOnlyEvidence[_lateCount] = reason != DropReason.None;
             _late[_lateCount++] = sample;
-            if (!HasClockGoneBack) return reason;
-            Restarts++;
+            if (AreOvertaken) return reason;
+            IsNewestStampWrong = !double.IsNegativeInfinity(_beforeNewest) && _late[0].Order - _beforeNewest >= JointSample.SameSeconds;
+            if (!IsNewestStampWrong) Restarts++;
             _recent.Clear();
-            _newest = double.NegativeInfinity;
+            _newest = _beforeNewest = double.NegativeInfinity;
             ReleaseLate(withEvidence: true);
             return DropReason.None;
         }
@@ -98,12 +107,12 @@ namespace Nowpose.Prediction.Samples
         public void Clear()
         {
             _recent.Clear();
-            _newest = double.NegativeInfinity;
+            _newest = _beforeNewest = double.NegativeInfinity;
             _readyCount = _lateCount = _contradicted = 0;
         }
 
-        bool HasClockGoneBack => _lateCount == ArrivalLimits.MinLateForRestart || _contradicted == MinClearlyLateForRestart
-            || (_lateCount >= MinClearlyLateForRestart && _newest - _late[_lateCount - 1].Order > ArrivalLimits.MaxDelay);
+        bool AreOvertaken => _lateCount < ArrivalLimits.MinLateForRestart && _contradicted < MinClearlyLateForRestart
+            && (_lateCount < MinClearlyLateForRestart || _newest - _late[_lateCount - 1].Order <= ArrivalLimits.MaxDelay);
 
         bool IsWaiting(in TSample sample)
         {
@@ -121,7 +130,7 @@ namespace Nowpose.Prediction.Samples
 
         void Release(in TSample sample)
         {
-            _newest = Math.Max(_newest, sample.Order);
+            if (sample.Order > _newest) (_beforeNewest, _newest) = (_newest, sample.Order);
             _recent.Add(sample);
             _ready[_readyCount++] = sample;
         }

@@ -9,7 +9,7 @@ namespace Nowpose.Prediction.Samples
     sealed class SampleBuffer<TSample> where TSample : struct, ISample<TSample>
     {
         /// <summary>
-        /// Minimum interval in s; closer samples are left out, so rates up to 180 Hz are used completely. Samples a millisecond apart do not improve
+        /// Minimum interval in s; closer samples are left out, so rates up to 180 Hz are used completely (with stamps in whole milliseconds, up to 166 Hz). Samples a millisecond apart do not improve
         /// forecasts over a tenth of a second, and windows of few samples would contain mainly their noise.
         /// </summary>
         const double MinInterval = 0.0055;
@@ -76,6 +76,18 @@ namespace Nowpose.Prediction.Samples
             if (!Insert(sample.With(time, _stamps == null ? sample.Order : time))) return false;
             IsNewest = NewestTime > before;
             Timing.Add(this, before, displayed);
+            return true;
+        }
+
+        /// <summary>Removes the newest sample, because its stamp is wrong, if it is later than a given time in s.</summary>
+        /// <returns>Whether there was such a sample.</returns>
+        public bool RemoveNewest(double after)
+        {
+            if (!(NewestTime > after)) return false;
+            Array.Copy(_samples, 1, _samples, 0, --Count);
+            Newest = _samples[0];
+            _newestOrder = Count > 0 ? Newest.Order : double.NegativeInfinity;
+            _stamps?.Reset();
             return true;
         }
 

@@ -13,10 +13,10 @@ namespace Nowpose.Prediction.Samples
         public const double MeanWeight = 0.1;
 
         /// <summary>
-        /// Maximum interval that enters the mean, as a multiple of the mean, so that a single gap hardly changes it. With 1.5 or 6, the mean errors change
+        /// Interval that counts as a pause, as a multiple of the mean interval. A single pause hardly changes the mean. With 1.5 or 6, the mean errors change
         /// by at most 0.1 %.
         /// </summary>
-        const double MaxGapRatio = 3;
+        const double PauseRatio = 3;
 
         /// <summary>
         /// Horizon until the first display time is known, in s: a typical latency of 100 ms and half a typical interval of 50 ms.
@@ -41,6 +41,11 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Interval before the newest sample, in s; 0 until there are two samples.</summary>
         public double Interval { get; private set; }
 
+        /// <summary>
+        /// Whether samples may be missing before the newest one, or its stamp may be in the future: the interval is several times as long as the mean.
+        /// </summary>
+        public bool IsAfterPause => Interval > PauseRatio * MeanInterval;
+
         /// <summary>Running mean of <see cref="Interval"/>, s; 0 until there are two samples without a gap.</summary>
         public double MeanInterval { get; private set; }
 
@@ -63,7 +68,7 @@ namespace Nowpose.Prediction.Samples
             Interval = samples.NewestTime - before;
             // A pause is not a sampling interval.
             if (!(Interval > _maximumGap))
-                MeanInterval += MeanInterval == 0 ? Interval : MeanWeight * (Math.Min(Interval, MaxGapRatio * MeanInterval) - MeanInterval);
+                MeanInterval += MeanInterval == 0 ? Interval : MeanWeight * (Math.Min(Interval, PauseRatio * MeanInterval) - MeanInterval);
             // This section is displayed for one sampling interval from now on, so its mean horizon is half an interval longer than the current one.
             var ahead = displayed - samples.NewestTime + MeanInterval / 2;
             if (ahead > 0) Horizon += MeanWeight * (Math.Min(ahead, _maxHorizon) - Horizon);

@@ -40,6 +40,10 @@ namespace Nowpose.Prediction.State
         // Velocity at the previous sample that was not a jump, and at the last one that was also confirmed.
         readonly double[] _before, _confirmed;
 
+        // Velocity and number of samples before the newest sample, which are valid again if this sample was wrong.
+        readonly double[] _former;
+        int _formerSince;
+
         // Acceleration and speed of the newest sample, which raise the maxima at the next sample, unless this one shows that it was wrong.
         double _acceleration, _speed;
         bool _isUnconfirmed;
@@ -48,7 +52,7 @@ namespace Nowpose.Prediction.State
         bool _wasSteady;
 
         /// <param name="components">Number of components of the motion.</param>
-        public ChangePointDetector(int components) => (_before, _confirmed) = (new double[components], new double[components]);
+        public ChangePointDetector(int components) => (_before, _confirmed, _former) = (new double[components], new double[components], new double[components]);
 
         /// <summary>
         /// Number of samples since the newest change point, including the sample at which it was detected; the number of all samples after an
@@ -67,10 +71,12 @@ namespace Nowpose.Prediction.State
         /// <param name="isUnconfirmed">Whether the sample may be wrong (<see cref="JumpDetector.IsUnconfirmed"/>): it does not increase the maxima.</param>
         public void Add(MotionState motion, double forgettingFactor, bool isUnconfirmed)
         {
+            if (motion.IsPreviousWrong) Retract();
+            Store();
             _samples = Math.Min(_samples, int.MaxValue - 1) + 1;
             SamplesSince = Math.Min(SamplesSince + 1, _samples);
             if (_samples < 2) return;
-            var interval = motion.Timing.Interval;
+            var interval = motion.Interval;
             _maxAcceleration = Math.Max(_maxAcceleration, _acceleration) * forgettingFactor;
             _maxSpeed = Math.Max(_maxSpeed, _speed) * forgettingFactor;
             var (newest, before) = (motion.Speed, Vectors.Length(_before));
@@ -99,9 +105,22 @@ namespace Nowpose.Prediction.State
         /// <summary>Adds a sample at a place that has no connection with the samples before it.</summary>
         public void AddJump()
         {
+            Store();
             (SamplesSince, SpeedIncreased) = (1, false);
             if (_isUnconfirmed) (_acceleration, _speed) = (0, 0);
             Array.Copy(_confirmed, _before, _before.Length);
+        }
+
+        void Store()
+        {
+            _formerSince = SamplesSince;
+            Array.Copy(_before, _former, _former.Length);
+        }
+
+        void Retract()
+        {
+            (SamplesSince, _acceleration, _speed) = (_formerSince, 0, 0);
+            Array.Copy(_former, _before, _before.Length);
         }
 
         public void Reset()

@@ -8,6 +8,8 @@ namespace Nowpose.Prediction.State
     /// </summary>
     abstract class JumpDetector
     {
+        int _sinceBefore = int.MaxValue;
+
         /// <summary>Number of samples since the newest jump, including the sample after it.</summary>
         public int SamplesSince { get; private set; } = int.MaxValue;
 
@@ -22,11 +24,17 @@ namespace Nowpose.Prediction.State
         /// <summary>Adds the newest sample of a motion. The first displacement is not a jump, because the velocity before it is unknown.</summary>
         public void Add(MotionState motion)
         {
-            if (motion.Count < 2) Reset();
-            else SamplesSince = IsDiscontinuity(motion) ? 1 : Math.Min(SamplesSince, int.MaxValue - 1) + 1;
+            if (motion.Count < 2)
+            {
+                Reset();
+                return;
+            }
+            // What happened at a wrong sample was no jump.
+            if (!motion.IsPreviousWrong) _sinceBefore = SamplesSince;
+            SamplesSince = IsDiscontinuity(motion) ? 1 : Math.Min(_sinceBefore, int.MaxValue - 1) + 1;
         }
 
-        public virtual void Reset() => (SamplesSince, IsUnconfirmed) = (int.MaxValue, false);
+        public virtual void Reset() => (SamplesSince, _sinceBefore, IsUnconfirmed) = (int.MaxValue, int.MaxValue, false);
 
         /// <summary>Returns whether the displacement to the newest sample is not a velocity.</summary>
         protected abstract bool IsDiscontinuity(MotionState motion);
@@ -120,15 +128,14 @@ namespace Nowpose.Prediction.State
 
         protected override bool IsDiscontinuity(MotionState motion)
         {
-            // The stamps of two close samples may be inaccurate.
-            var interval = Math.Max(motion.Timing.Interval, motion.Timing.MeanInterval);
             for (var c = 0; c < _displacement.Length; c++)
             {
                 _displacement[c] = motion.Newest[c] - motion.Previous[c];
-                _newVelocity[c] = _displacement[c] / interval;
+                // The stamps of two close samples may be inaccurate.
+                _newVelocity[c] = _displacement[c] / Math.Max(motion.Interval, motion.Timing.MeanInterval);
             }
             var continues = IsVelocityUnknown && Vectors.Distance(_displacement, _jump) < MaxContinuedRatio * Vectors.Length(_jump);
-            var isJump = _isKnown && IsAbrupt(interval, motion.HasOtherMotionJumped) && !continues;
+            var isJump = _isKnown && IsAbrupt(Math.Max(motion.Timing.Interval, motion.Timing.MeanInterval), motion.HasOtherMotionJumped) && !continues;
             if (!isJump) _isKnown = true;
             var (from, to) = isJump ? (_displacement, _jump) : (_newVelocity, _velocity);
             Array.Copy(from, to, to.Length);

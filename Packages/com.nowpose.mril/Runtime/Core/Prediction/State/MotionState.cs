@@ -17,9 +17,12 @@ namespace Nowpose.Prediction.State
         const double WrongRatio = 1.5;
 
         readonly int _first, _capacity;
+        readonly bool _omitsWrong;
 
         // Time of the newest sample that was left out because its position is wrong, in s.
         double _wrongTime = double.NaN;
+
+        bool _wasNewestForgotten;
 
         // Mean velocity in the interval before that of Velocity.
         double[] _velocityBefore;
@@ -28,9 +31,10 @@ namespace Nowpose.Prediction.State
         /// <param name="first">Index of the first component in the samples.</param>
         /// <param name="capacity">Maximum number of samples that a forecaster uses.</param>
         /// <param name="timing">Timing of the samples, which the motions of an object share.</param>
-        public MotionState(int components, int first, int capacity, SampleTiming timing)
+        /// <param name="omitsWrong">Whether a single sample whose position is wrong is left out (<see cref="IsPreviousWrong"/>).</param>
+        public MotionState(int components, int first, int capacity, SampleTiming timing, bool omitsWrong)
         {
-            (Components, _first, _capacity, Timing) = (components, first, capacity, timing);
+            (Components, _first, _capacity, Timing, _omitsWrong) = (components, first, capacity, timing, omitsWrong);
             (Newest, Previous) = (new double[components], new double[components]);
             (Velocity, _velocityBefore) = (new double[components], new double[components]);
             (Times, Displacements) = (new double[capacity], new double[capacity * components]);
@@ -48,6 +52,7 @@ namespace Nowpose.Prediction.State
         public bool IsNewest { get; private set; }
 
         /// <summary>Time of the newest sample, and of the sample that was the newest before it, in s; negative infinity if there is none.</summary>
+        /// <remarks>If the sample before the newest was wrong, the previous sample is the one before that.</remarks>
         public double NewestTime { get; private set; }
 
         /// <inheritdoc cref="NewestTime"/>
@@ -58,6 +63,9 @@ namespace Nowpose.Prediction.State
 
         /// <inheritdoc cref="Newest"/>
         public double[] Previous { get; }
+
+        /// <summary>Time from the previous to the newest sample, in s.</summary>
+        public double Interval => NewestTime - PreviousTime;
 
         /// <summary>Number of newest samples without a gap that are stored here.</summary>
         public int Count { get; private set; }
@@ -87,7 +95,10 @@ namespace Nowpose.Prediction.State
         /// </summary>
         public double MaxSpeed { get; private set; }
 
-        /// <summary>Whether the motion goes to the sample before the newest and back at a speed that it has never had: the position there is wrong.</summary>
+        /// <summary>
+        /// Whether the newest sample shows that the one before it was wrong: the motion went there and back at a speed that it has never had, or its stamp was in
+        /// the future. A wrong sample is left out from then on: it would give wrong velocities, and would reappear in a forecast whenever the motion repeats.
+        /// </summary>
         public bool IsPreviousWrong { get; private set; }
 
         /// <summary>Velocity and acceleration that the source reported with the newest sample; NaN if it did not.</summary>
@@ -103,12 +114,13 @@ namespace Nowpose.Prediction.State
         public RestDetector Rest { get; }
 
         /// <summary>Displacement in the newest interval at the maximum speed, in the samples' unit.</summary>
-        public double MaxDisplacement => MaxSpeed * Timing.Interval;
+        public double MaxDisplacement => MaxSpeed * Interval;
 
         /// <summary>Takes the samples of a buffer that has added a sample.</summary>
         public void Take<TSample>(SampleBuffer<TSample> buffer) where TSample : struct, ISample<TSample>
         {
             IsNewest = buffer.IsNewest;
+            (IsPreviousWrong, _wasNewestForgotten) = (_wasNewestForgotten, false);
             if (IsNewest)
             {
                 PreviousTime = NewestTime;
@@ -133,17 +145,13 @@ namespace Nowpose.Prediction.State
             UpdateVelocity();
         }
 
-        /// <summary>
-        /// Leaves out the sample before the newest from now on, because its position is wrong. It would impair the comparisons with the past, and would reappear
-        /// in a forecast whenever the motion repeats.
-        /// </summary>
-        public void OmitPrevious()
+        /// <summary>Returns to the sample before the newest, because the stamp of the newest is wrong and the buffer has removed it.</summary>
+        public void ForgetNewest()
         {
-            if (Count < 3) return;
-            _wrongTime = PreviousTime;
-            Count--;
-            Array.Copy(Times, 2, Times, 1, Count - 1);
-            Array.Copy(Displacements, 2 * Components, Displacements, Components, (Count - 1) * Components);
+            NewestTime = PreviousTime;
+            Array.Copy(Previous, Newest, Components);
+            (Velocity, _velocityBefore) = (_velocityBefore, Velocity);
+            _wasNewestForgotten = true;
         }
 
         public void Reset()
@@ -154,24 +162,40 @@ namespace Nowpose.Prediction.State
             Array.Clear(Velocity, 0, Components);
             Array.Clear(_velocityBefore, 0, Components);
             MaxSpeed = 0;
-            (_wrongTime, IsPreviousWrong) = (double.NaN, false);
+            (_wrongTime, IsPreviousWrong, _wasNewestForgotten) = (double.NaN, false, false);
             Rest.Reset();
         }
 
         void UpdateVelocity()
         {
-            if (IsNewest && double.IsNegativeInfinity(PreviousTime)) return;
             if (!IsNewest)
             {
                 // The overtaken sample may be the one before the newest.
-                for (var c = 0; c < Components && Count > 1; c++) Velocity[c] = Displacements[Components + c] / Times[1];
+                if (Count > 1) TakeVelocity();
                 return;
             }
-            for (var c = 0; c < Components; c++) Velocity[c] = (Newest[c] - Previous[c]) / Timing.Interval;
+            if (double.IsNegativeInfinity(PreviousTime)) return;
+            for (var c = 0; c < Components; c++) Velocity[c] = (Newest[c] - Previous[c]) / Interval;
             var (product, speed) = (Vectors.Dot(Velocity, _velocityBefore), Math.Min(Speed, Vectors.Length(_velocityBefore)));
             if (product > 0) MaxSpeed = Math.Max(MaxSpeed, speed);
-            IsPreviousWrong = product < 0 && MaxSpeed > 0 && speed > WrongRatio * MaxSpeed;
+            if (_omitsWrong && Count > 2 && product < 0 && MaxSpeed > 0 && speed > WrongRatio * MaxSpeed) OmitPrevious();
             Rest.AddDisplacement(Vectors.Distance(Newest, Previous), MaxDisplacement);
+        }
+
+        void OmitPrevious()
+        {
+            (IsPreviousWrong, _wrongTime) = (true, PreviousTime);
+            Count--;
+            Array.Copy(Times, 2, Times, 1, Count - 1);
+            Array.Copy(Displacements, 2 * Components, Displacements, Components, (Count - 1) * Components);
+            PreviousTime = TimeAt(1);
+            for (var c = 0; c < Components; c++) Previous[c] = Newest[c] + Displacements[Components + c];
+            TakeVelocity();
+        }
+
+        void TakeVelocity()
+        {
+            for (var c = 0; c < Components; c++) Velocity[c] = Displacements[Components + c] / Times[1];
         }
     }
 }

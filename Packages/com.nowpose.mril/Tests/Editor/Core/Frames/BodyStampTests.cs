@@ -56,6 +56,23 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(kind, Is.Not.EqualTo(PredictionKind.None));
         }
 
+        [TestCase(0.2)]
+        [TestCase(0.9)]
+        public void Add_OneStampInTheFuture_OnlyThisSampleIsDiscarded(double seconds)
+        {
+            var predictor = Fed("adaptive", BodyMotions.HandHeld, 200);
+            for (var k = 200; k < 212; k++)
+            {
+                var sample = BodyMotions.HandHeld(k * Interval);
+                predictor.Add(new PoseSample(k * Interval + (k == 200 ? seconds : 0), sample.Position, sample.Rotation));
+            }
+
+            var truth = BodyMotions.HandHeld(211 * Interval);
+            Assert.That((predictor.Restarts, predictor.NewestTime), Is.EqualTo((0, 211 * Interval)));
+            AssertPose(predictor.Hold, PoseOf(truth), 1e-9);
+            AssertPose(predictor.At(212 * Interval), PoseOf(BodyMotions.HandHeld(212 * Interval)), 0.01);
+        }
+
         // The samples that waited until their number proved that the clock went back are the start of the new history.
         [Test]
         public void Add_ClockWentBack_UsesTheWaitingSamples()

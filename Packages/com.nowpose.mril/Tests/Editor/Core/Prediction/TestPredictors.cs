@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Prediction
         public static MotionState Motion(double[] times, double[] positions)
         {
             var buffer = new SampleBuffer<JointSample>(times.Length, PredictionParts.None, PredictionLimits.Unlimited);
-            var motion = new MotionState(1, 0, times.Length, buffer.Timing);
+            var motion = new MotionState(1, 0, times.Length, buffer.Timing, omitsWrong: true);
             for (var i = 0; i < times.Length; i++)
             {
                 buffer.Add(new JointSample(times[i], positions[i]), displayed: double.NaN);

@@ -118,7 +118,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             {
                 _components = components;
                 _forecaster = new TemplateForecaster(new MotionHistory(components.Length), matchInterval: 0);
-                _motion = new MotionState(components.Length, 0, 24, _buffer.Timing);
+                _motion = new MotionState(components.Length, 0, 24, _buffer.Timing, omitsWrong: true);
             }
 
             public bool HasMatch { get; private set; }
@@ -135,7 +135,6 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
                 Array.Resize(ref position, 3);
                 _buffer.Add(new BodySample(Time, new Vector3D(position[0], position[1], position[2]), default, Time), displayed: double.NaN);
                 _motion.Take(_buffer);
-                if (_motion.IsPreviousWrong) _motion.OmitPrevious();
                 HasMatch = _forecaster.Solve(_motion);
             }
 

@@ -83,6 +83,22 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             Assert.That(needed, Is.EqualTo(samples));
         }
 
+        [TestCase(0.1)]
+        [TestCase(0.3)]
+        [TestCase(0.9)]
+        public void Add_OneStampInTheFuture_OnlyThisSampleIsDiscarded(double seconds)
+        {
+            JointPredictor joint = FedJoint(), expected = FedJoint();
+            joint.Add(new JointSample((Newest + 1) * Interval + seconds, PositionAt((Newest + 1) * Interval)));
+
+            for (var i = 2; i <= 8; i++) joint.Add(Sample((Newest + i) * Interval));
+            for (var i = 2; i <= 8; i++) expected.Add(Sample((Newest + i) * Interval));
+
+            Assert.That(joint.Restarts, Is.Zero);
+            Assert.That(joint.NewestTime, Is.EqualTo(expected.NewestTime));
+            Assert.That(joint.At(2.3).Position, Is.EqualTo(expected.At(2.3).Position).Within(1e-9));
+        }
+
         [Test]
         public void Add_ClockWentBackAfterAnOvertakenSample_IsFollowed()
         {

@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         static ChangePointDetector WithWrongSample(int wrong, params double[] speeds)
         {
             var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
-            var (detector, motion, position) = (new ChangePointDetector(components: 1), new MotionState(1, 0, 8, buffer.Timing), 0.0);
+            var (detector, motion, position) = (new ChangePointDetector(components: 1), new MotionState(1, 0, 8, buffer.Timing, omitsWrong: true), 0.0);
             for (var k = 0; k <= speeds.Length; k++)
             {
                 if (k > 0) position += speeds[k - 1] * Interval;
@@ -95,7 +95,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         public void AddJump_ConstantVelocity_IsTheOnlyChangePoint()
         {
             var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
-            var (detector, motion) = (new ChangePointDetector(components: 1), new MotionState(1, 0, 8, buffer.Timing));
+            var (detector, motion) = (new ChangePointDetector(components: 1), new MotionState(1, 0, 8, buffer.Timing, omitsWrong: true));
             for (var k = 0; k < 8; k++)
             {
                 buffer.Add(new JointSample(k * Interval, 0.01 * k + (k < 5 ? 0 : 3)), displayed: double.NaN);

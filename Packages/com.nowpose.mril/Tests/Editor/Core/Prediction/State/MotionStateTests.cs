@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         static int MaxStillSamples(Func<int, double> positionOf, int from, int to)
         {
             var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
-            var (motion, max) = (new MotionState(1, 0, 8, buffer.Timing), 0);
+            var (motion, max) = (new MotionState(1, 0, 8, buffer.Timing, omitsWrong: true), 0);
             for (var k = 0; k < to; k++)
             {
                 buffer.Add(new JointSample(k * Interval, positionOf(k)), displayed: double.NaN);
