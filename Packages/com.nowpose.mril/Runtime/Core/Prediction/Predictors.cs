@@ -134,14 +134,9 @@ namespace Nowpose.Prediction
         static PredictionPipeline<TSample> Pipeline<TSample>(string name, PredictionLimits limits, PredictionParts parts, int motions, Func<int, Mixture> mixtureOf)
             where TSample : struct, ISample<TSample>
         {
-            var (forecasters, components) = (new Forecaster[motions], default(TSample).Components / motions);
-            if (name == Default)
-            {
-                for (var i = 0; i < motions; i++) forecasters[i] = mixtureOf(i);
-                return new PredictionPipeline<TSample>(forecasters, Kept, parts, limits);
-            }
-            var kept = Kept;
-            for (var i = 0; i < motions; i++) forecasters[i] = Named(name, components, out kept, out parts);
+            var (forecasters, kept) = (new Forecaster[motions], Kept);
+            for (var i = 0; i < motions; i++)
+                forecasters[i] = name == Default ? mixtureOf(i) : Named(name, default(TSample).Components / motions, out kept, out parts);
             return new PredictionPipeline<TSample>(forecasters, kept, parts, limits);
         }
 

@@ -17,9 +17,13 @@ namespace Nowpose.Prediction.Forecasting
 
         public override int RequiredSamples => _otherwise.RequiredSamples;
 
+        // The velocity and the acceleration are known from the newest sample alone, for example directly after a stop.
+        public override int SamplesInMixture(MotionState motion) =>
+            IsReported(motion) && !double.IsNaN(motion.ReportedAcceleration) ? 1 : base.SamplesInMixture(motion);
+
         public override bool Solve(MotionState motion)
         {
-            _isReported = !double.IsNaN(motion.ReportedVelocity);
+            _isReported = IsReported(motion);
             if (!_isReported) return _otherwise.Solve(motion);
             _speed = motion.ReportedVelocity;
             // Without an acceleration, the mean speed in the last interval determines the second derivative.
@@ -34,6 +38,8 @@ namespace Nowpose.Prediction.Forecasting
             var x = Math.Min(ahead, _stop);
             return x * (_speed + _bend * x);
         }
+
+        static bool IsReported(MotionState motion) => !double.IsNaN(motion.ReportedVelocity);
 
         public override void Fill(double[] table, int start, int points, int components)
         {

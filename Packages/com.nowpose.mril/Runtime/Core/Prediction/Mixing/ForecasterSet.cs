@@ -56,8 +56,7 @@ namespace Nowpose.Prediction.Mixing
             for (var i = First; i < Count; i++)
             {
                 var forecaster = _forecasters[i - First];
-                // With two samples all forecasts are the same line. They must not differ by rounding, which would decide between equal errors.
-                if (samples > 2 && samples >= forecaster.RequiredSamples && forecaster.Solve(motion)) forecaster.Fill(_tables, Start(i), points, _components);
+                if (samples >= forecaster.SamplesInMixture(motion) && forecaster.Solve(motion)) forecaster.Fill(_tables, Start(i), points, _components);
                 else Array.Copy(_tables, Start(Line), _tables, Start(i), points * _components);
             }
         }

@@ -31,13 +31,14 @@ namespace Nowpose.Prediction.State
             }
             // What happened at a wrong sample was no jump.
             if (!motion.IsPreviousWrong) _sinceBefore = SamplesSince;
-            SamplesSince = IsDiscontinuity(motion) ? 1 : Math.Min(_sinceBefore, int.MaxValue - 1) + 1;
+            SamplesSince = Detect(motion) ? 1 : Math.Min(_sinceBefore, int.MaxValue - 1) + 1;
         }
 
         public virtual void Reset() => (SamplesSince, _sinceBefore, IsUnconfirmed) = (int.MaxValue, int.MaxValue, false);
 
-        /// <summary>Returns whether the displacement to the newest sample is not a velocity.</summary>
-        protected abstract bool IsDiscontinuity(MotionState motion);
+        /// <summary>Examines the newest sample.</summary>
+        /// <returns>Whether the displacement to it is not a velocity.</returns>
+        protected abstract bool Detect(MotionState motion);
     }
 
     /// <summary>
@@ -68,7 +69,7 @@ namespace Nowpose.Prediction.State
         double _before;
         int _wrong;
 
-        protected override bool IsDiscontinuity(MotionState motion)
+        protected override bool Detect(MotionState motion)
         {
             var max = MaxReturnRatio * Math.Abs(motion.Previous[0] - _before);
             var isReturn = IsUnconfirmed && Math.Abs(motion.Newest[0] - _before) < max;
@@ -126,7 +127,7 @@ namespace Nowpose.Prediction.State
             (_meanChange, _isKnown) = (0, false);
         }
 
-        protected override bool IsDiscontinuity(MotionState motion)
+        protected override bool Detect(MotionState motion)
         {
             for (var c = 0; c < _displacement.Length; c++)
             {
