@@ -88,9 +88,10 @@ namespace Nowpose.Prediction.State
     /// Detects that an object was elsewhere at once: a workpiece that reappears at the start of its conveyor, or an outlier of a tracker.
     /// </summary>
     /// <remarks>
-    /// A jump is a change of velocity that needs a larger acceleration than objects have, and that is clearly larger than the recent changes. The latter
-    /// distinguishes jumps from a person who shakes an object. Directly after a jump, the velocity is compared with that before it: an object that moves on
-    /// as before is at its new place, and the way back at the end of an outlier is another jump.
+    /// A jump is a change of velocity that needs a larger acceleration than objects have, that is clearly larger than the recent changes, and larger than the
+    /// maximum speed of the motion. The second condition distinguishes jumps from a person who shakes an object, the third one from inaccurate samples of a
+    /// vehicle. Directly after a jump, the velocity is compared with that before it: an object that moves on as before is at its new place, and the way back
+    /// at the end of an outlier is another jump.
     /// </remarks>
     sealed class ObjectJumpDetector : JumpDetector
     {
@@ -136,21 +137,25 @@ namespace Nowpose.Prediction.State
                 _newVelocity[c] = _displacement[c] / Math.Max(motion.Interval, motion.Timing.MeanInterval);
             }
             var continues = IsVelocityUnknown && Vectors.Distance(_displacement, _jump) < MaxContinuedRatio * Vectors.Length(_jump);
-            var isJump = _isKnown && IsAbrupt(Math.Max(motion.Timing.Interval, motion.Timing.MeanInterval), motion.HasOtherMotionJumped) && !continues;
+            var (change, limit) = (Vectors.Distance(_newVelocity, _velocity), LimitOf(motion));
+            var isJump = _isKnown && IsAbrupt(motion, change, limit) && !continues;
+            if (_isKnown) _meanChange += (Math.Min(change, MaxLearnedRatio * limit) - _meanChange) * SampleTiming.MeanWeight;
             if (!isJump) _isKnown = true;
             var (from, to) = isJump ? (_displacement, _jump) : (_newVelocity, _velocity);
             Array.Copy(from, to, to.Length);
             return isJump;
         }
 
-        // If another part of the pose has jumped, a change is a jump even if an object could make it by moving.
-        bool IsAbrupt(double interval, bool hasOtherMotionJumped)
+        // If another part of the pose has jumped, a change is a jump even if an object could make it by moving. An object that moves on has a larger error if it
+        // is held than if a smaller change of its velocity is wrong.
+        bool IsAbrupt(MotionState motion, double change, double limit) => change > motion.MaxSpeed && change > MinChangeRatio * _meanChange
+            && (motion.HasOtherMotionJumped || (Vectors.Length(_newVelocity) > limit && change > limit));
+
+        // Minimum change of velocity of a jump that takes place within one interval.
+        double LimitOf(MotionState motion)
         {
-            var (change, speed) = (Vectors.Distance(_newVelocity, _velocity), Vectors.Length(_newVelocity));
-            var limit = Math.Max(_minJump / interval, _maxAcceleration * interval);
-            var isAbrupt = change > MinChangeRatio * _meanChange && (hasOtherMotionJumped || (speed > limit && change > limit));
-            _meanChange += (Math.Min(change, MaxLearnedRatio * limit) - _meanChange) * SampleTiming.MeanWeight;
-            return isAbrupt;
+            var interval = Math.Max(motion.Timing.Interval, motion.Timing.MeanInterval);
+            return Math.Max(_minJump / interval, _maxAcceleration * interval);
         }
     }
 }

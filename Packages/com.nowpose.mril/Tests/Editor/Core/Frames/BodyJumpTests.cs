@@ -60,6 +60,17 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(kind, Is.EqualTo(PredictionKind.Predicted));
         }
 
+        // The position from a satellite receiver is 0.12 m wrong. If the vehicle were held there, it would be 0.8 m behind.
+        [Test]
+        public void Add_VehicleDeviatesLessThanItsSpeed_IsStillPredicted()
+        {
+            PoseSample Motion(double t) => new PoseSample(t, new Vector3D(6 * t + (t > 99.5 * Interval ? 0.12 : 0), 0, 0), UnitQuaternion.Identity);
+            var predictor = Fed("adaptive", Motion, 101);
+
+            Assert.That(predictor.At(100 * Interval + 0.15, out var kind).X, Is.EqualTo(6 * (100 * Interval + 0.15)).Within(0.5));
+            Assert.That(kind, Is.EqualTo(PredictionKind.Predicted));
+        }
+
         // One of a hundred samples is wrong, as of a marker that a camera sees at a flat angle.
         [TestCase(0.02)]
         [TestCase(0.05)]
