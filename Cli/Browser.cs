@@ -2,6 +2,7 @@ using System.ComponentModel;
 using System.CommandLine;
 using System.Diagnostics;
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli;
 
@@ -15,7 +16,7 @@ sealed class Browser(bool needsDisplay, Func<string, string> environment, Action
         !OperatingSystem.IsWindows() && !OperatingSystem.IsMacOS(), Environment.GetEnvironmentVariable, settings => Process.Start(settings)?.Dispose());
 
     /// <summary>Creates the option <c>--open</c>.</summary>
-    public static Option<bool> Option() => new("--open") { Description = "Open the page in the browser of this desktop" };
+    public static Option<bool> Option() => SwitchOption.Create("--open", "Open the page in the browser of this desktop");
 
     /// <summary>Opens a page, or prints one line with the reason why the page cannot be opened.</summary>
     public static void OpenOrExplain(string path)

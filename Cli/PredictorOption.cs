@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Options;
 using Nowpose.Prediction;
 
 namespace Nowpose.Cli;
@@ -11,11 +12,8 @@ static class PredictorOption
     {
         const string name = "--predictor";
         var list = string.Join(", ", Predictors.Names);
-        var option = new Option<string>(name)
-        {
-            Description = $"Prediction method [{list}; polynomials also with another history h, for example linear-h4]",
-            DefaultValueFactory = _ => Predictors.Default,
-        };
+        var option = TextOption.Create(
+            name, $"Prediction method [{list}; polynomials also with another history h, for example linear-h4]", standard: Predictors.Default);
         option.Validators.Add(result =>
         {
             if (result.GetValueOrDefault<string>() is string value && !IsKnown(value))

@@ -13,10 +13,8 @@ static class RuntimeOptions
         "--estimator", "Clock estimator; ransac is the paper's", ClockEstimators.Default, [.. ClockEstimators.Names]);
 
     /// <param name="effect">Values of the profile that the command uses.</param>
-    public static Option<string> Profile(string effect) => new("--profile")
-    {
-        Description = "Latency profile created by calibrate; sets " + effect, HelpName = "FILE.json",
-    };
+    public static Option<string> Profile(string effect) => TextOption.Create(
+        "--profile", "Latency profile created by calibrate; sets " + effect, "FILE.json");
 
     /// <summary>Reads the latency profile.</summary>
     /// <param name="given">Other options that set the display latency.</param>

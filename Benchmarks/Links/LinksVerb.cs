@@ -15,12 +15,10 @@ static class LinksVerb
     static readonly Option<double> Seconds = NumberOption.Create(
         "--seconds", "Length of a run; limits hold for 30 s or more", LinkLimits.Seconds, 5, 3600, "s");
     static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of the first run; each further run uses the next one", 1, 0, 1_000_000, "");
-    static readonly Option<bool> Reorder = new("--reorder") { Description = "Allow packets to arrive in another order" };
-    static readonly Option<string> Out = new("--out") { Description = "File for the results of all runs, as JSON", HelpName = "FILE" };
-    static readonly Option<string> Sessions = new("--sessions")
-    {
-        Description = "Folder for the headset's session files; created if it does not exist", HelpName = "FOLDER",
-    };
+    static readonly Option<bool> Reorder = SwitchOption.Create("--reorder", "Allow packets to arrive in another order");
+    static readonly Option<string> Out = TextOption.Create("--out", "File for the results of all runs, as JSON", "FILE");
+    static readonly Option<string> Sessions = TextOption.Create(
+        "--sessions", "Folder for the headset's session files; created if it does not exist", "FOLDER");
 
     public static Task<int> RunAsync(string[] args)
     {

@@ -21,14 +21,10 @@ static class LoadVerb
         var headsets = NumberOption.Create("--headsets", "Number of headsets, with two connections each", 200, 1, 4000, "");
         var rate = NumberOption.Create("--rate-hz", "Samples per second", 50.0, 1, 1000, "Hz");
         var seconds = NumberOption.Create("--seconds", "Duration of the measurement, after a warm-up of 10 s", 300, 1, 86_400, "s");
-        var breaks = new Option<bool>("--until-it-breaks")
-        {
-            Description = "Afterwards, increase the number of headsets by a quarter every 20 s until P99 reaches 5 ms or samples are lost",
-        };
-        var compared = new Option<string>("--compare")
-        {
-            Description = "Path of another build's Nowpose.Gateway.dll; compare the P99 of both builds in alternating runs", HelpName = "PATH",
-        };
+        var breaks = SwitchOption.Create(
+            "--until-it-breaks", "Afterwards, increase the number of headsets by a quarter every 20 s until P99 reaches 5 ms or samples are lost");
+        var compared = TextOption.Create(
+            "--compare", "Path of another build's Nowpose.Gateway.dll; compare the P99 of both builds in alternating runs", "PATH");
         var rounds = NumberOption.Create("--rounds", "Number of runs of each build with --compare", 5, 1, 100, "");
         var command = new Command(
             "gateway", "Run a gateway in a separate process with many headsets, which share this machine's processors with it")

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 
@@ -8,13 +9,10 @@ namespace Nowpose.Cli.Calibrate;
 /// <summary>The options that all calibration methods share: output, format, and the conditions of the measurement.</summary>
 sealed class CalibrationOptions
 {
-    readonly Option<string> _folder = new("--out")
-    {
-        Description = "Folder for profile.json, calibration.html and, for pictures, pairs.csv",
-        DefaultValueFactory = _ => "nowpose-calibration",
-    };
+    readonly Option<string> _folder = TextOption.Create(
+        "--out", "Folder for profile.json, calibration.html and, for pictures, pairs.csv", standard: "nowpose-calibration");
 
-    readonly Option<bool> _json = new("--json") { Description = "Print JSON instead of a table" };
+    readonly Option<bool> _json = SwitchOption.Create("--json", "Print JSON instead of a table");
     readonly DeviceOptions _device = new();
 
     public void AddTo(Command verb)

@@ -9,11 +9,9 @@ namespace Nowpose.Cli.Calibrate;
 /// <summary>Options for the conditions of a measurement that its files do not contain: device, display rate and others.</summary>
 sealed class DeviceOptions
 {
-    readonly Option<string> _device = new("--device")
-    {
-        Description = "Model of the headset, as in Unity's SystemInfo.deviceModel and the sweep's log. The headset refuses a profile of another "
-            + "model. Default: the model in the sweep's log; without a log, the profile is valid for any model",
-    };
+    readonly Option<string> _device = TextOption.Create(
+        "--device", "Model of the headset, as in Unity's SystemInfo.deviceModel and the sweep's log. The headset refuses a profile of another "
+            + "model. Default: the model in the sweep's log; without a log, the profile is valid for any model");
 
     readonly Option<double> _displayHz = NumberOption.Create(
         "--display-hz", "Refresh rate of the headset's display; 0: the rate in the sweep's log; without a log, the profile is valid for any rate",
@@ -68,7 +66,7 @@ sealed class DeviceOptions
         LatencyNames.RenderTimeSource.TryParse(source, out var kind)
             ? kind : throw new InputException(OptionMessages.UnknownChoice("--source", source, LatencyNames.RenderTimeSource.All));
 
-    static Option<string> Text(string name, string description) => new(name) { Description = description + "; same default as --device" };
+    static Option<string> Text(string name, string description) => TextOption.Create(name, description + "; same default as --device");
 
     static Option<string> Choice(string name, string description, string[] allowed) =>
         ChoiceOption.Create(name, description + "; same default as --device", null, allowed);

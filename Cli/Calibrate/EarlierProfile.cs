@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
@@ -25,10 +26,7 @@ sealed class EarlierProfile
     /// <summary>Conditions of the measurement. Options take precedence over the sweep's log, and the log over the earlier profile.</summary>
     public DisplayConditions Conditions { get; }
 
-    public static Option<string> Option() => new("--profile")
-    {
-        Description = "An earlier profile of the same device, whose render time limit is kept",
-    };
+    public static Option<string> Option() => TextOption.Create("--profile", "An earlier profile of the same device, whose render time limit is kept");
 
     /// <summary>Reads the profile. Call this method before the measurement, so that an invalid profile is reported early.</summary>
     /// <param name="path">Path of the profile; null if none was given.</param>

@@ -21,10 +21,8 @@ static class HeadVerb
     };
     static readonly Option<double> Readout = VlcVerb.ReadoutOption();
     static readonly Option<double> ControlDelay = VlcVerb.ControlDelayOption();
-    static readonly Option<string> Earlier = new("--profile")
-    {
-        Description = "Profile measured with a still headset; the latency for head motion is added to it",
-    };
+    static readonly Option<string> Earlier = TextOption.Create(
+        "--profile", "Profile measured with a still headset; the latency for head motion is added to it");
     static readonly CalibrationOptions Shared = new();
 
     public static Command Create()

@@ -27,14 +27,9 @@ static class SimulateVerb
         "--head-latency-ms", "Create pictures for calibrate head instead: headset and camera turn left and right with this latency for head motion, at "
         + "30 pictures per second, from one position and at a constant load", -100.0, 300, "ms");
     static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of the random numbers", Standard.Seed, int.MinValue, int.MaxValue, "");
-    static readonly Option<bool> Check = new("--check")
-    {
-        Description = "Read each picture immediately instead of storing it, and report the accuracy. The exit status is 1 if the error is too large.",
-    };
-    static readonly Option<string> Output = new("--out")
-    {
-        Description = "Folder for pictures, sweep.csv and truth.csv", DefaultValueFactory = _ => "nowpose-pictures",
-    };
+    static readonly Option<bool> Check = SwitchOption.Create(
+        "--check", "Read each picture immediately instead of storing it, and report the accuracy. The exit status is 1 if the error is too large.");
+    static readonly Option<string> Output = TextOption.Create("--out", "Folder for pictures, sweep.csv and truth.csv", standard: "nowpose-pictures");
 
     public static Command Create()
     {

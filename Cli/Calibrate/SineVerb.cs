@@ -17,15 +17,14 @@ static class SineVerb
         Description = "Table of positions in the camera's pictures (.csv, .csv.gz): the time in s (t or t_s), then robot and hologram in pixels; "
             + "or a video (needs ffmpeg), with --robot-box and --hologram-box.",
     };
-    static readonly Option<string> Columns = new("--columns") { Description = "Names of the columns of robot and hologram, if there are more than two: ROBOT,HOLOGRAM" };
-    static readonly Option<string> Control = new("--control")
-    {
-        Description = "Positions recorded by the control system, if the camera uses the control clock; RECORDING then has the hologram only",
-    };
-    static readonly Option<string> Joint = new("--joint") { Description = "Column of --control" };
+    static readonly Option<string> Columns = TextOption.Create(
+        "--columns", "Names of the columns of robot and hologram, if there are more than two: ROBOT,HOLOGRAM");
+    static readonly Option<string> Control = TextOption.Create(
+        "--control", "Positions recorded by the control system, if the camera uses the control clock; RECORDING then has the hologram only");
+    static readonly Option<string> Joint = TextOption.Create("--joint", "Column of --control");
     static readonly Option<PictureBox?> RobotBox = BoxOption.Create("--robot-box", "Video: a patch of the robot's tool in the first picture");
     static readonly Option<PictureBox?> HologramBox = BoxOption.Create("--hologram-box", "Video: a patch of the hologram in the first picture");
-    static readonly Option<bool> Inverted = new("--inverted") { Description = "The values of robot and hologram increase in opposite directions" };
+    static readonly Option<bool> Inverted = SwitchOption.Create("--inverted", "The values of robot and hologram increase in opposite directions");
     static readonly Option<double?> Application = NumberOption.CreateOptional(
         "--app-ms", "If the recording shows the ghost (compensation off): L_app from the status panel", 0.0, 1000, "ms");
     static readonly Option<double> Sampling = NumberOption.Create(

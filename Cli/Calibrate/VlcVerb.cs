@@ -18,7 +18,7 @@ static class VlcVerb
         Description = "Pictures (.png, .jpg) in the order in which they were taken, a folder of them, or a video (needs ffmpeg).",
         Arity = ArgumentArity.OneOrMore,
     };
-    static readonly Option<string> Sweep = new("--sweep") { Description = "Log of the load sweep, which contains the render time of each picture" };
+    static readonly Option<string> Sweep = TextOption.Create("--sweep", "Log of the load sweep, which contains the render time of each picture");
     static readonly Option<double> Readout = ReadoutOption();
     static readonly Option<double> ControlDelay = ControlDelayOption();
     static readonly Option<string> Earlier = EarlierProfile.Option();

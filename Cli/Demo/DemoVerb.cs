@@ -21,15 +21,9 @@ static class DemoVerb
     static readonly Option<double> Seconds = NumberOption.Create("--seconds", "Duration of the run", 20.0, 5, 3600, "s");
     static readonly Option<string> Network = ChoiceOption.Create(
         "--network", "Simulated network between gateway and headset", "wifi", [.. NetworkProfile.All.Select(profile => profile.Name)]);
-    static readonly Option<string> Robot = new("--robot")
-    {
-        Description = RobotFiles.Names + " or a .urdf file",
-        DefaultValueFactory = _ => "youbot",
-    };
-    static readonly Option<string> Recording = new("--recording")
-    {
-        Description = "Recorded motion, played forward and backward: .csv or .csv.gz with the time in s and one column per joint",
-    };
+    static readonly Option<string> Robot = TextOption.Create("--robot", RobotFiles.Names + " or a .urdf file", standard: "youbot");
+    static readonly Option<string> Recording = TextOption.Create(
+        "--recording", "Recorded motion, played forward and backward: .csv or .csv.gz with the time in s and one column per joint");
     static readonly Option<string> Predictor = PredictorOption.Create();
     static readonly Option<string> Estimator = RuntimeOptions.Estimator();
     static readonly Option<string> Profile = RuntimeOptions.Profile("the display latency and, with --load, the render time limit");
@@ -43,22 +37,15 @@ static class DemoVerb
         "--visu-error-ms", "Error of the display latency that the runtime uses", 0.0, -100, 100, "ms");
     static readonly Option<int?> Load = NumberOption.CreateOptional(
         "--load", "Number of vertices to render between one third and three quarters of the run", 0, SweepPlan.MaxVertices, "vertices");
-    static readonly Option<bool> Trajectory = new("--trajectory")
-    {
-        Description = "Also publish the cell's set-points ahead of time",
-    };
+    static readonly Option<bool> Trajectory = SwitchOption.Create("--trajectory", "Also publish the cell's set-points ahead of time");
     static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of the random numbers", 1, 0, 1_000_000, "");
-    static readonly Option<bool> Paper = new("--paper")
-    {
-        Description = "Reproduce Sect. 3 of the paper: its swing, clock and predictor, a display calibrated by pictures, and a verdict on each claim "
-            + FormattableString.Invariant($"of Figs 8, 16, 17 and 18; runs {PaperScenario.Seconds} s by default"),
-    };
+    static readonly Option<bool> Paper = SwitchOption.Create(
+        "--paper", "Reproduce Sect. 3 of the paper: its swing, clock and predictor, a display calibrated by pictures, and a verdict on each claim "
+            + $"of Figs 8, 16, 17 and 18; runs {PaperScenario.Seconds} s by default");
     static readonly Option<int> Repeats = NumberOption.Create("--repeats", "Number of runs of --paper, from which the uncertainty is computed", 1, 1, 100, "");
-    static readonly Option<string> Output = new("--out")
-    {
-        Description = "Folder for report.html, result.json, session.jsonl, and, with --paper, the data of figures, frames and exchanges",
-        DefaultValueFactory = _ => "nowpose-demo",
-    };
+    static readonly Option<string> Output = TextOption.Create(
+        "--out", "Folder for report.html, result.json, session.jsonl, and, with --paper, the data of figures, frames and exchanges",
+        standard: "nowpose-demo");
 
     static readonly Option<bool> Open = Browser.Option();
 

@@ -11,14 +11,10 @@ static class FiguresVerb
 {
     public static Command Create()
     {
-        var output = new Option<string>("--out")
-        {
-            Description = "Folder for figures.html and one CSV per figure",
-            DefaultValueFactory = _ => "nowpose-figures",
-        };
-        var quick = new Option<bool>("--quick") { Description = "Compute a quarter of the runs, in less than a minute and with slightly less accurate results" };
+        var output = TextOption.Create("--out", "Folder for figures.html and one CSV per figure", standard: "nowpose-figures");
+        var quick = SwitchOption.Create("--quick", "Compute a quarter of the runs, in less than a minute and with slightly less accurate results");
         var seed = NumberOption.Create("--seed", "Seed of the random numbers", FigureSettings.Full.Seed, 0, 1_000_000, "");
-        var pictures = new Option<string>("--pictures") { Description = "Folder for the pictures of the documentation, as SVG" };
+        var pictures = TextOption.Create("--pictures", "Folder for the pictures of the documentation, as SVG");
         var open = Browser.Option();
         var verb = new Command("figures", "Recompute the paper's figures: data as CSV, and one HTML page with the paper's claims beside our results.")
         {

@@ -12,30 +12,21 @@ namespace Nowpose.Cli.Headset;
 /// <summary><c>headset</c>: checks whether a gateway and its plant are suitable for headsets. Needs no headset.</summary>
 static class HeadsetVerb
 {
-    static readonly Option<string> Host = new("--host") { Description = "Name or address of the gateway", DefaultValueFactory = _ => "127.0.0.1" };
+    static readonly Option<string> Host = TextOption.Create("--host", "Name or address of the gateway", standard: "127.0.0.1");
     static readonly Option<int> SyncPort = NumberOption.Create(
         "--sync-port", "TCP port of the clock synchronisation", ProtocolLimits.SyncPort, 1, IPEndPoint.MaxPort, "");
     static readonly Option<int> WebSocketPort = NumberOption.Create(
         "--ws-port", "TCP port of the joint positions", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
-    static readonly Option<string> Pin = new("--pin")
-    {
-        Description = "Pin of the gateway's certificate, as printed by the gateway; encrypts both connections", HelpName = "PIN",
-    };
-    static readonly Option<string> TokenFile = new("--token-file")
-    {
-        Description = "File that contains only the token of an observer", HelpName = "FILE",
-    };
-    static readonly Option<bool> InsecureLan = new("--insecure-lan")
-    {
-        Description = "Allow unencrypted connections to another machine; use only on a trusted network",
-    };
-    static readonly Option<string> Name = new("--name") { Description = "Name of this headset", DefaultValueFactory = _ => "headless" };
-    static readonly Option<string> Robot = new("--robot") { Description = RobotFiles.Names + " or a .urdf file [default: as the gateway describes it]" };
-    static readonly Option<string> Namespace = new("--namespace")
-    {
-        Description = "Namespace of the robot, for a gateway with several robots, for example arm1 [default: the robot without a namespace]",
-        HelpName = "NAME",
-    };
+    static readonly Option<string> Pin = TextOption.Create(
+        "--pin", "Pin of the gateway's certificate, as printed by the gateway; encrypts both connections", "PIN");
+    static readonly Option<string> TokenFile = TextOption.Create("--token-file", "File that contains only the token of an observer", "FILE");
+    static readonly Option<bool> InsecureLan = SwitchOption.Create(
+        "--insecure-lan", "Allow unencrypted connections to another machine; use only on a trusted network");
+    static readonly Option<string> Name = TextOption.Create("--name", "Name of this headset", standard: "headless");
+    static readonly Option<string> Robot = TextOption.Create("--robot", RobotFiles.Names + " or a .urdf file [default: as the gateway describes it]");
+    static readonly Option<string> Namespace = TextOption.Create(
+        "--namespace", "Namespace of the robot, for a gateway with several robots, for example arm1 [default: the robot without a namespace]",
+        "NAME");
     static readonly Option<string> Predictor = PredictorOption.Create();
     static readonly Option<string> Estimator = RuntimeOptions.Estimator();
     static readonly Option<string> Profile = RuntimeOptions.Profile(
@@ -43,13 +34,11 @@ static class HeadsetVerb
     static readonly Option<double> Visualisation = NumberOption.Create("--visu-ms", "Display latency that the runtime uses", 40.0, 0, 500, "ms");
     static readonly Option<double> FramesPerSecond = NumberOption.Create("--fps", "Frames per second", 60.0, 1, 240, "Hz");
     static readonly Option<double> Seconds = NumberOption.Create("--seconds", "Duration of the run", 20.0, 1, 86_400, "s");
-    static readonly Option<string> Record = new("--record")
-    {
-        Description = "File for a recording of the session, .jsonl; the exit status is 1 if it is incomplete", HelpName = "FILE",
-    };
+    static readonly Option<string> Record = TextOption.Create(
+        "--record", "File for a recording of the session, .jsonl; the exit status is 1 if it is incomplete", "FILE");
     static readonly Option<double> RecordMegabytes = NumberOption.Create(
         "--record-max-mb", "Maximum size of the recording, which ends at this size", HeadsetSettings.DefaultRecordingMegabytes, 0.001, 100_000, "MB");
-    static readonly Option<bool> Json = new("--json") { Description = "Print the result as JSON" };
+    static readonly Option<bool> Json = SwitchOption.Create("--json", "Print the result as JSON");
 
     public static Command Create()
     {

@@ -12,11 +12,10 @@ static class KinematicsVerb
     public static Command Create()
     {
         var file = new Argument<string>("FILE.urdf") { Description = $"The robot: a URDF, or one of {RobotFiles.Names}." };
-        var joints = new Option<string>("--joints")
-        {
-            Description = "Joint values in rad (prismatic: m), for example a=0.1,b=-0.2. Other joints are at 0; mimic joints without a value follow the joint that they mimic.",
-        };
-        var json = new Option<bool>("--json") { Description = "Print JSON instead of matrices" };
+        var joints = TextOption.Create(
+            "--joints", "Joint values in rad (prismatic: m), for example a=0.1,b=-0.2. Other joints are at 0; "
+                + "mimic joints without a value follow the joint that they mimic.");
+        var json = SwitchOption.Create("--json", "Print JSON instead of matrices");
         var verb = new Command("kinematics", "Compute the poses of all links relative to the root link.") { file, joints, json };
         verb.SetAction((parsed, cancel) => Invocation.ReadAsync(
             () => Run(parsed.GetValue(file), parsed.GetValue(joints), parsed.GetValue(json)), cancel));

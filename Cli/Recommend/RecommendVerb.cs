@@ -21,8 +21,8 @@ static class RecommendVerb
         };
         var sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s of a motion", 50.0, 0.1, 10000, "ms");
         var latency = NumberOption.Create("--latency-ms", "Latency L, from the time of a sample to its arrival", 100.0, 0, 10000, "ms");
-        var grid = new Option<bool>("--grid") { Description = "Evaluate a motion at 20/100, 50/100 and 100/150 ms (T_s/L) instead" };
-        var json = new Option<bool>("--json") { Description = "Print JSON instead of tables" };
+        var grid = SwitchOption.Create("--grid", "Evaluate a motion at 20/100, 50/100 and 100/150 ms (T_s/L) instead");
+        var json = SwitchOption.Create("--json", "Print JSON instead of tables");
         var verb = new Command(
             "recommend", "Evaluate all predictors, and polynomials with other histories, on both halves of a recording, and recommend one.")
         {

@@ -29,7 +29,7 @@ static class ReplayVerb
         var loss = NumberOption.Create("--loss", "Probability that a sample is lost", 0.0, 0, 1, "");
         var blend = NumberOption.Create("--blend-ms", "Time constant of the blend from the old section to a new one; a session defines it", 0.0, 0, 200, "ms");
         var seed = NumberOption.Create("--seed", "Seed of the random numbers", 1, int.MinValue, int.MaxValue, "");
-        var json = new Option<bool>("--json") { Description = "Print JSON instead of a table" };
+        var json = SwitchOption.Create("--json", "Print JSON instead of a table");
 
         var verb = new Command("replay", "Predict a recorded motion or session as on the headset, without a network and in virtual time.")
         {

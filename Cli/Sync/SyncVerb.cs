@@ -15,11 +15,9 @@ static class SyncVerb
                 + "or a recorded session, .jsonl or .jsonl.gz.",
         };
         var estimator = RuntimeOptions.Estimator();
-        var at = new Option<string>("--at")
-        {
-            Description = "File of instants (t_ns on C2, increasing): print the estimate at each of them instead of after each exchange",
-        };
-        var json = new Option<bool>("--json") { Description = "Print JSON instead of CSV" };
+        var at = TextOption.Create(
+            "--at", "File of instants (t_ns on C2, increasing): print the estimate at each of them instead of after each exchange");
+        var json = SwitchOption.Create("--json", "Print JSON instead of CSV");
         var page = new Option<string>("--page")
         {
             Description = $"Also write Fig. 8 of the paper for this log as an HTML page (default: {SyncPage.DefaultPath}) and its data as CSV.",

@@ -11,28 +11,18 @@ static class UnityVerb
     public static Command Create()
     {
         var path = new Argument<string>("PATH") { Description = "Folder of the Unity project" };
-        var mrtk3 = new Option<bool>("--mrtk3") { Description = "Add MRTK3 and the packages that a HoloLens 2 needs" };
-        var webSocket = new Option<bool>("--native-websocket") { Description = "Add NativeWebSocket, another WebSocket client" };
-        var samples = new Option<string[]>("--sample")
-        {
-            Description = "Copy a sample of the package into Assets/Samples: " + SampleNames() + ".",
-            HelpName = "NAME",
-        };
-        var package = new Option<string>("--package")
-        {
-            Description = "Source of the package: a Git URL, file:PATH, a folder or a .tgz file. Default: the source in the project's manifest or, if it "
+        var mrtk3 = SwitchOption.Create("--mrtk3", "Add MRTK3 and the packages that a HoloLens 2 needs");
+        var webSocket = SwitchOption.Create("--native-websocket", "Add NativeWebSocket, another WebSocket client");
+        var samples = TextOption.CreateList("--sample", "Copy a sample of the package into Assets/Samples: " + SampleNames() + ".", "NAME");
+        var package = TextOption.Create(
+            "--package", "Source of the package: a Git URL, file:PATH, a folder or a .tgz file. Default: the source in the project's manifest or, if it "
                 + "has none, the folder of this clone or published program.",
-            HelpName = "ADDRESS",
-        };
-        var onConflict = new Option<string>("--on-conflict")
-        {
-            Description = "Treatment of older or different entries: refuse (change nothing), keep, or replace",
-            DefaultValueFactory = _ => "refuse",
-            HelpName = "refuse|keep|replace",
-        };
+            "ADDRESS");
+        var onConflict = TextOption.Create(
+            "--on-conflict", "Treatment of older or different entries: refuse (change nothing), keep, or replace", "refuse|keep|replace", "refuse");
         onConflict.AcceptOnlyFromAmong("refuse", "keep", "replace");
-        var check = new Option<bool>("--check") { Description = "List the changes without making them. The exit status is 1 if there are any." };
-        var json = new Option<bool>("--json") { Description = "Print JSON instead of text" };
+        var check = SwitchOption.Create("--check", "List the changes without making them. The exit status is 1 if there are any.");
+        var json = SwitchOption.Create("--json", "Print JSON instead of text");
         var verb = new Command("unity", "Prepare a Unity project: registries, dependencies, testables and the package in its Packages/manifest.json.")
         {
             path, mrtk3, webSocket, samples, package, onConflict, check, json,

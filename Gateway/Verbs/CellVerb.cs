@@ -19,17 +19,15 @@ static class CellVerb
         var cell = new Option<string>("--cell") { Description = "Name of the cell", HelpName = "NAME", Required = true };
         var host = new Option<string>("--host") { Description = "Host name or address at which headsets reach the gateway", HelpName = "HOST", Required = true };
         var pin = new PinArguments();
-        var offset = new Option<string>("--offset")
-        {
-            Description = "Pose of the marker in the robot's base frame, metres and degrees; without it the code does not contain the base's position",
-            HelpName = "X,Y,Z[,ROLL,PITCH,YAW]",
-        };
+        var offset = TextOption.Create(
+            "--offset", "Pose of the marker in the robot's base frame, metres and degrees; without it the code does not contain the base's position",
+            "X,Y,Z[,ROLL,PITCH,YAW]");
         var size = NumberOption.Create(
             "--size-mm", "Side length of the printed code without its white margin", 120.0, CellCode.MinSizeMetres * 1000,
             CellCode.MaxSizeMetres * 1000, "mm");
         var sync = NumberOption.Create("--sync-port", "TCP port of the clock synchronisation", ProtocolLimits.SyncPort, 1, IPEndPoint.MaxPort, "");
         var socket = NumberOption.Create("--ws-port", "TCP port of the WebSocket", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
-        var file = new Option<string>("--out") { Description = "File for the code, .svg at its true size or .png [default: the terminal]", HelpName = "FILE" };
+        var file = TextOption.Create("--out", "File for the code, .svg at its true size or .png [default: the terminal]", "FILE");
         var command = new Command("cell", "Create the code of a robot's marker with the cell, the gateway and the marker's pose; it contains no secret")
         {
             cell, host, offset, size, sync, socket, file,

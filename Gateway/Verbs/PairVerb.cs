@@ -18,13 +18,10 @@ static class PairVerb
 
     public static Command Create()
     {
-        var host = new Option<string>("--host")
-        {
-            Description = "Address on which the gateway listens; it must belong to this machine", HelpName = "HOST", DefaultValueFactory = _ => "127.0.0.1",
-        };
+        var host = TextOption.Create("--host", "Address on which the gateway listens; it must belong to this machine", "HOST", "127.0.0.1");
         var socket = NumberOption.Create("--ws-port", "TCP port of the gateway's WebSocket", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
         var pin = new PinArguments();
-        var renew = new Option<bool>("--renew") { Description = "Create a new code; the current code becomes invalid" };
+        var renew = SwitchOption.Create("--renew", "Create a new code; the current code becomes invalid");
         var command = new Command("pair", "Show the code that pairs a headset with the gateway on this machine; usable once, within 5 minutes")
         {
             host, socket, renew,

@@ -12,10 +12,7 @@ static class PairingsVerb
     public static Command Create()
     {
         var file = new Option<string>("--pairing") { Description = "The gateway's list of headsets", HelpName = "FILE", Required = true };
-        var revoke = new Option<string>("--revoke")
-        {
-            Description = "Remove all headsets of this name; a running gateway ends their connections immediately", HelpName = "NAME",
-        };
+        var revoke = TextOption.Create("--revoke", "Remove all headsets of this name; a running gateway ends their connections immediately", "NAME");
         var command = new Command("pairings", "List the paired headsets, oldest first; the gateway may be running") { file, revoke };
         command.SetAction(async (parsed, cancel) =>
         {

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 
@@ -8,9 +9,9 @@ namespace Nowpose.Gateway.Verbs;
 /// <summary>The options that identify a gateway's key, either by its certificate or by the pin that the gateway prints.</summary>
 sealed class PinArguments
 {
-    readonly Option<string> _certificate = new("--certificate") { Description = "Certificate with which the gateway was started", HelpName = "FILE" };
-    readonly Option<string> _key = new("--certificate-key") { Description = ".pem file of the private key, if separate", HelpName = "FILE" };
-    readonly Option<string> _pin = new("--pin") { Description = "Pin that the gateway prints, instead of the certificate", HelpName = "PIN" };
+    readonly Option<string> _certificate = TextOption.Create("--certificate", "Certificate with which the gateway was started", "FILE");
+    readonly Option<string> _key = TextOption.Create("--certificate-key", ".pem file of the private key, if separate", "FILE");
+    readonly Option<string> _pin = TextOption.Create("--pin", "Pin that the gateway prints, instead of the certificate", "PIN");
 
     public void AddTo(Command command)
     {

@@ -8,12 +8,7 @@ namespace Nowpose.Gateway.Verbs;
 /// <summary>The options of the commands "simulate" and "replay" for the robot and its samples.</summary>
 sealed class PlantArguments
 {
-    readonly Option<string> _robot = new("--robot")
-    {
-        Description = RobotFiles.Names + " or the path of a .urdf file",
-        HelpName = "ROBOT",
-        DefaultValueFactory = _ => "youbot",
-    };
+    readonly Option<string> _robot = TextOption.Create("--robot", RobotFiles.Names + " or the path of a .urdf file", "ROBOT", "youbot");
 
     readonly Option<double> _sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s", 50.0, 1, 1000, "ms");
 
@@ -22,10 +17,8 @@ sealed class PlantArguments
 
     readonly Option<int> _seed = NumberOption.Create("--seed", "Seed of the random delays", 1, 0, int.MaxValue, "");
 
-    readonly Option<bool> _trajectory = new("--trajectory")
-    {
-        Description = "Also publish the set-points of the next second on /joint_trajectory, like a planner",
-    };
+    readonly Option<bool> _trajectory = SwitchOption.Create(
+        "--trajectory", "Also publish the set-points of the next second on /joint_trajectory, like a planner");
 
     readonly Option<int> _robots = NumberOption.Create(
         "--robots", "Number of robots: 2 stand at the same conveyor, in the namespaces arm1 and arm2", 1, 1, CellWork.MaxRobots, "");

@@ -17,32 +17,23 @@ static class ServeVerb
     public static Command Create(ConfiguredArguments configured)
     {
         var server = new ServerArguments(configured);
-        var robot = new Option<string>("--robot")
-        {
-            Description = $"Robot description for headsets: {RobotFiles.Names} or the path of a .urdf file [default: a source sends it]",
-            HelpName = "ROBOT",
-        };
-        var controlClock = new Option<string>("--clock")
-        {
-            Description = "Control clock: the name of a plant's clock, or own for the gateway's clock [default: the first clock that an adapter offers]",
-            HelpName = "NAME",
-        };
+        var robot = TextOption.Create(
+            "--robot", $"Robot description for headsets: {RobotFiles.Names} or the path of a .urdf file [default: a source sends it]", "ROBOT");
+        var controlClock = TextOption.Create(
+            "--clock", "Control clock: the name of a plant's clock, or own for the gateway's clock [default: the first clock that an adapter offers]",
+            "NAME");
         controlClock.Validators.Add(CheckClock);
         var ownClock = ChoiceOption.Create(
             "--own-clock",
             "The gateway's own clock: monotonic starts at Unix time and is never corrected; system follows the corrections of the system clock "
                 + "(for sources that use it for their time stamps)",
             Monotonic, [Monotonic, System]);
-        var plants = new Option<string[]>("--plant")
-        {
-            Description = "Configuration of a control system (.yaml), whose adapter starts with the gateway. Repeat for several control systems",
-            HelpName = "FILE",
-        };
-        var stationary = new Option<string>("--stationary")
-        {
-            Description = "File of stationary objects (.json), saved by a headset or written by hand; the gateway publishes them on /tf_static",
-            HelpName = "FILE",
-        };
+        var plants = TextOption.CreateList(
+            "--plant", "Configuration of a control system (.yaml), whose adapter starts with the gateway. Repeat for several control systems",
+            "FILE");
+        var stationary = TextOption.Create(
+            "--stationary", "File of stationary objects (.json), saved by a headset or written by hand; the gateway publishes them on /tf_static",
+            "FILE");
         var command = new Command("serve", "Serve the data of the sources that connect to the gateway");
         command.Options.Add(robot);
         command.Options.Add(controlClock);

@@ -31,47 +31,32 @@ sealed class ServerArguments(ConfiguredArguments configured)
     readonly Option<int> _webSocketPort = NumberOption.Create(
         "--ws-port", "TCP port of the WebSocket; 0: any free port", ProtocolLimits.WebSocketPort, 0, IPEndPoint.MaxPort, "");
 
-    readonly Option<bool> _tls = new("--tls") { Description = "Encrypt both connections; without --certificate, the gateway creates a certificate at each start" };
+    readonly Option<bool> _tls = SwitchOption.Create(
+        "--tls", "Encrypt both connections; without --certificate, the gateway creates a certificate at each start");
 
-    readonly Option<string> _certificate = new("--certificate")
-    {
-        Description = "Certificate with private key, .pfx without password or .pem; created if the file does not exist. Implies --tls",
-        HelpName = "FILE",
-    };
+    readonly Option<string> _certificate = TextOption.Create(
+        "--certificate", "Certificate with private key, .pfx without password or .pem; created if the file does not exist. Implies --tls", "FILE");
 
-    readonly Option<string> _key = new("--certificate-key")
-    {
-        Description = ".pem file of the private key, if separate", HelpName = "FILE",
-    };
+    readonly Option<string> _key = TextOption.Create("--certificate-key", ".pem file of the private key, if separate", "FILE");
 
-    readonly Option<string> _tokens = new("--tokens")
-    {
-        Description = "File of the clients' tokens: lines \"observer TOKEN\", \"source TOKEN\" or \"operator TOKEN\"; changes apply immediately",
-        HelpName = "FILE",
-    };
+    readonly Option<string> _tokens = TextOption.Create(
+        "--tokens", "File of the clients' tokens: lines \"observer TOKEN\", \"source TOKEN\" or \"operator TOKEN\"; changes apply immediately",
+        "FILE");
 
-    readonly Option<string> _pairing = new("--pairing")
-    {
-        Description = "Allow pairing, with the list of headsets in this file, which is created if it does not exist. Clients then need a token",
-        HelpName = "FILE",
-    };
+    readonly Option<string> _pairing = TextOption.Create(
+        "--pairing", "Allow pairing, with the list of headsets in this file, which is created if it does not exist. Clients then need a token",
+        "FILE");
 
-    readonly Option<string> _cell = new("--cell")
-    {
-        Description = "Name of the cell, used as the title of the pages and at the start of the recordings' names", HelpName = "NAME",
-    };
+    readonly Option<string> _cell = TextOption.Create(
+        "--cell", "Name of the cell, used as the title of the pages and at the start of the recordings' names", "NAME");
 
-    readonly Option<string> _recordings = new("--recordings")
-    {
-        Description = "Folder for recordings, which start and stop on the operations page; created if it does not exist", HelpName = "FOLDER",
-    };
+    readonly Option<string> _recordings = TextOption.Create(
+        "--recordings", "Folder for recordings, which start and stop on the operations page; created if it does not exist", "FOLDER");
 
-    readonly Option<bool> _record = new("--record") { Description = "Record from the start of the gateway" };
+    readonly Option<bool> _record = SwitchOption.Create("--record", "Record from the start of the gateway");
 
-    readonly Option<bool> _insecureLan = new("--insecure-lan")
-    {
-        Description = "Allow unencrypted connections from other machines. Use it only on a trusted network",
-    };
+    readonly Option<bool> _insecureLan = SwitchOption.Create(
+        "--insecure-lan", "Allow unencrypted connections from other machines. Use it only on a trusted network");
 
     readonly Option<int> _maxConnections = NumberOption.Create("--max-connections", "Maximum number of connections to each of the two ports", 256, 1, 10_000, "");
 
@@ -85,15 +70,12 @@ sealed class ServerArguments(ConfiguredArguments configured)
         CustomParser = ParseSeconds,
     };
 
-    readonly Option<string> _config = new(ConfiguredArguments.Option)
-    {
-        Description = "Read options from a .yaml file with one \"name: value\" per line; options of the command line take precedence", HelpName = "FILE",
-    };
+    readonly Option<string> _config = TextOption.Create(
+        ConfiguredArguments.Option, "Read options from a .yaml file with one \"name: value\" per line; options of the command line take precedence",
+        "FILE");
 
-    readonly Option<bool> _check = new(ConfiguredArguments.Check)
-    {
-        Description = "Check the configuration, print what would be served, and exit without changing anything",
-    };
+    readonly Option<bool> _check = SwitchOption.Create(
+        ConfiguredArguments.Check, "Check the configuration, print what would be served, and exit without changing anything");
 
     public void AddTo(Command command)
     {

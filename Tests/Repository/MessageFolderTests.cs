@@ -19,7 +19,7 @@ public sealed partial class MessageFolderTests
     static readonly string[] Help =
     [
         "Command", "Invocation.Root", "BoxOption.Create", "ChoiceOption.Create", "NumberOption.Create", "NumberOption.CreateOptional",
-        "NumberOption.CreateList", "RangeOption.Create", "RuntimeOptions.Profile",
+        "NumberOption.CreateList", "RangeOption.Create", "RuntimeOptions.Profile", "SwitchOption.Create", "TextOption.Create", "TextOption.CreateList",
     ];
 
     /// <summary>Other files with longer texts that are not messages, and the number of these texts.</summary>
