@@ -15,13 +15,13 @@ static class PaperVerb
 {
     const double VisuMs = 40;
 
-    public static Task<int> RunAsync(string[] args)
+    public static Command Create()
     {
         var seeds = NumberOption.Create("--seeds", "Number of calibrations", 10, 1, 1000, "");
         var first = NumberOption.Create("--first-seed", "Seed of the first calibration; each further one uses the next seed", 1, 0, 1_000_000, "");
         var command = new Command("paper", "Calibrate the simulated display of demo --paper from rendered pictures, and print the profiles as CSV") { seeds, first };
         command.SetAction((parsed, stop) => Task.FromResult(Run([.. Enumerable.Range(parsed.GetValue(first), parsed.GetValue(seeds))], stop)));
-        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
+        return command;
     }
 
     static int Run(int[] seeds, CancellationToken stop)

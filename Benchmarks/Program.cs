@@ -1,3 +1,4 @@
+using System.CommandLine;
 using BenchmarkDotNet.Running;
 using Nowpose.Benchmarks;
 using Nowpose.Benchmarks.Ablation;
@@ -7,41 +8,22 @@ using Nowpose.Benchmarks.Links;
 using Nowpose.Benchmarks.Load;
 using Nowpose.Benchmarks.Paths;
 using Nowpose.Benchmarks.Sensitivity;
+using Nowpose.Gateway.Options;
 
-if (args is ["ablation", ..])
-    return await AblationVerb.RunAsync(args);
+var tune = new Command("tune", "Find the constants of the other filters in the comparison of the predictors");
+tune.SetAction(_ => Tuning.Run(Console.Out));
 
-if (args is ["cell", ..])
-    return await CellVerb.RunAsync(args);
-
-if (args is ["gateway", ..])
-    return await LoadVerb.RunAsync(args);
-
-if (args is ["links", ..])
-    return await LinksVerb.RunAsync(args);
-
-if (args is ["paper", ..])
-    return await PaperVerb.RunAsync(args);
-
-if (args is ["paths", ..])
-    return await PathsVerb.RunAsync(args);
-
-if (args is ["sensitivity", ..])
-    return await SensitivityVerb.RunAsync(args);
-
-if (args is ["sessions", ..])
-    return await SessionVerb.RunAsync(args);
-
-if (args is ["tune"])
-{
-    Tuning.Run(Console.Out);
-    return 0;
-}
+// The arguments of BenchmarkDotNet, such as --filter *Frame*, start with a hyphen. They select some of the benchmarks; without arguments, all run.
+if (args is [[not '-', ..], ..])
+    return await Invocation.RunAsync(
+        Invocation.Root(
+            "nowpose-benchmarks", "Benchmarks of Nowpose.", AblationVerb.Create(), CellVerb.Create(), LoadVerb.Create(), LinksVerb.Create(),
+            PaperVerb.Create(), PathsVerb.Create(), SensitivityVerb.Create(), SessionVerb.Create(), tune),
+        args);
 
 // BenchmarkDotNet searches for the project below the current directory, which can be any folder.
 Environment.CurrentDirectory = Path.GetFullPath("../../..", AppContext.BaseDirectory);
 
-// Without arguments, all benchmarks run. BenchmarkDotNet's arguments, such as --filter *Frame*, select some of them.
 var summaries = BenchmarkSwitcher.FromTypes([typeof(FrameBenchmarks), typeof(SampleBenchmarks), typeof(PredictorBenchmarks), typeof(ExchangeBenchmarks),
         typeof(SceneBenchmarks), typeof(BodyBenchmarks)])
     .Run(args.Length > 0 ? args : ["--filter", "*"], MeasurementSettings.Create())

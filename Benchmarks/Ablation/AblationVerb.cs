@@ -17,7 +17,7 @@ static class AblationVerb
         PredictionParts.Thinning, PredictionParts.Interpolation,
     ];
 
-    public static Task<int> RunAsync(string[] args)
+    public static Command Create()
     {
         var recordings = Recordings();
         var command = new Command("ablation", "Compare the errors of the default predictor with and without each of its parts, in virtual time") { recordings };
@@ -26,7 +26,7 @@ static class AblationVerb
             Write(parsed.GetValue(recordings)?.FullName, stop);
             return Task.FromResult(ExitStatus.Done);
         });
-        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
+        return command;
     }
 
     /// <summary>Creates the option for the folder with recorded motions.</summary>

@@ -24,11 +24,11 @@ static class CellVerb
 
     static readonly (bool IsPlane, int SamplingMs)[] Rows = [(true, LimitedSamplingMs), (false, LimitedSamplingMs), (true, 20), (false, 20)];
 
-    public static Task<int> RunAsync(string[] args)
+    public static Command Create()
     {
         var command = new Command("cell", $"Measure a frame with {Objects} tracked objects and two robots in the stand-in engine, in virtual time; Linux only");
         command.SetAction((_, stop) => Task.FromResult(Run(stop)));
-        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
+        return command;
     }
 
     static int Run(CancellationToken stop)

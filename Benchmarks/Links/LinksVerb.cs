@@ -6,11 +6,8 @@ namespace Nowpose.Benchmarks.Links;
 /// <summary>links: measures a headset over slow and lossy links, using the kernel's TCP implementation.</summary>
 static class LinksVerb
 {
-    static readonly Option<string[]> Profiles = new("--profile")
-    {
-        Description = $"Link to run; can be given several times [{string.Join(", ", LinkProfile.All.Select(p => p.Name))}] [default: all]",
-        HelpName = "NAME",
-    };
+    static readonly Option<string[]> Profiles = TextOption.CreateList(
+        "--profile", $"Link to run; can be given several times [{string.Join(", ", LinkProfile.All.Select(p => p.Name))}] [default: all]", "NAME");
     static readonly Option<int> Repeats = NumberOption.Create("--repeats", "Number of runs over each link", 5, 1, 1000, "");
     static readonly Option<double> Seconds = NumberOption.Create(
         "--seconds", "Length of a run; limits hold for 30 s or more", LinkLimits.Seconds, 5, 3600, "s");
@@ -20,7 +17,7 @@ static class LinksVerb
     static readonly Option<string> Sessions = TextOption.Create(
         "--sessions", "Folder for the headset's session files; created if it does not exist", "FOLDER");
 
-    public static Task<int> RunAsync(string[] args)
+    public static Command Create()
     {
         var command = new Command(
             "links", "Run a gateway and a headset in separate network namespaces with an emulated link between them. Needs Linux and root.")
@@ -28,7 +25,7 @@ static class LinksVerb
             Profiles, Repeats, Seconds, Seed, Reorder, Out, Sessions,
         };
         command.SetAction((parsed, stop) => RunAsync(Settings(parsed), parsed.GetValue(Out), stop));
-        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
+        return command;
     }
 
     static LinkSettings Settings(ParseResult parsed)

@@ -16,7 +16,7 @@ static class LoadVerb
     const double Growth = 1.25;
     static readonly TimeSpan StepLength = TimeSpan.FromSeconds(20);
 
-    public static Task<int> RunAsync(string[] args)
+    public static Command Create()
     {
         var headsets = NumberOption.Create("--headsets", "Number of headsets, with two connections each", 200, 1, 4000, "");
         var rate = NumberOption.Create("--rate-hz", "Samples per second", 50.0, 1, 1000, "Hz");
@@ -41,7 +41,7 @@ static class LoadVerb
             if (results.Count > 1) WriteBreak(results);
             return Judge(results[0]);
         });
-        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
+        return command;
     }
 
     static async Task<int> CompareAsync(LoadSettings settings, string program, int rounds, CancellationToken stop)

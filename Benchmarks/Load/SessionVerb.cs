@@ -11,7 +11,7 @@ static class SessionVerb
 
     const int ConnectingAtOnce = 8;
 
-    public static Task<int> RunAsync(string[] args)
+    public static Command Create()
     {
         var headsets = NumberOption.Create("--headsets", "Number of headsets that are connected at the same time", 200, 1, 2000, "");
         var rounds = NumberOption.Create("--rounds", "Number of times that all headsets connect and disconnect", 40, 8, 10_000, "");
@@ -22,7 +22,7 @@ static class SessionVerb
         };
         command.SetAction((parsed, stop) => MeasureAsync(
             parsed.GetValue(headsets), parsed.GetValue(rounds), TimeSpan.FromMilliseconds(parsed.GetValue(milliseconds)), stop));
-        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
+        return command;
     }
 
     static async Task<int> MeasureAsync(int headsets, int rounds, TimeSpan stay, CancellationToken stop)

@@ -1,8 +1,8 @@
 using System.CommandLine;
 using System.Globalization;
 using Nowpose.Benchmarks.Links;
+using Nowpose.Cli;
 using Nowpose.Gateway.Options;
-using Nowpose.Sync;
 
 namespace Nowpose.Benchmarks.Paths;
 
@@ -11,17 +11,12 @@ static class PathsVerb
 {
     static readonly double[] SizesMs = [0.5, 2, 4, 20];
 
-    public static Task<int> RunAsync(string[] args)
+    public static Command Create()
     {
         var seeds = NumberOption.Create("--seeds", "Number of runs for each change", 6, 1, 1000, "");
         var first = NumberOption.Create("--first-seed", "Seed of the first run; each further run uses the next one", 7000, 0, 1_000_000, "");
         var size = NumberOption.CreateOptional("--size-ms", $"Size of the changes; {string.Join(", ", SizesMs.Select(Text))} ms if not given", 0.01, 1000.0, "ms");
-        var estimator = new Option<string>("--estimator")
-        {
-            Description = $"Clock estimator [{string.Join(", ", ClockEstimators.Names)}]", HelpName = "NAME",
-            DefaultValueFactory = _ => ClockEstimators.Default,
-        };
-        estimator.AcceptOnlyFromAmong([.. ClockEstimators.Names]);
+        var estimator = RuntimeOptions.Estimator();
         var command = new Command("paths", "Compare the estimated clock with the true clock while the minimum delays of a path change, in virtual time")
         {
             seeds, first, size, estimator,
@@ -31,7 +26,7 @@ static class PathsVerb
             double[] sizesMs = parsed.GetValue(size) is { } only ? [only] : SizesMs;
             return Task.FromResult(Run(parsed.GetValue(estimator), sizesMs, [.. Enumerable.Range(parsed.GetValue(first), parsed.GetValue(seeds))], stop));
         });
-        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
+        return command;
     }
 
     static int Run(string estimator, double[] sizesMs, int[] seeds, CancellationToken stop)

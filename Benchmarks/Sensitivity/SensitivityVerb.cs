@@ -13,7 +13,7 @@ static class SensitivityVerb
     /// <summary>Folder of the package's Core, relative to the repository.</summary>
     const string Core = "Packages/com.nowpose.mril/Runtime/Core";
 
-    public static Task<int> RunAsync(string[] args)
+    public static Command Create()
     {
         var recordings = AblationVerb.Recordings();
         var names = new Option<string[]>("--constants")
@@ -34,7 +34,7 @@ static class SensitivityVerb
             Write(parsed.GetValue(recordings)?.FullName, parsed.GetValue(names), parsed.GetValue(factors), stop);
             return Task.FromResult(ExitStatus.Done);
         });
-        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
+        return command;
     }
 
     static void Write(string recordings, string[] names, double[] factors, CancellationToken stop)
