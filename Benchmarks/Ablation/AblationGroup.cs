@@ -60,7 +60,7 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
         .. from motion in SimulatedMotions
            from condition in Conditions
            select new AblationRun([Label(motion(0).Name, condition)], (predictor, without) => [Math.Sqrt(Seeds.Average(seed => Square(
-               PredictionStudy.Run(motion(seed), SettingsOf(condition, seed) with { StampError = stampError }, () => Joint(predictor, LimitsOf(motion), without)).Predicted.Rms)))]),
+               PredictionStudy.Run(motion(seed), SettingsOf(condition, seed) with { StampError = stampError }, () => Joint(predictor, LimitsOf(motion), without)).Rms)))]),
     ]);
 
     static StudySettings SettingsOf((double Interval, double Latency) condition, int seed) =>

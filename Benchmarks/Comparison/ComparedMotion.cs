@@ -14,8 +14,8 @@ public sealed record ComparedMotion(string Name, Func<int, AxisMotion> Motion, S
         foreach (var seed in seeds)
         {
             var result = PredictionStudy.Run(Motion(seed), Settings with { Seed = seed }, candidate.Create);
-            predicted += result.Predicted.Rms * result.Predicted.Rms;
-            held += result.Held.Rms * result.Held.Rms;
+            predicted += result.Rms * result.Rms;
+            held += result.RmsHold * result.RmsHold;
         }
         return Math.Sqrt(predicted / held);
     }

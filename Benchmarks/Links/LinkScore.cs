@@ -26,14 +26,7 @@ sealed class LinkScore
     /// <param name="linkStart">Headset time at the start of the link. The times of stalls are relative to it.</param>
     public LinkResult Result(LinkProfile profile, HeadsetTime linkStart, int seed)
     {
-        var (hold, shown) = (new List<double>(), new List<double>());
-        foreach (var frame in _scored)
-        {
-            var truth = _kinematics.TrueAt(_truth, _truth.ControlAt(frame.Start + _visualisation));
-            hold.Add(_kinematics.At(frame.Held).DistanceMm(truth));
-            shown.Add(_kinematics.At(frame.Joints).DistanceMm(truth));
-        }
-
+        var tool = ErrorComparison.Of(_scored.Select(ToolErrorsMm));
         var clock = _scored.Where(frame => frame.Light.HasValue).ToList();
         var errors = clock.Select(frame => ClockError(frame).TotalMicroseconds).ToList();
         var stated = clock.Where(frame => frame.StatedError.HasValue).ToList();
@@ -42,7 +35,7 @@ sealed class LinkScore
             profile.Name, seed, _session.All.Count, _scored.Count == 0 ? null : Since(_scored[0].Start),
             Since(_session.FirstIn("coarse", "synchronised")), Since(_session.FirstIn("synchronised")),
             _scored.Count == 0 ? null : _scored.Average(frame => frame.IsCurrent ? 1.0 : 0), LongestNotCurrent(),
-            Rms(hold) > 0 ? 1 - Rms(shown) / Rms(hold) : null, Rms(hold), Rms(shown), Quantile.OfOrNull(shown, 0.95),
+            tool?.Reduction, tool?.RmsHold, tool?.Rms, tool?.P95,
             Quantile.OfOrNull(errors, 0.5), Quantile.OfOrNull(errors, 0.99), Quantile.OfOrNull(errors, 1),
             Quantile.OfOrNull(stated.Select(frame => frame.StatedError.Value.TotalMicroseconds), 0.5),
             // A frame without a stated error counts as outside the stated error.
@@ -51,6 +44,12 @@ sealed class LinkScore
         {
             FrameLateMsP99 = FrameLateMs(0.99),
         };
+    }
+
+    (double Hold, double Displayed) ToolErrorsMm(RecordedFrames.Frame frame)
+    {
+        var truth = _kinematics.TrueAt(_truth, _truth.ControlAt(frame.Start + _visualisation));
+        return (_kinematics.At(frame.Held).DistanceMm(truth), _kinematics.At(frame.Joints).DistanceMm(truth));
     }
 
     // Lateness is relative to the least late frame, because the first frame can be late itself.
@@ -95,6 +94,4 @@ sealed class LinkScore
         ((_scored.FirstOrDefault(frame => frame.Start >= time && frame.IsCurrent == isCurrent) ?? _scored[^1]).Start - time).TotalSeconds;
 
     static double? Greatest<T>(List<T> items, Func<T, double> value) => items.Count == 0 ? null : items.Max(value);
-
-    static double? Rms(List<double> values) => values.Count == 0 ? null : Math.Sqrt(values.Average(v => v * v));
 }

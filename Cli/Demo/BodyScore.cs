@@ -16,7 +16,7 @@ sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
         if (run.Bodies is not { Work: var work }) return null;
         var errors = frames.SelectMany(frame => ErrorsIn(frame, work)).ToList();
         return errors.Count == 0 ? null : new DemoResult.BodyErrors(
-            Of(errors.Select(e => (e.HoldMm, e.Mm)).ToList()), Of(errors.Select(e => (e.HoldDeg, e.Deg)).ToList()), LargestSlipMm(work));
+            Of(errors.Select(e => (e.HoldMm, e.Mm))), Of(errors.Select(e => (e.HoldDeg, e.Deg))), LargestSlipMm(work));
     }
 
     double? LargestSlipMm(CellWork work)
@@ -40,7 +40,7 @@ sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
     {
         var light = run.Truth.MotionSecondsAt(run.Frames.Rows[frame].TrueLight);
         work.PoseOf(body, light, out var parent);
-        return parent == work.Robots[0].Tool && BodyError.IsMoving(time => work.WorldOf(body, time), light);
+        return parent == work.Robots[0].Tool && BodyMotion.IsMoving(time => work.WorldOf(body, time), light);
     }
 
     IEnumerable<(double HoldMm, double Mm, double HoldDeg, double Deg)> ErrorsIn(int frame, CellWork work)
@@ -49,7 +49,7 @@ sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
         for (var body = 0; body < work.Names.Count; body++)
         {
             var shown = run.Bodies.At(frame, body);
-            if (!shown.IsKnown || !BodyError.IsMoving(time => work.WorldOf(body, time), light)) continue;
+            if (!shown.IsKnown || !BodyMotion.IsMoving(time => work.WorldOf(body, time), light)) continue;
             var truth = work.WorldOf(body, light);
             yield return (
                 MillimetresPerMetre * shown.Held.DistanceTo(truth), MillimetresPerMetre * shown.Displayed.DistanceTo(truth),
@@ -57,11 +57,6 @@ sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
         }
     }
 
-    static DemoResult.PoseErrors Of(List<(double Hold, double Error)> errors)
-    {
-        var (hold, rms) = (Rms(errors.Select(e => e.Hold)), Rms(errors.Select(e => e.Error)));
-        return new DemoResult.PoseErrors(hold, rms, Quantile.Of(errors.Select(e => e.Error).ToList(), 0.95), hold > 0 ? 1 - rms / hold : null);
-    }
-
-    static double Rms(IEnumerable<double> values) => Math.Sqrt(values.Average(v => v * v));
+    static DemoResult.PoseErrors Of(IEnumerable<(double Hold, double Displayed)> errors) =>
+        ErrorComparison.Of(errors) is { } all ? new DemoResult.PoseErrors(all.RmsHold, all.Rms, all.P95, all.Reduction) : null;
 }

@@ -105,10 +105,15 @@ sealed class DemoScore
         return (rows[^1].Clock.Skew - trueSkew) * 1e6;
     }
 
-    DemoResult.ToolErrors Tool() => new(
-        Rms(Errors.Select(e => e.HoldMm)), Quantile.OfOrNull(Errors.Select(e => e.HoldMm), 1),
-        Rms(Errors.Select(e => e.Mm)), Quantile.OfOrNull(Errors.Select(e => e.Mm), 0.95), Quantile.OfOrNull(Errors.Select(e => e.Mm), 1),
-        Reduction(Errors), Reduction(Errors.Where(e => e.Cycle == 0)), Reduction(Errors.Where(e => e.Cycle >= 2)));
+    DemoResult.ToolErrors Tool()
+    {
+        var (all, first, repeated) = (Compare(_ => true), Compare(cycle => cycle == 0), Compare(cycle => cycle >= 2));
+        return new DemoResult.ToolErrors(
+            all?.RmsHold, Quantile.OfOrNull(Errors.Select(e => e.HoldMm), 1), all?.Rms, all?.P95, all?.Max, all?.Reduction,
+            first?.Reduction, repeated?.Reduction);
+    }
+
+    ErrorComparison? Compare(Func<int, bool> ofCycle) => ErrorComparison.Of(Errors.Where(e => ofCycle(e.Cycle)).Select(e => (e.HoldMm, e.Mm)));
 
     DemoResult.FrameCost Frame()
     {
@@ -124,19 +129,6 @@ sealed class DemoScore
         return new DemoResult.Hindcasts(
             error?.Reduction, error?.ReductionUncertainty, error?.Rms, error?.HoldRms,
             WithheldErrors.WordsOf(_run.Statistics.ErrorOfRunWithheld));
-    }
-
-    static double? Reduction(IEnumerable<DemoError> errors)
-    {
-        var list = errors.ToList();
-        var hold = Rms(list.Select(e => e.HoldMm));
-        return hold > 0 ? 1 - Rms(list.Select(e => e.Mm)) / hold : null;
-    }
-
-    static double? Rms(IEnumerable<double> values)
-    {
-        var list = values.ToList();
-        return list.Count == 0 ? null : Math.Sqrt(list.Average(v => v * v));
     }
 
     static double Round(double seconds) => Math.Round(seconds, 3);

@@ -12,13 +12,13 @@ sealed record Trial(string Predictor, ReplayResult First, ReplayResult Second)
     public double RmsHold => Pooled(result => result.RmsHold);
 
     /// <summary>1 − Rms / RmsHold; null if nothing moved.</summary>
-    public double? Reduction => Share(Rms, RmsHold);
+    public double? Reduction => ErrorReduction.Of(Rms, RmsHold);
 
     /// <summary>Gets the relative reduction of the RMS error compared with another trial; 0.1 is 10 % less. Null if the other has no error.</summary>
-    public double? GainOver(Trial other) => Share(Rms, other.Rms);
+    public double? GainOver(Trial other) => ErrorReduction.Of(Rms, other.Rms);
 
     /// <summary>Gets the relative reduction of the RMS error compared with another trial on one half. Null if the other has no error.</summary>
-    public double? GainOver(Trial other, Half half) => Share(On(half).Rms, other.On(half).Rms);
+    public double? GainOver(Trial other, Half half) => ErrorReduction.Of(On(half).Rms, other.On(half).Rms);
 
     public bool IsBetterThan(Trial other, Half half) => On(half).Rms < other.On(half).Rms;
 
@@ -26,6 +26,4 @@ sealed record Trial(string Predictor, ReplayResult First, ReplayResult Second)
 
     double Pooled(Func<ReplayResult, double> rms) => Math.Sqrt(
         (First.Frames * rms(First) * rms(First) + Second.Frames * rms(Second) * rms(Second)) / (First.Frames + Second.Frames));
-
-    static double? Share(double rms, double of) => of > 0 ? 1 - rms / of : null;
 }

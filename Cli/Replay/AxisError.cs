@@ -1,41 +1,30 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Collects the errors of hold and of the prediction for one axis, and computes the results.</summary>
+/// <summary>Collects the errors of one axis, and the standard deviations that the predictor states.</summary>
 sealed class AxisError
 {
-    readonly List<double> _predicted = [];
-    double _squares;
-    double _heldSquares;
+    readonly ErrorCollector _errors = new();
     int _known;
     double _deviations;
     int _insideOne;
     int _insideTwo;
 
     /// <summary>Number of frames added so far.</summary>
-    public int Count => _predicted.Count;
+    public int Count => _errors.Count;
 
     /// <param name="deviation">Standard deviation that the predictor states for this prediction; NaN if unknown.</param>
     public void Add(double held, double predicted, double deviation)
     {
-        _heldSquares += held * held;
-        _squares += predicted * predicted;
-        var size = Math.Abs(predicted);
-        _predicted.Add(size);
+        _errors.Add(held, predicted);
         if (double.IsNaN(deviation)) return;
         _known++;
         _deviations += deviation;
-        if (size <= deviation) _insideOne++;
-        if (size <= 2 * deviation) _insideTwo++;
+        if (Math.Abs(predicted) <= deviation) _insideOne++;
+        if (Math.Abs(predicted) <= 2 * deviation) _insideTwo++;
     }
 
-    public ReplayResult.Axis Summary(string name)
+    public ReplayResult.Axis Summary(string name) => new(name, _errors.Result())
     {
-        var count = _predicted.Count;
-        return new ReplayResult.Axis(
-            name, Math.Sqrt(_heldSquares / count), Math.Sqrt(_squares / count), Quantile.Of(_predicted, 0.95), _predicted.Max())
-        {
-            Deviation = _known == 0 ? null
-                : new ReplayResult.Deviation(_deviations / _known, (double)_insideOne / _known, (double)_insideTwo / _known),
-        };
-    }
+        Deviation = _known == 0 ? null : new ReplayResult.Deviation(_deviations / _known, (double)_insideOne / _known, (double)_insideTwo / _known),
+    };
 }

@@ -22,8 +22,8 @@ public sealed class BodyReplay
     readonly ReplayLoop _loop;
     readonly BodyTruth _truth;
     readonly BodyPredictor _predictor;
-    readonly BodyError _position = new();
-    readonly BodyError _rotation = new();
+    readonly ErrorCollector _position = new();
+    readonly ErrorCollector _rotation = new();
     double _displayed = double.NaN;
 
     /// <param name="path">Path of the recording, for results and error messages.</param>
@@ -53,7 +53,7 @@ public sealed class BodyReplay
     {
         var frames = _loop.Run(PoseAt, Take, Score, report, cancellation);
         var result = new BodyReplayResult(
-            _path, _settings.Predictor, frames, _position.Summary(MmPerMetre), _rotation.Summary(DegreesPerRadian));
+            _path, _settings.Predictor, frames, _position.Result(MmPerMetre), _rotation.Result(DegreesPerRadian));
         if (!double.IsFinite(result.Position.Rms + result.Position.RmsHold))
             throw new InputException(ReplayMessages.BodyTooLarge(_path));
         return result;

@@ -25,12 +25,12 @@ static class ReplayJson
         result.File, result.Predictor, result.Frames, Body = new { ErrorMm = Error(result.Position), ErrorDeg = Error(result.Rotation) },
     });
 
-    static object Error(BodyReplayResult.ErrorSize? size) => size is { } error ? new { error.RmsHold, error.Rms, error.P95 } : null;
+    static object Error(ErrorComparison? comparison) => comparison is { } error ? new { error.RmsHold, error.Rms, error.P95 } : null;
 
     static object Axis(ReplayResult.Axis axis) => axis.Deviation is { } deviation
         ? new
         {
-            axis.Name, axis.RmsHold, axis.Rms, axis.P95, axis.Max, Sd = deviation.Mean, inside_1sd = deviation.InsideOne, inside_2sd = deviation.InsideTwo,
+            axis.Name, axis.Error.RmsHold, axis.Error.Rms, axis.Error.P95, axis.Error.Max, Sd = deviation.Mean, inside_1sd = deviation.InsideOne, inside_2sd = deviation.InsideTwo,
         }
-        : new { axis.Name, axis.RmsHold, axis.Rms, axis.P95, axis.Max };
+        : new { axis.Name, axis.Error.RmsHold, axis.Error.Rms, axis.Error.P95, axis.Error.Max };
 }

@@ -9,12 +9,12 @@ public sealed class ReplayResult
         Predictor = predictor;
         Frames = frames;
         Axes = axes;
-        RmsHold = Math.Sqrt(axes.Sum(axis => axis.RmsHold * axis.RmsHold));
-        Rms = Math.Sqrt(axes.Sum(axis => axis.Rms * axis.Rms));
+        RmsHold = Math.Sqrt(axes.Sum(axis => axis.Error.RmsHold * axis.Error.RmsHold));
+        Rms = Math.Sqrt(axes.Sum(axis => axis.Error.Rms * axis.Error.Rms));
     }
 
-    /// <summary>Errors of one column: RMS error of hold; RMS, P95 and maximum of the absolute error of the prediction.</summary>
-    public readonly record struct Axis(string Name, double RmsHold, double Rms, double P95, double Max)
+    /// <summary>Errors of one column.</summary>
+    public readonly record struct Axis(string Name, ErrorComparison Error)
     {
         /// <summary>Standard deviations that the predictor states; null if it states none.</summary>
         public Deviation? Deviation { get; init; }
@@ -48,5 +48,5 @@ public sealed class ReplayResult
     public double Rms { get; }
 
     /// <summary>1 − Rms / RmsHold; null if hold has no error.</summary>
-    public double? Reduction => RmsHold == 0 ? null : 1 - Rms / RmsHold;
+    public double? Reduction => ErrorReduction.Of(Rms, RmsHold);
 }

@@ -17,39 +17,41 @@ static class ReplayTable
 
     static void WriteAxes(IAnsiConsole console, ReplayResult result)
     {
-        var title = $"{Path.GetFileName(result.File)}: {result.Predictor}, {result.Frames} frames";
-        var table = new Table().Title(Markup.Escape(OneLine(title)));
-        string[] headings = ["uncompensated RMS", "compensated RMS", "P95", "max", "reduction"];
         var statesDeviation = result.Axes.Any(axis => axis.Deviation != null);
-        if (statesDeviation) headings = [.. headings, "mean SD", "inside 1 SD", "inside 2 SD"];
-        table.AddColumn("axis");
-        foreach (var heading in headings) table.AddColumn(new TableColumn(heading).RightAligned());
+        var table = Create("axis", result.File, result.Predictor, result.Frames, statesDeviation ? ["mean SD", "inside 1 SD", "inside 2 SD"] : []);
         foreach (var axis in result.Axes)
-            table.AddRow([Markup.Escape(OneLine(axis.Name)), Number(axis.RmsHold), Number(axis.Rms), Number(axis.P95), Number(axis.Max),
-                Percent(axis.RmsHold == 0 ? null : 1 - axis.Rms / axis.RmsHold), .. statesDeviation ? Of(axis.Deviation) : []]);
+            table.AddRow([Markup.Escape(OneLine(axis.Name)), .. Cells(axis.Error), .. statesDeviation ? Cells(axis.Deviation) : []]);
         table.AddEmptyRow();
         table.AddRow("all", Number(result.RmsHold), Number(result.Rms), "", "", Percent(result.Reduction));
-        table.Caption(ReplayTexts.Units);
-        console.Write(table);
+        console.Write(table.Caption(ReplayTexts.Units));
     }
 
     public static void Write(IAnsiConsole console, BodyReplayResult result)
     {
-        var title = $"{Path.GetFileName(result.File)}: {result.Predictor}, {result.Frames} frames";
-        var table = new Table().Title(Markup.Escape(OneLine(title)));
-        table.AddColumn("rigid body");
-        foreach (var heading in new[] { "uncompensated RMS", "compensated RMS", "P95", "max", "reduction" })
-            table.AddColumn(new TableColumn(heading).RightAligned());
-        List<(string Name, BodyReplayResult.ErrorSize Error)> rows = [("position, mm", result.Position), ("rotation, °", result.Rotation)];
+        var table = Create("rigid body", result.File, result.Predictor, result.Frames);
+        void Row(string name, ErrorComparison error) => table.AddRow([name, .. Cells(error)]);
+        Row("position, mm", result.Position);
+        Row("rotation, °", result.Rotation);
         if (result.Displayed is { } displayed)
-            rows.AddRange([(ReplayTexts.DisplayedPosition, displayed.Position), (ReplayTexts.DisplayedRotation, displayed.Rotation)]);
-        foreach (var (name, error) in rows)
-            table.AddRow(name, Number(error.RmsHold), Number(error.Rms), Number(error.P95), Number(error.Max), Percent(error.Reduction));
-        table.Caption(ReplayTexts.Body);
-        console.Write(table);
+        {
+            Row(ReplayTexts.DisplayedPosition, displayed.Position);
+            Row(ReplayTexts.DisplayedRotation, displayed.Rotation);
+        }
+        console.Write(table.Caption(ReplayTexts.Body));
     }
 
-    static string[] Of(ReplayResult.Deviation? deviation) => deviation is ReplayResult.Deviation value
+    static Table Create(string subject, string file, string predictor, int frames, params string[] more)
+    {
+        var table = new Table().Title(Markup.Escape(OneLine($"{Path.GetFileName(file)}: {predictor}, {frames} frames"))).AddColumn(subject);
+        foreach (var heading in (string[])["uncompensated RMS", "compensated RMS", "P95", "max", "reduction", .. more])
+            table.AddColumn(new TableColumn(heading).RightAligned());
+        return table;
+    }
+
+    static string[] Cells(ErrorComparison error) =>
+        [Number(error.RmsHold), Number(error.Rms), Number(error.P95), Number(error.Max), Percent(error.Reduction)];
+
+    static string[] Cells(ReplayResult.Deviation? deviation) => deviation is ReplayResult.Deviation value
         ? [Number(value.Mean), Percent(value.InsideOne), Percent(value.InsideTwo)] : ["–", "–", "–"];
 
     // Names in a file may contain characters that control a terminal. The limit is that of 256 names.

@@ -82,7 +82,7 @@ sealed class SessionBodies
     {
         foreach (var body in _bodies.Values) body.Predict(frame.TimeLine, frame.At, _settings.LatencyError);
         foreach (var (name, body) in _bodies)
-            if (!_stationary.ContainsKey(name) && TryFindPath(name, out var isInWorld) && BodyError.IsMoving(seconds => Compose(each => each.TrueAt(seconds)), 0))
+            if (!_stationary.ContainsKey(name) && TryFindPath(name, out var isInWorld) && BodyMotion.IsMoving(seconds => Compose(each => each.TrueAt(seconds)), 0))
                 body.Score(Compose(each => each.Held), Compose(each => each.Predicted), Compose(each => each.TrueAt(0)), isInWorld);
     }
 
@@ -146,10 +146,10 @@ sealed class SessionBodies
         const double MmPerMetre = 1000, DegreesPerRadian = 180 / Math.PI;
 
         readonly List<Stretch> _stretches = [];
-        readonly BodyError _position = new();
-        readonly BodyError _rotation = new();
-        readonly BodyError _displayedPosition = new();
-        readonly BodyError _displayedRotation = new();
+        readonly ErrorCollector _position = new();
+        readonly ErrorCollector _rotation = new();
+        readonly ErrorCollector _displayedPosition = new();
+        readonly ErrorCollector _displayedRotation = new();
         BodyPredictor _predictor;
         int _stretch = -1, _taken;
         double _displayed = double.NaN, _newest, _time;
@@ -228,9 +228,9 @@ sealed class SessionBodies
         }
 
         public BodyReplayResult Result(string name, string predictor) => new(
-            name, predictor, Frames, _position.Summary(MmPerMetre), _rotation.Summary(DegreesPerRadian))
+            name, predictor, Frames, _position.Result(MmPerMetre), _rotation.Result(DegreesPerRadian))
         {
-            Displayed = _displayedPosition.Count == 0 ? null : (_displayedPosition.Summary(MmPerMetre), _displayedRotation.Summary(DegreesPerRadian)),
+            Displayed = _displayedPosition.Count == 0 ? null : (_displayedPosition.Result(MmPerMetre), _displayedRotation.Result(DegreesPerRadian)),
         };
     }
 }

@@ -5,21 +5,18 @@ namespace Nowpose.Cli.Studies;
 /// <summary>Feeds the samples of one axis to a predictor in virtual time, as a headset would receive them.</summary>
 public static class PredictionStudy
 {
-    /// <summary>Runs all phases and evaluates them together.</summary>
-    public static StudyResult Run(AxisMotion motion, StudySettings settings, Func<JointPredictor> newPredictor) =>
+    /// <summary>Runs all phases and evaluates them together, in the unit of the motion.</summary>
+    public static ErrorComparison Run(AxisMotion motion, StudySettings settings, Func<JointPredictor> newPredictor) =>
         Run(motion, settings, () => (StudySubject)newPredictor());
 
-    /// <summary>Runs all phases and evaluates them together.</summary>
-    public static StudyResult Run(AxisMotion motion, StudySettings settings, Func<StudySubject> newSubject)
+    /// <summary>Runs all phases and evaluates them together, in the unit of the motion.</summary>
+    public static ErrorComparison Run(AxisMotion motion, StudySettings settings, Func<StudySubject> newSubject)
     {
-        var (predicted, held) = (new List<double>(), new List<double>());
+        var errors = new ErrorCollector();
         for (var phase = 0; phase < settings.Phases; phase++)
             foreach (var frame in Frames(motion, settings, newSubject(), phase))
-            {
-                predicted.Add(frame.Predicted - frame.Truth);
-                held.Add(frame.Held - frame.Truth);
-            }
-        return new StudyResult(ErrorFigures.Of(predicted), ErrorFigures.Of(held));
+                errors.Add(frame.Held - frame.Truth, frame.Predicted - frame.Truth);
+        return errors.Result();
     }
 
     /// <summary>Gets the scored frames of one run.</summary>

@@ -146,7 +146,11 @@ public class AdaptiveAccuracyTests
     static double Ratio(Func<int, AxisMotion> motionOf, StudySettings settings) => Ratio(motionOf, settings, Adaptive);
 
     static double Ratio(Func<int, AxisMotion> motionOf, StudySettings settings, Func<JointPredictor> newPredictor) =>
-        Seeds.Average(seed => PredictionStudy.Run(motionOf(seed), settings with { Seed = seed }, newPredictor).Ratio);
+        Seeds.Average(seed =>
+        {
+            var errors = PredictionStudy.Run(motionOf(seed), settings with { Seed = seed }, newPredictor);
+            return errors.Rms / errors.RmsHold;
+        });
 
     static double OverQuadratic(Func<int, AxisMotion> motionOf, StudySettings settings) => OverBest(motionOf, settings, "quadratic");
 
@@ -157,5 +161,5 @@ public class AdaptiveAccuracyTests
         / names.Min(name => Rms(motionOf(seed), settings with { Seed = seed }, () => Create(name))));
 
     static double Rms(AxisMotion motion, StudySettings settings, Func<JointPredictor> newPredictor) =>
-        PredictionStudy.Run(motion, settings, newPredictor).Predicted.Rms;
+        PredictionStudy.Run(motion, settings, newPredictor).Rms;
 }

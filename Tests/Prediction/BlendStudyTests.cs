@@ -1,3 +1,4 @@
+using Nowpose.Cli;
 using Nowpose.Cli.Studies;
 using Nowpose.Prediction;
 using Nowpose.Session;
@@ -35,7 +36,7 @@ public class BlendStudyTests
             Assert.That(blended.Error.Rms / bare.Error.Rms, Is.LessThan(1.05), $"{motion.Name}, seed {seed}");
             rms += Math.Log(blended.Error.Rms / bare.Error.Rms);
             p95 += Math.Log(blended.Jump.P95 / bare.Jump.P95);
-            max += Math.Log(blended.Jump.Maximum / bare.Jump.Maximum);
+            max += Math.Log(blended.Jump.Max / bare.Jump.Max);
             count++;
         }
         (rms, p95, max) = (Math.Exp(rms / count), Math.Exp(p95 / count), Math.Exp(max / count));
@@ -48,23 +49,23 @@ public class BlendStudyTests
     }
 
     /// <summary>Errors of the displayed joint, and the amounts by which its motion per frame exceeds the true motion.</summary>
-    sealed record Displayed(ErrorFigures Error, ErrorFigures Jump)
+    sealed record Displayed(ErrorComparison Error, ErrorComparison Jump)
     {
         public static Displayed Of(AxisMotion motion, StudySettings settings, Func<JointPredictor> newPredictor)
         {
-            var (errors, jumps) = (new List<double>(), new List<double>());
+            var (errors, jumps) = (new ErrorCollector(), new ErrorCollector());
             for (var phase = 0; phase < settings.Phases; phase++)
             {
                 var last = double.NaN;
                 foreach (var frame in PredictionStudy.Frames(motion, settings, newPredictor(), phase))
                 {
                     var error = frame.Predicted - frame.Truth;
-                    errors.Add(error);
-                    if (!double.IsNaN(last)) jumps.Add(error - last);
+                    errors.Add(0, error);
+                    if (!double.IsNaN(last)) jumps.Add(0, error - last);
                     last = error;
                 }
             }
-            return new Displayed(ErrorFigures.Of(errors), ErrorFigures.Of(jumps));
+            return new Displayed(errors.Result(), jumps.Result());
         }
     }
 }

@@ -1,3 +1,4 @@
+using Nowpose.Cli;
 using Nowpose.Cli.Recommend;
 using Nowpose.Cli.Replay;
 using Nowpose.Prediction;
@@ -46,7 +47,7 @@ public class BlendCostTests
     static Recommendation Of(ISubject subject) => new(
         subject, [new Trial(Predictors.Default, Result(0.2), Result(0.2)), new Trial("hold", Result(1), Result(1))]);
 
-    static ReplayResult Result(double rms) => new("f", "any", 100, [new ReplayResult.Axis("a", 1, rms, rms, rms)]);
+    static ReplayResult Result(double rms) => new("f", "any", 100, [new ReplayResult.Axis("a", new ErrorComparison(1, rms, rms, rms))]);
 
     /// <param name="rmsOf">Gets the error for the time constant of the blend, ms.</param>
     sealed class Subject(Func<double?, double> rmsOf) : ISubject

@@ -1,3 +1,4 @@
+using Nowpose.Cli;
 using Nowpose.Cli.Messages;
 using Nowpose.Cli.Recommend;
 using Nowpose.Cli.Replay;
@@ -10,7 +11,7 @@ public class RecommendationTests
 {
     static Trial Trial(string predictor, double first, double second)
     {
-        static ReplayResult Result(string predictor, double rms) => new("f", predictor, 100, [new ReplayResult.Axis("a", 1, rms, rms, rms)]);
+        static ReplayResult Result(string predictor, double rms) => new("f", predictor, 100, [new ReplayResult.Axis("a", new ErrorComparison(1, rms, rms, rms))]);
         return new Trial(predictor, Result(predictor, first), Result(predictor, second));
     }
 
@@ -61,8 +62,8 @@ public class RecommendationTests
     public void Rms_HalvesOfDifferentLength_WeightsAllFramesEqually()
     {
         var trial = new Trial(
-            "x", new ReplayResult("f", "x", 300, [new ReplayResult.Axis("a", 2, 1, 1, 1)]),
-            new ReplayResult("f", "x", 100, [new ReplayResult.Axis("a", 2, 3, 3, 3)]));
+            "x", new ReplayResult("f", "x", 300, [new ReplayResult.Axis("a", new ErrorComparison(2, 1, 1, 1))]),
+            new ReplayResult("f", "x", 100, [new ReplayResult.Axis("a", new ErrorComparison(2, 3, 3, 3))]));
 
         Assert.That(trial.Rms, Is.EqualTo(Math.Sqrt(3)).Within(1e-12));
         Assert.That(trial.Reduction, Is.EqualTo(1 - Math.Sqrt(3) / 2).Within(1e-12));

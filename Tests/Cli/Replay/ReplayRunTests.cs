@@ -103,10 +103,10 @@ public class ReplayRunTests
         {
             var axis = result.Axes[joint];
             Assert.That(axis.Name, Is.EqualTo("q" + (joint + 1)));
-            AssertSame(axis.RmsHold, expected.RmsHold(joint), axis.Name + " rms_hold");
-            AssertSame(axis.Rms, expected.Rms(joint), axis.Name + " rms");
-            AssertSame(axis.P95, expected.P95(joint), axis.Name + " p95");
-            AssertSame(axis.Max, expected.Max(joint), axis.Name + " max");
+            AssertSame(axis.Error.RmsHold, expected.RmsHold(joint), axis.Name + " rms_hold");
+            AssertSame(axis.Error.Rms, expected.Rms(joint), axis.Name + " rms");
+            AssertSame(axis.Error.P95, expected.P95(joint), axis.Name + " p95");
+            AssertSame(axis.Error.Max, expected.Max(joint), axis.Name + " max");
             sumHold += expected.RmsHold(joint) * expected.RmsHold(joint);
             sum += expected.Rms(joint) * expected.Rms(joint);
         }

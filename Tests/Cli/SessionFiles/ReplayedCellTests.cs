@@ -32,8 +32,8 @@ public class ReplayedCellTests : SessionReplayFixture
 
         var (own, further) = (axes.Take(axes.Count / 2).ToArray(), axes.Skip(axes.Count / 2).ToArray());
         Assert.That(further.Select(axis => axis.Name), Is.EqualTo(own.Select(axis => name + "/" + axis.Name)));
-        Assert.That(further.Select(axis => axis.Rms), Is.EqualTo(own.Select(axis => axis.Rms)));
-        Assert.That(own.Max(axis => axis.Rms), Is.GreaterThan(0));
+        Assert.That(further.Select(axis => axis.Error.Rms), Is.EqualTo(own.Select(axis => axis.Error.Rms)));
+        Assert.That(own.Max(axis => axis.Error.Rms), Is.GreaterThan(0));
     }
 
     [Test]

@@ -46,8 +46,8 @@ public class ReplayedRestartTests : SessionReplayFixture
         var result = Joints(Read([JointFile.Header, .. before, .. after]));
 
         Assert.That(result.Frames, Is.GreaterThan(1100));
-        Assert.That(result.Axes.Single().Max, Is.LessThan(1e-6));
-        Assert.That(result.Axes.Single().RmsHold, Is.InRange(0.07, 0.2));
+        Assert.That(result.Axes.Single().Error.Max, Is.LessThan(1e-6));
+        Assert.That(result.Axes.Single().Error.RmsHold, Is.InRange(0.07, 0.2));
     }
 
     /// <summary>Lets the source of the given lines restart after half of them, 2 s behind and elsewhere, or end there.</summary>

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Cli;
 using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 using Nowpose.Cli.SessionFiles;
@@ -116,12 +117,12 @@ public class SessionReplayTests : SessionReplayFixture
         Assert.That(wrapped.Max, Is.EqualTo(unwrapped.Max).Within(1e-9));
         Assert.That(wrapped.RmsHold, Is.EqualTo(unwrapped.RmsHold).Within(1e-9));
 
-        ReplayResult.Axis Elbow(Func<double, double> published)
+        ErrorComparison Elbow(Func<double, double> published)
         {
             var times = Enumerable.Range(0, 240).Select(i => 0.05 * i);
             File.WriteAllLines(_path, [JointFile.Header, .. times.Select(t => JointFile.Sample(t, t + 0.1, published(1.5 * t + 0.3 * Math.Sin(2 * t))))]);
             var session = RecordedSession.Read(_path);
-            return new SessionReplay(_path, session, new SessionTruth(session), new ReplaySettings { Predictor = "quadratic" }).Run().Axes.Single();
+            return new SessionReplay(_path, session, new SessionTruth(session), new ReplaySettings { Predictor = "quadratic" }).Run().Axes.Single().Error;
         }
     }
 
