@@ -1,4 +1,3 @@
-using System.Globalization;
 using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
@@ -22,9 +21,9 @@ static class DemoReport
         {
             Title = DemoTexts.ReportTitle(run.Settings.Robot.Name),
             Subtitle = string.Join(' ', [DemoTexts.Subtitle, .. (result.Notes ?? []).Select(note => DemoTexts.Note(note) + ".")]),
-            Settings = Settings(run.Settings),
+            Settings = Pairs(DemoFacts.Settings(run.Settings)),
             Summary = Summary(score, result.ToolErrorMm),
-            Facts = Facts(result, new DemoRangeRows(run.Settings, result, score.Range), new DemoDelayRows(run.Frames)),
+            Facts = Pairs(DemoFacts.Results(run, score, result)),
             Error = Error(score, run, start),
             Joint = new DemoJointSeries(run, start).Busiest(),
             Field = Field(score, run),
@@ -40,22 +39,6 @@ static class DemoReport
         }, isIndented: false);
     }
 
-    static string[][] Settings(DemoSettings s) =>
-    [
-        [DemoTexts.Robot, s.Robot.Name],
-        [DemoTexts.Motion, s.MotionName],
-        [DemoTexts.Network, s.Network.Name],
-        [DemoTexts.Predictor, s.Predictor],
-        [DemoTexts.Estimator, s.Estimator],
-        [DemoTexts.SamplingInterval, Ms(s.SamplingMs)],
-        [DemoTexts.Acquisition, s.Acquisition + " ms"],
-        [DemoTexts.DisplayLatency, DemoTexts.GivenLatency(Ms(s.VisualisationMs), Ms(s.GivenVisualisationMs))],
-        [DemoTexts.FrameRateLabel, !s.IsRendered ? DemoTexts.Fps(DemoDisplay.FramesPerSecond) : DemoTexts.FrameRate(DemoDisplay.FramesPerSecond)],
-        [DemoTexts.Load, (s.Load ?? s.SteadyVertices) is int vertices ? DemoTexts.Vertices(vertices) : DemoTexts.None],
-        [DemoTexts.SetPoints, s.PublishesPlan ? DemoTexts.Published : DemoTexts.None],
-        [DemoTexts.Seed, s.Seed.ToString(CultureInfo.InvariantCulture)],
-    ];
-
     static object[] Summary(DemoScore score, DemoResult.ToolErrors tool) =>
     [
         new { Label = DemoTexts.Rms, Unit = "mm", Uncompensated = tool.HoldRms, Compensated = tool.Rms },
@@ -63,25 +46,7 @@ static class DemoReport
         new { Label = DemoTexts.Maximum, Unit = "mm", Uncompensated = tool.HoldMax, Compensated = tool.Max },
     ];
 
-    static string[][] Facts(DemoResult r, DemoRangeRows range, DemoDelayRows delays) =>
-    [
-        [DemoTexts.MeasuredReduction, r.Hindcast.ReductionText],
-        [DemoTexts.ApplicationLatency, $"{Number(r.LatencyMs.AppP50)} ms, {Number(r.LatencyMs.AppP95)} ms"],
-        [DemoTexts.DisplayTimeError, $"{Number(r.LatencyMs.TotalErrorP95)} ms"],
-        .. Facts(new DemoBodyRows(r.Bodies).Rows),
-        .. Facts(range.Rows),
-        [DemoTexts.ClockError, $"{Number(r.Clock.OffsetErrorUsP50)} µs, {Number(r.Clock.OffsetErrorUsP95)} µs"],
-        [DemoTexts.MaxClockError, $"{Number(r.Clock.OffsetErrorUsMax)} µs"],
-        [DemoTexts.EstimatedClockError, DemoTexts.EstimatedClockErrorValue(Number(r.Clock.StatedErrorUsP50), Number(100 * r.Clock.WithinStatedShare))],
-        [DemoTexts.SynchronisedAfter, $"{Number(r.Clock.ConvergedS)} s"],
-        [DemoTexts.FrameDuration, $"{Number(r.Frame.CpuUsP50)} µs, {Number(r.Frame.CpuUsP99)} µs"],
-        [DemoTexts.AllocatedPerFrame, $"{Number(r.Frame.AllocatedBytesPerFrame)} B"],
-        [DemoTexts.Counts, RunTexts.Counts(r.Frames, r.Samples, r.Dropped)],
-        .. Facts(delays.Rows),
-    ];
-
-    static IEnumerable<string[]> Facts(IEnumerable<(string Label, string Value)> rows) =>
-        rows.Select(row => new[] { char.ToUpperInvariant(row.Label[0]) + row.Label[1..], row.Value });
+    static IEnumerable<string[]> Pairs(IEnumerable<(string Label, string Value)> facts) => facts.Select(fact => new[] { fact.Label, fact.Value });
 
     static object Error(DemoScore score, DemoRun run, ControlTime start) => score.Errors.Count == 0 ? null : new
     {
@@ -162,8 +127,4 @@ static class DemoReport
     static double Seconds(ControlTime t, ControlTime start) => Math.Round((t - start).TotalSeconds, 5);
 
     static double Round(double value) => Math.Round(value, 4);
-
-    static string Ms(double value) => value.ToString("0.###", CultureInfo.InvariantCulture) + " ms";
-
-    static string Number(double? value) => RunTexts.Number(value, "0.##");
 }

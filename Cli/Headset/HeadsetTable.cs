@@ -27,7 +27,7 @@ static class HeadsetTable
         Row(HeadsetTexts.SynchronisedAfter, Number(clock.SynchronisedAfterS, "0.0", " s"));
         Row(HeadsetTexts.ClockSteps, clock.Steps.ToString(CultureInfo.InvariantCulture));
         var latency = result.LatencyMs;
-        Row(ApplicationLatency, MedianP95(Number(latency.AppP50, "0.0", " ms"), Number(latency.AppP95, "0.0", " ms")));
+        Row(HeadsetTexts.ApplicationLatency, HeadsetTexts.MedianP95(Number(latency.AppP50, "0.0", " ms"), Number(latency.AppP95, "0.0", " ms")));
         Row(HeadsetTexts.VisualisationLatency, Number(latency.Visu, "0.0", " ms"));
         Row(HeadsetTexts.EndToEndLatency, Number(latency.EndToEnd, "0.0", " ms"));
         var pose = result.Pose;
@@ -47,7 +47,7 @@ static class HeadsetTable
         if (pose.NotCurrentS > 0) Row(HeadsetTexts.NotScored, HeadsetTexts.NotCurrent(Number(pose.NotCurrentS, "0.00", " s")));
         // A single stretch is the complete run, which is already shown.
         for (var i = 0; i < result.Stretches.Count && result.Stretches.Count > 1; i++) AddStretch(Row, i + 1, result.Stretches[i]);
-        Row(CountsRow, Counts(result.Frames, result.Samples, result.Dropped));
+        Row(HeadsetTexts.CountsRow, Counts(result.Frames, result.Samples, result.Dropped));
         console.Write(grid);
     }
 

@@ -3,15 +3,11 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Labels and values in the table and the report of the command <c>demo</c>.</summary>
 static class DemoTexts
 {
-    public const string MovingWorkpieces = "workpieces while they move";
-    public const string RotatingWorkpieces = "rotation of these workpieces";
-    public const string LargestSlip = "largest slip of a gripped workpiece";
-    public const string VisualisationLatencyRow = "visualisation latency";
-    public const string DisplayTimeErrorRow = "display time error";
-    public const string ClockErrorRow = "clock offset error";
-    public const string SynchronisedAfterRow = "clock synchronised after";
-    public const string RenderLoadRow = "render load";
-    public const string RangeRow = "constant-latency range";
+    public const string MovingWorkpieces = "Workpieces while they move";
+    public const string RotatingWorkpieces = "Rotation of these workpieces";
+    public const string LargestSlip = "Largest slip of a gripped workpiece";
+    public const string RenderLoadRow = "Render load";
+    public const string RangeRow = "Constant-latency range";
     public const string NotFoundAgain = "not found again";
     public const string None = "none";
     public const string Published = "published";
@@ -27,9 +23,6 @@ static class DemoTexts
     public static string ReportTitle(string robot) => $"Nowpose demo: {robot}";
     public static string RmsFromTo(string uncompensated, string compensated) => $"{uncompensated} to {compensated} RMS";
     public static string RmsWithReduction(string from, string to, string reduction) => $"{from} to {to} RMS, reduction {reduction}";
-    public static string OnlyP95(string p95) => $"{p95} P95";
-    public static string MedianP95Maximum(string median, string p95, string maximum) => $"{median} median, {p95} P95, {maximum} maximum";
-    public static string FrameTimes(string median, string p99, string allocated) => $"{median} median, {p99} P99, {allocated} allocated";
     public static string GivenLatency(string actual, string given) => $"{actual}, the runtime uses {given}";
     public static string Fps(int framesPerSecond) => $"{framesPerSecond} fps";
     public static string Vertices(int vertices) => FormattableString.Invariant($"{vertices} vertices");
@@ -44,7 +37,7 @@ static class DemoTexts
     public static string Alarm(string leftSeconds, string found, int alarms) =>
         $"alarm: left at {leftSeconds} s, {found}" + (alarms > 1 ? $", {alarms} alarms" : "");
 
-    public const string LateFrames = "frames that began late";
+    public const string LateFrames = "Frames that began late";
 
     public static string LateFramesValue(int late, int frames, double maxMs) =>
         FormattableString.Invariant($"{late} of {frames}, by up to {maxMs:0} ms: this machine was busy, which increased delays and errors");
@@ -84,7 +77,7 @@ static class DemoTexts
     public const string MaxClockError = "Clock offset error, maximum";
     public const string EstimatedClockError = "Estimated clock offset error, median; frames whose true error is within it";
 
-    public static string EstimatedClockErrorValue(string errorUs, string sharePercent) => $"± {errorUs} µs; {sharePercent} % of the frames";
+    public static string EstimatedClockErrorValue(string error, string share) => $"± {error}; {share} of the frames";
 
     public const string FrameDuration = "Duration of a frame in the player loop, median and P99";
     public const string LatencyPlot = "Application latency L_app of each sample";
@@ -92,13 +85,6 @@ static class DemoTexts
     public static string Title(string robot, string predictor, string network) =>
         $"{robot}, {predictor}, {network}: error of the tool centre point";
 
-    public const string AsMeasured = "measured by the headset";
-    public const string EstimatedClockErrorRow = "estimated clock offset error";
-
-    public static string EstimatedClockErrorMedian(string error, string share) =>
-        $"± {error} median, true error within it in {share} of the frames";
-
-    public const string FrameRow = "frame in the player loop";
     public const string PickAndPlace = "pick-and-place cycle of 7-phase moves";
 
     public static string Recording(string file) => $"recording {file}, forward and backward";

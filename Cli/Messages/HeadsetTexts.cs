@@ -8,15 +8,18 @@ static class HeadsetTexts
     public const string CoarseAfter = "coarse after";
     public const string SynchronisedAfter = "synchronised after";
     public const string ClockSteps = "clock steps";
+    public const string ApplicationLatency = "application latency";
     public const string VisualisationLatency = "visualisation latency, configured";
     public const string EndToEndLatency = "end-to-end latency";
     public const string PoseRow = "pose";
     public const string MissingJoints = "joints without data";
     public const string NotScored = "tool, not scored";
+    public const string CountsRow = "frames, samples, dropped";
 
     public static string Clock(string state, string error, string bound, string skew, string roundTrip) =>
         $"{state}, ± {error} (proven ± {bound}), {skew}, round trip {roundTrip}";
 
+    public static string MedianP95(string median, string p95) => $"{median} median, {p95} P95";
     public static string RmsP95(string rms, string p95) => $"{rms} RMS, {p95} P95";
     public static string Joint(string joint) => $"joint {joint}";
     public static string Object(string frame) => $"object {frame}";

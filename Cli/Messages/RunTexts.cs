@@ -5,13 +5,9 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Texts in the tables of both <c>demo</c> and <c>headset</c>.</summary>
 static class RunTexts
 {
-    public const string ApplicationLatency = "application latency";
-    public const string CountsRow = "frames, samples, dropped";
-
     /// <summary>Returns a dash for an unknown value.</summary>
     public static string Number(double? value, string format, string unit = "") =>
         value is double number ? number.ToString(format, CultureInfo.InvariantCulture) + unit : "–";
 
-    public static string MedianP95(string median, string p95) => $"{median} median, {p95} P95";
     public static string Counts(int frames, long samples, long dropped) => FormattableString.Invariant($"{frames}, {samples}, {dropped}");
 }

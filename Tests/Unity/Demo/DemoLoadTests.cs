@@ -26,7 +26,7 @@ public class DemoLoadTests
             JsonDocument.Parse(JsonText.Of(result)).RootElement.GetProperty("range").EnumerateObject().Select(property => property.Name),
             Is.EqualTo(new[] { "limit_render_ms", "left_s", "found_s", "frames_outside", "alarms" }));
         Assert.That(
-            string.Join('\n', new DemoRangeRows(run.Settings, result, score.Range).Rows.Select(row => row.Value)),
+            string.Join('\n', DemoFacts.Range(run.Settings, result.Range, score.Range).Select(row => row.Value)),
             Does.Contain(DemoTexts.Alarm(Invariant($"{range.LeftS:0.0}"), DemoTexts.FoundAgain(Invariant($"{range.FoundS:0.0}")), alarms: 1)));
         Assert.That(range.Alarms, Is.EqualTo(1));
         Assert.That(range.LeftS, Is.InRange(6.67, 7.0), "the load starts at 6.67 s");
@@ -100,7 +100,7 @@ public class DemoLoadTests
         foreach (var (second, delayMs) in new[] { (2.0, 90), (3.5, 9), (4.0, 8), (4.5, 41) })
             frames.Add([], [], new DemoFrames.Row { Elapsed = TimeSpan.FromSeconds(second), Delay = TimeSpan.FromMilliseconds(delayMs) });
 
-        var (label, value) = new DemoDelayRows(frames).Rows.Single();
+        var (label, value) = DemoFacts.LateFrames(frames).Single();
 
         Assert.That(label, Is.EqualTo(DemoTexts.LateFrames));
         Assert.That(value, Is.EqualTo(DemoTexts.LateFramesValue(2, 3, 41)));
@@ -114,7 +114,7 @@ public class DemoLoadTests
         for (var i = 0; i < 200; i++)
             frames.Add([], [], new DemoFrames.Row { Elapsed = TimeSpan.FromSeconds(4), Delay = TimeSpan.FromMilliseconds(i < late ? 50 : 1) });
 
-        Assert.That(new DemoDelayRows(frames).Rows, Is.Empty);
+        Assert.That(DemoFacts.LateFrames(frames), Is.Empty);
     }
 
     static double WhileLoaded(int seed)
