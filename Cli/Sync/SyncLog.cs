@@ -15,8 +15,8 @@ static class SyncLog
         return RecordingText.IsSession(path) ? OfSession(path, ref lost) : OfTable(path);
     }
 
-    static List<LoggedExchange> OfTable(string path) => IntegerTable.Read(path, "t1_ns", "t2_ns", "t3_ns", "t4_ns")
-        .ConvertAll(row => LoggedExchange.Of(new LoggedStamps(row[0], row[1], row[2], row[3])));
+    static List<LoggedExchange> OfTable(string path) => Rows(path, "t1_ns,t2_ns,t3_ns,t4_ns", table =>
+        LoggedExchange.Of(new LoggedStamps(Nanoseconds(table, 0), Nanoseconds(table, 1), Nanoseconds(table, 2), Nanoseconds(table, 3))));
 
     static List<LoggedExchange> OfSession(string path, ref long lost)
     {
@@ -32,13 +32,24 @@ static class SyncLog
 
     public static IReadOnlyList<long> ReadInstants(string path)
     {
-        var instants = new List<long>();
-        foreach (var (line, values) in IntegerTable.ReadWithLines(path, "t_ns"))
+        long? previous = null;
+        return Rows(path, "t_ns", table =>
         {
-            if (instants.Count > 0 && values[0] <= instants[^1])
-                throw new InputException(ExchangeFileMessages.TimeOrder(path, line, values[0], instants[^1]));
-            instants.Add(values[0]);
-        }
-        return instants;
+            var instant = Nanoseconds(table, 0);
+            if (instant <= previous) throw table.Wrong(ExchangeFileMessages.TimeOrder(instant, previous.Value));
+            previous = instant;
+            return instant;
+        });
     }
+
+    static List<T> Rows<T>(string path, string header, Func<CsvTable, T> read) => RecordingText.Read(path, text =>
+    {
+        using var table = new CsvTable(path, text);
+        table.RequireHeader(header);
+        var rows = new List<T>();
+        while (table.Next()) rows.Add(read(table));
+        return rows.Count > 0 ? rows : throw new InputException(TableMessages.NoRows(path, 1));
+    });
+
+    static long Nanoseconds(CsvTable table, int column) => table.Whole(column, "nanoseconds");
 }

@@ -168,14 +168,14 @@ public class SyncVerbTests
 
     static readonly string[][] InvalidFiles =
     [
-        ["", ExchangeFileMessages.Header("", 1, "", Header.TrimEnd())],
-        ["a,b\n1,2\n", ExchangeFileMessages.Header("", 1, "a,b", Header.TrimEnd())],
-        [Header, ExchangeFileMessages.NoRows("")],
-        [Header + "1,2,3\n", ExchangeFileMessages.FieldCount("", 2, 3, 4)],
-        [Header + "1,2,,4\n", ExchangeFileMessages.NotNanoseconds("", 2, "t3_ns", "")],
-        [Header + "1,2,3,4\n1,2.5,3,4\n", ExchangeFileMessages.NotNanoseconds("", 3, "t2_ns", "2.5")],
-        [Header + "1,2,3,4\n\n\"5,6,7,8\n9,10,11,12\n13,14,15,16\n", ExchangeFileMessages.FieldCount("", 4, 1, 4)],
-        [Header + "1,2,3,99999999999999999999\n", ExchangeFileMessages.NotNanoseconds("", 2, "t4_ns", "99999999999999999999")],
+        ["", ":1: " + TableMessages.Header("", Header.TrimEnd())],
+        ["a,b\n1,2\n", ":1: " + TableMessages.Header("a,b", Header.TrimEnd())],
+        [Header, TableMessages.NoRows("", 1)],
+        [Header + "1,2,3\n", ":2: " + TableMessages.FieldCount(3, 4)],
+        [Header + "1,2,,4\n", ":2: " + TableMessages.NotWhole("t3_ns", "", "nanoseconds")],
+        [Header + "1,2,3,4\n1,2.5,3,4\n", ":3: " + TableMessages.NotWhole("t2_ns", "2.5", "nanoseconds")],
+        [Header + "1,2,3,4\n\n\"5,6,7,8\n9,10,11,12\n13,14,15,16\n", ":4: " + TableMessages.FieldCount(1, 4)],
+        [Header + "1,2,3,99999999999999999999\n", ":2: " + TableMessages.NotWhole("t4_ns", "99999999999999999999", "nanoseconds")],
     ];
 
     [TestCaseSource(nameof(InvalidFiles))]
@@ -215,7 +215,7 @@ public class SyncVerbTests
         var run = await CliRun.OfAsync("sync", file.Path, "--at", instants.Path);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.Contain(ExchangeFileMessages.TimeOrder(instants.Path, line, 5, 5)));
+        Assert.That(run.Errors, Does.Contain($"{instants.Path}:{line}: " + ExchangeFileMessages.TimeOrder(5, 5)));
     }
 
     [TestCase("ransac", SyncPageTexts.Ransac)]

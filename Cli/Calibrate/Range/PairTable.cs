@@ -25,50 +25,43 @@ static class PairTable
 
     static (IReadOnlyList<MeasuredPicture> Pairs, PairOrigin Origin) Rows(TextReader text, string path)
     {
-        using var csv = new CsvRows(text);
-        var header = csv.Next() ? csv.Fields() : [];
-        int render = Column(header, Render, path), visu = Column(header, Visu, path);
-        int vertices = Array.IndexOf(header, Vertices), file = Array.IndexOf(header, File);
+        using var table = new CsvTable(path, text);
+        int render = Column(table, Render), visu = Column(table, Visu);
+        int vertices = Array.IndexOf(table.Header, Vertices), file = Array.IndexOf(table.Header, File);
         var pairs = new List<MeasuredPicture>();
         var origin = new Dictionary<string, string>();
-        var origins = PairOrigin.Columns.Select(name => (name, Index: Array.IndexOf(header, name))).Where(column => column.Index >= 0).ToArray();
-        while (csv.Next())
+        var origins = PairOrigin.Columns.Select(name => (name, Index: Array.IndexOf(table.Header, name))).Where(column => column.Index >= 0).ToArray();
+        while (table.Next())
         {
-            if (csv.Count != header.Length) throw new InputException(PairFileMessages.FieldCount(path, csv.Line, csv.Count, header.Length));
-            if (pairs.Count == MaxRows) throw new InputException(PairFileMessages.TooManyRows(path, csv.Line, MaxRows));
-            pairs.Add(Picture(csv, path, render, visu, vertices, file));
+            if (pairs.Count == MaxRows) throw table.Wrong(PairFileMessages.TooManyRows(MaxRows));
+            pairs.Add(Picture(table, render, visu, vertices, file));
             // A value may be missing in some rows: a sweep's log lacks those that the headset does not know yet.
-            foreach (var (name, index) in origins.Where(column => csv[column.Index].Length > 0))
-                if (origin.TryAdd(name, csv[index])) InputPlace.In($"{path}:{csv.Line}", () => PairOrigin.Parse(each => each == name ? csv[index] : null));
-                else if (origin[name] != csv[index])
-                    throw new InputException(PairFileMessages.TwoOrigins(path, csv.Line, name, origin[name], csv[index]));
+            foreach (var (name, index) in origins.Where(column => table[column.Index].Length > 0))
+                if (origin.TryAdd(name, table[index])) InputPlace.In(table.Place, () => PairOrigin.Parse(each => each == name ? table[index] : null));
+                else if (origin[name] != table[index])
+                    throw table.Wrong(PairFileMessages.TwoOrigins(name, origin[name], table[index]));
         }
-        if (pairs.Count == 0) throw new InputException(PairFileMessages.NoRows(path, RangeFit.MinPairs));
+        if (pairs.Count == 0) throw new InputException(TableMessages.NoRows(path, RangeFit.MinPairs));
         return (pairs, PairOrigin.Parse(origin.GetValueOrDefault));
     }
 
-    static int Column(string[] header, string name, string path)
+    static int Column(CsvTable table, string name)
     {
-        var index = Array.IndexOf(header, name);
-        if (index < 0) throw new InputException(PairFileMessages.NoColumn(path, name, Render, Visu));
-        return Array.LastIndexOf(header, name) == index ? index : throw new InputException(PairFileMessages.ColumnTwice(path, name));
+        var index = Array.IndexOf(table.Header, name);
+        if (index < 0) throw table.Wrong(PairFileMessages.NoColumn(name, Render, Visu));
+        return Array.LastIndexOf(table.Header, name) == index ? index : throw table.Wrong(PairFileMessages.ColumnTwice(name));
     }
 
-    static MeasuredPicture Picture(CsvRows csv, string path, int render, int visu, int vertices, int file)
+    static MeasuredPicture Picture(CsvTable table, int render, int visu, int vertices, int file)
     {
-        double renderMs = Number(csv, path, render, Render), visuMs = Number(csv, path, visu, Visu);
-        int? load = vertices < 0 || csv[vertices].Length == 0 ? null : Count(csv, path, vertices);
-        return InputPlace.In($"{path}:{csv.Line}", () => new MeasuredPicture(
-            file < 0 ? null : csv[file], load, MeasuredRenderTime.RequireMs(renderMs), SettingRange.Require(visuMs, -MaxVisuMs, MaxVisuMs, Visu, "ms")));
+        double renderMs = table.Number(render, "milliseconds"), visuMs = table.Number(visu, "milliseconds");
+        int? load = vertices < 0 || table[vertices].Length == 0 ? null : Count(table, vertices);
+        return InputPlace.In(table.Place, () => new MeasuredPicture(
+            file < 0 ? null : table[file], load, MeasuredRenderTime.RequireMs(renderMs), SettingRange.Require(visuMs, -MaxVisuMs, MaxVisuMs, Visu, "ms")));
     }
 
-    static double Number(CsvRows csv, string path, int column, string name) =>
-        double.TryParse(csv[column], NumberStyles.Float, CultureInfo.InvariantCulture, out var value)
+    static int Count(CsvTable table, int column) =>
+        int.TryParse(table[column], NumberStyles.None, CultureInfo.InvariantCulture, out var value) && value <= MaxVertices
             ? value
-            : throw new InputException(PairFileMessages.NotMilliseconds(path, csv.Line, name, csv[column]));
-
-    static int Count(CsvRows csv, string path, int column) =>
-        int.TryParse(csv[column], NumberStyles.None, CultureInfo.InvariantCulture, out var value) && value <= MaxVertices
-            ? value
-            : throw new InputException(PairFileMessages.NotVertices(path, csv.Line, Vertices, csv[column], MaxVertices));
+            : throw table.Wrong(PairFileMessages.NotVertices(Vertices, table[column], MaxVertices));
 }

@@ -134,7 +134,7 @@ public class RangeVerbTests : CalibrationFolder
     {
         var file = Write("pairs.csv", SweepOf("gpu_completion", "A").Take(41).Concat(SweepOf("gpu_completion", "B").Skip(41)));
 
-        Assert.That(await RefusalOf("range", file), Is.EqualTo(ConsoleMessages.Line(PairFileMessages.TwoOrigins(file, 42, "device", "A", "B"))));
+        Assert.That(await RefusalOf("range", file), Is.EqualTo(ConsoleMessages.Line($"{file}:42: " + PairFileMessages.TwoOrigins("device", "A", "B"))));
     }
 
     static readonly string[][] InvalidTables =
@@ -144,15 +144,15 @@ public class RangeVerbTests : CalibrationFolder
         ["render_ms,visu_ms\nNaN,40", ":2: " + InvalidRenderTime(double.NaN)],
         ["render_ms,visu_ms\n5,NaN", ":2: " + InvalidVisu(double.NaN)],
         ["render_ms,visu_ms\n5,65537", ":2: " + InvalidVisu(65_537)],
-        ["render_ms,visu_ms\n5,4o", PairFileMessages.NotMilliseconds("", 2, "visu_ms", "4o")],
-        ["render_ms,visu_ms\n5", PairFileMessages.FieldCount("", 2, 1, 2)],
-        ["render_ms,visu_ms\n5,40\n\n\"6,40\n7,40\n8,40", PairFileMessages.FieldCount("", 4, 1, 2)],
-        ["render,visu_ms\n5,40", PairFileMessages.NoColumn("", "render_ms", "render_ms", "visu_ms")],
-        ["render_ms,visu_ms,render_ms\n5,40,5", PairFileMessages.ColumnTwice("", "render_ms")],
-        ["vertices,render_ms,visu_ms\n-5,5,40", PairFileMessages.NotVertices("", 2, "vertices", "-5", 1_000_000_000)],
-        ["render_ms,visu_ms", PairFileMessages.NoRows("", 20)],
+        ["render_ms,visu_ms\n5,4o", ":2: " + TableMessages.NotANumber("visu_ms", "4o", "milliseconds")],
+        ["render_ms,visu_ms\n5", ":2: " + TableMessages.FieldCount(1, 2)],
+        ["render_ms,visu_ms\n5,40\n\n\"6,40\n7,40\n8,40", ":4: " + TableMessages.FieldCount(1, 2)],
+        ["render,visu_ms\n5,40", ":1: " + PairFileMessages.NoColumn("render_ms", "render_ms", "visu_ms")],
+        ["render_ms,visu_ms,render_ms\n5,40,5", ":1: " + PairFileMessages.ColumnTwice("render_ms")],
+        ["vertices,render_ms,visu_ms\n-5,5,40", ":2: " + PairFileMessages.NotVertices("vertices", "-5", 1_000_000_000)],
+        ["render_ms,visu_ms", TableMessages.NoRows("", 20)],
         ["render_ms,visu_ms\n5,40\n6,40", ": " + RangeMessages.TooFewPairs(2, 20)],
-        ["", PairFileMessages.NoColumn("", "render_ms", "render_ms", "visu_ms")],
+        ["", ":1: " + PairFileMessages.NoColumn("render_ms", "render_ms", "visu_ms")],
     ];
 
     static string InvalidRenderTime(double ms) => SettingMessages.OutOfRange("render_ms", ms, " ms", 0.001, 1000);

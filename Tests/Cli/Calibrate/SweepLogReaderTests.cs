@@ -76,7 +76,7 @@ public sealed class SweepLogReaderTests
     [Test]
     public void Read_OtherLineBeforeTheHeader_Throws() => Assert.That(
         () => Read("# graphics_api: Vulkan\nother\n" + Header),
-        Throws.TypeOf<InputException>().With.Message.EqualTo(SweepFileMessages.Header("sweep.csv", 2, "other", SweepLog.Header)));
+        Throws.TypeOf<InputException>().With.Message.EqualTo("sweep.csv:2: " + TableMessages.Header("other", SweepLog.Header)));
 
     [Test]
     public void Read_OtherLineEndsAndUnknownDisplayRate_Succeeds()
@@ -88,11 +88,11 @@ public sealed class SweepLogReaderTests
 
     static readonly string[][] OtherTables =
     [
-        ["", SweepFileMessages.Header("sweep.csv", 1, "", SweepLog.Header)],
-        ["time,load\n1,2\n", SweepFileMessages.Header("sweep.csv", 1, "time,load", SweepLog.Header)],
-        [Header, SweepFileMessages.NoRows("sweep.csv")],
-        [Header + "5,0,4,display_gpu_time,x\n", SweepFileMessages.FieldCount("sweep.csv:2", 5, 6)],
-        [Header + "5,0,,,x,60\n\n\"6,0,,,x,60\n7,0,,,x,60\n8,0,,,x,60\n", SweepFileMessages.FieldCount("sweep.csv:4", 1, 6)],
+        ["", "sweep.csv:1: " + TableMessages.Header("", SweepLog.Header)],
+        ["time,load\n1,2\n", "sweep.csv:1: " + TableMessages.Header("time,load", SweepLog.Header)],
+        [Header, TableMessages.NoRows("sweep.csv", 1)],
+        [Header + "5,0,4,display_gpu_time,x\n", "sweep.csv:2: " + TableMessages.FieldCount(5, 6)],
+        [Header + "5,0,,,x,60\n\n\"6,0,,,x,60\n7,0,,,x,60\n8,0,,,x,60\n", "sweep.csv:4: " + TableMessages.FieldCount(1, 6)],
     ];
 
     [TestCaseSource(nameof(OtherTables))]

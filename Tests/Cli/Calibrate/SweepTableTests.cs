@@ -43,8 +43,8 @@ public sealed class SweepTableTests : CalibrationFolder
 
     static readonly string[][] Mixed =
     [
-        ["HoloLens 2,60", "Quest 3,60", SweepFileMessages.TwoHeadsets(":3", "HoloLens 2", "Quest 3")],
-        ["HoloLens 2,60", "HoloLens 2,72", SweepFileMessages.TwoRates(":3", 60, 72)],
+        ["HoloLens 2,60", "Quest 3,60", ":3: " + SweepFileMessages.TwoHeadsets("HoloLens 2", "Quest 3")],
+        ["HoloLens 2,60", "HoloLens 2,72", ":3: " + SweepFileMessages.TwoRates(60, 72)],
     ];
 
     [TestCaseSource(nameof(Mixed))]
