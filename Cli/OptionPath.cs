@@ -1,6 +1,7 @@
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli;
 
@@ -17,47 +18,27 @@ static class OptionPath
     /// <exception cref="InputException">The folder is not writable.</exception>
     public static T InFolder<T>(string option, string folder, Func<string, T> prepare)
     {
-        try
-        {
-            var full = Directory.CreateDirectory(folder).FullName;
-            OutputFile.TryIn(full);
-            return prepare(full);
-        }
-        catch (Exception e) when (IsRefusal(e))
-        {
-            throw new InputException(PathMessages.NotWritten($"{option}: {folder}", e), e);
-        }
+        return FileFault.Report(
+            () =>
+            {
+                var full = Directory.CreateDirectory(folder).FullName;
+                OutputFile.TryIn(full);
+                return prepare(full);
+            },
+            e => PathMessages.NotWritten($"{option}: {folder}", e));
     }
 
     /// <summary>Reads a file.</summary>
     /// <param name="option">The option that names the file, for example <c>--token-file</c>.</param>
     /// <exception cref="InputException">The file cannot be read.</exception>
-    public static T Read<T>(string option, string path, Func<T> read)
-    {
-        try
-        {
-            return read();
-        }
-        catch (Exception e) when (IsRefusal(e))
-        {
-            throw new InputException(PathMessages.NotRead($"{option}: {path}", e), e);
-        }
-    }
+    public static T Read<T>(string option, string path, Func<T> read) =>
+        FileFault.Report(read, e => PathMessages.NotRead($"{option}: {path}", e));
 
     /// <summary>Writes a file.</summary>
     /// <param name="option">The option that names the file, for example <c>--page</c>.</param>
     /// <exception cref="InputException">The file cannot be written.</exception>
-    public static void Write(string option, string path, Action write)
-    {
-        try
-        {
-            write();
-        }
-        catch (Exception e) when (IsRefusal(e))
-        {
-            throw new InputException(PathMessages.NotWritten($"{option}: {path}", e), e);
-        }
-    }
+    public static void Write(string option, string path, Action write) =>
+        FileFault.Report(write, e => PathMessages.NotWritten($"{option}: {path}", e));
 
     /// <summary>Opens a file for writing and creates its folder. Keeps the present contents of the file.</summary>
     /// <param name="option">The option that names the file, for example <c>--record</c>.</param>
@@ -87,6 +68,4 @@ static class OptionPath
                 if (read.Contains(Path.GetFullPath(path))) throw new InputException(OptionValueMessages.WouldOverwriteInput(option, path));
             });
     }
-
-    static bool IsRefusal(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException;
 }

@@ -1,4 +1,5 @@
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli.Unity;
 
@@ -52,17 +53,7 @@ sealed class SampleCopy
 
     /// <summary>Copies the missing files. A new folder appears only when it is complete, and each file too.</summary>
     /// <exception cref="InputException">A file cannot be copied.</exception>
-    public void Apply()
-    {
-        try
-        {
-            Copy();
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            throw new InputException(UnityPackageMessages.NotCopied(_target, Sample.Name, e.Message.TrimEnd('.')), e);
-        }
-    }
+    public void Apply() => FileFault.Report(Copy, e => UnityPackageMessages.NotCopied(_target, Sample.Name, e.Message.TrimEnd('.')));
 
     // Returns the folders of the same sample that belong to other versions of the package.
     static IEnumerable<string> OtherVersions(string target)

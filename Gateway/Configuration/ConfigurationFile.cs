@@ -1,6 +1,7 @@
 using Nowpose.Gateway.Messages;
 using YamlDotNet.Core;
 using YamlDotNet.Core.Events;
+using Nowpose.Gateway.Options;
 
 namespace Nowpose.Gateway.Configuration;
 
@@ -40,20 +41,15 @@ static class ConfigurationFile
         return entries;
     }
 
-    static string Load(string path)
-    {
-        try
+    static string Load(string path) => FileFault.Report(
+        () =>
         {
             var file = new FileInfo(path);
             if (file.Exists && file.Length > MaxBytes)
                 throw new InputException(ConfigurationMessages.TooLong(path, file.Length, MaxBytes));
             return File.ReadAllText(path);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
-        {
-            throw new InputException(PathMessages.NotRead($"--config {path}", e), e);
-        }
-    }
+        },
+        e => PathMessages.NotRead($"--config {path}", e));
 
     static bool TryReadDocument(Parser parser, string path, List<ConfigurationEntry> entries, InvalidEntries wrong)
     {

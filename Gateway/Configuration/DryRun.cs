@@ -1,6 +1,7 @@
 using System.Net;
 using System.Security.Cryptography.X509Certificates;
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
@@ -87,15 +88,6 @@ static class DryRun
         return Directory.Exists(folder) ? folder : throw new InputException(DryRunMessages.NoFolder(option, path, folder));
     }
 
-    static void RequireWritable(string option, string path, string folder)
-    {
-        try
-        {
-            OutputFile.TryIn(folder);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            throw new InputException(DryRunMessages.NotWritable(option, path, folder), e);
-        }
-    }
+    static void RequireWritable(string option, string path, string folder) =>
+        FileFault.Report(() => OutputFile.TryIn(folder), _ => DryRunMessages.NotWritable(option, path, folder));
 }

@@ -1,5 +1,6 @@
 using System.IO.Compression;
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Options;
 
 namespace Nowpose.Gateway.MotionRecordings;
 
@@ -18,21 +19,9 @@ public static class RecordingText
             throw new InputException(MotionFileMessages.NoFile);
         if (Directory.Exists(path))
             throw new InputException(MotionFileMessages.IsAFolder(path));
-        try
-        {
-            Stream bytes = File.OpenRead(path);
-            if (path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase))
-                bytes = new GZipStream(bytes, CompressionMode.Decompress);
-            return new StreamReader(bytes);
-        }
-        catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
-        {
-            throw new InputException(PathMessages.NotFound(path), e);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
-        {
-            throw Unreadable(path, e);
-        }
+        var bytes = FileFault.Report<Stream>(
+            () => File.OpenRead(path), e => FileFault.IsMissing(e) ? PathMessages.NotFound(path) : PathMessages.NotRead(path, e));
+        return new StreamReader(path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(bytes, CompressionMode.Decompress) : bytes);
     }
 
     /// <summary>Opens a text file as <see cref="Open"/> does, and reads it with a function.</summary>

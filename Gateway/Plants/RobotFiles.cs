@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Options;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Gateway.Plants;
@@ -35,18 +36,9 @@ public static class RobotFiles
             return File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "Robots", nameOrPath + ".urdf"));
         if (string.IsNullOrWhiteSpace(nameOrPath)) throw new InputException(PlantMessages.NoRobot(Allowed));
         if (Directory.Exists(nameOrPath)) throw new InputException(PlantMessages.IsAFolder(nameOrPath, Allowed));
-        try
-        {
-            return File.ReadAllText(nameOrPath);
-        }
-        catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
-        {
-            throw new InputException(PathMessages.NotFound(nameOrPath, Allowed), e);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
-        {
-            throw new InputException(PathMessages.NotRead(nameOrPath, e), e);
-        }
+        return FileFault.Report(
+            () => File.ReadAllText(nameOrPath),
+            e => FileFault.IsMissing(e) ? PathMessages.NotFound(nameOrPath, Allowed) : PathMessages.NotRead(nameOrPath, e));
     }
 
     static string Allowed => PlantMessages.Robots(Names);

@@ -2,6 +2,7 @@ using System.Net;
 using System.Security.Cryptography;
 using System.Security.Cryptography.X509Certificates;
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Options;
 
 namespace Nowpose.Gateway.Security;
 
@@ -71,14 +72,7 @@ public static class CertificateFiles
     {
         using var certificate = Generate();
         var bytes = IsPfx(path) ? certificate.Export(X509ContentType.Pfx) : System.Text.Encoding.ASCII.GetBytes(Pem(certificate));
-        try
-        {
-            OutputFile.CreateSecret(path, bytes);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            throw new InputException(KeyFileMessages.NotWritten(path, e.Message), e);
-        }
+        FileFault.Report(() => OutputFile.CreateSecret(path, bytes), e => KeyFileMessages.NotWritten(path, e.Message));
     }
 
     static string Pem(X509Certificate2 certificate)

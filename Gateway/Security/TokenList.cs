@@ -1,6 +1,7 @@
 using System.Security.Cryptography;
 using System.Text;
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Options;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Security;
@@ -116,17 +117,7 @@ public sealed class TokenList
         .Select(line => (line.Where, Bits: TokenStrength.BitsOf(line.Words[1])))
         .Where(line => line.Bits < TokenStrength.MinBits);
 
-    static string[] LinesOf(string path)
-    {
-        try
-        {
-            return File.ReadAllLines(path);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            throw new InputException(PathMessages.NotRead(path, e), e);
-        }
-    }
+    static string[] LinesOf(string path) => FileFault.Report(() => File.ReadAllLines(path), e => PathMessages.NotRead(path, e));
 
     static (string Token, Role Role) Entry(string line, string where)
     {

@@ -65,14 +65,12 @@ static class CellVerb
         var isPng = path.EndsWith(".png", StringComparison.OrdinalIgnoreCase);
         if (!isPng && !path.EndsWith(".svg", StringComparison.OrdinalIgnoreCase))
             throw new InputException(VerbMessages.OutName(path));
-        try
-        {
-            if (isPng) OutputFile.Write(path, (Stream file) => file.Write(drawn.Png(PixelsPerModule)));
-            else OutputFile.Write(path, drawn.Svg(sizeMm, caption));
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            throw new InputException(PathMessages.NotWritten($"--out {path}", e), e);
-        }
+        FileFault.Report(
+            () =>
+            {
+                if (isPng) OutputFile.Write(path, (Stream file) => file.Write(drawn.Png(PixelsPerModule)));
+                else OutputFile.Write(path, drawn.Svg(sizeMm, caption));
+            },
+            e => PathMessages.NotWritten($"--out {path}", e));
     }
 }

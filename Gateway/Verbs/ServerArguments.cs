@@ -170,14 +170,8 @@ sealed class ServerArguments(ConfiguredArguments configured)
         var folder = parsed.GetValue(_recordings);
         if (folder == null && Records(parsed))
             throw new InputException(RecorderMessages.RecordWithoutFolder);
-        try
-        {
-            return folder == null ? null : Directory.CreateDirectory(folder).FullName;
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
-        {
-            throw new InputException(RecorderMessages.FolderNotCreated(folder, e.Message), e);
-        }
+        return folder == null ? null
+            : FileFault.Report(() => Directory.CreateDirectory(folder).FullName, e => RecorderMessages.FolderNotCreated(folder, e.Message));
     }
 
     public StopwatchControlClock Clock(ParseResult parsed)
