@@ -54,7 +54,7 @@ sealed class RecordedTruth : SampleRun
     public bool TryAt(ControlTime at, out double position)
     {
         var ticks = at.SinceEpoch.Ticks;
-        var after = FirstAfter(ticks);
+        var after = SortedSearch.CountUpTo(_samples, ticks, sample => sample.Ticks);
         // The time of the last sample belongs to the interval before it.
         if (after == _samples.Count && after > 1 && _samples[^1].Ticks == ticks) after--;
         position = 0;
@@ -68,16 +68,4 @@ sealed class RecordedTruth : SampleRun
     TruthSample SampleAt(int i) => new(new ControlTime(new TimeSpan(_samples[i].Ticks)), _samples[i].Position);
 
     bool AreNear(int i) => _samples[i + 1].Ticks - _samples[i].Ticks <= _maximumGap;
-
-    int FirstAfter(long ticks)
-    {
-        var (low, high) = (0, _samples.Count);
-        while (low < high)
-        {
-            var middle = (low + high) / 2;
-            if (_samples[middle].Ticks <= ticks) low = middle + 1;
-            else high = middle;
-        }
-        return low;
-    }
 }

@@ -34,15 +34,9 @@ sealed class MoveSequence
 
     public double At(double t)
     {
-        var (low, high) = (0, _pieces.Count);
-        while (low < high)
-        {
-            var middle = (low + high) / 2;
-            if (_pieces[middle].Start <= t) low = middle + 1;
-            else high = middle;
-        }
-        if (low == 0) return _pieces.Count == 0 ? End : _pieces[0].From;
-        var piece = _pieces[low - 1];
+        var started = SortedSearch.CountUpTo(_pieces, t, piece => piece.Start);
+        if (started == 0) return _pieces.Count == 0 ? End : _pieces[0].From;
+        var piece = _pieces[started - 1];
         return t - piece.Start >= piece.Duration ? piece.To : piece.From + piece.Covered(t - piece.Start);
     }
 

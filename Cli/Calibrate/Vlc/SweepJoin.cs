@@ -57,7 +57,8 @@ sealed class SweepJoin
             // Tries the latest row first, so that a picture never follows itself in a run.
             foreach (var row in _rowsOfCode[(int)picture.HeadsetMs].Reverse())
             {
-                var length = FirstBeyond(ends, row);
+                // The rows of the ends are in increasing order.
+                var length = SortedSearch.CountUpTo(ends, row, end => end.Row);
                 var place = new Place(picture, row, length > 0 ? ends[length - 1] : null);
                 if (length == ends.Count) ends.Add(place);
                 else ends[length] = place;
@@ -67,19 +68,6 @@ sealed class SweepJoin
         for (var place = ends.Count > 0 ? ends[^1] : null; place != null; place = place.Before) run.Add(place);
         run.Reverse();
         return run;
-    }
-
-    // Binary search: the rows of the ends are in increasing order.
-    static int FirstBeyond(List<Place> ends, int row)
-    {
-        int low = 0, high = ends.Count;
-        while (low < high)
-        {
-            var middle = (low + high) / 2;
-            if (ends[middle].Row > row) high = middle;
-            else low = middle + 1;
-        }
-        return low;
     }
 
     /// <summary>A picture with its row in the log and the previous picture of the run.</summary>
