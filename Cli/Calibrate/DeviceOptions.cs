@@ -9,51 +9,40 @@ namespace Nowpose.Cli.Calibrate;
 /// <summary>Options for the conditions of a measurement that its files do not contain: device, display rate and others.</summary>
 sealed class DeviceOptions
 {
-    readonly Option<string> _device = TextOption.Create(
-        "--device", "Model of the headset, as in Unity's SystemInfo.deviceModel and the sweep's log. The headset refuses a profile of another "
-            + "model. Default: the model in the sweep's log; without a log, the profile is valid for any model");
+    readonly Dictionary<DisplayCondition, Option<string>> _texts = new()
+    {
+        [DisplayCondition.Device] = TextOption.Create(
+            "--device", "Model of the headset, as in Unity's SystemInfo.deviceModel and the sweep's log. The headset refuses a profile of another "
+                + "model. Default: the model in the sweep's log; without a log, the profile is valid for any model"),
+        [DisplayCondition.GraphicsApi] = Text("--graphics-api", "Graphics API as named by SystemInfo.graphicsDeviceType, for example Direct3D11"),
+        [DisplayCondition.GraphicsJobs] = Text(
+            "--graphics-jobs", "Rendering threads, as SystemInfo.renderingThreadingMode names them: MultiThreaded without Graphics Jobs"),
+        [DisplayCondition.RenderPipeline] = Text("--render-pipeline", "Type name of the render pipeline's asset, or built-in"),
+        [DisplayCondition.RewriteBeforeRender] = Choice(
+            "--rewrite-before-render", "Whether the pose is computed a second time right before rendering",
+            [DisplayConditions.On, DisplayConditions.Off]),
+        [DisplayCondition.LatencyOptimization] = Text(
+            "--latency-optimization", "OpenXR's Latency Optimization: PrioritizeRendering or PrioritizeInputPolling"),
+        [DisplayCondition.Reprojection] = Choice(
+            "--reprojection", "How the display corrects frames for head motion",
+            [.. Enum.GetValues<ReprojectionMode>().Select(LatencyNames.Reprojection.NameOf)]),
+    };
 
     readonly Option<double> _displayHz = NumberOption.Create(
         "--display-hz", "Refresh rate of the headset's display; 0: the rate in the sweep's log; without a log, the profile is valid for any rate",
         0.0, 0, 1000, "Hz");
 
-    readonly Option<string> _graphicsApi = Text("--graphics-api", "Graphics API as named by SystemInfo.graphicsDeviceType, for example Direct3D11");
-
-    readonly Option<string> _graphicsJobs = Text(
-        "--graphics-jobs", "Rendering threads, as SystemInfo.renderingThreadingMode names them: MultiThreaded without Graphics Jobs");
-
-    readonly Option<string> _renderPipeline = Text("--render-pipeline", "Type name of the render pipeline's asset, or built-in");
-
-    readonly Option<string> _rewrite = Choice(
-        "--rewrite-before-render", "Whether the pose is computed a second time right before rendering",
-        [DisplayConditions.On, DisplayConditions.Off]);
-
-    readonly Option<string> _optimization = Text(
-        "--latency-optimization", "OpenXR's Latency Optimization: PrioritizeRendering or PrioritizeInputPolling");
-
-    readonly Option<string> _reprojection = Choice(
-        "--reprojection", "How the display corrects frames for head motion",
-        [.. Enum.GetValues<ReprojectionMode>().Select(LatencyNames.Reprojection.NameOf)]);
-
     public void AddTo(Command verb)
     {
-        Option[] options = [_device, _displayHz, _graphicsApi, _graphicsJobs, _renderPipeline, _rewrite, _optimization, _reprojection];
-        foreach (var option in options) verb.Options.Add(option);
+        foreach (var option in _texts.Values) verb.Options.Add(option);
+        verb.Options.Add(_displayHz);
     }
 
     /// <summary>Gets the conditions that were given as options. The other conditions stay unknown.</summary>
     /// <exception cref="InputException">A value is invalid.</exception>
-    public DisplayConditions Conditions(ParseResult parsed) => DisplayConditions.Parse(condition => condition switch
-    {
-        DisplayCondition.Device => parsed.GetValue(_device),
-        DisplayCondition.GraphicsApi => parsed.GetValue(_graphicsApi),
-        DisplayCondition.GraphicsJobs => parsed.GetValue(_graphicsJobs),
-        DisplayCondition.RenderPipeline => parsed.GetValue(_renderPipeline),
-        DisplayCondition.RewriteBeforeRender => parsed.GetValue(_rewrite),
-        DisplayCondition.LatencyOptimization => parsed.GetValue(_optimization),
-        DisplayCondition.Reprojection => parsed.GetValue(_reprojection),
-        _ => null,
-    }).Or(new DisplayConditions(displayHz: parsed.GetValue(_displayHz)));
+    public DisplayConditions Conditions(ParseResult parsed) => DisplayConditions.Parse(
+            condition => _texts.TryGetValue(condition, out var option) ? parsed.GetValue(option) : null)
+        .Or(new DisplayConditions(displayHz: parsed.GetValue(_displayHz)));
 
     /// <summary>Creates the option for the source of the render time, used by methods that find a render time limit.</summary>
     public static Option<string> Source() => ChoiceOption.Create(
