@@ -44,8 +44,7 @@ static class RangeVerb
         var (pictures, origin) = PairTable.Read(file);
         origin = origin with { Source = SourceOf(parsed, file, origin.Source) };
         RequireRise(pictures, file, LatencyNames.RenderTimeSource.NameOf(origin.Source));
-        var pairs = pictures.Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs));
-        return (pictures, origin, InputPlace.In(file, () => RangeFit.Fit([.. pairs])));
+        return (pictures, origin, InputPlace.In(file, () => RangeFit.Fit(pictures)));
     }
 
     // A source in the table takes precedence over the default of the option. The option must not contradict it.

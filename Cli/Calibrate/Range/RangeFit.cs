@@ -42,6 +42,11 @@ static class RangeFit
 
     const int MaxRounds = 8;
 
+    /// <param name="pictures">At least <see cref="MinPairs"/> pictures with known render times, in any order.</param>
+    /// <inheritdoc cref="Fit(IReadOnlyList{LatencyPair})"/>
+    public static RangeFitResult Fit(IEnumerable<MeasuredPicture> pictures) =>
+        Fit([.. pictures.Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))]);
+
     /// <param name="pairs">At least <see cref="MinPairs"/> pairs in any order.</param>
     /// <exception cref="InputException">There are too few pairs, or L_visu is not constant at the lowest render times.</exception>
     public static RangeFitResult Fit(IReadOnlyList<LatencyPair> pairs)

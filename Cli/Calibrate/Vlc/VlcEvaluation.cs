@@ -76,8 +76,7 @@ sealed class VlcEvaluation
         }
         try
         {
-            var measured = Pictures.Where(each => each.RenderMs.HasValue);
-            return RangeFit.Fit([.. measured.Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))]);
+            return RangeFit.Fit(Pictures.Where(each => each.RenderMs.HasValue));
         }
         catch (InputException bad)
         {

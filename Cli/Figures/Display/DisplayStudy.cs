@@ -38,12 +38,9 @@ sealed class DisplayStudy : IFigureStudy
 
     public IEnumerable<Figure> Figures()
     {
-        var fit = Fit(_sweep);
-        return [Figure10.Of(At(NormalLoad), At(HighLoad)), Figure11.OverLoad(_sweep, fit), Figure11.OverRenderTime(_sweep, fit, Fit(_costly))];
+        var fit = RangeFit.Fit(_sweep);
+        return [Figure10.Of(At(NormalLoad), At(HighLoad)), Figure11.OverLoad(_sweep, fit), Figure11.OverRenderTime(_sweep, fit, RangeFit.Fit(_costly))];
     }
-
-    static RangeFitResult Fit(List<MeasuredPicture> sweep) =>
-        RangeFit.Fit([.. sweep.Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))]);
 
     List<MeasuredPicture> At(int vertices) => [.. _sweep.Where(each => each.Vertices == vertices)];
 

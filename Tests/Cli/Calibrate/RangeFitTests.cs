@@ -37,7 +37,7 @@ public class RangeFitTests
         var limits = Enumerable.Range(2000, 100).Select(seed =>
         {
             var sweep = new SimulatedSweep(new SimulationSettings { LoadSteps = 20, Pictures = 21 * perLoad, Seed = seed });
-            return RangeFit.Fit([.. sweep.Moments.Select(sweep.Measured).Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))]).LimitRenderMs ?? 0;
+            return RangeFit.Fit(sweep.Moments.Select(sweep.Measured)).LimitRenderMs ?? 0;
         }).Order().ToArray();
         var trueLimitMs = SimulatedSweep.RefreshMs - 1.5;
 
