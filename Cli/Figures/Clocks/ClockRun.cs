@@ -8,9 +8,9 @@ static class ClockRun
     /// <summary>Frame rate of a headset.</summary>
     public const double InstantsPerSecond = 60;
 
-    public static ClockInstant[] Of(ClockMethod method, SimulatedExchanges exchanges, double seconds)
+    public static ClockInstant[] Of(string estimator, SimulatedExchanges exchanges, double seconds)
     {
-        var clock = new ClockSynchroniser(method.Create(), ClockSettings.Default);
+        var clock = new ClockSynchroniser(ClockEstimators.Create(estimator), ClockSettings.Default);
         var instants = new ClockInstant[(int)(seconds * InstantsPerSecond)];
         var next = 0;
         for (var i = 0; i < instants.Length; i++)

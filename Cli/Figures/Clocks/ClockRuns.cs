@@ -10,12 +10,12 @@ sealed class ClockRuns
     {
         Seconds = settings.ClockSeconds;
         Logs = [.. Enumerable.Range(0, settings.ClockRuns).Select(i => new SimulatedExchanges(settings.Seed * 1000 + i, Seconds))];
-        _runs = new ClockInstant[ClockMethod.All.Count, Logs.Count][];
+        _runs = new ClockInstant[ClockMethods.All.Count, Logs.Count][];
         // Lazy, so that the errors are computed only once although several figures read them.
-        _errors = [.. Enumerable.Range(0, ClockMethod.All.Count).Select(
+        _errors = [.. Enumerable.Range(0, ClockMethods.All.Count).Select(
             m => new Lazy<ClockErrors>(() => ClockErrors.Of([.. Logs.Select((log, l) => (_runs[m, l], log))])))];
-        Work = [.. from m in Enumerable.Range(0, ClockMethod.All.Count) from l in Enumerable.Range(0, Logs.Count)
-            select (Action)(() => _runs[m, l] = ClockRun.Of(ClockMethod.All[m], Logs[l], Seconds))];
+        Work = [.. from m in Enumerable.Range(0, ClockMethods.All.Count) from l in Enumerable.Range(0, Logs.Count)
+            select (Action)(() => _runs[m, l] = ClockRun.Of(ClockMethods.All[m], Logs[l], Seconds))];
     }
 
     /// <summary>Gets |ε_i| of Eq. (6) for the paper's estimator over all logs, ms.</summary>
@@ -24,7 +24,7 @@ sealed class ClockRuns
     /// <summary>Gets |ε_i| with the true offset instead of the fitted one, ms: the errors of the exchanges themselves.</summary>
     public double[] ExchangeErrorsMs => [.. Logs.SelectMany(log => FitErrors.OfExchanges(StepsOf(log), log.All[0].Offset, log.TrueOffset))];
 
-    static IReadOnlyList<SyncStep> StepsOf(SimulatedExchanges log) => SyncSteps.Of(log.All, ClockMethod.All[0].Name);
+    static IReadOnlyList<SyncStep> StepsOf(SimulatedExchanges log) => SyncSteps.Of(log.All, ClockMethods.All[0]);
 
     /// <summary>Length of each log, s.</summary>
     public double Seconds { get; }
@@ -33,9 +33,9 @@ sealed class ClockRuns
 
     public IReadOnlyList<Action> Work { get; }
 
-    /// <summary>Gets a method's estimates over the first log. The index refers to <see cref="ClockMethod.All"/>.</summary>
+    /// <summary>Gets a method's estimates over the first log. The index refers to <see cref="ClockMethods.All"/>.</summary>
     public IReadOnlyList<ClockInstant> First(int method) => _runs[method, 0];
 
-    /// <summary>Gets a method's errors over all logs. The index refers to <see cref="ClockMethod.All"/>.</summary>
+    /// <summary>Gets a method's errors over all logs. The index refers to <see cref="ClockMethods.All"/>.</summary>
     public ClockErrors Errors(int method) => _errors[method].Value;
 }

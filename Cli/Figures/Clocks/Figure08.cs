@@ -13,7 +13,7 @@ static class Figure08
 
     public static Figure Of(ClockRuns runs)
     {
-        var errors = ClockMethod.All.Select((method, m) => (method.Name, Errors: runs.Errors(m))).ToArray();
+        var errors = ClockMethods.All.Select((method, m) => (Name: method, Errors: runs.Errors(m))).ToArray();
         var table = TableOfFirstRun(runs);
         return new Figure("8", "Clock synchronisation")
         {
@@ -47,15 +47,15 @@ static class Figure08
     static FigureTable TableOfFirstRun(ClockRuns runs)
     {
         var table = new FigureTable([.. SyncFigure.Columns, new FigureColumn("true skew", "ppm"),
-            .. ClockMethod.All.SelectMany(m => new[] { new FigureColumn($"{m.Name} offset error", "µs"), new FigureColumn($"{m.Name} skew", "ppm") })]);
+            .. ClockMethods.All.SelectMany(m => new[] { new FigureColumn($"{m} offset error", "µs"), new FigureColumn($"{m} skew", "ppm") })]);
         var log = runs.Logs[0];
-        var steps = SyncSteps.Of(log.All, ClockMethod.All[0].Name);
+        var steps = SyncSteps.Of(log.All, ClockMethods.All[0]);
         foreach (var step in steps)
         {
             var s = (step.At - HeadsetTime.FromSeconds(0)).TotalSeconds;
             var i = Math.Min((int)Math.Ceiling(s * ClockRun.InstantsPerSecond), runs.First(0).Count - 1);
             table.Add([.. SyncFigure.ValuesOf(step), log.SkewPpmAt(s),
-                .. ClockMethod.All.SelectMany((_, m) => new[] { runs.First(m)[i].OffsetErrorUs, runs.First(m)[i].SkewPpm })]);
+                .. ClockMethods.All.SelectMany((_, m) => new[] { runs.First(m)[i].OffsetErrorUs, runs.First(m)[i].SkewPpm })]);
         }
         return table;
     }
@@ -64,7 +64,7 @@ static class Figure08
     {
         PlotTrace Trace(string label, string look, int column) => table.Trace(label, look, 0, column);
         var truth = SyncFigure.Columns.Count;
-        IEnumerable<PlotTrace> OfMethods(int first) => ClockMethod.All.Select((m, i) => Trace(m.Name, Looks.Of(m.Name), truth + first + 2 * i));
+        IEnumerable<PlotTrace> OfMethods(int first) => ClockMethods.All.Select((m, i) => Trace(m, Looks.Of(m), truth + first + 2 * i));
         yield return new FigurePlot(Figure08Texts.OffsetPlot, table.Columns[0], new FigureColumn("offset error", "µs"), [.. OfMethods(1)])
         { YRange = (-ShownUs, ShownUs) };
         yield return new FigurePlot(Figure08Texts.SkewPlot, table.Columns[0], new FigureColumn("skew", "ppm"), [Trace("truth", Looks.Truth, truth), .. OfMethods(2)])

@@ -42,7 +42,7 @@ static class Figure04
     static string Beyond(IReadOnlyList<FieldPoint> points, ClockRuns clocks)
     {
         var predicted = ErrorField.Predicted.Select((name, p) => $"{name} {Mm(points.Max(point => point.PredictedMm[p]))}");
-        var left = ClockMethod.All.Select((m, i) => $"{m.Name} {Mm(1000 * clocks.Errors(i).P95Us / UsPerS)}");
+        var left = ClockMethods.All.Select((m, i) => $"{m} {Mm(1000 * clocks.Errors(i).P95Us / UsPerS)}");
         return Figure04Texts.Beyond(string.Join(", ", predicted), string.Join(", ", left));
     }
 
@@ -50,10 +50,10 @@ static class Figure04
     {
         var table = new FigureTable([new FigureColumn("speed", "mm/s"), new FigureColumn("latency", "ms"), new FigureColumn("formula", "mm"),
             new FigureColumn("hold fresh", "mm"), new FigureColumn("hold", "mm"), .. ErrorField.Predicted.Select(p => new FigureColumn(p, "mm")),
-            .. ClockMethod.All.Select(m => new FigureColumn($"{m.Name} clock", "mm"))]);
+            .. ClockMethods.All.Select(m => new FigureColumn($"{m} clock", "mm"))]);
         foreach (var p in points)
             table.Add([p.SpeedMmPerS, p.LatencyMs, p.FormulaMm, p.FreshMm, p.SampledMm, .. p.PredictedMm.Select(e => (double?)e),
-                .. ClockMethod.All.Select((_, m) => (double?)(p.SpeedMmPerS * clocks.Errors(m).P95Us / UsPerS))]);
+                .. ClockMethods.All.Select((_, m) => (double?)(p.SpeedMmPerS * clocks.Errors(m).P95Us / UsPerS))]);
         return table;
     }
 
@@ -67,7 +67,7 @@ static class Figure04
         [
             At(Figure04Texts.HoldAt50Ms, Looks.Hold, p => p.SampledMm),
             At(Figure04Texts.HoldEveryFrame, Looks.Linear, p => p.FreshMm),
-            .. ClockMethod.All.Select((m, i) => new PlotTrace($"predicted, {m.Name} clock", Looks.Of(m.Name),
+            .. ClockMethods.All.Select((m, i) => new PlotTrace($"predicted, {m} clock", Looks.Of(m),
                 [.. speeds.Select(_ => clocks.Errors(i).P95Us / 1000)], [.. speeds.Select(v => (double?)v)])),
         ])
         { IsoMm = IsoErrorsMm };
