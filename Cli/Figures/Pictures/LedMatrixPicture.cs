@@ -1,4 +1,3 @@
-using System.Text;
 using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 
@@ -21,27 +20,24 @@ static class LedMatrixPicture
     /// <summary>Side of an LED's diffuser, in pitches. The squares of a headset's code have no gaps.</summary>
     const double Diffuser = 0.8;
 
-    const string Ink = "#16202c", Muted = "#55616f", Lit = "#fff", Pair = "#9ccbff", Dark = "#3a4653";
-    const string Font = "font-family=\"system-ui, sans-serif\"";
+    const string Lit = "#fff", Pair = "#9ccbff", Dark = "#3a4653";
 
     public static string Draw()
     {
-        var svg = new StringBuilder();
-        Append(svg, $"<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{Width}\" height=\"{Height}\" viewBox=\"0 0 {Width} {Height}\" role=\"img\" ");
-        Append(svg, $"aria-label=\"{LedMatrixTexts.Label}\">\n<rect width=\"{Width}\" height=\"{Height}\" fill=\"#fff\"/>\n");
+        var svg = new SvgWriter(Width, Height, LedMatrixTexts.Label);
         DrawBoard(svg);
         Dimensions(svg);
         DrawCode(svg, "control", CodeKind.Control, ControlLeft, Diffuser, "control system, 12 345 ms");
         DrawCode(svg, "headset", CodeKind.Headset, HeadsetLeft, 1, "headset, 12 345 ms");
         Captions(svg, ControlLeft, LedMatrixTexts.TopMarks, LedMatrixTexts.Pairs);
         Captions(svg, HeadsetLeft, LedMatrixTexts.RightMarks, LedMatrixTexts.NoMargin);
-        return svg.Append("</svg>\n").ToString();
+        return svg.Finish();
     }
 
-    static void DrawBoard(StringBuilder svg)
+    static void DrawBoard(SvgWriter svg)
     {
         Background(svg, BoardLeft, Board, LedMatrixTexts.Front);
-        svg.Append("<g id=\"board\">\n");
+        svg.Add($"<g id=\"board\">\n");
         for (var cell = 0; cell < TimestampCode.CellCount; cell++)
             if (TimestampCode.IsRing(cell)) Cell(svg, cell, BoardLeft, Board, Diffuser, TimestampCode.IsLitRing(cell, CodeKind.Control) ? Lit : Dark);
         for (var pair = 0; pair < TimestampCode.PairCount; pair++)
@@ -49,20 +45,20 @@ static class LedMatrixPicture
             var cell = TimestampCode.CellOf(pair);
             Cell(svg, cell, BoardLeft, Board, Diffuser, Pair);
             Cell(svg, cell + 1, BoardLeft, Board, Diffuser, Pair);
-            Text(svg, Left(cell, BoardLeft, Board) + Board / 2.0, Up(cell, Board) + Board / 2.0 + 4, "middle", NameOf(pair), Ink, 11);
+            svg.Text(Left(cell, BoardLeft, Board) + Board / 2.0, Up(cell, Board) + Board / 2.0 + 4, "middle", NameOf(pair), SvgWriter.Ink, 11);
         }
-        svg.Append("</g>\n");
+        svg.Add($"</g>\n");
         for (var i = 0; i < TimestampCode.Side; i++)
         {
-            Text(svg, Left(i, BoardLeft, Board) + Board / 2.0, Top - 6, "middle", FormattableString.Invariant($"{TimestampCode.Side - 1 - i}"));
-            Text(svg, BoardLeft - 6, Up(i * TimestampCode.Side, Board) + Board / 2.0 + 4, "end", FormattableString.Invariant($"byte {i}"));
+            svg.Text(Left(i, BoardLeft, Board) + Board / 2.0, Top - 6, "middle", FormattableString.Invariant($"{TimestampCode.Side - 1 - i}"));
+            svg.Text(BoardLeft - 6, Up(i * TimestampCode.Side, Board) + Board / 2.0 + 4, "end", FormattableString.Invariant($"byte {i}"));
         }
-        Text(svg, BoardLeft - 6, Top - 6, "end", "bit");
+        svg.Text(BoardLeft - 6, Top - 6, "end", "bit");
     }
 
-    static void Captions(StringBuilder svg, int left, params string[] lines)
+    static void Captions(SvgWriter svg, int left, params string[] lines)
     {
-        for (var i = 0; i < lines.Length; i++) Text(svg, left + 5 * Code, Top + 10 * Code + 22 + 18 * i, "middle", lines[i]);
+        for (var i = 0; i < lines.Length; i++) svg.Text(left + 5 * Code, Top + 10 * Code + 22 + 18 * i, "middle", lines[i]);
     }
 
     static string NameOf(int pair) => pair < TimestampCode.ValueBits
@@ -70,7 +66,7 @@ static class LedMatrixPicture
         : pair == TimestampCode.ValueBits ? "even" : "odd";
 
     /// <summary>Draws the dimensions pitch, side and margin below the board.</summary>
-    static void Dimensions(StringBuilder svg)
+    static void Dimensions(SvgWriter svg)
     {
         const int Bottom = Top + 10 * Board;
         double first = Left(0, BoardLeft, Board), middle = first + Board / 2.0, last = first + TimestampCode.Side * Board;
@@ -79,43 +75,38 @@ static class LedMatrixPicture
         Dimension(svg, first, last, Bottom + 30, "8 p = 60 mm to 100 mm");
     }
 
-    static void Dimension(StringBuilder svg, double from, double to, double y, string text)
+    static void Dimension(SvgWriter svg, double from, double to, double y, string text)
     {
-        Append(svg, $"<path d=\"M{from:0.#} {y - 5:0.#}v10M{to:0.#} {y - 5:0.#}v10M{from:0.#} {y:0.#}H{to:0.#}\" stroke=\"{Muted}\"/>\n");
+        svg.Add($"<path d=\"M{from:0.#} {y - 5:0.#}v10M{to:0.#} {y - 5:0.#}v10M{from:0.#} {y:0.#}H{to:0.#}\" stroke=\"{SvgWriter.Muted}\"/>\n");
         var isWide = to - from > 4 * Board;
-        Text(svg, isWide ? (from + to) / 2 : to + 5, isWide ? y + 16 : y + 4, isWide ? "middle" : "start", text);
+        svg.Text(isWide ? (from + to) / 2 : to + 5, isWide ? y + 16 : y + 4, isWide ? "middle" : "start", text);
     }
 
-    static void DrawCode(StringBuilder svg, string name, CodeKind kind, int left, double size, string title)
+    static void DrawCode(SvgWriter svg, string name, CodeKind kind, int left, double size, string title)
     {
         var cells = new bool[TimestampCode.CellCount];
         TimestampCode.Draw(ShownMs, kind, cells);
         Background(svg, left, Code, title);
-        Append(svg, $"<g id=\"{name}\">\n");
+        svg.Add($"<g id=\"{name}\">\n");
         for (var cell = 0; cell < cells.Length; cell++)
             if (cells[cell]) Cell(svg, cell, left, Code, size, Lit);
-        svg.Append("</g>\n");
+        svg.Add($"</g>\n");
     }
 
-    static void Background(StringBuilder svg, int left, int pitch, string title)
+    static void Background(SvgWriter svg, int left, int pitch, string title)
     {
-        Text(svg, left + 5 * pitch, 24, "middle", title, Ink, 14);
-        Append(svg, $"<rect x=\"{left}\" y=\"{Top}\" width=\"{10 * pitch}\" height=\"{10 * pitch}\" fill=\"{Ink}\"/>\n");
+        svg.Text(left + 5 * pitch, 24, "middle", title, SvgWriter.Ink, 14);
+        svg.Add($"<rect x=\"{left}\" y=\"{Top}\" width=\"{10 * pitch}\" height=\"{10 * pitch}\" fill=\"{SvgWriter.Ink}\"/>\n");
     }
 
-    static void Cell(StringBuilder svg, int cell, int left, int pitch, double size, string colour)
+    static void Cell(SvgWriter svg, int cell, int left, int pitch, double size, string colour)
     {
         double gap = (1 - size) / 2 * pitch, side = size * pitch;
-        Append(svg, $"<rect x=\"{Left(cell, left, pitch) + gap:0.#}\" y=\"{Up(cell, pitch) + gap:0.#}\" width=\"{side:0.#}\" height=\"{side:0.#}\" ");
-        Append(svg, $"fill=\"{colour}\"/>\n");
+        svg.Add($"<rect x=\"{Left(cell, left, pitch) + gap:0.#}\" y=\"{Up(cell, pitch) + gap:0.#}\" width=\"{side:0.#}\" height=\"{side:0.#}\" ");
+        svg.Add($"fill=\"{colour}\"/>\n");
     }
 
     static int Left(int cell, int left, int pitch) => left + pitch + cell % TimestampCode.Side * pitch;
 
     static int Up(int cell, int pitch) => Top + pitch + cell / TimestampCode.Side * pitch;
-
-    static void Text(StringBuilder svg, double x, double y, string anchor, string text, string colour = Muted, int size = 12) =>
-        Append(svg, $"<text x=\"{x:0.#}\" y=\"{y:0.#}\" text-anchor=\"{anchor}\" fill=\"{colour}\" {Font} font-size=\"{size}\">{text}</text>\n");
-
-    static void Append(StringBuilder svg, FormattableString text) => svg.Append(FormattableString.Invariant(text));
 }

@@ -14,9 +14,8 @@ sealed class SvgPlot(FigurePlot plot, int width)
     const int ManyPoints = 200;
 
     const int Left = 52, Right = 12, Top = 34, Bottom = 42;
-    const string Font = "font-family=\"system-ui, sans-serif\"";
 
-    readonly StringBuilder _svg = new();
+    readonly SvgWriter _svg = new(width, Height, $"{plot.Title}: {string.Join(", ", plot.Traces.Select(t => t.Label))}");
     readonly double _x0 = plot.Traces.Min(t => t.X[0]);
     readonly double _x1 = plot.Traces.Max(t => t.X[^1]);
     readonly double _y0 = plot.YRange?.From ?? (plot.FromZero ? 0 : AxisTicks.Floor(plot.Traces.Min(t => t.Y.Min()!.Value), Span(plot)));
@@ -24,16 +23,13 @@ sealed class SvgPlot(FigurePlot plot, int width)
 
     public string Draw()
     {
-        _svg.Clear();
-        Append($"<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{Height}\" viewBox=\"0 0 {width} {Height}\" role=\"img\" ");
-        Append($"aria-label=\"{plot.Title}: {string.Join(", ", plot.Traces.Select(t => t.Label))}\">\n<rect width=\"{width}\" height=\"{Height}\" fill=\"#fff\"/>\n");
         Axes();
         // Clips the lines at the edge of the plot.
-        Append($"<clipPath id=\"plot\"><rect x=\"{Left}\" y=\"{Top}\" width=\"{width - Left - Right}\" height=\"{Height - Top - Bottom + 3}\"/></clipPath>\n");
+        _svg.Add($"<clipPath id=\"plot\"><rect x=\"{Left}\" y=\"{Top}\" width=\"{width - Left - Right}\" height=\"{Height - Top - Bottom + 3}\"/></clipPath>\n");
         foreach (var trace in plot.Traces) Draw(trace);
         foreach (var mark in plot.Marks) Mark(mark);
         Legend();
-        return _svg.Append("</svg>\n").ToString();
+        return _svg.Finish();
     }
 
     static double Span(FigurePlot plot) =>
@@ -47,13 +43,13 @@ sealed class SvgPlot(FigurePlot plot, int width)
     {
         foreach (var y in AxisTicks.Of(_y0, _y1))
         {
-            Append($"<path d=\"M{Left} {Y(y):0.#}H{width - Right}\" stroke=\"#e3e7ec\"/>");
-            Text(Left - 6, Y(y) + 4, "end", Number(y));
+            _svg.Add($"<path d=\"M{Left} {Y(y):0.#}H{width - Right}\" stroke=\"#e3e7ec\"/>");
+            _svg.Text(Left - 6, Y(y) + 4, "end", Number(y));
         }
-        foreach (var x in AxisTicks.Of(_x0, _x1)) Text(X(x), Height - Bottom + 16, "middle", Number(x));
-        Append($"<path d=\"M{Left} {Height - Bottom}H{width - Right}\" stroke=\"#55616f\"/>\n");
-        Text((Left + width - Right) / 2.0, Height - 8, "middle", plot.X.Label);
-        Append($"<text transform=\"translate(13 {(Top + Height - Bottom) / 2}) rotate(-90)\" text-anchor=\"middle\" fill=\"#55616f\" {Font} font-size=\"12\">{plot.Y.Label}</text>\n");
+        foreach (var x in AxisTicks.Of(_x0, _x1)) _svg.Text(X(x), Height - Bottom + 16, "middle", Number(x));
+        _svg.Add($"<path d=\"M{Left} {Height - Bottom}H{width - Right}\" stroke=\"{SvgWriter.Muted}\"/>\n");
+        _svg.Text((Left + width - Right) / 2.0, Height - 8, "middle", plot.X.Label);
+        _svg.Add($"<text transform=\"translate(13 {(Top + Height - Bottom) / 2}) rotate(-90)\" text-anchor=\"middle\" fill=\"{SvgWriter.Muted}\" {SvgWriter.Font} font-size=\"12\">{plot.Y.Label}</text>\n");
     }
 
     void Draw(PlotTrace trace)
@@ -73,31 +69,31 @@ sealed class SvgPlot(FigurePlot plot, int width)
             if (trace.Stepped && isJoined) path.Append(CultureInfo.InvariantCulture, $"H{X(trace.X[i]):0.#}");
             path.Append(isJoined ? 'L' : 'M').Append(CultureInfo.InvariantCulture, $"{X(trace.X[i]):0.#} {Y(y):0.#}");
         }
-        Append($"<path d=\"{path}\" fill=\"none\" clip-path=\"url(#plot)\" {PictureInk.Of(trace.Look).Stroke}/>\n");
+        _svg.Add($"<path d=\"{path}\" fill=\"none\" clip-path=\"url(#plot)\" {PictureInk.Of(trace.Look).Stroke}/>\n");
     }
 
     void Bars(PlotTrace trace)
     {
-        Append($"<path clip-path=\"url(#plot)\" fill=\"none\" stroke=\"{PictureInk.Of(trace.Look).Colour}\" d=\"");
+        _svg.Add($"<path clip-path=\"url(#plot)\" fill=\"none\" stroke=\"{PictureInk.Of(trace.Look).Colour}\" d=\"");
         for (var i = 0; i < trace.X.Count; i++)
             if (trace.Y[i] is double y && trace.Deviation[i] is double half)
-                Append($"M{X(trace.X[i]):0.#} {Y(y + half):0.#}V{Y(y - half):0.#}");
-        Append($"\"/>\n");
+                _svg.Add($"M{X(trace.X[i]):0.#} {Y(y + half):0.#}V{Y(y - half):0.#}");
+        _svg.Add($"\"/>\n");
     }
 
     // Draws all points as dots of one path, because a thousand circles would make the file large.
     void Points(PlotTrace trace)
     {
-        Append($"<path clip-path=\"url(#plot)\" stroke=\"{PictureInk.Of(trace.Look).Colour}\" stroke-width=\"{(trace.Scattered && trace.X.Count > ManyPoints ? 3 : 5)}\" stroke-linecap=\"round\" d=\"");
+        _svg.Add($"<path clip-path=\"url(#plot)\" stroke=\"{PictureInk.Of(trace.Look).Colour}\" stroke-width=\"{(trace.Scattered && trace.X.Count > ManyPoints ? 3 : 5)}\" stroke-linecap=\"round\" d=\"");
         for (var i = 0; i < trace.X.Count; i++)
-            if (trace.Y[i] is double y) Append($"M{X(trace.X[i]):0.#} {Y(y):0.#}h0");
-        Append($"\"/>\n");
+            if (trace.Y[i] is double y) _svg.Add($"M{X(trace.X[i]):0.#} {Y(y):0.#}h0");
+        _svg.Add($"\"/>\n");
     }
 
     void Mark(PlotMark mark)
     {
-        Append($"<path d=\"M{X(mark.X):0.#} {Top}V{Height - Bottom}\" stroke=\"#55616f\" stroke-dasharray=\"2 3\"/>");
-        Text(X(mark.X) + 4, Height - Bottom - 6, "start", mark.Label);
+        _svg.Add($"<path d=\"M{X(mark.X):0.#} {Top}V{Height - Bottom}\" stroke=\"{SvgWriter.Muted}\" stroke-dasharray=\"2 3\"/>");
+        _svg.Text(X(mark.X) + 4, Height - Bottom - 6, "start", mark.Label);
     }
 
     void Legend()
@@ -105,17 +101,12 @@ sealed class SvgPlot(FigurePlot plot, int width)
         double x = Left;
         foreach (var trace in plot.Traces)
         {
-            if (trace.Scattered) Append($"<circle cx=\"{x + 16:0.#}\" cy=\"17\" r=\"3\" fill=\"{PictureInk.Of(trace.Look).Colour}\"/>");
-            else Append($"<path d=\"M{x:0.#} 17h24\" {PictureInk.Of(trace.Look).Stroke}/>");
-            Text(x + 29, 21, "start", trace.Label, "#16202c");
+            if (trace.Scattered) _svg.Add($"<circle cx=\"{x + 16:0.#}\" cy=\"17\" r=\"3\" fill=\"{PictureInk.Of(trace.Look).Colour}\"/>");
+            else _svg.Add($"<path d=\"M{x:0.#} 17h24\" {PictureInk.Of(trace.Look).Stroke}/>");
+            _svg.Text(x + 29, 21, "start", trace.Label, SvgWriter.Ink);
             x += 29 + 7.1 * trace.Label.Length + 12;
         }
     }
 
-    void Text(double x, double y, string anchor, string text, string colour = "#55616f") =>
-        Append($"<text x=\"{x:0.#}\" y=\"{y:0.#}\" text-anchor=\"{anchor}\" fill=\"{colour}\" {Font} font-size=\"12\">{text}</text>\n");
-
     static string Number(double value) => value.ToString("0.###", CultureInfo.InvariantCulture).Replace('-', '−');
-
-    void Append(FormattableString text) => _svg.Append(FormattableString.Invariant(text));
 }
