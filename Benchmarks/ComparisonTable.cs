@@ -13,23 +13,22 @@ static class ComparisonTable
         var baseline = ComparedPredictors.Named(ComparedPredictors.Baseline);
 
         to.WriteLine();
-        to.WriteLine("| RMS error ÷ hold's | " + string.Join(" | ", ComparedPredictors.All.Select(candidate => candidate.Name)) + " |");
-        to.WriteLine("| --- |" + string.Concat(ComparedPredictors.All.Select(_ => " ---: |")));
-        foreach (var condition in ComparedMotions.All) Row(to, condition.Name, candidate => Share(errors[candidate, condition]));
-        Row(to, "geometric mean", candidate => Share(errors.Mean(candidate)));
-        Row(to, "– ÷ quadratic's", candidate => Ratio(errors.Mean(candidate) / errors.Mean(baseline)));
-        Row(to, "time per joint and sample, ns", candidate => Number(costs.Sample(candidate)?.Nanoseconds));
-        Row(to, "– ÷ quadratic's", candidate => Ratio(costs.Sample(candidate)?.Nanoseconds / costs.Sample(baseline)?.Nanoseconds));
-        Row(to, "time per joint and frame, ns", candidate => Number(costs.Frame(candidate)?.Nanoseconds));
-        Row(to, "– ÷ quadratic's", candidate => Ratio(costs.Frame(candidate)?.Nanoseconds / costs.Frame(baseline)?.Nanoseconds));
-        Row(to, "allocated per sample, B", candidate => Number(costs.Sample(candidate)?.Bytes));
-        Row(to, "allocated per frame, B", candidate => Number(costs.Frame(candidate)?.Bytes));
+        var table = new MarkdownTable(to, ["RMS error ÷ hold's", .. ComparedPredictors.All.Select(candidate => candidate.Name)]);
+        foreach (var condition in ComparedMotions.All) Row(table, condition.Name, candidate => Share(errors[candidate, condition]));
+        Row(table, "geometric mean", candidate => Share(errors.Mean(candidate)));
+        Row(table, "– ÷ quadratic's", candidate => Ratio(errors.Mean(candidate) / errors.Mean(baseline)));
+        Row(table, "time per joint and sample, ns", candidate => Number(costs.Sample(candidate)?.Nanoseconds));
+        Row(table, "– ÷ quadratic's", candidate => Ratio(costs.Sample(candidate)?.Nanoseconds / costs.Sample(baseline)?.Nanoseconds));
+        Row(table, "time per joint and frame, ns", candidate => Number(costs.Frame(candidate)?.Nanoseconds));
+        Row(table, "– ÷ quadratic's", candidate => Ratio(costs.Frame(candidate)?.Nanoseconds / costs.Frame(baseline)?.Nanoseconds));
+        Row(table, "allocated per sample, B", candidate => Number(costs.Sample(candidate)?.Bytes));
+        Row(table, "allocated per frame, B", candidate => Number(costs.Frame(candidate)?.Bytes));
         to.WriteLine();
         to.WriteLine($"Errors on seeds {string.Join(", ", ComparedMotions.CheckingSeeds)}; constants of the last three tuned on {string.Join(", ", ComparedMotions.TuningSeeds)}.");
     }
 
-    static void Row(TextWriter to, string name, Func<ComparedPredictor, string> cell) =>
-        to.WriteLine($"| {name} | " + string.Join(" | ", ComparedPredictors.All.Select(cell)) + " |");
+    static void Row(MarkdownTable table, string name, Func<ComparedPredictor, string> cell) =>
+        table.AddCells([name, .. ComparedPredictors.All.Select(cell)]);
 
     static string Share(double value) => value.ToString("0.000", CultureInfo.InvariantCulture);
 

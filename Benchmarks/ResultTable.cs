@@ -16,21 +16,20 @@ static class ResultTable
         var reports = summaries.SelectMany(summary => summary.Reports).Where(report => !CostTable.Holds(report)).ToList();
         if (reports.Count > 0)
         {
-            to.WriteLine("| | mean | allocated |");
-            to.WriteLine("| --- | ---: | ---: |");
-            foreach (var report in reports) to.WriteLine(Row(report));
+            var table = new MarkdownTable(to, "", "mean", "allocated");
+            foreach (var report in reports) table.AddCells(Row(report));
             to.WriteLine();
         }
         foreach (var summary in summaries) WriteRatios(summary, to);
         to.WriteLine(Conditions(summaries[0]));
     }
 
-    static string Row(BenchmarkReport report)
+    static string[] Row(BenchmarkReport report)
     {
         var what = report.BenchmarkCase.Descriptor.WorkloadMethodDisplayInfo.Trim('\'');
-        if (report.ResultStatistics == null) return $"| {what} | failed | |";
+        if (report.ResultStatistics == null) return [what, "failed", ""];
         var bytes = report.GcStats.GetBytesAllocatedPerOperation(report.BenchmarkCase);
-        return $"| {what} | {Time(report.ResultStatistics.Mean)} ± {Time(report.ResultStatistics.StandardError)} | {bytes} B |";
+        return [what, $"{Time(report.ResultStatistics.Mean)} ± {Time(report.ResultStatistics.StandardError)}", $"{bytes} B"];
     }
 
     // Compares with the fastest naive frame. The other naive frames take longer because of other programs, which would distort the ratio.

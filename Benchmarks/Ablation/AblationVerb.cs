@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.Globalization;
 using Nowpose.Benchmarks.Comparison;
 using Nowpose.Gateway.Options;
 using Nowpose.Prediction;
@@ -36,20 +35,18 @@ static class AblationVerb
     }.AcceptExistingOnly();
 
     /// <summary>Returns the headings of the columns of all groups.</summary>
-    public static string Headings(IReadOnlyList<AblationGroup> groups) =>
-        string.Join(" | ", groups.Select(group => $"{group.Name} ({group.Names.Count} errors)"));
+    public static IEnumerable<string> Headings(IReadOnlyList<AblationGroup> groups) =>
+        groups.Select(group => $"{group.Name} ({group.Names.Count} errors)");
 
     static void Write(string recordings, CancellationToken stop)
     {
         var groups = AblationGroup.All(recordings);
         var whole = AblationGroup.Errors(groups);
-        Console.WriteLine($"| without | {Headings(groups)} |");
-        Console.WriteLine($"| --- | {string.Join(" | ", groups.Select(_ => "---"))} |");
+        var table = new MarkdownTable(Console.Out, ["without", .. Headings(groups)]);
         foreach (var part in Parts)
         {
             stop.ThrowIfCancellationRequested();
-            var cells = groups.Select((group, i) => new ErrorRatios(group.Errors(Predictors.Default, part), whole[i]));
-            Console.WriteLine($"| {part} | {string.Join(" | ", cells)} |");
+            table.AddCells([$"{part}", .. groups.Select((group, i) => new ErrorRatios(group.Errors(Predictors.Default, part), whole[i]).ToString())]);
         }
 
         Console.WriteLine();
@@ -61,14 +58,11 @@ static class AblationVerb
     {
         var (hold, quadratic, best) = (group.Errors("hold"), group.Errors("quadratic"), group.MinFixedErrors());
         Console.WriteLine();
-        Console.WriteLine($"| {group.Name} | quadratic ÷ hold | adaptive ÷ quadratic | adaptive ÷ best fixed |");
-        Console.WriteLine("| --- | ---: | ---: | ---: |");
+        var table = new MarkdownTable(Console.Out, group.Name, "quadratic ÷ hold", "adaptive ÷ quadratic", "adaptive ÷ best fixed");
         for (var i = 0; i < whole.Length; i++)
-            Console.WriteLine(Text(
-                $"| {group.Names[i]} | {quadratic[i] / hold[i]:0.00} | {whole[i] / quadratic[i]:0.00} | {whole[i] / best[i]:0.00} |"));
+            table.Add($"{group.Names[i]} | {quadratic[i] / hold[i]:0.00} | {whole[i] / quadratic[i]:0.00} | {whole[i] / best[i]:0.00}");
         var overQuadratic = Means.Geometric(whole.Zip(quadratic, (error, of) => error / of));
-        Console.WriteLine(Text($"| mean; of adaptive ÷ quadratic the geometric one | | {overQuadratic:0.0000} | {whole.Zip(best, (error, least) => error / least).Average():0.0000} |"));
+        var overBest = whole.Zip(best, (error, least) => error / least).Average();
+        table.Add($"mean; of adaptive ÷ quadratic the geometric one | | {overQuadratic:0.0000} | {overBest:0.0000}");
     }
-
-    static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 }

@@ -33,15 +33,17 @@ static class CellVerb
 
     static int Run(CancellationToken stop)
     {
-        Console.WriteLine("| motion | samples every | mean | median | frames with samples | no objects | quadratic | allocated |");
-        Console.WriteLine("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
+        var table = new MarkdownTable(
+            Console.Out, "motion", "samples every", "mean", "median", "frames with samples", "no objects", "quadratic", "allocated");
         var missed = new List<string>();
         foreach (var (isPlane, samplingMs) in Rows)
         {
             var cost = Measure(Objects, isPlane, samplingMs, Predictors.Default, stop);
             var (robots, quadratic) = (Measure(0, isPlane, samplingMs, Predictors.Default, stop), Measure(Objects, isPlane, samplingMs, "quadratic", stop));
             var motion = isPlane ? "in a plane" : "six coordinates";
-            Console.WriteLine(Text($"| {motion} | {samplingMs} ms | {cost.Mean:0} µs | {cost.Median:0} µs | {cost.WithSamples:0} µs | {robots.Mean:0} µs | {quadratic.Mean:0} µs | {cost.Bytes} B |"));
+            table.Add(
+                $"{motion} | {samplingMs} ms | {cost.Mean:0} µs | {cost.Median:0} µs | {cost.WithSamples:0} µs",
+                $"{robots.Mean:0} µs | {quadratic.Mean:0} µs | {cost.Bytes} B");
             if (samplingMs == LimitedSamplingMs && !(cost.Mean < 1000 * MaxMilliseconds))
                 missed.Add(Text($"{motion}, samples every {samplingMs} ms: a frame takes {cost.Mean / 1000:0.00} ms; allowed: less than {MaxMilliseconds} ms"));
             if (cost.Bytes != 0) missed.Add($"{motion}, samples every {samplingMs} ms: {MeasuredSeconds} s of frames allocate {cost.Bytes} B; allowed: none");

@@ -15,13 +15,13 @@ sealed class LoadComparison(IReadOnlyList<(LoadResult Own, LoadResult Other)> ro
 
     public void Write(TextWriter to)
     {
-        to.WriteLine("| round | P50, other build ms | P99, other build ms | ratio | cores, other build | lost, other build |");
-        to.WriteLine("| --- | --- | --- | --- | --- | --- |");
+        var table = new MarkdownTable(to, "round", "P50, other build ms", "P99, other build ms", "ratio", "cores, other build", "lost, other build");
         for (var i = 0; i < rounds.Count; i++)
         {
             var (own, other) = rounds[i];
-            to.WriteLine(FormattableString.Invariant($"| {i + 1} | {own.ForwardP50Ms:0.00}, {other.ForwardP50Ms:0.00} | {own.ForwardP99Ms:0.00}, {other.ForwardP99Ms:0.00} ")
-                + FormattableString.Invariant($"| {RatioOf(rounds[i]):0.00} | {own.GatewayCores:0.00}, {other.GatewayCores:0.00} | {own.Lost}, {other.Lost} |"));
+            table.Add(
+                $"{i + 1} | {own.ForwardP50Ms:0.00}, {other.ForwardP50Ms:0.00} | {own.ForwardP99Ms:0.00}, {other.ForwardP99Ms:0.00}",
+                $"{RatioOf(rounds[i]):0.00} | {own.GatewayCores:0.00}, {other.GatewayCores:0.00} | {own.Lost}, {other.Lost}");
         }
 
         to.WriteLine();

@@ -13,15 +13,14 @@ static class LoadTable
 
     public static void Write(IReadOnlyList<LoadResult> results, TextWriter to)
     {
-        to.WriteLine("| headsets | msg/s | lost | ended | forward P50 | P99 | max ms | sync error P95 µs | memory MiB (± %) | cores gateway + tool |");
-        to.WriteLine("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
-        foreach (var result in results)
-            to.WriteLine(FormattableString.Invariant(
-                $"| {result.Headsets} × {result.RateHz} Hz | {result.MessagesPerSecond:0} | {result.Lost} | {result.Ended} ")
-                + FormattableString.Invariant($"| {result.ForwardP50Ms:0.00} | {result.ForwardP99Ms:0.00} | {result.ForwardMaxMs:0.0} ")
-                + FormattableString.Invariant($"| {result.SyncErrorP95Us:0} (truth ± {result.TruthBoundUs:0}) ")
-                + FormattableString.Invariant($"| {result.MemoryMeanMib:0} (± {100 * result.MemoryDeviation:0.0}) ")
-                + FormattableString.Invariant($"| {result.GatewayCores:0.00} + {result.ToolCores:0.00} |"));
+        var table = new MarkdownTable(
+            to, "headsets", "msg/s", "lost", "ended", "forward P50", "P99", "max ms", "sync error P95 µs", "memory MiB (± %)",
+            "cores gateway + tool");
+        foreach (var r in results)
+            table.Add(
+                $"{r.Headsets} × {r.RateHz} Hz | {r.MessagesPerSecond:0} | {r.Lost} | {r.Ended}",
+                $"{r.ForwardP50Ms:0.00} | {r.ForwardP99Ms:0.00} | {r.ForwardMaxMs:0.0} | {r.SyncErrorP95Us:0} (truth ± {r.TruthBoundUs:0})",
+                $"{r.MemoryMeanMib:0} (± {100 * r.MemoryDeviation:0.0}) | {r.GatewayCores:0.00} + {r.ToolCores:0.00}");
         to.WriteLine();
         to.WriteLine(JsonSerializer.Serialize(results, Snake));
     }

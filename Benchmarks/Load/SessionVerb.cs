@@ -71,10 +71,9 @@ static class SessionVerb
 
     static void Write(List<MemorySample> samples, int rounds)
     {
-        Console.WriteLine("| sessions so far | resident MiB | managed MiB |");
-        Console.WriteLine("| --- | --- | --- |");
+        var table = new MarkdownTable(Console.Out, "sessions so far", "resident MiB", "managed MiB");
         foreach (var sample in samples.Where((_, i) => i % Math.Max(1, rounds / 8) == 0))
-            Console.WriteLine(FormattableString.Invariant($"| {sample.Sessions} | {sample.ResidentMiB:0.0} | {sample.ManagedMiB:0.0} |"));
+            table.Add($"{sample.Sessions} | {sample.ResidentMiB:0.0} | {sample.ManagedMiB:0.0}");
     }
 
     static int Judge(List<MemorySample> samples, int rounds)

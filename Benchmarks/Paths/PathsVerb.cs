@@ -32,19 +32,18 @@ static class PathsVerb
     static int Run(string estimator, double[] sizesMs, int[] seeds, CancellationToken stop)
     {
         var missed = new List<string>();
-        Console.WriteLine($"| link | change | {string.Join(" | ", sizesMs.Select(size => Text(size) + " ms"))} |");
-        Console.WriteLine($"| --- | --- | {string.Join(" | ", sizesMs.Select(_ => "---"))} |");
+        var table = new MarkdownTable(Console.Out, ["link", "change", .. sizesMs.Select(size => Text(size) + " ms")]);
         foreach (var link in LinkProfile.All)
         {
             PathRun[] Play(PathChange change, double sizeMs) =>
                 [.. seeds.AsParallel().WithCancellation(stop).Select(seed => PathRun.Play(link, change, sizeMs, estimator, seed))];
             var undisturbed = Play(PathChange.None, 0);
             var own = new PathCell(link, PathChange.None, 0, undisturbed, undisturbed);
-            Console.WriteLine($"| {link.Name} | {PathChange.None.Name} | {string.Join(" | ", sizesMs.Select(_ => own))} |");
+            table.AddCells([link.Name, PathChange.None.Name, .. sizesMs.Select(_ => own.ToString())]);
             foreach (var change in PathChange.All)
             {
                 var cells = sizesMs.Select(size => new PathCell(link, change, size, Play(change, size), undisturbed)).ToList();
-                Console.WriteLine($"| {link.Name} | {change.Name} | {string.Join(" | ", cells)} |");
+                table.AddCells([link.Name, change.Name, .. cells.Select(cell => cell.ToString())]);
                 missed.AddRange(cells.SelectMany(cell => cell.Missed));
             }
         }

@@ -44,16 +44,14 @@ static class SensitivityVerb
         var constants = Selected(source.ConstantsOf(Path.Combine(folder, "Prediction")), names);
         var groups = AblationGroup.All(recordings);
         var whole = AblationGroup.Errors(groups);
-        Console.WriteLine($"| constant | value | factor | {AblationVerb.Headings(groups)} |");
-        Console.WriteLine($"| --- | ---: | ---: | {string.Join(" | ", whole.Select(_ => "---"))} |");
+        var table = new MarkdownTable(Console.Out, ["constant", "value", "factor", .. AblationVerb.Headings(groups)]);
         foreach (var (index, constant) in constants.Index())
         {
             Console.Error.WriteLine($"constant {index + 1} of {constants.Count}: {constant.Name}");
             foreach (var factor in factors)
             {
                 stop.ThrowIfCancellationRequested();
-                Console.WriteLine(string.Create(CultureInfo.InvariantCulture,
-                    $"| {constant.Name} | {constant.Value:g4} | {factor} | {Cells(source, constant, factor, recordings, whole)} |"));
+                table.Add($"{constant.Name} | {constant.Value:g4} | {factor} | {Cells(source, constant, factor, recordings, whole)}");
             }
         }
         Console.WriteLine();
