@@ -22,7 +22,11 @@ static class LinkRun
         try
         {
             using var link = EmulatedLink.Create();
-            var gateway = await SimulatedGateway.StartAsync(link, Robot, seed, stop);
+            using var gateway = await GatewayProcess.StartAsync(
+                link.InGateway(
+                    "dotnet", GatewayProcess.OwnProgram, "simulate", "--bind", "any", "--insecure-lan", "--robot", Robot,
+                    "--seed", FormattableString.Invariant($"{seed}")),
+                stop);
             var truth = new LinkTruth(gateway["clock"], gateway["motion_start_ns"], Robot);
             var start = link.Start(profile, seed, settings.KeepsOrder);
             using var output = JsonDocument.Parse(await RunHeadsetAsync(link, settings.Seconds, file, stop));

@@ -45,7 +45,7 @@ sealed class LeanHeadset : IDisposable
     /// <summary>Reason why the client ended; null while it runs.</summary>
     public string Problem { get; private set; }
 
-    public async Task OpenAsync(GatewayUnderLoad gateway)
+    public async Task OpenAsync(GatewayProcess gateway)
     {
         _positions = await LeanSocket.OpenAsync(gateway.WebSocket);
         await LeanSocket.SendTextAsync(_positions, RosbridgeWriter.Subscribe(RosTopics.JointStates));

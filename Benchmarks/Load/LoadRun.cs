@@ -8,7 +8,7 @@ sealed class LoadRun : IDisposable
     /// <summary>Number of concurrent connection attempts. The gateway limits the pending connections of an address.</summary>
     const int ConnectingAtOnce = 8;
 
-    readonly GatewayUnderLoad _gateway;
+    readonly GatewayProcess _gateway;
     readonly ControlTruth _truth;
     readonly SampledHeadset _sampled;
     readonly LatencyCounts _latencies = new();
@@ -17,7 +17,7 @@ sealed class LoadRun : IDisposable
     readonly Task _stalled;
     readonly double _rateHz;
 
-    LoadRun(GatewayUnderLoad gateway, double rateHz)
+    LoadRun(GatewayProcess gateway, double rateHz)
     {
         _gateway = gateway;
         _rateHz = rateHz;
@@ -26,10 +26,10 @@ sealed class LoadRun : IDisposable
         _stalled = StalledHeadset.RunAsync(gateway, _stop.Token);
     }
 
-    /// <inheritdoc cref="GatewayUnderLoad.StartAsync"/>
+    /// <inheritdoc cref="GatewayProcess.StartAsync(double, int, string)"/>
     public static async Task<LoadRun> StartAsync(double rateHz, int connections, string program = null)
     {
-        var gateway = await GatewayUnderLoad.StartAsync(rateHz, connections, program);
+        var gateway = await GatewayProcess.StartAsync(rateHz, connections, program);
         try
         {
             return new LoadRun(gateway, rateHz);

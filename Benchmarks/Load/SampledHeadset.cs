@@ -21,7 +21,7 @@ sealed class SampledHeadset : IDisposable
     readonly Thread _thread;
     bool _isMeasuring;
 
-    public SampledHeadset(GatewayUnderLoad gateway, ControlTruth truth)
+    public SampledHeadset(GatewayProcess gateway, ControlTruth truth)
     {
         _truth = truth;
         var connection = new ConnectionSettings(gateway.Sync.Address.ToString(), gateway.Sync.Port, gateway.WebSocket.Port);

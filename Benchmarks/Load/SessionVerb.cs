@@ -28,7 +28,7 @@ static class SessionVerb
     static async Task<int> MeasureAsync(int headsets, int rounds, TimeSpan stay, CancellationToken stop)
     {
         const double RateHz = 20;
-        using var gateway = await GatewayUnderLoad.StartAsync(RateHz, headsets * 2);
+        using var gateway = await GatewayProcess.StartAsync(RateHz, headsets * 2);
         var truth = ControlTruth.Measure(gateway.Sync);
         using var http = new HttpClient();
         var samples = new List<MemorySample> { await ReadAsync(gateway, http, 0) };
@@ -44,7 +44,7 @@ static class SessionVerb
     }
 
     // Runs sessions: each headset opens both connections, receives samples, sends diagnostics and disconnects.
-    static async Task RunSessionsAsync(GatewayUnderLoad gateway, ControlTruth truth, int count, double rateHz, TimeSpan stay, CancellationToken stop)
+    static async Task RunSessionsAsync(GatewayProcess gateway, ControlTruth truth, int count, double rateHz, TimeSpan stay, CancellationToken stop)
     {
         var latencies = new LatencyCounts();
         var headsets = Enumerable.Range(0, count).Select(i => new LeanHeadset($"session {i}", rateHz, latencies, truth)).ToList();
@@ -59,7 +59,7 @@ static class SessionVerb
         foreach (var headset in headsets) headset.Dispose();
     }
 
-    static async Task<MemorySample> ReadAsync(GatewayUnderLoad gateway, HttpClient http, int sessions)
+    static async Task<MemorySample> ReadAsync(GatewayProcess gateway, HttpClient http, int sessions)
     {
         var metrics = await http.GetStringAsync(new Uri($"http://{gateway.WebSocket}/metrics"));
         return new MemorySample(sessions, gateway.ResidentBytes, Metric(metrics, "nowpose_managed_memory_bytes"));

@@ -12,7 +12,7 @@ static class StalledHeadset
     static readonly TimeSpan StallTime = TimeSpan.FromSeconds(9);
     static readonly TimeSpan Pause = TimeSpan.FromSeconds(1);
 
-    public static async Task RunAsync(GatewayUnderLoad gateway, CancellationToken stop)
+    public static async Task RunAsync(GatewayProcess gateway, CancellationToken stop)
     {
         try
         {
