@@ -79,3 +79,8 @@ static class LinkRun
     static double? Number(JsonElement fields, string name) =>
         fields.GetProperty(name) is { ValueKind: JsonValueKind.Number } value ? value.GetDouble() : null;
 }
+
+/// <summary>Options of <c>links</c>.</summary>
+/// <param name="KeepsOrder">Whether packets in one direction keep their order, as on most real links.</param>
+/// <param name="SessionFolder">Folder for the session files; null to delete them.</param>
+sealed record LinkSettings(IReadOnlyList<LinkProfile> Profiles, int Repeats, double Seconds, int Seed, bool KeepsOrder, string SessionFolder);

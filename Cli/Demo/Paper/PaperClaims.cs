@@ -71,3 +71,12 @@ static class PaperClaims
     static PaperRule OfSwings(string figure, string claim, double? paper, Func<PaperSwings, double> measure, Func<double, bool> isMet) =>
         new(figure, claim, paper, Share, repeat => repeat.Swings == null ? null : measure(repeat.Swings), isMet) { NeedsSwings = true };
 }
+
+/// <summary>A claim of the paper, with the functions that measure and judge it.</summary>
+/// <param name="Measure">Gets the value of one repeat; null if it was not measured.</param>
+/// <param name="IsMet">Decides whether a value meets the claim: all values up to a limit, or all values from a limit on.</param>
+sealed record PaperRule(string Figure, string Claim, double? Paper, string Unit, Func<PaperMeasures, double?> Measure, Func<double, bool> IsMet)
+{
+    /// <summary>Whether the value is measured over whole swings.</summary>
+    public bool NeedsSwings { get; init; }
+}
