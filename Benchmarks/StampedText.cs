@@ -16,7 +16,7 @@ sealed class StampedText
 
     public StampedText(double[] positions)
     {
-        var text = RosbridgeWriter.PublishJointState(
+        var text = RosbridgeWriter.Publish(
             RosTopics.JointStates, new JointStateMessage(Longest, SevenJointArm.JointNames, positions), RosTimeForm.Sec);
         Utf8 = Encoding.UTF8.GetBytes(text);
         _seconds = text.IndexOf("4000000000", StringComparison.Ordinal);

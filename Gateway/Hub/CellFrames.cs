@@ -59,7 +59,7 @@ sealed class CellFrames(RobotLinks links, NewestSamples samples, Action<HubMessa
         var accepted = Accept(source, message, isStationary, leftOut, receivedAt);
         foreach (var part in MessageParts.Of(accepted))
         {
-            var published = HubMessage.Of(isStationary ? RosTopics.TfStatic : RosTopics.Tf, part, receivedAt, source);
+            var published = new HubMessage(isStationary ? RosTopics.TfStatic : RosTopics.Tf, part, source, receivedAt);
             for (var i = 0; isStationary && i < part.Count; i++) Stationary.Set(part[i].Child, published);
             if (!isStationary) samples.Set(published);
             publish(published);

@@ -29,7 +29,7 @@ sealed class CellSignals(
         if (added != null) began(added);
         foreach (var part in MessageParts.Of(accepted))
         {
-            var published = HubMessage.Of(part, receivedAt, source);
+            var published = new HubMessage(RosTopics.Signals, part, source, receivedAt);
             Latch(published);
             publish(published);
         }
@@ -93,6 +93,6 @@ sealed class CellSignals(
     {
         var whole = (SignalsMessage)message.Content;
         var part = MessageParts.Part(whole, index => isCurrent(whole[index].Name));
-        return part.Count == whole.Count ? message : HubMessage.Of(part, message.ReceivedAt, message.Source).With(message.Sequence);
+        return part.Count == whole.Count ? message : message.With(part);
     }
 }

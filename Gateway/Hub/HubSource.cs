@@ -51,7 +51,7 @@ public sealed class HubSource : IDisposable
             if (_refused.TryGetValue(robot, out var urdf)) Describe(urdf, robot);
         }
 
-        var published = HubMessage.Of(robot, message, claimed.InCell, receivedAt ?? Stopwatch.GetTimestamp(), this);
+        var published = HubMessage.OfRobot(robot, RosTopics.JointStates, message, this, receivedAt, claimed.InCell);
         if (claimed.AreLong && published.IsTooLong) return new Refusal(DropReason.TooLarge, DropMessages.AsWritten);
         _hub.Samples.Set(published);
         _hub.Publish(published);
@@ -64,7 +64,7 @@ public sealed class HubSource : IDisposable
     /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
     internal Refusal? Publish(JointTrajectoryMessage message, long? receivedAt = null, string robot = "")
     {
-        var published = HubMessage.Of(message, receivedAt ?? Stopwatch.GetTimestamp(), robot, this);
+        var published = HubMessage.OfRobot(robot, RosTopics.JointTrajectory, message, this, receivedAt);
         // The message may be longer than the received one, because numbers get more digits.
         if (published.IsTooLong) return new Refusal(DropReason.TooLarge, DropMessages.AsWritten);
         var refusal = _hub.Claim(this, robot, RosTopics.JointTrajectory, message.Names);
@@ -113,19 +113,11 @@ public sealed class HubSource : IDisposable
     /// <returns>A refusal if there are too many robots; otherwise null.</returns>
     internal Refusal? Use(RobotTopic topic) => _hub.Use(this, topic.Robot, topic.Kind);
 
-    /// <summary>Publishes the pose that a headset displays. The joints need not belong to this source.</summary>
-    public void PublishDisplayed(JointStateMessage message) => _hub.Publish(HubMessage.Displayed(message));
+    /// <summary>Publishes a message whose parts belong to no source, such as diagnostics or the pose that a headset displays.</summary>
+    internal void Publish(string topic, IRosMessage message) => _hub.Publish(new HubMessage(topic, message, this));
 
-    internal void Publish(DiagnosticsMessage message) => _hub.Publish(HubMessage.Of(message, this));
-
-    /// <summary>Publishes the list of joints that are not live, with their states. The newest message is kept for later subscribers.</summary>
-    internal void PublishJointStatus(DiagnosticsMessage message) => _hub.PublishNewest(this, HubMessage.JointStatus(message));
-
-    /// <summary>Publishes the list of signals without current values, with the reasons. The newest message is kept for later subscribers.</summary>
-    internal void PublishSignalStatus(DiagnosticsMessage message) => _hub.PublishNewest(this, HubMessage.SignalStatus(message));
-
-    /// <summary>Publishes the version of the gateway, which is kept for later subscribers.</summary>
-    internal void PublishVersion(string version) => _hub.PublishNewest(this, HubMessage.Version(version));
+    /// <summary>Publishes a message whose parts belong to no source. The newest message on the topic is kept for later subscribers.</summary>
+    internal void PublishNewest(string topic, IRosMessage message) => _hub.PublishNewest(this, new HubMessage(topic, message, this));
 
     /// <summary>Whether none of these joints of a robot belongs to another source.</summary>
     internal bool MayPublish(string robot, string[] names) => _hub.IsFree(this, robot, names);

@@ -82,7 +82,7 @@ public sealed class MessageHub
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     internal string DescriptionOf(string robot)
     {
-        lock (_lock) return (string)_robots.DescriptionOn(RobotTopic.NameOf(robot, RosTopics.RobotDescription))?.Content;
+        lock (_lock) return ((StringMessage)_robots.DescriptionOn(RobotTopic.NameOf(robot, RosTopics.RobotDescription))?.Content)?.Data;
     }
 
     /// <summary>Whether the hub has the description of at least one robot.</summary>
@@ -167,7 +167,7 @@ public sealed class MessageHub
         lock (_lock)
         {
             _robots.Describe(message);
-            Links.Describe(message.Robot, (string)message.Content);
+            Links.Describe(message.Robot, ((StringMessage)message.Content).Data);
             Publish(message);
         }
     }

@@ -184,7 +184,7 @@ public sealed class Recorder : IAsyncDisposable
     void Describe(HubMessage message)
     {
         // Must not block, because the hub calls this method under its lock.
-        var urdf = (string)message.Content;
+        var urdf = ((StringMessage)message.Content).Data;
         ImmutableInterlocked.Update(
             ref _robots, robots => robots.GetValueOrDefault(message.Robot)?.Urdf == urdf ? robots : robots.SetItem(message.Robot, new DescribedRobot(urdf)));
         RenewOnRobotChange();

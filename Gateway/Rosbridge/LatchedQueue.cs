@@ -24,7 +24,7 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
     const int MaxNames = 4 * ProtocolLimits.Signals;
 
     /// <summary>A queue entry without content that wakes the sending loop.</summary>
-    public static readonly HubMessage Wake = HubMessage.Description("");
+    public static readonly HubMessage Wake = new(null, null);
 
     // Values read from the hub. They are sent before the messages in the queue.
     readonly Queue<HubMessage> _read = [];

@@ -50,9 +50,9 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
             _isPublished = source.Publish(signals, LeftOut, receivedAt);
         }
         else if (message.Displayed != null)
-            source.PublishDisplayed(message.Displayed);
+            source.Publish(RosTopics.Displayed, message.Displayed);
         else
-            source.Publish(message.Diagnostics);
+            source.Publish(RosTopics.Diagnostics, message.Diagnostics);
         return null;
     }
 

@@ -88,7 +88,7 @@ sealed class GatewayStatus : IDisposable
                 .Select(kind => hub.SubscribeToRobots(RobotTopic.OfRobots[kind], message => Watch(Topics.Length + kind, message))),
         ];
         _version = hub.OpenSource();
-        _version.PublishVersion(Version);
+        _version.PublishNewest(RosTopics.Version, new StringMessage(Version));
         _signals = new SignalStatusTopic(hub, clock, options.Time.GetUtcNow);
         _watch = new StatusWatch(_conditions, events, _joints, new JointStatusTopic(hub, clock, options.Time), ReportSignals, plant, options.Time, log);
     }

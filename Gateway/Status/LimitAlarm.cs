@@ -76,7 +76,7 @@ sealed class LimitAlarm : IDisposable
 
     void Describe(HubMessage message)
     {
-        var described = new DescribedRobot((string)message.Content, message.Topic);
+        var described = new DescribedRobot(((StringMessage)message.Content).Data, message.Topic);
         lock (_lock)
         {
             if (!_robots.TryGetValue(message.Robot, out var robot)) _robots.Add(message.Robot, robot = new WatchedRobot());

@@ -11,7 +11,7 @@ public class LoadMeasureTests
     static readonly ControlTime Stamp = ControlTime.FromNanoseconds(5_000_000_123_400);
 
     static byte[] Message => Encoding.UTF8.GetBytes(
-        RosbridgeWriter.PublishJointState(RosTopics.JointStates, new JointStateMessage(Stamp, ["a"], [1]), RosTimeForm.Sec));
+        RosbridgeWriter.Publish(RosTopics.JointStates, new JointStateMessage(Stamp, ["a"], [1]), RosTimeForm.Sec));
 
     [TestCase(1)]
     [TestCase(7)]

@@ -28,7 +28,7 @@ static class Gateways
 
     /// <summary>Returns a joint state message as a source publishes it.</summary>
     public static string StateText(double position, string name = "a") =>
-        RosbridgeWriter.PublishJointState(RosTopics.JointStates, State(position, name), RosTimeForm.Sec);
+        RosbridgeWriter.Publish(RosTopics.JointStates, State(position, name), RosTimeForm.Sec);
 
     public static Uri WebSocketUri(this GatewayServer gateway) =>
         new($"{(gateway.Pin == null ? "ws" : "wss")}://{IPAddress.Loopback}:{gateway.WebSocketEndPoint.Port}/");

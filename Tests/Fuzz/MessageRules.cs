@@ -66,7 +66,7 @@ static class MessageRules
         Stamp(state.Stamp);
         Names(state.Names);
         Numbers(state.Names.Length, state.Positions, state.Velocities, state.Accelerations);
-        var text = RosbridgeWriter.PublishJointState(RosTopics.JointStates, state, RosTimeForm.Secs);
+        var text = RosbridgeWriter.Publish(RosTopics.JointStates, state, RosTimeForm.Secs);
         if (!RosbridgeReader.TryRead(text, out var again, out var reason)) throw new FuzzException($"not read again ({reason}): {text}");
         if (again.JointState.Stamp != state.Stamp || !again.JointState.Positions.AsSpan().SequenceEqual(state.Positions))
             throw new FuzzException("reads otherwise than written: " + text);
@@ -86,7 +86,7 @@ static class MessageRules
             if (Math.Abs(norm - 1) > 1e-14) throw new FuzzException("a quaternion with the squared norm " + norm);
         }
 
-        var text = RosbridgeWriter.PublishTransforms(isStatic ? RosTopics.TfStatic : RosTopics.Tf, transforms, RosTimeForm.Secs);
+        var text = RosbridgeWriter.Publish(isStatic ? RosTopics.TfStatic : RosTopics.Tf, transforms, RosTimeForm.Secs);
         if (!RosbridgeReader.TryRead(text, out var again, out var reason)) throw new FuzzException($"not read again ({reason}): {text}");
         for (var i = 0; i < all.Length; i++)
             if (again.Transforms[i].Stamp != all[i].Stamp || again.Transforms[i].Child != all[i].Child || again.Transforms[i].X != all[i].X)
@@ -99,7 +99,7 @@ static class MessageRules
         var all = Enumerable.Range(0, signals.Count).Select(i => signals[i]).ToArray();
         Names([.. all.Select(one => one.Name)]);
         foreach (var one in all) Finite(one.Value);
-        var text = RosbridgeWriter.PublishSignals(RosTopics.Signals, signals, RosTimeForm.Secs);
+        var text = RosbridgeWriter.Publish(RosTopics.Signals, signals, RosTimeForm.Secs);
         if (!RosbridgeReader.TryRead(text, out var again, out var reason)) throw new FuzzException($"not read again ({reason}): {text}");
         for (var i = 0; i < all.Length; i++)
             if (again.Signals.Stamp != signals.Stamp || again.Signals[i].Name != all[i].Name || again.Signals[i].Value != all[i].Value)

@@ -103,7 +103,7 @@ public class SocketFuzzTests
             if (i % 20 == 0) Show(session, clock);
         }
         await socket.SendAsync(
-            Encoding.UTF8.GetBytes(RosbridgeWriter.PublishString(RosTopics.RobotDescription, RobotFiles.LoadText("youbot"))),
+            Encoding.UTF8.GetBytes(RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage(RobotFiles.LoadText("youbot")))),
                 WebSocketMessageType.Text, true,
             CancellationToken.None).Bounded();
 

@@ -75,7 +75,8 @@ public class BrokerBridgeTests
                 _ =>
                 {
                     adapter.Publish(new JointStateMessage(clock.Clock.Now, ["still"], [0.5]));
-                    adapter.Publish(new DiagnosticsMessage(new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch), "plant/press", [
+                    var now = new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch);
+                    adapter.Publish(RosTopics.Diagnostics, new DiagnosticsMessage(now, "plant/press", [
                         new("state", "connected"), new("joint/gone", $"missing {since}.000 the server has no node Axis1"),
                         new("joint/still", $"rest {since}.000 assumed at rest"), new("uncertain/still", "the stop itself was not observed"),
                     ]));

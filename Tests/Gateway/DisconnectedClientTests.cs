@@ -68,7 +68,7 @@ public class DisconnectedClientTests
             {
                 RosbridgeWriter.Subscribe(RosTopics.JointStates), RosbridgeWriter.Subscribe($"/topic_{number}"),
                 RosbridgeWriter.Advertise(RosTopics.JointStates, RosTopics.JointStateType), Gateways.StateText(number, $"joint_{number}"),
-                RosbridgeWriter.PublishDiagnostics(
+                RosbridgeWriter.Publish(
                     RosTopics.Diagnostics, new DiagnosticsMessage(Gateways.Start, $"headset {number}", []), RosTimeForm.Sec),
                 """{"op":"advertise_service","service":"/nowpose/plant_time/plc","type":"nowpose/PlantTime"}""",
             })

@@ -10,11 +10,11 @@ public class DisplayedTopicTests
 {
     static readonly GatewayOptions WithTokens = Gateways.Options() with { Tokens = Gateways.Tokens };
 
-    static string Shown(string headset, double position = 0.5, ControlTime? stamp = null) => RosbridgeWriter.PublishJointState(
+    static string Shown(string headset, double position = 0.5, ControlTime? stamp = null) => RosbridgeWriter.Publish(
         RosTopics.Displayed, new JointStateMessage(stamp ?? Gateways.Start, ["a"], [position], frameId: headset), RosTimeForm.Sec);
 
     static string Said(string name) =>
-        RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, new DiagnosticsMessage(default, name, []), RosTimeForm.Sec);
+        RosbridgeWriter.Publish(RosTopics.Diagnostics, new DiagnosticsMessage(default, name, []), RosTimeForm.Sec);
 
     static Task<RawRosbridgeClient> ObserverAsync(GatewayServer gateway) => RawRosbridgeClient.ConnectAsync(
         gateway, options => options.SetRequestHeader("Authorization", "Bearer " + Gateways.ObserverToken));
@@ -44,7 +44,7 @@ public class DisplayedTopicTests
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var headset = await ObserverAsync(gateway);
-        await headset.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, new DiagnosticsMessage(default, "h1", []), RosTimeForm.Sec));
+        await headset.SendAsync(RosbridgeWriter.Publish(RosTopics.Diagnostics, new DiagnosticsMessage(default, "h1", []), RosTimeForm.Sec));
 
         await headset.SendAsync(Shown("h2"));
 

@@ -178,7 +178,7 @@ public class MessageHubTests
 
         source.TryDescribe("<other/>");
 
-        Assert.That(received.Select(message => (string)message.Content), Is.EqualTo(new[] { "<robot/>", "<other/>" }));
+        Assert.That(received.Select(message => ((StringMessage)message.Content).Data), Is.EqualTo(new[] { "<robot/>", "<other/>" }));
     }
 
     static JointTrajectoryMessage Plan(double position, string joint) =>

@@ -17,7 +17,7 @@ public class RosbridgeAccessTests
     static Action<ClientWebSocketOptions> Bearer(string token) => Header("Authorization", "Bearer " + token);
     static Action<ClientWebSocketOptions> Header(string name, string value) => options => options.SetRequestHeader(name, value);
 
-    static string State() => RosbridgeWriter.PublishJointState(RosTopics.JointStates, Gateways.State(1, "a"), RosTimeForm.Sec);
+    static string State() => RosbridgeWriter.Publish(RosTopics.JointStates, Gateways.State(1, "a"), RosTimeForm.Sec);
 
     [TestCase(null)]
     [TestCase("Bearer guess")]
@@ -45,7 +45,7 @@ public class RosbridgeAccessTests
         await observer.ExpectErrorAsync("role");
         await observer.SendAsync(RosbridgeWriter.Advertise(RosTopics.JointStates, RosTopics.JointStateType));
         await observer.ExpectErrorAsync("role");
-        await observer.SendAsync(RosbridgeWriter.PublishString(RosTopics.RobotDescription, "<robot/>"));
+        await observer.SendAsync(RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage("<robot/>")));
         await observer.ExpectErrorAsync("role");
 
         Assert.That(gateway.Drops[DropReason.NotAllowed], Is.EqualTo(3));

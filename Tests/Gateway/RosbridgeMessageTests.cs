@@ -21,7 +21,7 @@ public class RosbridgeMessageTests
         await client.SubscribeAsync(RosTopics.RobotDescription);
         var urdf = new string('u', 1_000_000);
 
-        await robot.SendAsync(RosbridgeWriter.PublishString(RosTopics.RobotDescription, urdf));
+        await robot.SendAsync(RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage(urdf)));
 
         Assert.That((await client.ReceiveAsync()).Data, Is.EqualTo(urdf));
     }

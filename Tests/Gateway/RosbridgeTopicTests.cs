@@ -252,7 +252,7 @@ public class RosbridgeTopicTests
         await page.SubscribeAsync(RosTopics.Diagnostics);
         var sent = new DiagnosticsMessage(gateway.Clock.Now + TimeSpan.FromDays(20_000), "plant/plc", [new("state", "connected")]);
 
-        await adapter.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, sent, RosTimeForm.Sec));
+        await adapter.SendAsync(RosbridgeWriter.Publish(RosTopics.Diagnostics, sent, RosTimeForm.Sec));
 
         Assert.That((await page.ReceiveAsync()).Diagnostics.Stamp, Is.EqualTo(sent.Stamp));
     }
@@ -266,14 +266,14 @@ public class RosbridgeTopicTests
         await page.SubscribeAsync(RosTopics.Diagnostics);
         var sent = new DiagnosticsMessage(default, "h1", [new("rtt_ms", "3.5")], 2, "h", "no pose");
 
-        await headset.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, sent, RosTimeForm.Sec));
+        await headset.SendAsync(RosbridgeWriter.Publish(RosTopics.Diagnostics, sent, RosTimeForm.Sec));
 
         var received = (await page.ReceiveAsync()).Diagnostics;
         Assert.That(received.HardwareId, Is.EqualTo("h1"));
         Assert.That(received.Values, Is.EqualTo(sent.Values));
         Assert.That((received.Level, received.Name, received.Message), Is.EqualTo((2, "h", "no pose")));
         var another = new DiagnosticsMessage(default, "h2", []);
-        await headset.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, another, RosTimeForm.Sec));
+        await headset.SendAsync(RosbridgeWriter.Publish(RosTopics.Diagnostics, another, RosTimeForm.Sec));
         await headset.ExpectErrorAsync("role");
     }
 }

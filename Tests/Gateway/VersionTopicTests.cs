@@ -30,7 +30,7 @@ public class VersionTopicTests
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
-        await client.SendAsync(RosbridgeWriter.PublishString(RosTopics.Version, "9.9.9"));
+        await client.SendAsync(RosbridgeWriter.Publish(RosTopics.Version, new StringMessage("9.9.9")));
 
         Assert.That((await client.ReceiveAsync()).Op, Is.EqualTo(RosbridgeOp.Status));
         using var later = await RawRosbridgeClient.ConnectAsync(gateway);

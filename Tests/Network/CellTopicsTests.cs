@@ -69,9 +69,9 @@ public class CellTopicsTests
         var socket = await _played.Server.AcceptAsync();
         var pose = new FrameTransform(ControlTime.FromSeconds(5), "world", "box", 1, 2, 3, 0, 0, 0, 1);
 
-        await Send(socket, RosbridgeWriter.PublishTransforms(RosTopics.Tf, new TransformsMessage(pose), RosTimeForm.Sec));
-        await Send(socket, RosbridgeWriter.PublishTransforms(RosTopics.TfStatic, new TransformsMessage(pose), RosTimeForm.Sec));
-        await Send(socket, RosbridgeWriter.PublishSignals(
+        await Send(socket, RosbridgeWriter.Publish(RosTopics.Tf, new TransformsMessage(pose), RosTimeForm.Sec));
+        await Send(socket, RosbridgeWriter.Publish(RosTopics.TfStatic, new TransformsMessage(pose), RosTimeForm.Sec));
+        await Send(socket, RosbridgeWriter.Publish(
             RosTopics.Signals, new SignalsMessage(ControlTime.FromSeconds(5), new SignalValue("grip", 1)), RosTimeForm.Sec));
 
         await Soon.BecomesAsync(() => !_played.Listener.Signals.IsEmpty, "a signal");

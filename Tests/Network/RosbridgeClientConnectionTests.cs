@@ -42,7 +42,7 @@ public class RosbridgeClientConnectionTests
     {
         using (var first = await _played.Server.AcceptAsync())
         {
-            await Send(first, RosbridgeWriter.PublishString(RosTopics.Version, "9.9.9"));
+            await Send(first, RosbridgeWriter.Publish(RosTopics.Version, new StringMessage("9.9.9")));
             await Soon.BecomesAsync(() => !_played.Listener.Versions.IsEmpty, "the version");
             Assert.That(_played.Listener.Connections, Has.Count.EqualTo(1), "reported before the first message");
             await first.CloseOutputAsync(WebSocketCloseStatus.NormalClosure, "", CancellationToken.None);

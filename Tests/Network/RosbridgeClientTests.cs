@@ -119,7 +119,7 @@ public class RosbridgeClientTests
     {
         var socket = await _played.Server.AcceptAsync();
 
-        await Send(socket, RosbridgeWriter.PublishJointTrajectory(RosTopics.JointTrajectory, new JointTrajectoryMessage(
+        await Send(socket, RosbridgeWriter.Publish(RosTopics.JointTrajectory, new JointTrajectoryMessage(
             ControlTime.FromSeconds(5), ["a"], [new JointTrajectoryPoint(TimeSpan.FromSeconds(1), [0.5], [0.25], [-1])]), RosTimeForm.Sec));
 
         await Soon.BecomesAsync(() => _played.Listener.Plans.Count == 1, "set-points");
@@ -132,7 +132,7 @@ public class RosbridgeClientTests
         var socket = await _played.Server.AcceptAsync();
         var urdf = new string('x', ProtocolLimits.DescriptionBytes - 100);
 
-        await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, urdf));
+        await Send(socket, RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage(urdf)));
 
         await Soon.BecomesAsync(() => _played.Listener.Descriptions.Count == 1, "a description");
         Assert.That(_played.Listener.Descriptions.Single(), Is.EqualTo(urdf));
@@ -143,7 +143,7 @@ public class RosbridgeClientTests
     {
         var socket = await _played.Server.AcceptAsync();
 
-        await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, new string('x', ProtocolLimits.DescriptionBytes)));
+        await Send(socket, RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage(new string('x', ProtocolLimits.DescriptionBytes))));
         await Send(socket, Good);
 
         await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "the valid message");
@@ -158,10 +158,10 @@ public class RosbridgeClientTests
         _played.Listener.Describing = _ => going.Wait(Soon.Limit);
         var socket = await _played.Server.AcceptAsync();
 
-        await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "first"));
+        await Send(socket, RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage("first")));
         await Soon.BecomesAsync(() => _played.Listener.Descriptions.Count == 1, "the first description");
-        await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "second"));
-        await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "third"));
+        await Send(socket, RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage("second")));
+        await Send(socket, RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage("third")));
         await Send(socket, Good);
 
         await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "the message after the descriptions");
@@ -177,9 +177,9 @@ public class RosbridgeClientTests
         _played.Listener.Describing = urdf => { if (urdf == "bad") throw new InvalidOperationException("no description today"); };
         var socket = await _played.Server.AcceptAsync();
 
-        await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "bad"));
+        await Send(socket, RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage("bad")));
         await Soon.BecomesAsync(() => _played.Listener.Drops.Count == 1, "the message is counted as dropped");
-        await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "good"));
+        await Send(socket, RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage("good")));
 
         await Soon.BecomesAsync(() => _played.Listener.Descriptions.Contains("good"), "the next description");
         Assert.That(_played.Listener.Drops, Is.EqualTo(new[] { DropReason.NotUrdf }));

@@ -15,14 +15,14 @@ public class CellReaderAllocationTests
 
     static readonly ControlTime Stamp = ControlTime.FromSeconds(5000);
 
-    static string Frames(string topic) => RosbridgeWriter.PublishTransforms(
+    static string Frames(string topic) => RosbridgeWriter.Publish(
         topic, new TransformsMessage([.. Enumerable.Range(0, 100).Select(i => new FrameTransform(Stamp, i == 0 ? LongParent : "belt", "box" + i, i, 0.1, -2e-3, 0, 0, 0.6, 0.8))]),
         RosTimeForm.Sec);
 
-    static string Signals(int first) => RosbridgeWriter.PublishSignals(
+    static string Signals(int first) => RosbridgeWriter.Publish(
         RosTopics.Signals, new SignalsMessage(Stamp, [.. Enumerable.Range(first, 20).Select(i => new SignalValue("signal" + i, i))]), RosTimeForm.Secs);
 
-    static string State(int robot) => RosbridgeWriter.PublishJointState(
+    static string State(int robot) => RosbridgeWriter.Publish(
         $"/arm{robot}/joint_states", new JointStateMessage(Stamp, ["a", "arm" + robot], [0.5, 1]), RosTimeForm.Sec);
 
     [Test]

@@ -85,7 +85,7 @@ public class RosDirectTests
         Start(flavour);
         _graph.Publish(
             RosTopics.RobotDescription, RosTopics.StringType,
-            RosbridgeWriter.PublishString(RosTopics.RobotDescription, RobotFiles.LoadText("youbot")), isLatched: true);
+            RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage(RobotFiles.LoadText("youbot"))), isLatched: true);
         Move();
 
         await Soon.BecomesAsync(() => Tick() == PoseState.Current, "current");

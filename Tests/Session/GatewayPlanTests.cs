@@ -44,7 +44,7 @@ public class GatewayPlanTests
         await using var gateway = await Gateways.StartAsync(options);
         var received = 0;
         using var listening = gateway.Hub.Subscribe(RosTopics.JointTrajectory, _ => received++);
-        var text = RosbridgeWriter.PublishJointTrajectory(RosTopics.JointTrajectory, new JointTrajectoryMessage(
+        var text = RosbridgeWriter.Publish(RosTopics.JointTrajectory, new JointTrajectoryMessage(
             Gateways.Start, ["a"], [new JointTrajectoryPoint(TimeSpan.Zero, [1])]), RosTimeForm.Sec);
         using var observer = await RawRosbridgeClient.ConnectAsync(gateway, With(Gateways.ObserverToken));
         using var source = await RawRosbridgeClient.ConnectAsync(gateway, With(Gateways.SourceToken));

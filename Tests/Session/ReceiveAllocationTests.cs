@@ -96,7 +96,7 @@ public class ReceiveAllocationTests
         var joints = source == "gripper" && message % 2 == 1 ? names[5..] : names;
         var stamp = new ControlTime(At(message).SinceEpoch) - TimeSpan.FromMilliseconds(30);
         var positions = joints.Select((_, joint) => Position(message, joint)).ToArray();
-        var text = RosbridgeWriter.PublishJointState(
+        var text = RosbridgeWriter.Publish(
             RosTopics.JointStates, new JointStateMessage(stamp, joints, positions, hasVelocities ? positions : null), RosTimeForm.Sec);
         const string head = "\"op\":\"publish\",\"topic\":\"/joint_states\"";
         return source == "body first" ? text.Replace(head + ",", "")[..^1] + "," + head + "}" : text;

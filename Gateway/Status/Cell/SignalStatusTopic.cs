@@ -84,7 +84,7 @@ sealed class SignalStatusTopic : IDisposable
             .TakeWhile(one => (bytes += RosMessageWriter.MaxBytesOf(one.Signal) + RosMessageWriter.MaxBytesOf(one.Reason)) <= MaxBytes);
         var values = rows.Select(one => KeyValuePair.Create(one.Signal, string.Create(
             CultureInfo.InvariantCulture, $"{JointDataStates.Of(one.State)} {one.Since.SinceEpoch.TotalSeconds:0.000} {one.Reason}"))).ToList();
-        _source.PublishSignalStatus(new DiagnosticsMessage(now, "gateway", values, values.Count == 0 ? 0 : 2, "signals"));
+        _source.PublishNewest(RosTopics.SignalStatus, new DiagnosticsMessage(now, "gateway", values, values.Count == 0 ? 0 : 2, "signals"));
     }
 
     static (string, JointDataState, DateTimeOffset, string) Key(CellReport one) => (one.Name, one.Report.State, one.Report.Since, one.Report.Reason);

@@ -51,7 +51,7 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
         var values = troubled.ConvertAll(row => KeyValuePair.Create(row.Name, ValueOf(row, now.Control - (now.Utc - row.Since), longest)));
         // Level 0 for an empty list, 1 if all joints in it are assumed at rest, 2 otherwise.
         var level = troubled.Count == 0 ? 0 : troubled.TrueForAll(row => row.IsGood) ? 1 : 2;
-        _source.PublishJointStatus(new DiagnosticsMessage(now.Control, "gateway", values, level, "joints"));
+        _source.PublishNewest(RosTopics.JointStatus, new DiagnosticsMessage(now.Control, "gateway", values, level, "joints"));
     }
 
     public void Dispose() => _source.Dispose();

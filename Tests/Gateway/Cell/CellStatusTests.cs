@@ -36,7 +36,7 @@ public class CellStatusTests
 
     async Task<JsonElement> StateAsync() => JsonDocument.Parse(await GetAsync("/operations/state")).RootElement;
 
-    static string State(string robot, ControlTime stamp, double position = 1) => RosbridgeWriter.PublishJointState(
+    static string State(string robot, ControlTime stamp, double position = 1) => RosbridgeWriter.Publish(
         RobotTopic.NameOf(robot, RosTopics.JointStates), new JointStateMessage(stamp, ["a"], [position]), RosTimeForm.Sec);
 
     [Test]
@@ -60,7 +60,7 @@ public class CellStatusTests
     [TestCase(true, "warning")]
     public async Task State_ObjectsWithoutJoints_IsOkUnlessARobotIsDescribed(bool hasRobot, string level)
     {
-        if (hasRobot) await _source.SendAsync(RosbridgeWriter.PublishString(RosTopics.RobotDescription, RobotFiles.LoadText("youbot")));
+        if (hasRobot) await _source.SendAsync(RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage(RobotFiles.LoadText("youbot"))));
         await _source.SendAsync(Tf(Frame("box")));
         await _source.SendAsync(SignalsText(("belt", 1)));
         await _source.RoundTripAsync();
@@ -72,7 +72,8 @@ public class CellStatusTests
     [Test]
     public async Task State_DescribedRobotsReplacedByUndescribedRobots_IsOkWithObjectsOnly()
     {
-        for (var i = 0; i < ProtocolLimits.Robots; i++) await _source.SendAsync(RosbridgeWriter.PublishString($"/old{i}/robot_description", "<robot><link name=\"a\"/></robot>"));
+        var description = new StringMessage("<robot><link name=\"a\"/></robot>");
+        for (var i = 0; i < ProtocolLimits.Robots; i++) await _source.SendAsync(RosbridgeWriter.Publish($"/old{i}/robot_description", description));
         await _source.RoundTripAsync();
         _source.Dispose();
         await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 0, "the source has disconnected");

@@ -15,7 +15,7 @@ static class CellTexts
 
     public static string SignalsText(params (string Name, double Value)[] values) => SignalsAt(Gateways.Start, values);
 
-    public static string SignalsAt(ControlTime stamp, params (string Name, double Value)[] values) => RosbridgeWriter.PublishSignals(
+    public static string SignalsAt(ControlTime stamp, params (string Name, double Value)[] values) => RosbridgeWriter.Publish(
         RosTopics.Signals, new SignalsMessage(stamp, [.. values.Select(one => new SignalValue(one.Name, one.Value))]), RosTimeForm.Sec);
 
     /// <summary>Returns the frames of a message with their x coordinates: "box=0.5 belt=0".</summary>
@@ -27,5 +27,5 @@ static class CellTexts
         i => FormattableString.Invariant($"{message[i].Name}={message[i].Value}")));
 
     static string Transforms(string topic, FrameTransform[] transforms) =>
-        RosbridgeWriter.PublishTransforms(topic, new TransformsMessage(transforms), RosTimeForm.Sec);
+        RosbridgeWriter.Publish(topic, new TransformsMessage(transforms), RosTimeForm.Sec);
 }

@@ -194,7 +194,7 @@ public class FrameTopicTests
     [Test]
     public async Task Publish_FrameThatClosesACycleThroughADescribedRobot_IsOmitted()
     {
-        await SendAsync(RosbridgeWriter.PublishString("/arm1/robot_description", Urdf));
+        await SendAsync(RosbridgeWriter.Publish("/arm1/robot_description", new StringMessage(Urdf)));
         await _gateway.Hub.Links.Read.Bounded();
         await SendAsync(Tf(Frame("box", "arm1/tool0")));
 
@@ -210,7 +210,7 @@ public class FrameTopicTests
         await SendAsync(TfStatic(Frame("table")));
         await SendAsync(TfStatic(Frame("box", "arm1/tool0"), Frame("arm1/base", "box"), Frame("lid", "box")));
 
-        await SendAsync(RosbridgeWriter.PublishString("/arm1/robot_description", Urdf));
+        await SendAsync(RosbridgeWriter.Publish("/arm1/robot_description", new StringMessage(Urdf)));
         await _gateway.Hub.Links.Read.Bounded();
 
         await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.TfStatic));

@@ -286,11 +286,11 @@ public class LatchedQueueTests
         Assert.That(parts, Has.Count.GreaterThan(1));
         foreach (var part in parts)
             Assert.That(
-                Encoding.UTF8.GetByteCount(RosbridgeWriter.PublishSignals(RosTopics.Signals, part, RosTimeForm.Secs)),
+                Encoding.UTF8.GetByteCount(RosbridgeWriter.Publish(RosTopics.Signals, part, RosTimeForm.Secs)),
                 Is.LessThanOrEqualTo(ProtocolLimits.MessageBytes));
         foreach (var part in frameParts)
             Assert.That(
-                Encoding.UTF8.GetByteCount(RosbridgeWriter.PublishTransforms(RosTopics.TfStatic, part, RosTimeForm.Secs)),
+                Encoding.UTF8.GetByteCount(RosbridgeWriter.Publish(RosTopics.TfStatic, part, RosTimeForm.Secs)),
                 Is.LessThanOrEqualTo(ProtocolLimits.MessageBytes));
     }
 }

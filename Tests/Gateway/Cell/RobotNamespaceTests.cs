@@ -27,7 +27,7 @@ public class RobotNamespaceTests
     }
 
     static string State(string robot, double position) =>
-        RosbridgeWriter.PublishJointState(RobotTopic.NameOf(robot, RosTopics.JointStates), Gateways.State(position, "a"), RosTimeForm.Sec);
+        RosbridgeWriter.Publish(RobotTopic.NameOf(robot, RosTopics.JointStates), Gateways.State(position, "a"), RosTimeForm.Sec);
 
     [Test]
     public async Task Publish_EqualJointNamesOfTwoRobots_StaySeparate()
@@ -72,14 +72,14 @@ public class RobotNamespaceTests
     [Test]
     public async Task Description_SourceWithTwoRobots_SubscriberReceivesOnlyThatOfItsRobot()
     {
-        await _first.SendAsync(RosbridgeWriter.PublishString("/arm1/robot_description", "<robot name='one'/>"));
-        await _first.SendAsync(RosbridgeWriter.PublishString("/arm2/robot_description", "<robot name='two'/>"));
+        await _first.SendAsync(RosbridgeWriter.Publish("/arm1/robot_description", new StringMessage("<robot name='one'/>")));
+        await _first.SendAsync(RosbridgeWriter.Publish("/arm2/robot_description", new StringMessage("<robot name='two'/>")));
         await _first.RoundTripAsync();
 
         await _second.SendAsync(RosbridgeWriter.Subscribe("/arm2/robot_description", "std_msgs/String"));
 
         Assert.That((await _second.ReceiveAsync()).Data, Is.EqualTo("<robot name='two'/>"));
-        await _second.SendAsync(RosbridgeWriter.PublishString("/arm2/robot_description", "<robot name='three'/>"));
+        await _second.SendAsync(RosbridgeWriter.Publish("/arm2/robot_description", new StringMessage("<robot name='three'/>")));
         await _second.ExpectErrorAsync(CellMessageFaults.Of("the robot", DropReason.JointTaken));
         await _second.SubscribeAsync(RosTopics.RobotDescription);
     }
@@ -88,7 +88,7 @@ public class RobotNamespaceTests
     public async Task SetPoints_SourceWithTwoRobots_SubscriberReceivesOnlyThoseOfItsRobot()
     {
         foreach (var robot in new[] { "arm1", "arm2" })
-            await _first.SendAsync(RosbridgeWriter.PublishJointTrajectory(
+            await _first.SendAsync(RosbridgeWriter.Publish(
                 $"/{robot}/joint_trajectory",
                 new JointTrajectoryMessage(Gateways.Start, ["a"], [new JointTrajectoryPoint(TimeSpan.Zero, [robot[^1] - '0'])]), RosTimeForm.Sec));
         await _first.RoundTripAsync();
@@ -139,7 +139,7 @@ public class RobotNamespaceTests
         await _second.ExpectErrorAsync($"{CellMessageFaults.Of("robot arm16", DropReason.TooManyRobots)} ({DropReason.TooManyRobots})");
         await _second.SendAsync(RosbridgeWriter.Advertise("/arm16/joint_states", null));
         await _second.ExpectErrorAsync("TooManyRobots");
-        await _second.SendAsync(RosbridgeWriter.PublishString("/arm16/robot_description", "<robot/>"));
+        await _second.SendAsync(RosbridgeWriter.Publish("/arm16/robot_description", new StringMessage("<robot/>")));
         await _second.ExpectErrorAsync("TooManyRobots");
 
         Assert.That(_gateway.Drops[DropReason.TooManyRobots], Is.EqualTo(3));
@@ -152,7 +152,7 @@ public class RobotNamespaceTests
     [Test]
     public async Task Publish_NewRobot_ReplacesADescribedRobotWithoutASource()
     {
-        for (var i = 0; i < 16; i++) await _first.SendAsync(RosbridgeWriter.PublishString($"/arm{i}/robot_description", "<robot/>"));
+        for (var i = 0; i < 16; i++) await _first.SendAsync(RosbridgeWriter.Publish($"/arm{i}/robot_description", new StringMessage("<robot/>")));
         await _first.RoundTripAsync();
         _first.Dispose();
         await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has disconnected");
@@ -193,7 +193,7 @@ public class RobotNamespaceTests
         foreach (var text in new[]
         {
             State("arm1", 1), CellTexts.Tf(CellTexts.Frame("box")), CellTexts.TfStatic(CellTexts.Frame("box")), CellTexts.SignalsText(("grip", 1)),
-            RosbridgeWriter.PublishString("/arm1/robot_description", "<robot/>"), RosbridgeWriter.Advertise("/tf", null),
+            RosbridgeWriter.Publish("/arm1/robot_description", new StringMessage("<robot/>")), RosbridgeWriter.Advertise("/tf", null),
             RosbridgeWriter.Advertise("/arm1/joint_trajectory", null),
         })
         {

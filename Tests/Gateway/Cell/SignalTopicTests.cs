@@ -100,7 +100,7 @@ public class SignalTopicTests
     {
         await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.SignalStatus, "diagnostic_msgs/DiagnosticArray"));
         Assert.That((await _headset.ReceiveAsync()).SignalStatus.Joints, Is.Empty);
-        Task ReportAsync(string state) => SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, new DiagnosticsMessage(
+        Task ReportAsync(string state) => SendAsync(RosbridgeWriter.Publish(RosTopics.Diagnostics, new DiagnosticsMessage(
             Gateways.Start, "plant/cell", [KeyValuePair.Create("state", "connected"), KeyValuePair.Create("signal/grip", state)], 2, "plant/cell"), RosTimeForm.Sec));
 
         await ReportAsync("fault 1700000000.000 the server no longer has this node");
@@ -119,7 +119,7 @@ public class SignalTopicTests
         await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.SignalStatus, "diagnostic_msgs/DiagnosticArray"));
         Assert.That((await _headset.ReceiveAsync()).SignalStatus.Joints, Is.Empty);
         using var adapter = await RawRosbridgeClient.ConnectAsync(_gateway);
-        Task ReportAsync(string name) => adapter.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, new DiagnosticsMessage(
+        Task ReportAsync(string name) => adapter.SendAsync(RosbridgeWriter.Publish(RosTopics.Diagnostics, new DiagnosticsMessage(
             Gateways.Start, "plant/other", [KeyValuePair.Create("state", "connected"), KeyValuePair.Create("signal/" + name, "fault 1700000000.000 no connection")],
             2, "plant/other"), RosTimeForm.Sec));
 

@@ -84,7 +84,7 @@ public class PlantTimeTests
         var state = new JointStateMessage(opcua.AtCount(count), ["a"], [0.5]);
         // The bounds at this moment may be smaller than the bounds at the time of the conversion.
         var bound = StatusOf(gateway, "ads").ErrorBound + StatusOf(gateway, "opcua").ErrorBound;
-        await second.Client.SendAsync(RosbridgeWriter.PublishJointState(RosTopics.JointStates, state, RosTimeForm.Sec));
+        await second.Client.SendAsync(RosbridgeWriter.Publish(RosTopics.JointStates, state, RosTimeForm.Sec));
 
         var error = (await headset.ReceiveAsync()).JointState.Stamp - ads.AtCount(count);
         Assert.That(error.Duration(), Is.LessThanOrEqualTo(bound + TimeSpan.FromMilliseconds(10)));
@@ -227,7 +227,7 @@ public class PlantTimeTests
 
         var count = Stopwatch.GetTimestamp();
         var state = new JointStateMessage(opcua.AtCount(count), ["a"], [0.5]);
-        await rival.SendAsync(RosbridgeWriter.PublishJointState(RosTopics.JointStates, state, RosTimeForm.Sec));
+        await rival.SendAsync(RosbridgeWriter.Publish(RosTopics.JointStates, state, RosTimeForm.Sec));
 
         var error = (await headset.ReceiveAsync()).JointState.Stamp - ads.AtCount(count);
         Assert.That(error.Duration(), Is.LessThan(TimeSpan.FromSeconds(1)), "the two clocks differ by 2 s");

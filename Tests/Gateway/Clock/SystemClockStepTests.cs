@@ -59,7 +59,7 @@ public class SystemClockStepTests
     async Task<RosbridgeMessage> PublishAsync(TimeSpan sourceAhead = default)
     {
         var state = new JointStateMessage(SystemTime + sourceAhead - Acquisition, ["a"], [0.5]);
-        await _source.SendAsync(RosbridgeWriter.PublishJointState(RosTopics.JointStates, state, RosTimeForm.Sec));
+        await _source.SendAsync(RosbridgeWriter.Publish(RosTopics.JointStates, state, RosTimeForm.Sec));
         return await _source.ReceiveAsync();
     }
 

@@ -91,7 +91,7 @@ public class EndpointFaultTests
         {
             var angle = 0.3 * Math.Sin(clock.Now.SinceEpoch.TotalSeconds);
             var state = new JointStateMessage(clock.Now, Joints, [.. Joints.Select(_ => 0.5 + angle)]);
-            await plant.SendAsync(RosbridgeWriter.PublishJointState(RosTopics.JointStates, state, RosTimeForm.Sec));
+            await plant.SendAsync(RosbridgeWriter.Publish(RosTopics.JointStates, state, RosTimeForm.Sec));
             await Task.WhenAny(Task.Delay(40, stop));
         }
     }

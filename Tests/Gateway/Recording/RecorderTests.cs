@@ -69,8 +69,8 @@ public class RecorderTests
             if (i % 1000 == 0) await Task.Yield();
         }
         _cell.Source.Publish(new JointTrajectoryMessage(Gateways.Start, ["a"], [new JointTrajectoryPoint(TimeSpan.Zero, [0.25])]));
-        _cell.Source.Publish(
-            new DiagnosticsMessage(Gateways.Start, "goggles", [KeyValuePair.Create("rtt_ms", "3"), KeyValuePair.Create("say \"so\"", "\n")]));
+        _cell.Source.Publish(RosTopics.Diagnostics, new DiagnosticsMessage(
+            Gateways.Start, "goggles", [KeyValuePair.Create("rtt_ms", "3"), KeyValuePair.Create("say \"so\"", "\n")]));
         _cell.Drops.Count(DropReason.NotJson);
         await Soon.BecomesAsync(() => HasDrops(recorder.Path), "the drops of this second");
         await recorder.SwitchOffAsync().Bounded();

@@ -62,7 +62,7 @@ public class LimitTests
         using var client = await RawRosbridgeClient.ConnectAsync(
             gateway, options => options.SetRequestHeader("Authorization", "Bearer " + Gateways.ObserverToken));
 
-        await client.SendAsync(RosbridgeWriter.PublishString(RosTopics.RobotDescription, new string('u', 100_000)));
+        await client.SendAsync(RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage(new string('u', 100_000))));
 
         await client.ExpectErrorAsync("longer");
         Assert.That(gateway.Drops[DropReason.TooLarge], Is.EqualTo(1));

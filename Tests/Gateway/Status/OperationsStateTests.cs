@@ -71,9 +71,9 @@ public class OperationsStateTests
         }
         // The client may receive the last message before the gateway records the forwarding time of this message.
         await Soon.BecomesAsync(() => gateway.Hub.Forwarding.Counts().Sum() == 20, "all messages are counted");
-        source.Publish(Diagnostics(
+        source.Publish(RosTopics.Diagnostics, Diagnostics(
             "goggles", ("state", "synchronised"), ("rtt_ms", "4"), ("l_app_ms", "95"), ("render_ms", "12"), ("l_visu_ms", "42"), ("budget_ms", "x")));
-        source.Publish(Diagnostics("plant/press", ("kind", "opcua"), ("state", "connected"), ("samples", "20")));
+        source.Publish(RosTopics.Diagnostics, Diagnostics("plant/press", ("kind", "opcua"), ("state", "connected"), ("samples", "20")));
 
         var state = await StateAsync(gateway);
 
@@ -145,7 +145,7 @@ public class OperationsStateTests
                 new JointStateMessage(clock.Now - TimeSpan.FromMilliseconds(80), [joint[(joint.IndexOf('/') + 1)..]], [1]), null,
                 joint.Contains('/') ? joint[..joint.IndexOf('/')] : "");
         await Soon.BecomesAsync(() => gateway.Hub.Forwarding.Counts().Sum() > 0, "a sample is forwarded");
-        source.Publish(Diagnostics("goggles", ("rtt_ms", "4"), ("l_app_ms", "50"), ("l_visu_ms", "42"), ("render_ms", "12")));
+        source.Publish(RosTopics.Diagnostics, Diagnostics("goggles", ("rtt_ms", "4"), ("l_app_ms", "50"), ("l_visu_ms", "42"), ("render_ms", "12")));
         return (await StateAsync(gateway)).GetProperty("headsets")[0].GetProperty("budget_ms");
     }
 
@@ -154,7 +154,8 @@ public class OperationsStateTests
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
-        source.Publish(Diagnostics("goggles", ("rtt_ms", "-1.7e308"), ("l_app_ms", "1.7e308"), ("l_visu_ms", "1.7e308"), ("render_ms", "-1.7e308")));
+        source.Publish(RosTopics.Diagnostics, Diagnostics(
+            "goggles", ("rtt_ms", "-1.7e308"), ("l_app_ms", "1.7e308"), ("l_visu_ms", "1.7e308"), ("render_ms", "-1.7e308")));
         using var joints = gateway.Hub.OpenSource();
         joints.Publish(Gateways.State(1, "a"));
 
@@ -211,7 +212,7 @@ public class OperationsStateTests
             + "or add plant.security.thumbprint to the configuration";
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
-        await client.SendAsync(RosbridgeWriter.PublishDiagnostics(
+        await client.SendAsync(RosbridgeWriter.Publish(
             RosTopics.Diagnostics, Diagnostics("plant/press", ("state", "refused"), ("reason", untrusted)), RosTimeForm.Sec));
         await client.RoundTripAsync();
 
@@ -226,7 +227,8 @@ public class OperationsStateTests
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
         foreach (var ahead in new[] { "", "x" })
-            source.Publish(Diagnostics($"plant/{ahead}", ("reason", ahead + string.Concat(Enumerable.Repeat("\U0001F916", 1000)))));
+            source.Publish(RosTopics.Diagnostics, Diagnostics(
+                $"plant/{ahead}", ("reason", ahead + string.Concat(Enumerable.Repeat("\U0001F916", 1000)))));
 
         var reported = (await StateAsync(gateway)).GetProperty("adapters");
 

@@ -25,7 +25,7 @@ public class ReadinessTests
             () =>
             {
                 var stamp = new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch);
-                source.SendAsync(RosbridgeWriter.PublishJointState(
+                source.SendAsync(RosbridgeWriter.Publish(
                     RosTopics.JointStates, new JointStateMessage(stamp, ["a"], [0.5]), RosTimeForm.Sec)).GetAwaiter().GetResult();
                 answer = GetAsync(gateway, "/readyz").GetAwaiter().GetResult();
                 return answer.Status == HttpStatusCode.ServiceUnavailable && answer.Text.Contains("contradict", StringComparison.Ordinal);
@@ -47,7 +47,7 @@ public class ReadinessTests
         for (var i = 0; i < 50; i++)
         {
             var stamp = new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch);
-            await source.SendAsync(RosbridgeWriter.PublishJointState(
+            await source.SendAsync(RosbridgeWriter.Publish(
                 RosTopics.JointStates, new JointStateMessage(stamp, ["a"], [0.5]), RosTimeForm.Sec));
         }
 

@@ -17,31 +17,32 @@ namespace Nowpose.Mono.Aot
         {
             foreach (var form in new[] { RosTimeForm.Sec, RosTimeForm.Secs })
             {
-                var state = Read(RosbridgeWriter.PublishJointState(
+                var state = Read(RosbridgeWriter.Publish(
                     RosTopics.JointStates, new JointStateMessage(Stamp, Names, Positions), form)).JointState;
                 Program.Require(state.Stamp == Stamp && state.Positions.SequenceEqual(Positions), "joint state");
 
                 var points = new[] { new JointTrajectoryPoint(TimeSpan.FromSeconds(2), Positions) };
-                var plan = Read(RosbridgeWriter.PublishJointTrajectory(
+                var plan = Read(RosbridgeWriter.Publish(
                     RosTopics.JointTrajectory, new JointTrajectoryMessage(Stamp, Names, points), form)).JointTrajectory;
                 Program.Require(plan.Points.Count == 1 && plan.Points[0].TimeFromStart == TimeSpan.FromSeconds(2), "joint trajectory");
 
                 var values = new[] { new KeyValuePair<string, string>("key", "value") };
-                var diagnostics = Read(RosbridgeWriter.PublishDiagnostics(
+                var diagnostics = Read(RosbridgeWriter.Publish(
                     RosTopics.Diagnostics, new DiagnosticsMessage(Stamp, "headset", values), form)).Diagnostics;
                 Program.Require(diagnostics.Values.Count == 1 && diagnostics.Values[0].Value == "value", "diagnostics");
 
                 var box = new FrameTransform(Stamp, "world", "box", 1.5, 0, -2, 0, 0, 0.6, 0.8);
-                var transforms = Read(RosbridgeWriter.PublishTransforms(RosTopics.Tf, new TransformsMessage(box), form)).Transforms;
+                var transforms = Read(RosbridgeWriter.Publish(RosTopics.Tf, new TransformsMessage(box), form)).Transforms;
                 Program.Require(transforms.Count == 1 && transforms[0].Child == "box" && transforms[0].Stamp == Stamp, "transforms");
 
-                var signals = Read(RosbridgeWriter.PublishSignals(
+                var signals = Read(RosbridgeWriter.Publish(
                     RosTopics.Signals, new SignalsMessage(Stamp, new SignalValue("grip", 1)), form)).Signals;
                 Program.Require(signals.Count == 1 && signals[0].Value == 1 && signals.Stamp == Stamp, "signals");
 
                 Program.Require(Read(RosbridgeWriter.TimeResponse(RosTopics.GetTime, "1", Stamp, form)).Time == Stamp, "time response");
             }
-            Program.Require(Read(RosbridgeWriter.PublishString(RosTopics.RobotDescription, "<robot/>")).Data == "<robot/>", "robot description");
+            var description = Read(RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage("<robot/>"))).Data;
+            Program.Require(description == "<robot/>", "robot description");
             Program.Require(Read(RosbridgeWriter.Subscribe(RosTopics.JointStates)).Topic == RosTopics.JointStates, "subscribe");
             Program.Require(Read(RosbridgeWriter.Status("error", "text")).Text == "text", "status");
             Program.Require(!RosbridgeReader.TryRead("{\"op\":", out _, out var reason) && reason == DropReason.NotJson, "bad JSON");

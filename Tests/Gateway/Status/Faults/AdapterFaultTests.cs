@@ -26,7 +26,7 @@ public class AdapterFaultTests
         using var client = await RawRosbridgeClient.ConnectAsync(
             _gateway.Server, set => set.SetRequestHeader("Authorization", $"Bearer {Gateways.ObserverToken}"));
 
-        await client.SendAsync(RosbridgeWriter.PublishDiagnostics(
+        await client.SendAsync(RosbridgeWriter.Publish(
             RosTopics.Diagnostics,
             new DiagnosticsMessage(default, "adapter/press", [KeyValuePair.Create("joint/a", $"fault {_gateway.Since()} made up")]),
             RosTimeForm.Sec));

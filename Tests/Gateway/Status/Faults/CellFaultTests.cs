@@ -223,7 +223,7 @@ public class CellFaultTests
             {
                 var topic = $"/{robot}/joint_states";
                 await client.SendAsync(RosbridgeWriter.Advertise(topic, null));
-                await client.SendAsync(RosbridgeWriter.PublishJointState(topic, Gateways.State(1, "a"), RosTimeForm.Sec));
+                await client.SendAsync(RosbridgeWriter.Publish(topic, Gateways.State(1, "a"), RosTimeForm.Sec));
             }
 
             await client.SendAsync("{\"op\":\"unadvertise\",\"topic\":\"/arm1/joint_states\"}");

@@ -148,6 +148,6 @@ public class ClientFaultTests
     async Task<IDisposable> OpenAsync(string server) =>
         server == "sync" ? await RawSyncClient.ConnectAsync(_gateway.Server) : await RawRosbridgeClient.ConnectAsync(_gateway.Server);
 
-    static Task ReportAsync(RawRosbridgeClient client, string hardwareId) => client.SendAsync(RosbridgeWriter.PublishDiagnostics(
+    static Task ReportAsync(RawRosbridgeClient client, string hardwareId) => client.SendAsync(RosbridgeWriter.Publish(
         RosTopics.Diagnostics, new DiagnosticsMessage(Gateways.Start, hardwareId, [KeyValuePair.Create("state", "connected"), KeyValuePair.Create("pose", "current")]), RosTimeForm.Sec));
 }

@@ -91,7 +91,7 @@ public class HeadsetFaultTests
         using var link = new SystemWebSocketLink(settings, new StopwatchHeadsetClock());
         await link.OpenAsync(CancellationToken.None).Bounded();
         await link.SendAsync(
-            RosbridgeWriter.PublishDiagnostics(
+            RosbridgeWriter.Publish(
                 RosTopics.Diagnostics, new DiagnosticsMessage(Gateways.Start, "goggles", [KeyValuePair.Create("pose", "current")]), RosTimeForm.Sec),
             CancellationToken.None).Bounded();
         await Soon.BecomesAsync(() => _gateway.StateAsync().Result.GetProperty("headsets").GetArrayLength() == 1, "it is known");
@@ -115,7 +115,7 @@ public class HeadsetFaultTests
     {
         await _gateway.StartAsync();
         using var client = await RawWebSocket.OpenAsync(_gateway.Server);
-        await client.SendTextAsync(RosbridgeWriter.PublishDiagnostics(
+        await client.SendTextAsync(RosbridgeWriter.Publish(
             RosTopics.Diagnostics, new DiagnosticsMessage(Gateways.Start, "goggles", [KeyValuePair.Create("pose", "current")]), RosTimeForm.Sec));
         await Soon.BecomesAsync(() => _gateway.StateAsync().Result.GetProperty("headsets").GetArrayLength() == 1, "it is known");
 

@@ -58,7 +58,8 @@ sealed class MonitoredGateway : IAsyncDisposable
     public void Publish(params string[] joints) => Source.Publish(new JointStateMessage(_clock.Now, joints, [.. joints.Select(_ => 1.0)]));
 
     public void Report(string name, params (string Key, string Value)[] values) =>
-        Source.Publish(new DiagnosticsMessage(new ControlTime(Time.GetUtcNow() - DateTimeOffset.UnixEpoch), name, [.. values.Select(pair => KeyValuePair.Create(pair.Key, pair.Value))]));
+        Source.Publish(RosTopics.Diagnostics, new DiagnosticsMessage(
+            new ControlTime(Time.GetUtcNow() - DateTimeOffset.UnixEpoch), name, [.. values.Select(pair => KeyValuePair.Create(pair.Key, pair.Value))]));
 
     public string Since(double secondsAgo = 0) =>
         ((Time.GetUtcNow() - TimeSpan.FromSeconds(secondsAgo)).ToUnixTimeMilliseconds() / 1000.0).ToString("0.000", CultureInfo.InvariantCulture);

@@ -28,7 +28,7 @@ public class SourceFaultTests
     {
         await _gateway.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
-        await client.SendAsync(RosbridgeWriter.PublishJointState(RosTopics.JointStates, Gateways.State(1, "a", "b"), RosTimeForm.Sec));
+        await client.SendAsync(RosbridgeWriter.Publish(RosTopics.JointStates, Gateways.State(1, "a", "b"), RosTimeForm.Sec));
         await Soon.BecomesAsync(() => _gateway.StateAsync().Result.GetProperty("joints").GetArrayLength() == 2, "both joints are known");
         _gateway.Time.Advance(TimeSpan.FromSeconds(2));
 

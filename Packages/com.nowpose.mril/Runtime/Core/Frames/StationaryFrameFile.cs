@@ -32,7 +32,7 @@ namespace Nowpose.Frames
         {
             var text = new StringWriter(CultureInfo.InvariantCulture) { NewLine = "\n" };
             using var json = new JsonTextWriter(text) { Formatting = Formatting.Indented };
-            RosMessageWriter.Write(json, message, RosTimeForm.Sec);
+            message.Write(json, RosTimeForm.Sec);
             json.Flush();
             WholeFile.Write(path, text + "\n", FrameMessages.List);
         }

@@ -249,8 +249,7 @@ namespace Nowpose.Network
                 await Task.Delay(_publishesDisplayed ? DisplayedInterval : MinDiagnosticsInterval, cancel).ConfigureAwait(false);
                 var displayed = _publishesDisplayed ? _listener.Displayed() : null;
                 if (displayed != null)
-                    await sender.SendAsync(
-                        RosbridgeWriter.PublishJointState(RosTopics.Displayed, displayed, RosTimeForm.Sec), cancel).ConfigureAwait(false);
+                    await sender.SendAsync(RosbridgeWriter.Publish(RosTopics.Displayed, displayed), cancel).ConfigureAwait(false);
                 var now = _clock.Now;
                 if (now - last < (_listener.HasPoseChanged ? MinDiagnosticsInterval : DiagnosticsInterval)) continue;
                 last = now;
@@ -266,8 +265,7 @@ namespace Nowpose.Network
                 await sender.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime), cancel).ConfigureAwait(false);
             var diagnostics = _listener.Diagnostics();
             if (diagnostics != null)
-                await sender.SendAsync(
-                    RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, diagnostics, RosTimeForm.Sec), cancel).ConfigureAwait(false);
+                await sender.SendAsync(RosbridgeWriter.Publish(RosTopics.Diagnostics, diagnostics), cancel).ConfigureAwait(false);
             // Without a gateway, the call could delay an exchange of the clock.
             if (_rosTime == null && _listener.NeedsNamespaces)
                 await sender.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTopics), cancel).ConfigureAwait(false);

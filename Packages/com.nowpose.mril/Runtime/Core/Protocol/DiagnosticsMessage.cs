@@ -1,9 +1,10 @@
 using System.Collections.Generic;
+using Newtonsoft.Json;
 
 namespace Nowpose.Protocol
 {
     /// <summary>diagnostic_msgs/DiagnosticArray with one status, which describes a headset, an adapter, or the joints.</summary>
-    sealed class DiagnosticsMessage
+    sealed class DiagnosticsMessage : IRosMessage
     {
         /// <param name="level">Level of the status: 0 ok, 1 warning, 2 error, 3 stale.</param>
         public DiagnosticsMessage(
@@ -35,5 +36,31 @@ namespace Nowpose.Protocol
 
         /// <summary>Keys with their values as text; units are in the key (offset_ns, rtt_ms).</summary>
         public IReadOnlyList<KeyValuePair<string, string>> Values { get; }
+
+        public void Write(JsonWriter json, RosTimeForm form)
+        {
+            json.WriteStartObject();
+            json.Header(Stamp, form);
+            json.StartArray("status");
+            json.WriteStartObject();
+            json.WritePropertyName("level");
+            json.WriteValue(Level);
+            json.Text("name", Name);
+            json.Text("message", Message);
+            json.Text("hardware_id", HardwareId);
+            json.StartArray("values");
+            foreach (var pair in Values)
+            {
+                json.WriteStartObject();
+                json.Text("key", pair.Key);
+                json.Text("value", pair.Value);
+                json.WriteEndObject();
+            }
+
+            json.WriteEndArray();
+            json.WriteEndObject();
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Newtonsoft.Json;
 using Nowpose.Messages;
 
 namespace Nowpose.Protocol
@@ -9,7 +10,7 @@ namespace Nowpose.Protocol
     /// The arrays belong to the message; users only read them. A message from a <see cref="RosbridgeReader"/> is reused after the session
     /// has used its samples, unless a handler may keep the message.
     /// </remarks>
-    public sealed class JointStateMessage
+    public sealed class JointStateMessage : IRosMessage
     {
         readonly MessagePool<JointStateMessage> _pool;
         double[] _velocities;
@@ -85,6 +86,18 @@ namespace Nowpose.Protocol
             Velocities = Filled(ref _velocities, velocities);
             Accelerations = Filled(ref _accelerations, accelerations);
             FrameId = frameId;
+        }
+
+        void IRosMessage.Write(JsonWriter json, RosTimeForm form)
+        {
+            json.WriteStartObject();
+            json.Header(Stamp, form, FrameId);
+            json.Texts("name", Names);
+            json.Numbers("position", Positions);
+            json.OptionalNumbers("velocity", Velocities);
+            json.Numbers("effort", Array.Empty<double>());
+            if (Accelerations != null) json.OptionalNumbers("acceleration", Accelerations);
+            json.WriteEndObject();
         }
 
         /// <summary>

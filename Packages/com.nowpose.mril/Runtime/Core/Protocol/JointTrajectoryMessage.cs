@@ -1,9 +1,10 @@
 using System.Collections.Generic;
+using Newtonsoft.Json;
 
 namespace Nowpose.Protocol
 {
     /// <summary>trajectory_msgs/JointTrajectory: planned set-points. Efforts are not read.</summary>
-    sealed class JointTrajectoryMessage
+    sealed class JointTrajectoryMessage : IRosMessage
     {
         internal JointTrajectoryMessage(ControlTime stamp, string[] names, IReadOnlyList<JointTrajectoryPoint> points)
         {
@@ -22,5 +23,16 @@ namespace Nowpose.Protocol
 
         /// <summary>Returns the same set-points relative to another time; shares them.</summary>
         public JointTrajectoryMessage At(ControlTime stamp) => new JointTrajectoryMessage(stamp, Names, Points);
+
+        public void Write(JsonWriter json, RosTimeForm form)
+        {
+            json.WriteStartObject();
+            json.Header(Stamp, form);
+            json.Texts("joint_names", Names);
+            json.StartArray("points");
+            foreach (var point in Points) point.Write(json, form);
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
     }
 }

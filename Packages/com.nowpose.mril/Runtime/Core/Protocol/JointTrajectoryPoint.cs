@@ -1,4 +1,5 @@
 using System;
+using Newtonsoft.Json;
 
 namespace Nowpose.Protocol
 {
@@ -24,5 +25,16 @@ namespace Nowpose.Protocol
 
         /// <summary>Accelerations in rad/s² or m/s², NaN if unknown; null if all are unknown.</summary>
         public double[] Accelerations { get; }
+
+        public void Write(JsonWriter json, RosTimeForm form)
+        {
+            json.WriteStartObject();
+            json.Numbers("positions", Positions);
+            // Omits empty arrays: a long path with them could exceed the maximum length, although the received message did not.
+            if (Velocities != null) json.OptionalNumbers("velocities", Velocities);
+            if (Accelerations != null) json.OptionalNumbers("accelerations", Accelerations);
+            json.Time("time_from_start", new ControlTime(TimeFromStart).Nanoseconds, form);
+            json.WriteEndObject();
+        }
     }
 }

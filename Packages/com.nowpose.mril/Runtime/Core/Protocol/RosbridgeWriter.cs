@@ -2,9 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Text;
 using Newtonsoft.Json;
-using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Protocol
 {
@@ -20,38 +20,17 @@ namespace Nowpose.Protocol
         public static string Advertise(string topic, string type, string id = null) =>
             Write("advertise", id, topic, json => Optional(json, "type", type));
 
-        /// <exception cref="ArgumentException">A position is not finite.</exception>
-        public static string PublishJointState(string topic, JointStateMessage message, RosTimeForm form) =>
-            Publish(topic, json => RosMessageWriter.Write(json, message, form));
-
-        /// <exception cref="ArgumentException">A position is not finite.</exception>
-        public static string PublishJointTrajectory(string topic, JointTrajectoryMessage message, RosTimeForm form) =>
-            Publish(topic, json => RosMessageWriter.Write(json, message, form));
-
-        /// <exception cref="ArgumentException">A number is not finite.</exception>
-        public static string PublishTransforms(string topic, TransformsMessage message, RosTimeForm form) =>
-            Publish(topic, json => RosMessageWriter.Write(json, message, form));
-
-        /// <exception cref="ArgumentException">A value is not finite.</exception>
-        public static string PublishSignals(string topic, SignalsMessage message, RosTimeForm form) =>
-            Publish(topic, json => RosMessageWriter.Write(json, message, form));
-
-        /// <summary>Writes a std_msgs/String, for example with the robot description.</summary>
-        public static string PublishString(string topic, string data) => Publish(topic, json =>
+        /// <exception cref="ArgumentException">A number that must be finite is not.</exception>
+        public static string Publish(string topic, IRosMessage message, RosTimeForm form = RosTimeForm.Sec) => Write("publish", null, topic, json =>
         {
-            json.WriteStartObject();
-            Optional(json, "data", data);
-            json.WriteEndObject();
+            json.WritePropertyName("msg");
+            message.Write(json, form);
         });
-
-        public static string PublishDiagnostics(string topic, DiagnosticsMessage message, RosTimeForm form) =>
-            Publish(topic, json => RosMessageWriter.Write(json, message, form));
 
         public static string CallService(string service, string id = null) => Write("call_service", id, null, json =>
         {
             Optional(json, "service", service);
-            json.WritePropertyName("args");
-            json.WriteStartObject();
+            json.StartObject("args");
             json.WriteEndObject();
         });
 
@@ -60,8 +39,7 @@ namespace Nowpose.Protocol
             Response(service, id, true, json =>
             {
                 json.WriteStartObject();
-                json.WritePropertyName("time");
-                RosMessageWriter.Write(json, time.Nanoseconds, form);
+                json.Time("time", time.Nanoseconds, form);
                 json.WriteEndObject();
             });
 
@@ -71,14 +49,8 @@ namespace Nowpose.Protocol
             Response(service, id, true, json =>
             {
                 json.WriteStartObject();
-                json.WritePropertyName("topics");
-                json.WriteStartArray();
-                foreach (var topic in types) json.WriteValue(topic.Key);
-                json.WriteEndArray();
-                json.WritePropertyName("types");
-                json.WriteStartArray();
-                foreach (var topic in types) json.WriteValue(topic.Value);
-                json.WriteEndArray();
+                json.Texts("topics", types.Select(topic => topic.Key));
+                json.Texts("types", types.Select(topic => topic.Value));
                 json.WriteEndObject();
             });
 
@@ -107,12 +79,6 @@ namespace Nowpose.Protocol
                 json.WriteValue(result);
             });
 
-        static string Publish(string topic, Action<JsonWriter> message) => Write("publish", null, topic, json =>
-        {
-            json.WritePropertyName("msg");
-            message(json);
-        });
-
         static string Write(string op, string id, string topic, Action<JsonWriter> rest)
         {
             var text = new StringWriter(new StringBuilder(256), CultureInfo.InvariantCulture);
@@ -131,10 +97,7 @@ namespace Nowpose.Protocol
 
         static void Optional(JsonWriter json, string name, string value)
         {
-            if (value == null)
-                return;
-            json.WritePropertyName(name);
-            json.WriteValue(value);
+            if (value != null) json.Text(name, value);
         }
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Newtonsoft.Json;
 
 namespace Nowpose.Protocol.Cell
 {
@@ -61,6 +62,27 @@ namespace Nowpose.Protocol.Cell
 
         /// <summary>Returns the same pose at another time.</summary>
         public FrameTransform At(ControlTime stamp) => new FrameTransform(stamp, Parent, Child, X, Y, Z, Qx, Qy, Qz, Qw);
+
+        public void Write(JsonWriter json, RosTimeForm form)
+        {
+            json.WriteStartObject();
+            json.Header(Stamp, form, Parent);
+            json.Text("child_frame_id", Child);
+            json.StartObject("transform");
+            json.StartObject("translation");
+            json.Number("x", X);
+            json.Number("y", Y);
+            json.Number("z", Z);
+            json.WriteEndObject();
+            json.StartObject("rotation");
+            json.Number("x", Qx);
+            json.Number("y", Qy);
+            json.Number("z", Qz);
+            json.Number("w", Qw);
+            json.WriteEndObject();
+            json.WriteEndObject();
+            json.WriteEndObject();
+        }
 
         /// <summary>Divides a quaternion by its norm, if the norm is within <see cref="NormTolerance"/> of 1.</summary>
         /// <returns>False if the norm deviates by more; the quaternion is then unchanged.</returns>

@@ -1,4 +1,5 @@
 using System;
+using Newtonsoft.Json;
 
 namespace Nowpose.Protocol.Cell
 {
@@ -7,7 +8,7 @@ namespace Nowpose.Protocol.Cell
     /// each once.
     /// </summary>
     /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused after <see cref="Release"/>.</remarks>
-    sealed class SignalsMessage
+    sealed class SignalsMessage : IRosMessage
     {
         readonly MessagePool<SignalsMessage> _pool;
         SignalValue[] _values;
@@ -37,6 +38,19 @@ namespace Nowpose.Protocol.Cell
         {
             if (Count == _values.Length) Array.Resize(ref _values, Math.Max(4, 2 * Count));
             _values[Count++] = value;
+        }
+
+        public void Write(JsonWriter json, RosTimeForm form)
+        {
+            json.WriteStartObject();
+            json.Header(Stamp, form);
+            json.StartArray("name");
+            for (var i = 0; i < Count; i++) json.WriteValue(this[i].Name);
+            json.WriteEndArray();
+            json.StartArray("value");
+            for (var i = 0; i < Count; i++) json.Finite("value", this[i].Value);
+            json.WriteEndArray();
+            json.WriteEndObject();
         }
 
         /// <summary>

@@ -1,10 +1,11 @@
 using System;
+using Newtonsoft.Json;
 
 namespace Nowpose.Protocol.Cell
 {
     /// <summary>tf2_msgs/TFMessage: poses of frames, each with its own stamp. May contain a subset of the cell's frames, each child once.</summary>
     /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused after <see cref="Release"/>.</remarks>
-    sealed class TransformsMessage
+    sealed class TransformsMessage : IRosMessage
     {
         readonly MessagePool<TransformsMessage> _pool;
         FrameTransform[] _transforms;
@@ -42,6 +43,15 @@ namespace Nowpose.Protocol.Cell
 
         /// <summary>Replaces the stamp of one transform.</summary>
         public void SetStamp(int index, ControlTime stamp) => _transforms[index] = _transforms[index].At(stamp);
+
+        public void Write(JsonWriter json, RosTimeForm form)
+        {
+            json.WriteStartObject();
+            json.StartArray("transforms");
+            for (var i = 0; i < Count; i++) this[i].Write(json, form);
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
 
         /// <summary>
         /// Returns the message to its reader for reuse. Only the last user may call it. Does nothing if no reader created the message.

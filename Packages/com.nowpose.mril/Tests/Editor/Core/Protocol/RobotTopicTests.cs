@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Protocol
         [Test]
         public void TryRead_LongDescriptionInNamespace_IsRead()
         {
-            var text = RosbridgeWriter.PublishString("/arm1/robot_description", new string('u', 1_000_000));
+            var text = RosbridgeWriter.Publish("/arm1/robot_description", new StringMessage(new string('u', 1_000_000)));
 
             Assert.That(RosbridgeReader.TryRead(text, out var message, out var reason), Is.True, reason.ToString());
             Assert.That(message.Data.Length, Is.EqualTo(1_000_000));

@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Protocol
             {
                 var state = RandomState(random);
 
-                var read = Read(RosbridgeWriter.PublishJointState("/joint_states", state, (RosTimeForm)form)).JointState;
+                var read = Read(RosbridgeWriter.Publish("/joint_states", state, (RosTimeForm)form)).JointState;
 
                 Assert.That(read.Stamp, Is.EqualTo(state.Stamp), "message " + i + ", seed " + Seed);
                 Assert.That(read.Names, Is.EqualTo(state.Names));
@@ -39,8 +39,8 @@ namespace Nowpose.Tests.Core.Protocol
         {
             var state = new JointStateMessage(ControlTime.FromNanoseconds(1_000_000_200), Array.Empty<string>(), Array.Empty<double>());
 
-            Assert.That(RosbridgeWriter.PublishJointState("/joint_states", state, RosTimeForm.Secs), Does.Contain("{\"secs\":1,\"nsecs\":200}"));
-            Assert.That(RosbridgeWriter.PublishJointState("/joint_states", state, RosTimeForm.Sec), Does.Contain("{\"sec\":1,\"nanosec\":200}"));
+            Assert.That(RosbridgeWriter.Publish("/joint_states", state, RosTimeForm.Secs), Does.Contain("{\"secs\":1,\"nsecs\":200}"));
+            Assert.That(RosbridgeWriter.Publish("/joint_states", state, RosTimeForm.Sec), Does.Contain("{\"sec\":1,\"nanosec\":200}"));
         }
 
         [Test]
@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Protocol
             using var culture = new DecimalComma();
             var state = new JointStateMessage(ControlTime.FromSeconds(1), new[] { "a" }, new[] { 1.5 });
 
-            Assert.That(RosbridgeWriter.PublishJointState("/joint_states", state, RosTimeForm.Sec), Does.Contain("[1.5]"));
+            Assert.That(RosbridgeWriter.Publish("/joint_states", state, RosTimeForm.Sec), Does.Contain("[1.5]"));
         }
 
         [Test]
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Protocol
         {
             var state = new JointStateMessage(ControlTime.FromSeconds(1), new[] { "a" }, new[] { double.NaN });
 
-            Assert.Throws<ArgumentException>(() => RosbridgeWriter.PublishJointState("/joint_states", state, RosTimeForm.Sec));
+            Assert.Throws<ArgumentException>(() => RosbridgeWriter.Publish("/joint_states", state, RosTimeForm.Sec));
         }
 
         [Test]
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Core.Protocol
             };
             var sent = new JointTrajectoryMessage(ControlTime.FromSeconds(9), new[] { "a", "b" }, points);
 
-            var read = Read(RosbridgeWriter.PublishJointTrajectory("/joint_trajectory", sent, RosTimeForm.Secs)).JointTrajectory;
+            var read = Read(RosbridgeWriter.Publish("/joint_trajectory", sent, RosTimeForm.Secs)).JointTrajectory;
 
             Assert.That(read.Stamp, Is.EqualTo(sent.Stamp));
             Assert.That(read.Names, Is.EqualTo(sent.Names));
@@ -87,7 +87,7 @@ namespace Nowpose.Tests.Core.Protocol
         {
             var points = new[] { new JointTrajectoryPoint(TimeSpan.Zero, new[] { 1.0 }) };
 
-            var text = RosbridgeWriter.PublishJointTrajectory(
+            var text = RosbridgeWriter.Publish(
                 "/joint_trajectory", new JointTrajectoryMessage(ControlTime.FromSeconds(9), new[] { "a" }, points), RosTimeForm.Sec);
 
             Assert.That(text, Does.Not.Contain("[]"));
@@ -112,7 +112,7 @@ namespace Nowpose.Tests.Core.Protocol
         {
             const string Urdf = "<robot name=\"ü\">\n\t\"quoted\" \\ \u0001 </robot>";
 
-            Assert.That(Read(RosbridgeWriter.PublishString("/robot_description", Urdf)).Data, Is.EqualTo(Urdf));
+            Assert.That(Read(RosbridgeWriter.Publish("/robot_description", new StringMessage(Urdf))).Data, Is.EqualTo(Urdf));
         }
 
         [Test]
@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Core.Protocol
             var values = new[] { Pair("state", "synchronised"), Pair("rtt_ms", "3.5") };
             var sent = new DiagnosticsMessage(default, "headset 1", values, 2, "plant/cell", "a fault: gone");
 
-            var read = Read(RosbridgeWriter.PublishDiagnostics("/nowpose/diagnostics", sent, RosTimeForm.Sec)).Diagnostics;
+            var read = Read(RosbridgeWriter.Publish("/nowpose/diagnostics", sent, RosTimeForm.Sec)).Diagnostics;
 
             Assert.That(read.HardwareId, Is.EqualTo("headset 1"));
             Assert.That(read.Values, Is.EqualTo(values));
@@ -136,7 +136,7 @@ namespace Nowpose.Tests.Core.Protocol
         public void Diagnostics_KeyWithPrefixAndNamespace_MayBeLongerThanAName(int length, bool expected)
         {
             var key = "reduction_uncertainty/".PadRight(length, 'n');
-            var text = RosbridgeWriter.PublishDiagnostics(
+            var text = RosbridgeWriter.Publish(
                 "/nowpose/diagnostics", new DiagnosticsMessage(default, "headset 1", new[] { Pair(key, "0.1") }), RosTimeForm.Sec);
 
             Assert.That(RosbridgeReader.TryRead(text, out _, out var reason), Is.EqualTo(expected));

@@ -92,7 +92,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
             var sent = new SignalsMessage(
                 ControlTime.FromNanoseconds(12_345_678_900), new SignalValue("grip", 1), new SignalValue("é\"", 1.0 / 3));
 
-            var text = RosbridgeWriter.PublishSignals("/signals", sent, (RosTimeForm)form);
+            var text = RosbridgeWriter.Publish("/signals", sent, (RosTimeForm)form);
 
             Assert.That(text.Contains("\"secs\":"), Is.EqualTo((RosTimeForm)form == RosTimeForm.Secs));
             var read = Read(text);
@@ -102,7 +102,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         }
 
         [Test]
-        public void PublishSignals_ValueNotFinite_IsRefused() => Assert.Throws<System.ArgumentException>(() => RosbridgeWriter.PublishSignals(
+        public void PublishSignals_ValueNotFinite_IsRefused() => Assert.Throws<System.ArgumentException>(() => RosbridgeWriter.Publish(
             "/signals", new SignalsMessage(ControlTime.FromSeconds(1), new SignalValue("a", double.NaN)), RosTimeForm.Sec));
 
         [Test]

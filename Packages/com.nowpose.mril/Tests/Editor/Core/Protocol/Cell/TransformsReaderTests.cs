@@ -188,7 +188,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
                 new FrameTransform(ControlTime.FromNanoseconds(12_345_678_900), "world", "a\"\\é", 1.0 / 3, -2e-9, 1e5, 0, 0.6, 0, 0.8),
                 new FrameTransform(ControlTime.FromSeconds(3), "arm1/tool0", "b", 0, 0, 0, 0, 0, 0, -1));
 
-            var text = RosbridgeWriter.PublishTransforms("/tf", sent, (RosTimeForm)form);
+            var text = RosbridgeWriter.Publish("/tf", sent, (RosTimeForm)form);
 
             Assert.That(text.Contains("\"secs\":"), Is.EqualTo((RosTimeForm)form == RosTimeForm.Secs));
             var read = Read(text);

@@ -147,7 +147,7 @@ namespace Nowpose.Tests.Core.Session.Cell
 
             var message = DiagnosticsOf(cell);
 
-            var sent = RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, message, RosTimeForm.Sec);
+            var sent = RosbridgeWriter.Publish(RosTopics.Diagnostics, message, RosTimeForm.Sec);
             Assert.That(Encoding.UTF8.GetByteCount(sent), Is.LessThan(ProtocolLimits.MessageBytes));
             Assert.That((Value(message, "objects_not_current"), Value(message, "signals_not_current")), Is.EqualTo(("200", "200")));
             Assert.That(Values(message, "object_status/").Count, Is.InRange(10, SessionDiagnostics.MaxParts));
@@ -166,7 +166,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             for (var i = 0; i < ProtocolLimits.Robots; i++) cell.Session.Robots.Add("arm" + i, robot);
             cell.Run(0.1);
 
-            var sent = RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, DiagnosticsOf(cell), RosTimeForm.Sec);
+            var sent = RosbridgeWriter.Publish(RosTopics.Diagnostics, DiagnosticsOf(cell), RosTimeForm.Sec);
 
             Assert.That(Encoding.UTF8.GetByteCount(sent), Is.LessThan(ProtocolLimits.MessageBytes));
         }
