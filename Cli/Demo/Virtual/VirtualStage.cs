@@ -15,15 +15,11 @@ sealed class VirtualStage
     static readonly TimeSpan ControlAhead = TimeSpan.FromSeconds(50);
 
     static readonly HeadsetTime Start = HeadsetTime.FromSeconds(100);
-    static readonly TimeSpan MaxPause = TimeSpan.FromSeconds(2);
 
     readonly DemoSettings _settings;
     readonly VirtualHeadsetClock _clock = new();
     readonly VirtualTruth _truth;
-    readonly VirtualCellSettings _conditions;
-    readonly VirtualSamples _samples;
-    readonly VirtualExchanges _exchanges;
-    readonly VirtualWork _work;
+    readonly VirtualCell _cell;
     readonly IDemoHeadset _headset;
 
     VirtualStage(DemoSettings settings, bool hasScene, IMotion sampled, TimeSpan clockError)
@@ -31,12 +27,11 @@ sealed class VirtualStage
         _settings = settings;
         _clock.Set(Start);
         var control = new VirtualClock(Start, ControlAhead, ControlSkew);
-        var (motion, work) = (settings.Motion.Motions[0].Motion, settings.Motion.Work);
-        _truth = new VirtualTruth(motion, control, Start, ControlSkew);
-        _conditions = new VirtualCellSettings(settings.SamplingMs, settings.Acquisition.Min, settings.Acquisition.Max, 0, 0, settings.Network);
-        _samples = new VirtualSamples([("", sampled ?? motion)], control, settings.Seed * 100, Start);
-        _exchanges = new VirtualExchanges(new VirtualClock(Start, ControlAhead + clockError, ControlSkew), settings.Seed * 100 + 50, Start);
-        _work = work == null ? null : new VirtualWork(work, control, settings.Seed * 100 + 90, Start);
+        _truth = new VirtualTruth(settings.Motion.Motions[0].Motion, control, Start, ControlSkew);
+        var conditions = new VirtualCellSettings(settings.SamplingMs, settings.Acquisition.Min, settings.Acquisition.Max, 0, 0, settings.Network);
+        _cell = new VirtualCell(
+            sampled == null ? settings.Motion : new CellMotion(sampled), control, conditions, settings.Seed, Start,
+            exchangeClock: new VirtualClock(Start, ControlAhead + clockError, ControlSkew));
         var session = DemoStage.SessionOf(settings, new ConnectionSettings("127.0.0.1", 1, 1));
         var samples = (int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000;
         _headset = hasScene
@@ -70,9 +65,6 @@ sealed class VirtualStage
     void AdvanceTo(HeadsetTime time)
     {
         _clock.Set(time);
-        var from = time - MaxPause;
-        _exchanges.Run(from, time, _conditions, _headset.Session);
-        _samples.Run(from, time, _conditions, _headset.Session);
-        _work?.Run(from, time, _conditions, _headset.Session);
+        _cell.Run(time, _headset.Session);
     }
 }

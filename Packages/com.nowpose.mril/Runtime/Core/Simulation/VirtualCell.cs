@@ -37,12 +37,14 @@ namespace Nowpose.Simulation
 
         /// <summary>Creates a cell with any number of robots, which may move workpieces.</summary>
         /// <inheritdoc cref="VirtualCell(IMotion, VirtualClock, VirtualCellSettings, int, HeadsetTime)"/>
-        internal VirtualCell(CellMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start)
+        /// <param name="exchangeClock">The clock that answers the sync exchanges, if it differs from the control clock.</param>
+        internal VirtualCell(
+            CellMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start, VirtualClock exchangeClock = null)
         {
             _robots = motion.Motions;
             _start = start;
             _samples = new VirtualSamples(_robots, clock, unchecked(seed * 100), start);
-            _exchanges = new VirtualExchanges(clock, unchecked(seed * 100 + 50), start);
+            _exchanges = new VirtualExchanges(exchangeClock ?? clock, unchecked(seed * 100 + 50), start);
             _plans = new VirtualPlans(_robots, clock, unchecked(seed * 100 + 70), start);
             _work = motion.Work == null ? null : new VirtualWork(motion.Work, clock, unchecked(seed * 100 + 90), start);
             Settings = settings;
