@@ -33,9 +33,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
     {
         // Records only exchanges with C1.
         if (asked != plant.Control || file.TryClaim(RecordKind.Sync) is not { } record) return;
-        record.Exchange = exchange;
-        record.Verdict = verdict;
-        record.Fault = fault;
+        record.SetExchange(exchange, verdict, fault);
         file.Publish(record);
     }
 
@@ -58,19 +56,14 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
     {
         var arrival = clock.AtReceived(message.ReceivedAt);
         if (file.TryClaim(RecordKind.Sample) is not { } record) return;
-        record.Arrival = new Arrival<JointStateMessage>(state, _counter.At(message.ReceivedAt));
-        record.ControlArrival = arrival;
-        record.NamePrefix = PrefixOf(message);
-        record.Reason = DropReason.None;
+        record.SetSample(new Arrival<JointStateMessage>(state, _counter.At(message.ReceivedAt)), arrival, PrefixOf(message), DropReason.None);
         file.Publish(record);
     }
 
     void AddPlan(RecordedFile file, HubMessage message, JointTrajectoryMessage plan)
     {
         if (file.TryClaim(RecordKind.Plan) is not { } record) return;
-        record.Plan = new Arrival<JointTrajectoryMessage>(plan, _counter.At(message.ReceivedAt));
-        record.NamePrefix = PrefixOf(message);
-        record.Reason = DropReason.None;
+        record.SetPlan(new Arrival<JointTrajectoryMessage>(plan, _counter.At(message.ReceivedAt)), PrefixOf(message), DropReason.None);
         file.Publish(record);
     }
 
@@ -80,9 +73,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
         for (var i = 0; i < poses.Count; i++)
         {
             if (file.TryClaim(RecordKind.Pose) is not { } record) return;
-            (record.At, record.ControlArrival) = (at, arrival);
-            (record.Transform, record.IsStationary) = (poses[i], message.Topic == RosTopics.TfStatic);
-            record.Reason = DropReason.None;
+            record.SetPose(poses[i], message.Topic == RosTopics.TfStatic, at, arrival, DropReason.None);
             file.Publish(record);
         }
     }
@@ -93,9 +84,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
         for (var i = 0; i < signals.Count; i++)
         {
             if (file.TryClaim(RecordKind.Signal) is not { } record) return;
-            (record.At, record.ControlArrival) = (at, arrival);
-            (record.Signal, record.Stamp) = (signals[i], signals.Stamp);
-            record.Reason = DropReason.None;
+            record.SetSignal(signals[i], signals.Stamp, at, arrival, DropReason.None);
             file.Publish(record);
         }
     }
@@ -117,9 +106,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
     {
         var now = (clock.Source, plant.Control?.Model.Steps ?? 0);
         if (now == _timeLine || file.TryClaim(RecordKind.Clock) is not { } record) return;
-        record.At = _counter.Now;
-        record.Clock = plant.Control?.Model ?? default;
-        record.IsNewStart = _timeLine != null;
+        record.SetClock(_counter.Now, plant.Control?.Model ?? default, isNewStart: _timeLine != null);
         _timeLine = now;
         file.Publish(record);
     }
@@ -131,9 +118,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
         var now = clock.Now;
         var exchange = new SyncExchange(before, now, now, _counter.Now, clock.Resolution, clock.ErrorBound, clock.IsSynchronised);
         if (file.TryClaim(RecordKind.Sync) is not { } record) return;
-        record.Exchange = exchange;
-        record.Verdict = SyncVerdict.Consistent;
-        record.Fault = SyncExchangeFault.None;
+        record.SetExchange(exchange, SyncVerdict.Consistent, SyncExchangeFault.None);
         file.Publish(record);
     }
 

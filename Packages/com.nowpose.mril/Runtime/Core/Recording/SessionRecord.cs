@@ -101,5 +101,27 @@ namespace Nowpose.Recording
         /// <see cref="StatisticsLine"/> and <see cref="DropsLine"/>.
         /// </summary>
         public double[] Numbers { get; }
+
+        public void SetExchange(in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault) =>
+            (Exchange, Verdict, Fault) = (exchange, verdict, fault);
+
+        /// <param name="controlArrival">See <see cref="ControlArrival"/>; null in a headset's file.</param>
+        /// <param name="prefix">See <see cref="NamePrefix"/>.</param>
+        public void SetSample(in Arrival<JointStateMessage> sample, ControlTime? controlArrival, string prefix, DropReason reason) =>
+            (Arrival, ControlArrival, NamePrefix, Reason) = (sample, controlArrival, prefix, reason);
+
+        /// <inheritdoc cref="SetSample" path="/param"/>
+        public void SetPlan(in Arrival<JointTrajectoryMessage> plan, string prefix, DropReason reason) =>
+            (Plan, NamePrefix, Reason) = (plan, prefix, reason);
+
+        /// <inheritdoc cref="SetSample" path="/param"/>
+        public void SetPose(in FrameTransform pose, bool isStationary, HeadsetTime arrival, ControlTime? controlArrival, DropReason reason) =>
+            (Transform, IsStationary, At, ControlArrival, Reason) = (pose, isStationary, arrival, controlArrival, reason);
+
+        /// <inheritdoc cref="SetSample" path="/param"/>
+        public void SetSignal(in SignalValue signal, ControlTime stamp, HeadsetTime arrival, ControlTime? controlArrival, DropReason reason) =>
+            (Signal, Stamp, At, ControlArrival, Reason) = (signal, stamp, arrival, controlArrival, reason);
+
+        public void SetClock(HeadsetTime at, in ClockModel clock, bool isNewStart) => (At, Clock, IsNewStart) = (at, clock, isNewStart);
     }
 }

@@ -110,9 +110,7 @@ namespace Nowpose.Recording
         void OnExchange(in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault)
         {
             if (!TryClaim(RecordKind.Sync, out var record)) return;
-            record.Exchange = exchange;
-            record.Verdict = verdict;
-            record.Fault = fault;
+            record.SetExchange(exchange, verdict, fault);
             _ring.Publish(record);
         }
 
@@ -121,22 +119,14 @@ namespace Nowpose.Recording
         void OnPose(in FrameTransform pose, bool isStationary, HeadsetTime arrival, DropReason reason)
         {
             if (!TryClaim(RecordKind.Pose, out var record)) return;
-            record.At = arrival;
-            record.ControlArrival = null;
-            record.Transform = pose;
-            record.IsStationary = isStationary;
-            record.Reason = reason;
+            record.SetPose(pose, isStationary, arrival, null, reason);
             _ring.Publish(record);
         }
 
         void OnSignal(in SignalValue value, ControlTime stamp, HeadsetTime arrival, DropReason reason)
         {
             if (!TryClaim(RecordKind.Signal, out var record)) return;
-            record.At = arrival;
-            record.ControlArrival = null;
-            record.Signal = value;
-            record.Stamp = stamp;
-            record.Reason = reason;
+            record.SetSignal(value, stamp, arrival, null, reason);
             _ring.Publish(record);
         }
 
@@ -160,9 +150,7 @@ namespace Nowpose.Recording
             if (!TryClaim(RecordKind.Clock, out var record)) return;
             _clockState = clock.State;
             _clockSteps = clock.Steps;
-            record.At = at;
-            record.Clock = clock;
-            record.IsNewStart = isNewStart;
+            record.SetClock(at, clock, isNewStart);
             _ring.Publish(record);
         }
 
@@ -278,19 +266,14 @@ namespace Nowpose.Recording
             void OnSample(Arrival<JointStateMessage> arrival, DropReason reason)
             {
                 if (!_recorder.TryClaim(RecordKind.Sample, out var record)) return;
-                record.Arrival = arrival;
-                record.ControlArrival = null;
-                record.NamePrefix = _prefix;
-                record.Reason = reason;
+                record.SetSample(arrival, null, _prefix, reason);
                 _recorder._ring.Publish(record);
             }
 
             void OnPlan(Arrival<JointTrajectoryMessage> arrival, DropReason reason)
             {
                 if (!_recorder.TryClaim(RecordKind.Plan, out var record)) return;
-                record.Plan = arrival;
-                record.NamePrefix = _prefix;
-                record.Reason = reason;
+                record.SetPlan(arrival, _prefix, reason);
                 _recorder._ring.Publish(record);
             }
         }
