@@ -18,26 +18,16 @@ namespace Nowpose.Protocol
 
         /// <summary>Reads a name. Creates no string object if the cache contains the name.</summary>
         /// <inheritdoc cref="Name(ref JsonUtf8Reader, out string)"/>
-        public static bool Name(ref this JsonUtf8Reader json, JsonNameCache cache, out string name)
-        {
-            name = null;
-            if (!json.ReadText(out var read)) return false;
-            name = cache[read];
-            return json.IsName(name, name.Length <= ProtocolLimits.NameLength);
-        }
+        public static bool Name(ref this JsonUtf8Reader json, JsonNameCache cache, out string name) =>
+            json.Text(cache, out name) && json.IsName(name, name.Length <= ProtocolLimits.NameLength);
 
         /// <summary>Reads a name that may have the namespace of a robot before it.</summary>
         public static bool QualifiedName(ref this JsonUtf8Reader json, out string name) =>
             json.Text(out name) && json.IsName(name, RobotTopic.HasNameLength(name));
 
         /// <summary>Reads a name that may have the namespace of a robot before it. Creates no string object if the cache contains the name.</summary>
-        public static bool QualifiedName(ref this JsonUtf8Reader json, JsonNameCache cache, out string name)
-        {
-            name = null;
-            if (!json.ReadText(out var read)) return false;
-            name = cache[read];
-            return json.IsName(name, RobotTopic.HasNameLength(name));
-        }
+        public static bool QualifiedName(ref this JsonUtf8Reader json, JsonNameCache cache, out string name) =>
+            json.Text(cache, out name) && json.IsName(name, RobotTopic.HasNameLength(name));
 
         /// <summary>Reads a string; the result is null for JSON null, which some languages write for a missing field.</summary>
         public static bool OptionalText(ref this JsonUtf8Reader json, out string text)
@@ -87,6 +77,13 @@ namespace Nowpose.Protocol
             }
 
             return json.Fault == DropReason.None;
+        }
+
+        static bool Text(ref this JsonUtf8Reader json, JsonNameCache cache, out string text)
+        {
+            var isRead = json.ReadText(out var read);
+            text = isRead ? cache[read] : null;
+            return isRead;
         }
 
         static bool IsName(ref this JsonUtf8Reader json, string text, bool isShort)

@@ -22,52 +22,37 @@ namespace Nowpose.Protocol
         static readonly JsonNames Parts = new JsonNames("secs", "nsecs", "sec", "nanosec");
 
         /// <summary>Reads the stamp of a header, which is required; rejects zero, because it means "no time" in ROS.</summary>
-        public static bool ReadHeader(ref JsonUtf8Reader json, out ControlTime stamp)
-        {
-            stamp = default;
-            var seen = 0;
-            if (!json.BeginObject()) return false;
-            while (json.NextField(Header, ref seen, out _)) ReadStamp(ref json, out stamp);
-            return json.EndObject(seen, 1);
-        }
+        public static bool ReadHeader(ref JsonUtf8Reader json, out ControlTime stamp) =>
+            ReadHeader(ref json, Header, 0b1, false, null, out stamp, out _);
+
+        /// <summary>Reads the stamp of a header. If the header has no stamp, the result is the epoch.</summary>
+        public static bool ReadOptionalHeader(ref JsonUtf8Reader json, out ControlTime stamp) =>
+            ReadHeader(ref json, Header, 0, true, null, out stamp, out _);
 
         /// <summary>Reads the stamp of a header and its frame_id, which names the headset.</summary>
-        public static bool ReadNamedHeader(ref JsonUtf8Reader json, out ControlTime stamp, out string frame)
-        {
-            stamp = default;
-            frame = null;
-            var seen = 0;
-            if (!json.BeginObject()) return false;
-            while (json.NextField(NamedHeader, ref seen, out var field))
-                if (field == 0) ReadStamp(ref json, out stamp);
-                else json.Name(out frame);
-            return json.EndObject(seen, 0b11);
-        }
+        public static bool ReadNamedHeader(ref JsonUtf8Reader json, out ControlTime stamp, out string frame) =>
+            ReadHeader(ref json, NamedHeader, 0b11, false, null, out stamp, out frame);
 
         /// <summary>Reads the stamp of a header and its frame_id, which names a frame or a link of a robot.</summary>
         /// <param name="isZeroAllowed">Whether the stamp may be zero.</param>
         public static bool ReadFrameHeader(
-            ref JsonUtf8Reader json, JsonNameCache names, bool isZeroAllowed, out ControlTime stamp, out string frame)
+            ref JsonUtf8Reader json, JsonNameCache names, bool isZeroAllowed, out ControlTime stamp, out string frame) =>
+            ReadHeader(ref json, NamedHeader, 0b11, isZeroAllowed, names, out stamp, out frame);
+
+        // Reads frame_id as the name of a frame with the cache of such names, or as the name of a headset if there is no cache.
+        static bool ReadHeader(
+            ref JsonUtf8Reader json, JsonNames fields, int required, bool isZeroAllowed, JsonNameCache frames, out ControlTime stamp, out string frame)
         {
             stamp = default;
             frame = null;
             var seen = 0;
             if (!json.BeginObject()) return false;
-            while (json.NextField(NamedHeader, ref seen, out var field))
-                if (field == 1) json.QualifiedName(names, out frame);
+            while (json.NextField(fields, ref seen, out var field))
+                if (field == 1 && frames == null) json.Name(out frame);
+                else if (field == 1) json.QualifiedName(frames, out frame);
                 else if (isZeroAllowed) ReadPoint(ref json, out stamp);
                 else ReadStamp(ref json, out stamp);
-            return json.EndObject(seen, 0b11);
-        }
-
-        /// <summary>Reads the stamp of a header. If the header has no stamp, the result is the epoch.</summary>
-        public static bool ReadOptionalHeader(ref JsonUtf8Reader json, out ControlTime stamp)
-        {
-            stamp = default;
-            var seen = 0;
-            if (!json.BeginObject()) return false;
-            while (json.NextField(Header, ref seen, out _)) ReadPoint(ref json, out stamp);
-            return json.EndObject(seen, 0);
+            return json.EndObject(seen, required);
         }
 
         public static bool ReadStamp(ref JsonUtf8Reader json, out ControlTime stamp) =>
