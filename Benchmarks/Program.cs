@@ -32,7 +32,7 @@ if (summaries.Count == 0) return 1;
 
 ResultTable.Write(summaries, Console.Out);
 ComparisonTable.Write(CostTable.Of(summaries), Console.Out);
-var tooSlow = FrameLimit.Exceeded(summaries) ?? SampleLimit.Exceeded(summaries);
+var tooSlow = TimeLimits.Exceeded(summaries);
 if (tooSlow != null)
 {
     Console.Error.WriteLine("error: " + tooSlow);
