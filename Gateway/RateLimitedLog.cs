@@ -20,11 +20,7 @@ sealed class RateLimitedLog : IDisposable
     readonly Dictionary<string, (long Since, int Count)> _lines = [];
     ITimer _timer;
 
-    public RateLimitedLog(Action<string> log, TimeProvider time)
-    {
-        _log = log;
-        _time = time;
-    }
+    public RateLimitedLog(Action<string> log, TimeProvider time) => (_log, _time) = (log, time);
 
     public void Write(string line)
     {

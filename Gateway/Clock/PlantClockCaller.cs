@@ -19,13 +19,8 @@ sealed class PlantClockCaller : IDisposable
     long _asked;
 
     /// <param name="call">Sends a request with the given id; must not block.</param>
-    public PlantClockCaller(PlantClock clock, IHeadsetClock counter, TimeProvider time, Action<string> call)
-    {
-        _clock = clock;
-        _counter = counter;
-        _time = time;
-        _call = call;
-    }
+    public PlantClockCaller(PlantClock clock, IHeadsetClock counter, TimeProvider time, Action<string> call) =>
+        (_clock, _counter, _time, _call) = (clock, counter, time, call);
 
     /// <summary>Starts the requests.</summary>
     public void Start() => _ = Task.Run(AskAsync);

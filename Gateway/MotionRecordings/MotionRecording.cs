@@ -13,13 +13,8 @@ public sealed class MotionRecording
     readonly double[] _times;
     readonly double[] _positions;
 
-    internal MotionRecording(string[] names, double start, double[] times, double[] positions)
-    {
-        _names = names;
-        Start = start;
-        _times = times;
-        _positions = positions;
-    }
+    internal MotionRecording(string[] names, double start, double[] times, double[] positions) =>
+        (_names, Start, _times, _positions) = (names, start, times, positions);
 
     /// <summary>The joints, in the order of the file's columns and of <see cref="At"/>.</summary>
     public IReadOnlyList<string> Names => _names;

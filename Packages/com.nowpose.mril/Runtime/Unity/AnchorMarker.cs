@@ -27,13 +27,8 @@ namespace Nowpose.Unity
 
         /// <param name="positionMetres">Position in the robot's base frame, in metres.</param>
         /// <param name="turnedDegrees">Roll, pitch and yaw in the robot's base frame, in degrees.</param>
-        public AnchorMarker(string payload, Vector3 positionMetres, Vector3 turnedDegrees, float sizeMetres = 0)
-        {
-            _payload = payload;
-            _positionMetres = positionMetres;
-            _turnedDegrees = turnedDegrees;
-            _sizeMetres = sizeMetres;
-        }
+        public AnchorMarker(string payload, Vector3 positionMetres, Vector3 turnedDegrees, float sizeMetres = 0) =>
+            (_payload, _positionMetres, _turnedDegrees, _sizeMetres) = (payload, positionMetres, turnedDegrees, sizeMetres);
 
         internal float SizeMetres => _sizeMetres;
 

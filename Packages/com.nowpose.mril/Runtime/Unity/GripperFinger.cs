@@ -16,11 +16,7 @@ namespace Nowpose.Unity
 
         public GripperFinger() { }
 
-        public GripperFinger(string joint, Transform finger)
-        {
-            _joint = joint;
-            _finger = finger;
-        }
+        public GripperFinger(string joint, Transform finger) => (_joint, _finger) = (joint, finger);
 
         public string Joint => _joint;
         public Transform Finger => _finger;

@@ -3,13 +3,8 @@ namespace Nowpose.Anchoring
     /// <summary>Markers whose observed relative poses differ from their configured relative poses.</summary>
     public sealed class MarkerConflict
     {
-        internal MarkerConflict(BaseMarker marker, BaseMarker other, double metres, double radians)
-        {
-            Marker = marker;
-            Other = other;
-            Metres = metres;
-            Radians = radians;
-        }
+        internal MarkerConflict(BaseMarker marker, BaseMarker other, double metres, double radians) =>
+            (Marker, Other, Metres, Radians) = (marker, other, metres, radians);
 
         /// <summary>Returns whether another conflict is between the same markers, regardless of the deviation.</summary>
         public bool IsOf(MarkerConflict other) => other != null && Marker == other.Marker && Other == other.Other;

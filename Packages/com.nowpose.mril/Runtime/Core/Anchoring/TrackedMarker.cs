@@ -25,11 +25,7 @@ namespace Nowpose.Anchoring
         RigidTransform _pose;
         PoseMean? _mean;
 
-        internal TrackedMarker(BaseMarker marker, AnchoringSettings settings)
-        {
-            Marker = marker;
-            _settings = settings;
-        }
+        internal TrackedMarker(BaseMarker marker, AnchoringSettings settings) => (Marker, _settings) = (marker, settings);
 
         public BaseMarker Marker { get; }
 

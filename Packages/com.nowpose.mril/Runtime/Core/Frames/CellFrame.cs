@@ -27,11 +27,7 @@ namespace Nowpose.Frames
         bool _isStationary;
 
         /// <param name="newPredictor">Creates the predictor for the first pose of a tracked frame. Stationary frames need no predictor.</param>
-        public CellFrame(string name, Func<BodyPredictor> newPredictor)
-        {
-            Name = name;
-            _newPredictor = newPredictor;
-        }
+        public CellFrame(string name, Func<BodyPredictor> newPredictor) => (Name, _newPredictor) = (name, newPredictor);
 
         public string Name { get; }
 

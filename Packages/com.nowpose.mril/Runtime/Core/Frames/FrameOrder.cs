@@ -21,11 +21,7 @@ namespace Nowpose.Frames
         bool[] _isPlaced = Array.Empty<bool>();
         int _count;
 
-        public FrameOrder(List<CellFrame> frames, Dictionary<string, int> indices)
-        {
-            _frames = frames;
-            _indices = indices;
-        }
+        public FrameOrder(List<CellFrame> frames, Dictionary<string, int> indices) => (_frames, _indices) = (frames, indices);
 
         /// <summary>Adds a robot, whose links become parents.</summary>
         public void Add(IRobotLinks robot)
@@ -227,13 +223,7 @@ namespace Nowpose.Frames
         /// <summary>A frame and its parent.</summary>
         public readonly struct Place
         {
-            public Place(int frame, int parent, int robot, bool isInWorld)
-            {
-                Frame = frame;
-                Parent = parent;
-                Robot = robot;
-                IsInWorld = isInWorld;
-            }
+            public Place(int frame, int parent, int robot, bool isInWorld) => (Frame, Parent, Robot, IsInWorld) = (frame, parent, robot, isInWorld);
 
             public int Frame { get; }
 

@@ -16,12 +16,7 @@ namespace Nowpose.Frames
         readonly Dictionary<CellFrame, (KnownPose Pose, ReachPlace Place)> _objects = new Dictionary<CellFrame, (KnownPose, ReachPlace)>();
 
         /// <param name="link">Index of the link in the robot; its origin is the gripping point.</param>
-        public PosesAtChange(FrameTree tree, IRobotLinks robot, int link)
-        {
-            _tree = tree;
-            _robot = robot;
-            _link = link;
-        }
+        public PosesAtChange(FrameTree tree, IRobotLinks robot, int link) => (_tree, _robot, _link) = (tree, robot, link);
 
         /// <summary>Stamp of the change.</summary>
         public ControlTime At { get; private set; }

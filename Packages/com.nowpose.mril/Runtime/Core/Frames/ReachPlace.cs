@@ -14,14 +14,8 @@ namespace Nowpose.Frames
         /// <param name="isReleased">
         /// Whether the gripper has released the object. The object then keeps this pose until its source reports another one.
         /// </param>
-        public ReachPlace(ReachGrip gripper, string parent, in RigidTransform pose, ControlTime since, bool isReleased)
-        {
-            Gripper = gripper;
-            Parent = parent;
-            Pose = pose;
-            Since = since;
-            IsReleased = isReleased;
-        }
+        public ReachPlace(ReachGrip gripper, string parent, in RigidTransform pose, ControlTime since, bool isReleased) =>
+            (Gripper, Parent, Pose, Since, IsReleased) = (gripper, parent, pose, since, isReleased);
 
         public ReachGrip Gripper { get; }
 

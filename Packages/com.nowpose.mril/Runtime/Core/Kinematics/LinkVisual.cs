@@ -14,14 +14,8 @@ namespace Nowpose.Kinematics
     sealed class LinkVisual
     {
         internal LinkVisual(
-            VisualShape shape, in RigidTransform origin, (double X, double Y, double Z) size, string meshFile, VisualColour? colour)
-        {
-            Shape = shape;
-            Origin = origin;
-            Size = size;
-            MeshFile = meshFile;
-            Colour = colour;
-        }
+            VisualShape shape, in RigidTransform origin, (double X, double Y, double Z) size, string meshFile, VisualColour? colour) =>
+            (Shape, Origin, Size, MeshFile, Colour) = (shape, origin, size, meshFile, colour);
 
         public VisualShape Shape { get; }
 
@@ -43,13 +37,7 @@ namespace Nowpose.Kinematics
     /// <summary>Red, green, blue and opacity, as written in the URDF. The valid range is 0 to 1, which is not enforced.</summary>
     readonly struct VisualColour
     {
-        public VisualColour(double red, double green, double blue, double alpha)
-        {
-            Red = red;
-            Green = green;
-            Blue = blue;
-            Alpha = alpha;
-        }
+        public VisualColour(double red, double green, double blue, double alpha) => (Red, Green, Blue, Alpha) = (red, green, blue, alpha);
 
         public double Red { get; }
         public double Green { get; }

@@ -60,12 +60,7 @@ namespace Nowpose.Kinematics
     /// <summary>Rule by which a joint follows another joint: position = multiplier · master's position + offset.</summary>
     public sealed class JointMimic
     {
-        internal JointMimic(string master, double multiplier, double offset)
-        {
-            Master = master;
-            Multiplier = multiplier;
-            Offset = offset;
-        }
+        internal JointMimic(string master, double multiplier, double offset) => (Master, Multiplier, Offset) = (master, multiplier, offset);
 
         /// <summary>Name of the joint that is mimicked. It is a moving joint, and may mimic another joint.</summary>
         public string Master { get; }

@@ -5,13 +5,8 @@ namespace Nowpose.Kinematics
     /// <summary>A rigid part of a robot. Its frame is the frame of its parent joint.</summary>
     public sealed class RobotLink
     {
-        internal RobotLink(string name, RobotJoint parentJoint, int parentIndex, IReadOnlyList<LinkVisual> visuals)
-        {
-            Name = name;
-            ParentJoint = parentJoint;
-            ParentIndex = parentIndex;
-            Visuals = visuals;
-        }
+        internal RobotLink(string name, RobotJoint parentJoint, int parentIndex, IReadOnlyList<LinkVisual> visuals) =>
+            (Name, ParentJoint, ParentIndex, Visuals) = (name, parentJoint, parentIndex, visuals);
 
         public string Name { get; }
 

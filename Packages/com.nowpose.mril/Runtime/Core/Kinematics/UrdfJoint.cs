@@ -9,11 +9,7 @@ namespace Nowpose.Kinematics
     {
         const double MinAxisLength = 1e-9;
 
-        UrdfJoint(XElement element, RobotJoint joint)
-        {
-            Element = element;
-            Joint = joint;
-        }
+        UrdfJoint(XElement element, RobotJoint joint) => (Element, Joint) = (element, joint);
 
         public XElement Element { get; }
         public RobotJoint Joint { get; }

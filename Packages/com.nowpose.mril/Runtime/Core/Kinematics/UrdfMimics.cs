@@ -47,13 +47,8 @@ namespace Nowpose.Kinematics
     /// <summary>A mimic joint with indices instead of names. In a model, masters precede their followers.</summary>
     readonly struct MimicStep
     {
-        public MimicStep(int joint, int master, double multiplier, double offset)
-        {
-            Joint = joint;
-            Master = master;
-            Multiplier = multiplier;
-            Offset = offset;
-        }
+        public MimicStep(int joint, int master, double multiplier, double offset) =>
+            (Joint, Master, Multiplier, Offset) = (joint, master, multiplier, offset);
 
         public int Joint { get; }
         public int Master { get; }

@@ -3,14 +3,8 @@ namespace Nowpose.Latency
     /// <summary>Conditions of depth submission at one time.</summary>
     readonly struct DepthObservation
     {
-        public DepthObservation(bool isRunning, bool isTurnedOn, bool isSupported, bool hasMainCamera, bool? isRequested)
-        {
-            IsRunning = isRunning;
-            IsTurnedOn = isTurnedOn;
-            IsSupported = isSupported;
-            HasMainCamera = hasMainCamera;
-            IsRequested = isRequested;
-        }
+        public DepthObservation(bool isRunning, bool isTurnedOn, bool isSupported, bool hasMainCamera, bool? isRequested) =>
+            (IsRunning, IsTurnedOn, IsSupported, HasMainCamera, IsRequested) = (isRunning, isTurnedOn, isSupported, hasMainCamera, isRequested);
 
         /// <summary>Whether a headset display is running through OpenXR.</summary>
         public bool IsRunning { get; }

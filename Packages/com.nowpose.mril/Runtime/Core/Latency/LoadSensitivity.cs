@@ -17,12 +17,7 @@ namespace Nowpose.Latency
         /// <summary>Minimum number of render times of a load; loads with fewer are ignored.</summary>
         const int MinRenderTimes = 15;
 
-        LoadSensitivity(LoadSight sight, RenderTimeSourceKind source, string words)
-        {
-            Sight = sight;
-            Source = source;
-            Words = words;
-        }
+        LoadSensitivity(LoadSight sight, RenderTimeSourceKind source, string words) => (Sight, Source, Words) = (sight, source, words);
 
         internal LoadSight Sight { get; }
 

@@ -16,12 +16,7 @@ namespace Nowpose.Motion
         // For a gripper or short axis: a stroke of a centimetre takes a few tenths of a second.
         static readonly DriveLimits Prismatic = new DriveLimits(0.25, 0.5, 10);
 
-        DriveLimits(double velocity, double acceleration, double jerk)
-        {
-            Velocity = velocity;
-            Acceleration = acceleration;
-            Jerk = jerk;
-        }
+        DriveLimits(double velocity, double acceleration, double jerk) => (Velocity, Acceleration, Jerk) = (velocity, acceleration, jerk);
 
         public double Velocity { get; }
         public double Acceleration { get; }

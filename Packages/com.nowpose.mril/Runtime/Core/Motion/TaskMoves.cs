@@ -3,13 +3,7 @@ namespace Nowpose.Motion
     /// <summary>The moves of a pick-and-place cycle that depend on the cell. Move i begins at waypoint i.</summary>
     readonly struct TaskMoves
     {
-        public TaskMoves(int approach, int grip, int lower, int release)
-        {
-            Approach = approach;
-            Grip = grip;
-            Lower = lower;
-            Release = release;
-        }
+        public TaskMoves(int approach, int grip, int lower, int release) => (Approach, Grip, Lower, Release) = (approach, grip, lower, release);
 
         /// <summary>First move for which the workpiece must be at the pick place. Until its end, the gripper is open.</summary>
         public int Approach { get; }

@@ -14,11 +14,7 @@ namespace Nowpose.Network
 
         readonly string[] _lines;
 
-        HttpHead(int status, string[] lines)
-        {
-            Status = status;
-            _lines = lines;
-        }
+        HttpHead(int status, string[] lines) => (Status, _lines) = (status, lines);
 
         public int Status { get; }
 

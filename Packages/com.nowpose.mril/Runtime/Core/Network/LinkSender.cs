@@ -14,11 +14,7 @@ namespace Nowpose.Network
         readonly IHeadsetClock _clock;
         readonly SemaphoreSlim _turn = new SemaphoreSlim(1);
 
-        public LinkSender(IWebSocketLink link, IHeadsetClock clock)
-        {
-            _link = link;
-            _clock = clock;
-        }
+        public LinkSender(IWebSocketLink link, IHeadsetClock clock) => (_link, _clock) = (link, clock);
 
         public void Dispose() => _turn.Dispose();
 

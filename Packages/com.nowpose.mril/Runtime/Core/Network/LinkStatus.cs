@@ -24,13 +24,8 @@ namespace Nowpose.Network
         public static readonly LinkStatus Connecting = new LinkStatus(LinkState.Connecting, "connecting");
         public static readonly LinkStatus Connected = new LinkStatus(LinkState.Connected, "connected");
 
-        LinkStatus(LinkState state, string detail, bool isTokenRefused = false, string warning = null)
-        {
-            State = state;
-            Detail = detail;
-            IsTokenRefused = isTokenRefused;
-            Warning = warning;
-        }
+        LinkStatus(LinkState state, string detail, bool isTokenRefused = false, string warning = null) =>
+            (State, Detail, IsTokenRefused, Warning) = (state, detail, isTokenRefused, warning);
 
         public LinkState State { get; }
 

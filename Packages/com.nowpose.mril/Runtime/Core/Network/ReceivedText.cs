@@ -6,12 +6,7 @@ namespace Nowpose.Network
     /// <summary>A message received over a WebSocket with its arrival time, or the reason why it was dropped.</summary>
     readonly struct ReceivedText
     {
-        ReceivedText(ReadOnlyMemory<byte> utf8, DropReason dropped, HeadsetTime arrival)
-        {
-            Utf8 = utf8;
-            Dropped = dropped;
-            Arrival = arrival;
-        }
+        ReceivedText(ReadOnlyMemory<byte> utf8, DropReason dropped, HeadsetTime arrival) => (Utf8, Dropped, Arrival) = (utf8, dropped, arrival);
 
         /// <summary>The message as received. Valid only during the callback, because the next message uses the same memory.</summary>
         public ReadOnlyMemory<byte> Utf8 { get; }

@@ -40,13 +40,8 @@ namespace Nowpose.Network
         volatile LinkStatus _status = LinkStatus.Connecting;
 
         /// <param name="pace">Schedule of the exchanges; used by this object only.</param>
-        public RosTimeExchanges(IHeadsetClock clock, ClockSynchroniser synchroniser, SyncFaultCounters faults, ExchangePace pace)
-        {
-            _clock = clock;
-            _synchroniser = synchroniser;
-            _faults = faults;
-            _pace = pace;
-        }
+        public RosTimeExchanges(IHeadsetClock clock, ClockSynchroniser synchroniser, SyncFaultCounters faults, ExchangePace pace) =>
+            (_clock, _synchroniser, _faults, _pace) = (clock, synchroniser, faults, pace);
 
         /// <summary>State of the exchanges while the connection is open. Thread-safe.</summary>
         public LinkStatus Status => _status;

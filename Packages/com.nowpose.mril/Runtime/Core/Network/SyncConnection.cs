@@ -16,12 +16,7 @@ namespace Nowpose.Network
         readonly byte[] _reply = new byte[SyncFrame.Size];
         uint _sequence;
 
-        public SyncConnection(Stream stream, IHeadsetClock clock, SyncFaultCounters faults)
-        {
-            _stream = stream;
-            _clock = clock;
-            _faults = faults;
-        }
+        public SyncConnection(Stream stream, IHeadsetClock clock, SyncFaultCounters faults) => (_stream, _clock, _faults) = (stream, clock, faults);
 
         /// <exception cref="GatewayRefusalException">The gateway rejects the token.</exception>
         public void ShowToken(string token)

@@ -22,11 +22,7 @@ namespace Nowpose.Network
         public SystemWebSocketLink(ConnectionSettings settings, IHeadsetClock clock) : this(cancel => OpenSocketAsync(settings, cancel), clock) { }
 
         /// <param name="open">Opens the socket.</param>
-        internal SystemWebSocketLink(Func<CancellationToken, Task<WebSocket>> open, IHeadsetClock clock)
-        {
-            _open = open;
-            _clock = clock;
-        }
+        internal SystemWebSocketLink(Func<CancellationToken, Task<WebSocket>> open, IHeadsetClock clock) => (_open, _clock) = (open, clock);
 
         public async Task OpenAsync(CancellationToken cancel)
         {

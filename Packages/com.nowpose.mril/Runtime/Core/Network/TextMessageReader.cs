@@ -32,11 +32,7 @@ namespace Nowpose.Network
         int _length;
         int _fragments;
 
-        public TextMessageReader(WebSocket socket, IHeadsetClock clock)
-        {
-            _socket = socket;
-            _clock = clock;
-        }
+        public TextMessageReader(WebSocket socket, IHeadsetClock clock) => (_socket, _clock) = (socket, clock);
 
         /// <summary>
         /// Passes the messages to a callback, in order, until the connection is closed. Allocates nothing for a message that arrives in a single

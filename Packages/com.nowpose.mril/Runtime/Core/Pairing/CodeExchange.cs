@@ -16,11 +16,8 @@ namespace Nowpose.Pairing
         TokenExchange _running;
 
         /// <param name="send">Sends the token of the code to the gateway; must not block.</param>
-        public CodeExchange(string headsetName, Func<ConnectionSettings, string, CancellationToken, Task<PairingAnswer>> send)
-        {
-            _headsetName = headsetName;
-            _send = send;
-        }
+        public CodeExchange(string headsetName, Func<ConnectionSettings, string, CancellationToken, Task<PairingAnswer>> send) =>
+            (_headsetName, _send) = (headsetName, send);
 
         /// <summary>Name of the cell that is being paired; null if there is none.</summary>
         public string Cell => _running?.Cell;

@@ -3,12 +3,7 @@ namespace Nowpose.Pairing
     /// <summary>Result of an exchange: the headset's own token, or the reason why there is none.</summary>
     sealed class PairingAnswer
     {
-        PairingAnswer(string token, string problem, bool isWorthRetrying)
-        {
-            Token = token;
-            Problem = problem;
-            IsWorthRetrying = isWorthRetrying;
-        }
+        PairingAnswer(string token, string problem, bool isWorthRetrying) => (Token, Problem, IsWorthRetrying) = (token, problem, isWorthRetrying);
 
         /// <summary>The headset's own token; null if there is a problem. Secret.</summary>
         public string Token { get; }

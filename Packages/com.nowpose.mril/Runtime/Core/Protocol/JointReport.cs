@@ -6,13 +6,8 @@ namespace Nowpose.Protocol
     readonly struct JointReport
     {
         /// <param name="reason">Reason in one line; empty if there is none.</param>
-        public JointReport(string joint, JointDataState state, ControlTime since, string reason)
-        {
-            Joint = joint;
-            State = state;
-            Since = since;
-            Reason = reason;
-        }
+        public JointReport(string joint, JointDataState state, ControlTime since, string reason) =>
+            (Joint, State, Since, Reason) = (joint, state, since, reason);
 
         /// <summary>The joint's name in the URDF.</summary>
         public string Joint { get; }

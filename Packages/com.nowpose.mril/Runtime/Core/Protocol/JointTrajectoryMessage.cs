@@ -6,12 +6,8 @@ namespace Nowpose.Protocol
     /// <summary>trajectory_msgs/JointTrajectory: planned set-points. Efforts are not read.</summary>
     sealed class JointTrajectoryMessage : IRosMessage
     {
-        internal JointTrajectoryMessage(ControlTime stamp, string[] names, IReadOnlyList<JointTrajectoryPoint> points)
-        {
-            Stamp = stamp;
-            Names = names;
-            Points = points;
-        }
+        internal JointTrajectoryMessage(ControlTime stamp, string[] names, IReadOnlyList<JointTrajectoryPoint> points) =>
+            (Stamp, Names, Points) = (stamp, names, points);
 
         /// <summary>Control time to which <see cref="JointTrajectoryPoint.TimeFromStart"/> of each point is relative.</summary>
         public ControlTime Stamp { get; }

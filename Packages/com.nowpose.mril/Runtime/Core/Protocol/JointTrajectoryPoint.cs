@@ -6,13 +6,8 @@ namespace Nowpose.Protocol
     /// <summary>One set-point of a trajectory.</summary>
     sealed class JointTrajectoryPoint
     {
-        public JointTrajectoryPoint(TimeSpan timeFromStart, double[] positions, double[] velocities = null, double[] accelerations = null)
-        {
-            TimeFromStart = timeFromStart;
-            Positions = positions;
-            Velocities = velocities;
-            Accelerations = accelerations;
-        }
+        public JointTrajectoryPoint(TimeSpan timeFromStart, double[] positions, double[] velocities = null, double[] accelerations = null) =>
+            (TimeFromStart, Positions, Velocities, Accelerations) = (timeFromStart, positions, velocities, accelerations);
 
         /// <summary>Time after the trajectory's stamp.</summary>
         public TimeSpan TimeFromStart { get; }

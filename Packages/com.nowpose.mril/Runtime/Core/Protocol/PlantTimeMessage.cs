@@ -10,14 +10,8 @@ namespace Nowpose.Protocol
         /// <param name="resolution">Step by which the clock advances; zero if unknown.</param>
         /// <param name="errorBound">Error bound of the clock relative to its own reference.</param>
         /// <param name="isSynchronised">Whether the clock follows its own reference.</param>
-        public PlantTimeMessage(ControlTime received, ControlTime sent, TimeSpan resolution, TimeSpan errorBound, bool isSynchronised)
-        {
-            Received = received;
-            Sent = sent;
-            Resolution = resolution;
-            ErrorBound = errorBound;
-            IsSynchronised = isSynchronised;
-        }
+        public PlantTimeMessage(ControlTime received, ControlTime sent, TimeSpan resolution, TimeSpan errorBound, bool isSynchronised) =>
+            (Received, Sent, Resolution, ErrorBound, IsSynchronised) = (received, sent, resolution, errorBound, isSynchronised);
 
         public ControlTime Received { get; }
         public ControlTime Sent { get; }

@@ -26,12 +26,7 @@ namespace Nowpose.Recording
 
         /// <param name="joints">Number of moving joints of the robot.</param>
         /// <param name="statistics">The object that fills the numbers of the statistics.</param>
-        public RecordLine(JsonLine line, int joints, StatisticsLine statistics)
-        {
-            _line = line;
-            _joints = joints;
-            _statistics = statistics;
-        }
+        public RecordLine(JsonLine line, int joints, StatisticsLine statistics) => (_line, _joints, _statistics) = (line, joints, statistics);
 
         public void Write(SessionRecord record)
         {

@@ -36,13 +36,8 @@ namespace Nowpose.Recording
 
         /// <param name="line">Line buffer, which already contains the first line.</param>
         /// <param name="recordLine">Writes records into <paramref name="line"/>.</param>
-        public RecordWriter(RecordingSettings settings, RecordRing ring, JsonLine line, RecordLine recordLine)
-        {
-            _settings = settings;
-            _ring = ring;
-            _line = line;
-            _recordLine = recordLine;
-        }
+        public RecordWriter(RecordingSettings settings, RecordRing ring, JsonLine line, RecordLine recordLine) =>
+            (_settings, _ring, _line, _recordLine) = (settings, ring, line, recordLine);
 
         public RecordingState State => _state;
 

@@ -3,11 +3,7 @@ namespace Nowpose.Session
     /// <summary>A message with its arrival time.</summary>
     readonly struct Arrival<T>
     {
-        public Arrival(T message, HeadsetTime at)
-        {
-            Message = message;
-            At = at;
-        }
+        public Arrival(T message, HeadsetTime at) => (Message, At) = (message, at);
 
         public T Message { get; }
 

@@ -65,11 +65,7 @@ namespace Nowpose.Session
     /// <summary>The error of one joint between base and tool.</summary>
     public readonly struct JointError
     {
-        public JointError(string joint, DisplayedError? error)
-        {
-            Joint = joint;
-            Error = error;
-        }
+        public JointError(string joint, DisplayedError? error) => (Joint, Error) = (joint, error);
 
         /// <summary>Name of the joint in the URDF.</summary>
         public string Joint { get; }

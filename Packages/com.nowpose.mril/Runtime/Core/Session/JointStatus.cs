@@ -7,14 +7,8 @@ namespace Nowpose.Session
     /// <summary>State of a joint that is not live, as the gateway reports it or as the session detects it.</summary>
     public readonly struct JointStatus
     {
-        public JointStatus(string joint, JointDataState state, ControlTime? since, TimeSpan? age, string reason)
-        {
-            Joint = joint;
-            State = state;
-            Since = since;
-            Age = age;
-            Reason = reason;
-        }
+        public JointStatus(string joint, JointDataState state, ControlTime? since, TimeSpan? age, string reason) =>
+            (Joint, State, Since, Age, Reason) = (joint, state, since, age, reason);
 
         /// <summary>The joint's name in the URDF.</summary>
         public string Joint { get; }

@@ -13,12 +13,8 @@ namespace Nowpose.Session
         readonly int[] _joints;
         readonly JointPath[] _paths;
 
-        PlannedMotion(in Arrival<JointTrajectoryMessage> arrival, int[] joints, JointPath[] paths)
-        {
-            Arrival = arrival;
-            _joints = joints;
-            _paths = paths;
-        }
+        PlannedMotion(in Arrival<JointTrajectoryMessage> arrival, int[] joints, JointPath[] paths) =>
+            (Arrival, _joints, _paths) = (arrival, joints, paths);
 
         /// <summary>The message that contains the set-points.</summary>
         public Arrival<JointTrajectoryMessage> Arrival { get; }

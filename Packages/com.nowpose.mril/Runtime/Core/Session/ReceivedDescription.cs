@@ -61,12 +61,7 @@ namespace Nowpose.Session
 
         sealed class Parsed
         {
-            public Parsed(string text, RobotModel model, RobotDescriptionMatch match)
-            {
-                Text = text;
-                Model = model;
-                Match = match;
-            }
+            public Parsed(string text, RobotModel model, RobotDescriptionMatch match) => (Text, Model, Match) = (text, model, match);
 
             public string Text { get; }
             public RobotModel Model { get; }

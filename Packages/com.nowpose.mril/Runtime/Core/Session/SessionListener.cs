@@ -19,11 +19,7 @@ namespace Nowpose.Session
         volatile bool _needsNamespaces;
 
         /// <param name="clock">Clock for time stamps of the diagnostics.</param>
-        public SessionListener(CompensationSession session, IHeadsetClock clock)
-        {
-            _session = session;
-            _clock = clock;
-        }
+        public SessionListener(CompensationSession session, IHeadsetClock clock) => (_session, _clock) = (session, clock);
 
         public void Received(JointStateMessage message, HeadsetTime arrival, string robot = "")
         {

@@ -23,14 +23,8 @@ namespace Nowpose.Session
         HeadsetTime? _unmeasuredSince;
 
         public SessionMeasurements(
-            ClockSynchroniser clock, ApplicationLatency latency, SessionDisplay display, DisplayFrame frame, HindcastMonitor hindcast)
-        {
-            _clock = clock;
-            _latency = latency;
-            _display = display;
-            _frame = frame;
-            _hindcast = hindcast;
-        }
+            ClockSynchroniser clock, ApplicationLatency latency, SessionDisplay display, DisplayFrame frame, HindcastMonitor hindcast) =>
+            (_clock, _latency, _display, _frame, _hindcast) = (clock, latency, display, frame, hindcast);
 
         /// <param name="now">Headset time at which the clock's offset and error bound are evaluated.</param>
         public void Fill(SessionStatistics into, HeadsetTime now, CompensationSession session)

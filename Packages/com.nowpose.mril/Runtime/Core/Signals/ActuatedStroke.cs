@@ -29,13 +29,8 @@ namespace Nowpose.Signals
         /// <param name="atZero">Position for the value 0, m or rad.</param>
         /// <param name="atOne">Position for the value 1, m or rad.</param>
         /// <param name="strokeSeconds">Time for the whole stroke, s; 0 if the part jumps to its new position.</param>
-        public ActuatedStroke(double atZero, double atOne, double strokeSeconds)
-        {
-            _atZero = atZero;
-            _atOne = atOne;
-            _strokeSeconds = strokeSeconds;
-            _from = atZero;
-        }
+        public ActuatedStroke(double atZero, double atOne, double strokeSeconds) =>
+            (_atZero, _atOne, _strokeSeconds, _from) = (atZero, atOne, strokeSeconds, atZero);
 
         /// <summary>Starts the move to a value, or sets the position if the value is a measured position.</summary>
         /// <param name="since">Stamp of the change.</param>

@@ -22,11 +22,7 @@ namespace Nowpose.Signals
 
         /// <param name="maximumGap">Maximum time between two values of the same motion, s.</param>
         /// <param name="interpolate">Interpolates between two values: 0 for the first, 1 for the second.</param>
-        public PastValues(double maximumGap, Func<T, T, double, T> interpolate)
-        {
-            _maximumGap = maximumGap;
-            _interpolate = interpolate;
-        }
+        public PastValues(double maximumGap, Func<T, T, double, T> interpolate) => (_maximumGap, _interpolate) = (maximumGap, interpolate);
 
         /// <summary>Adds a value. A value that is not newer than the newest one has no effect.</summary>
         /// <param name="time">Time since the epoch of the samples, s.</param>

@@ -5,14 +5,8 @@ namespace Nowpose.Simulation
     /// <summary>Times of one frame in a <see cref="DisplayPipeline"/>.</summary>
     readonly struct PipelineFrame
     {
-        internal PipelineFrame(TimeSpan start, TimeSpan renderTime, TimeSpan done, TimeSpan visualisation, long refresh)
-        {
-            Start = start;
-            RenderTime = renderTime;
-            Done = done;
-            Visualisation = visualisation;
-            Refresh = refresh;
-        }
+        internal PipelineFrame(TimeSpan start, TimeSpan renderTime, TimeSpan done, TimeSpan visualisation, long refresh) =>
+            (Start, RenderTime, Done, Visualisation, Refresh) = (start, renderTime, done, visualisation, refresh);
 
         /// <summary>Time since the pipeline's start at which the render job is triggered: at a refresh, or when the queue has room.</summary>
         public TimeSpan Start { get; }

@@ -17,11 +17,7 @@ namespace Nowpose.Unity.Calibration
         readonly TextAsset _asset;
         readonly List<string> _refusals = new List<string>();
 
-        public ProfilePlaces(string fileName, TextAsset asset)
-        {
-            _fileName = fileName;
-            _asset = asset;
-        }
+        public ProfilePlaces(string fileName, TextAsset asset) => (_fileName, _asset) = (fileName, asset);
 
         /// <summary>Path of the file that <see cref="LatencyProfileLoader.Save"/> writes.</summary>
         public string SavedPath => Path.Combine(Application.persistentDataPath, _fileName);

@@ -73,11 +73,7 @@ namespace Nowpose.Unity.Cell
         {
             readonly Action<DisplayFrame> _move;
 
-            public Mover(Component component, Action<DisplayFrame> move)
-            {
-                Component = component;
-                _move = move;
-            }
+            public Mover(Component component, Action<DisplayFrame> move) => (Component, _move) = (component, move);
 
             public Component Component { get; }
 

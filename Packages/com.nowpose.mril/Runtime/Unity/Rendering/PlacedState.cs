@@ -11,12 +11,7 @@ namespace Nowpose.Unity.Rendering
     /// </remarks>
     readonly struct PlacedState
     {
-        PlacedState(PoseState pose, BaseAnchor anchor, bool isUnplaced = false)
-        {
-            Pose = pose;
-            Anchor = anchor;
-            IsUnplaced = isUnplaced;
-        }
+        PlacedState(PoseState pose, BaseAnchor anchor, bool isUnplaced = false) => (Pose, Anchor, IsUnplaced) = (pose, anchor, isUnplaced);
 
         public PoseState Pose { get; }
 

@@ -29,11 +29,7 @@ namespace Nowpose.Unity.Rendering
         static readonly int ColourId = Shader.PropertyToID("_Color");
         static readonly int BaseColourId = Shader.PropertyToID("_BaseColor");
 
-        PoseMaterial(PoseMeans means, int colour)
-        {
-            Means = means;
-            Colour = colour;
-        }
+        PoseMaterial(PoseMeans means, int colour) => (Means, Colour) = (means, colour);
 
         public PoseMeans Means { get; }
 

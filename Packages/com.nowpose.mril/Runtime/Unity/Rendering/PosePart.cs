@@ -29,13 +29,8 @@ namespace Nowpose.Unity.Rendering
 
         /// <param name="root">The object of the appearance that draws the part, at or above the renderer.</param>
         /// <param name="block">Property block for temporary use, shared by all parts.</param>
-        public PosePart(Renderer renderer, Transform root, MaterialPropertyBlock block, PoseMaterials materials)
-        {
-            _renderer = renderer;
-            _root = root;
-            _block = block;
-            _materials = materials;
-        }
+        public PosePart(Renderer renderer, Transform root, MaterialPropertyBlock block, PoseMaterials materials) =>
+            (_renderer, _root, _block, _materials) = (renderer, root, block, materials);
 
         /// <summary>The renderer; equal to null if it was destroyed.</summary>
         public Renderer Renderer => _renderer;

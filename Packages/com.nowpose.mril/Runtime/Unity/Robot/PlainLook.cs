@@ -13,11 +13,7 @@ namespace Nowpose.Unity.Robot
 
         /// <param name="arm">Material of the links up to the flange; if null, a material is created when it is needed.</param>
         /// <param name="tool">Material of the links that the flange carries; if null, a material is created when it is needed.</param>
-        public PlainLook(Material arm, Material tool)
-        {
-            _arm = arm;
-            _tool = tool;
-        }
+        public PlainLook(Material arm, Material tool) => (_arm, _tool) = (arm, tool);
 
         /// <summary>Whether a material was needed that was not supplied.</summary>
         public bool LacksMaterial { get; private set; }

@@ -7,11 +7,7 @@ namespace Nowpose.Unity.Session
     {
         readonly bool _isPaused, _isUnfocused;
 
-        ApplicationPresence(bool isPaused, bool isUnfocused)
-        {
-            _isPaused = isPaused;
-            _isUnfocused = isUnfocused;
-        }
+        ApplicationPresence(bool isPaused, bool isUnfocused) => (_isPaused, _isUnfocused) = (isPaused, isUnfocused);
 
         /// <summary>Whether the application is paused, or has no focus and does not run in the background.</summary>
         /// <remarks>A loss of focus is ignored in the editor, where frames continue while, for example, the Inspector has the focus.</remarks>

@@ -11,12 +11,7 @@ namespace Nowpose.Unity.Status
         /// </summary>
         const float Steep = 0.95f;
 
-        public AroundHead(float azimuth, float distance, float height)
-        {
-            Azimuth = azimuth;
-            Distance = distance;
-            Height = height;
-        }
+        public AroundHead(float azimuth, float distance, float height) => (Azimuth, Distance, Height) = (azimuth, distance, height);
 
         /// <summary>Angle in degrees about the vertical, from the world's z axis towards its x axis.</summary>
         public float Azimuth { get; }

@@ -8,14 +8,8 @@ namespace Nowpose.Unity.Status
         /// <param name="turnDegrees">Maximum rotation of the head to either side before the panel follows.</param>
         /// <param name="moveMetres">Maximum change of the head's distance or height before the panel follows.</param>
         /// <param name="glideSeconds">Time constant of the glide in s. In this time, the panel moves through 63 % of its remaining distance.</param>
-        public FollowSettings(float distance, float degreesBelow, float turnDegrees, float moveMetres, float glideSeconds)
-        {
-            Distance = distance;
-            DegreesBelow = degreesBelow;
-            TurnDegrees = turnDegrees;
-            MoveMetres = moveMetres;
-            GlideSeconds = glideSeconds;
-        }
+        public FollowSettings(float distance, float degreesBelow, float turnDegrees, float moveMetres, float glideSeconds) =>
+            (Distance, DegreesBelow, TurnDegrees, MoveMetres, GlideSeconds) = (distance, degreesBelow, turnDegrees, moveMetres, glideSeconds);
 
         public float Distance { get; }
         public float DegreesBelow { get; }

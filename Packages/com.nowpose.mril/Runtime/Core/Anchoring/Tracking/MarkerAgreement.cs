@@ -24,14 +24,8 @@ namespace Nowpose.Anchoring.Tracking
         /// </summary>
         public const double MetresFactor = 2, AngleFactor = 4;
 
-        MarkerAgreement(bool isGood, int wrong, in RigidTransform fitted, double metres, double radians)
-        {
-            IsGood = isGood;
-            Wrong = wrong;
-            Fitted = fitted;
-            Metres = metres;
-            Radians = radians;
-        }
+        MarkerAgreement(bool isGood, int wrong, in RigidTransform fitted, double metres, double radians) =>
+            (IsGood, Wrong, Fitted, Metres, Radians) = (isGood, wrong, fitted, metres, radians);
 
         public bool IsGood { get; }
 

@@ -5,13 +5,8 @@ namespace Nowpose.Latency.Calibration
     /// <summary>Result of a calibration of L_visu by eye.</summary>
     readonly struct NudgeResult
     {
-        internal NudgeResult(VisualisationLatency visualisation, TimeSpan spread, double offsetMm, int count)
-        {
-            Visualisation = visualisation;
-            Spread = spread;
-            OffsetMm = offsetMm;
-            Count = count;
-        }
+        internal NudgeResult(VisualisationLatency visualisation, TimeSpan spread, double offsetMm, int count) =>
+            (Visualisation, Spread, OffsetMm, Count) = (visualisation, spread, offsetMm, count);
 
         public VisualisationLatency Visualisation { get; }
 

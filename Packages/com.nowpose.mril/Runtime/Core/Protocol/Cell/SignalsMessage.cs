@@ -63,11 +63,7 @@ namespace Nowpose.Protocol.Cell
     readonly struct SignalValue
     {
         /// <param name="value">See <see cref="Value"/>.</param>
-        public SignalValue(string name, double value)
-        {
-            Name = name;
-            Value = value;
-        }
+        public SignalValue(string name, double value) => (Name, Value) = (name, value);
 
         public string Name { get; }
 

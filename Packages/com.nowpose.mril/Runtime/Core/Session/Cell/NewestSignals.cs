@@ -9,13 +9,8 @@ namespace Nowpose.Session.Cell
     /// <summary>A value of a signal with its stamp and its arrival.</summary>
     readonly struct ArrivedSignal
     {
-        public ArrivedSignal(in SignalValue value, ControlTime stamp, HeadsetTime arrival, bool isAfterLostChange = false)
-        {
-            Value = value;
-            Stamp = stamp;
-            Arrival = arrival;
-            IsAfterLostChange = isAfterLostChange;
-        }
+        public ArrivedSignal(in SignalValue value, ControlTime stamp, HeadsetTime arrival, bool isAfterLostChange = false) =>
+            (Value, Stamp, Arrival, IsAfterLostChange) = (value, stamp, arrival, isAfterLostChange);
 
         public SignalValue Value { get; }
         public ControlTime Stamp { get; }

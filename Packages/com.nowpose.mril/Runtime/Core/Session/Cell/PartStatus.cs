@@ -6,14 +6,8 @@ namespace Nowpose.Session.Cell
     /// <summary>An object or a signal that the session shows and that is not current.</summary>
     readonly struct PartStatus
     {
-        public PartStatus(string name, PoseState state, ControlTime? since, TimeSpan? age, string reason)
-        {
-            Name = name;
-            State = state;
-            Since = since;
-            Age = age;
-            Reason = reason;
-        }
+        public PartStatus(string name, PoseState state, ControlTime? since, TimeSpan? age, string reason) =>
+            (Name, State, Since, Age, Reason) = (name, state, since, age, reason);
 
         /// <summary>Name of the frame or of the signal.</summary>
         public string Name { get; }

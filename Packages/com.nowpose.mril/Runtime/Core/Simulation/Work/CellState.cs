@@ -15,12 +15,7 @@ namespace Nowpose.Simulation.Work
     /// <summary>Place of a workpiece.</summary>
     readonly struct WorkpiecePlace
     {
-        public WorkpiecePlace(Holder holder, int robot, double station = 0)
-        {
-            Holder = holder;
-            Robot = robot;
-            Station = station;
-        }
+        public WorkpiecePlace(Holder holder, int robot, double station = 0) => (Holder, Robot, Station) = (holder, robot, station);
 
         public Holder Holder { get; }
 
@@ -34,12 +29,7 @@ namespace Nowpose.Simulation.Work
     /// <summary>State of a robot and its gripper.</summary>
     readonly struct ArmState
     {
-        public ArmState(int move, long start, bool closesGripper)
-        {
-            Move = move;
-            Start = start;
-            ClosesGripper = closesGripper;
-        }
+        public ArmState(int move, long start, bool closesGripper) => (Move, Start, ClosesGripper) = (move, start, closesGripper);
 
         /// <summary>Move or stroke of the robot, and the cycle in which it started.</summary>
         public int Move { get; }

@@ -158,11 +158,7 @@ namespace Nowpose.Simulation.Work
             readonly CellWork _work;
             readonly int _robot;
 
-            public RobotMotion(CellWork work, int robot)
-            {
-                _work = work;
-                _robot = robot;
-            }
+            public RobotMotion(CellWork work, int robot) => (_work, _robot) = (work, robot);
 
             public IReadOnlyList<string> JointNames => _work._layout.Motion.JointNames;
             public double CycleSeconds => _work.CycleSeconds;

@@ -30,11 +30,7 @@ namespace Nowpose.Sync.Envelope
         double _xx, _xz, _zz, _xy, _zy;
         Height _heightBelow, _heightAbove;
 
-        public EnvelopeFit(EnvelopeSide below, EnvelopeSide above)
-        {
-            _below = below;
-            _above = above;
-        }
+        public EnvelopeFit(EnvelopeSide below, EnvelopeSide above) => (_below, _above) = (below, above);
 
         public OffsetCurve Curve { get; private set; }
 
@@ -143,13 +139,7 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Weighted means of one side, or of its blocks before or after a step.</summary>
         readonly struct Height
         {
-            public Height(double variance, double x, double z, double y)
-            {
-                Variance = variance;
-                X = x;
-                Z = z;
-                Y = y;
-            }
+            public Height(double variance, double x, double z, double y) => (Variance, X, Z, Y) = (variance, x, z, y);
 
             /// <summary>Variance due to the scatter of the bounds, s²; does not include the variance of a step.</summary>
             public double Variance { get; }

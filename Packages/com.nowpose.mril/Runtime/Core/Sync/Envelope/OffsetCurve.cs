@@ -3,11 +3,7 @@ namespace Nowpose.Sync.Envelope
     /// <summary>Shape of the offset over time, without its height: slope·x + bend·x².</summary>
     readonly struct OffsetCurve
     {
-        public OffsetCurve(double slope, double bend)
-        {
-            Slope = slope;
-            Bend = bend;
-        }
+        public OffsetCurve(double slope, double bend) => (Slope, Bend) = (slope, bend);
 
         /// <summary>Skew γ₂−1 at the reference time, dimensionless.</summary>
         public double Slope { get; }

@@ -10,11 +10,7 @@ namespace Nowpose.Sync.Envelope
     {
         readonly double _min, _max;
 
-        ProvenSkew(double min, double max)
-        {
-            _min = min;
-            _max = max;
-        }
+        ProvenSkew(double min, double max) => (_min, _max) = (min, max);
 
         /// <summary>Computes the range for a history of at least one exchange.</summary>
         /// <param name="resolution">Resolution of the control clock: each bound may be wrong by half of it in either direction.</param>

@@ -52,12 +52,8 @@ namespace Nowpose.Sync.Envelope
         // Time of the earliest change that the remembered error includes.
         HeadsetTime _rememberedAt;
 
-        public UnrecognisedChange(EnvelopeSide below, EnvelopeSide above, BoundsHistory history)
-        {
-            _below = below;
-            _above = above;
-            _history = history;
-        }
+        public UnrecognisedChange(EnvelopeSide below, EnvelopeSide above, BoundsHistory history) =>
+            (_below, _above, _history) = (below, above, history);
 
         /// <summary>Discards the remembered error, because the estimate restarts.</summary>
         public void Reset() => _remembered = ProbableChange = 0;
