@@ -1,1 +1,2 @@
+Nowpose.Gateway.Options.GuardedConsole.Set();
 return await Nowpose.Gateway.CommandLine.RunAsync(args);

@@ -11,5 +11,8 @@ static class PathMessages
     public static string NotWritten(string path, Exception cause) =>
         $"{path}: cannot be written ({OneLine(cause)}); check the path, its permissions and the free space";
 
+    public static string OutputNotWritten(Exception cause) =>
+        $"standard output: cannot be written ({OneLine(cause)}); check where it is redirected to, and the free space";
+
     static string OneLine(Exception cause) => cause is ArgumentException ? "the path is empty or invalid" : cause.Message.ReplaceLineEndings(" ");
 }

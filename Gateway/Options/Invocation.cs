@@ -87,15 +87,7 @@ public static class Invocation
 
     static int Fail(string program, int status, string message)
     {
-        try
-        {
-            Console.Error.WriteLine(program + ": " + message.ReplaceLineEndings(" "));
-        }
-        catch (Exception closed) when (closed is IOException or UnauthorizedAccessException)
-        {
-            // The status is the only sign left if the error output is closed.
-        }
-
+        Console.Error.WriteLine(program + ": " + message.ReplaceLineEndings(" "));
         return status;
     }
 }

@@ -10,7 +10,10 @@ namespace Nowpose.Gateway.Verbs;
 /// </summary>
 static class Announcement
 {
-    /// <summary>Writes the lines to the standard output, and warnings to stderr.</summary>
+    /// <summary>
+    /// Writes the lines to the standard output, and warnings to stderr. If the standard output cannot be written, the gateway serves without these
+    /// lines.
+    /// </summary>
     /// <param name="gateway">The running gateway.</param>
     /// <param name="clock">The gateway's own clock.</param>
     /// <param name="skewPpm">Skew of the gateway's own clock.</param>
@@ -21,14 +24,27 @@ static class Announcement
     /// </param>
     public static void Write(GatewayServer gateway, IControlClock clock, double skewPpm, string robot, SimulatedCell cell)
     {
+        foreach (var warning in gateway.Warnings) Log(warning);
+        if (gateway.VlcPageUris.Count == 0) Log(OperationsMessages.NoPage("vlc"));
+        if (gateway.OperationsPageUris.Count == 0) Log(OperationsMessages.NoPage("operations"));
+        if (gateway.PairsHeadsets && gateway.PairingPageUri == null) Log(OperationsMessages.NoPage("pair"));
+        try
+        {
+            WriteLines(gateway, clock, skewPpm, robot, cell);
+        }
+        catch (IOException lost)
+        {
+            Log(lost.Message);
+        }
+    }
+
+    static void WriteLines(GatewayServer gateway, IControlClock clock, double skewPpm, string robot, SimulatedCell cell)
+    {
         Line("sync", gateway.SyncEndPoint.ToString());
         Line("websocket", $"{(gateway.Pin == null ? "ws" : "wss")}://{gateway.WebSocketEndPoint}/");
         foreach (var page in gateway.VlcPageUris) Line("vlc", page.ToString());
-        if (gateway.VlcPageUris.Count == 0) Log(OperationsMessages.NoPage("vlc"));
         foreach (var page in gateway.OperationsPageUris) Line("operations", page.ToString());
-        if (gateway.OperationsPageUris.Count == 0) Log(OperationsMessages.NoPage("operations"));
         Line("pair", gateway.PairingPageUri?.ToString());
-        if (gateway.PairsHeadsets && gateway.PairingPageUri == null) Log(OperationsMessages.NoPage("pair"));
         Line("pin", gateway.Pin?.ToString());
         Line("control_time_s", clock.Now.SinceEpoch.TotalSeconds.ToString("0.0000000", CultureInfo.InvariantCulture));
         Line("skew_ppm", skewPpm.ToString(CultureInfo.InvariantCulture));
@@ -42,7 +58,6 @@ static class Announcement
             Line("clock", string.Create(CultureInfo.InvariantCulture, $"c1_ns = {intercept} + {rate:R} * monotonic_ns"));
         }
 
-        foreach (var warning in gateway.Warnings) Log(warning);
         Line("state", "serving");
     }
 

@@ -1,0 +1,84 @@
+using Nowpose.Cli.Messages;
+using Nowpose.Headless.Tests.Gateway;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli;
+
+/// <summary>Programs whose standard streams are closed or lead to a full disk.</summary>
+[Platform("Linux")]
+public class UnwritableStreamTests
+{
+    // The second exchange is dropped, which the command reports on stderr.
+    const string Log = "t1_ns,t2_ns,t3_ns,t4_ns\n0,500000,500000,1000000\n1000000000,1000500000,1000400000,1001000000\n";
+
+    const string Urdf = """
+        <robot name="r"><link name="base"/><link name="a"/>
+        <joint name="q" type="prismatic"><parent link="base"/><child link="a"/><limit lower="0" upper="0.5"/></joint></robot>
+        """;
+
+    [TestCase("2>/dev/full")]
+    [TestCase("2>&-")]
+    public async Task Sync_UnwritableErrors_WritesTheResult(string redirection)
+    {
+        using var log = new TemporaryFile(Log);
+        using var program = Cli($"sync '{log.Path}' {redirection}");
+
+        Assert.That(await program.EndsAsync(), Is.EqualTo(0), program.All);
+        Assert.That(program.Lines, Has.Count.EqualTo(3));
+    }
+
+    [TestCase("2>/dev/full")]
+    [TestCase("2>&-")]
+    public async Task Kinematics_UnwritableErrors_WritesTheResult(string redirection)
+    {
+        using var urdf = new TemporaryFile(Urdf, ".urdf");
+        using var program = Cli($"kinematics '{urdf.Path}' --joints q=9 --json {redirection}");
+
+        Assert.That(await program.EndsAsync(), Is.EqualTo(0), program.All);
+        Assert.That(program.All, Does.StartWith("{"));
+    }
+
+    [TestCase(">/dev/full")]
+    [TestCase(">&-")]
+    public async Task Sync_UnwritableOutput_NamesTheStream(string redirection)
+    {
+        using var log = new TemporaryFile(Log);
+        using var program = Cli($"sync '{log.Path}' {redirection}");
+
+        Assert.That(await program.EndsAsync(), Is.EqualTo(1));
+        Assert.That(program.Lines.Last(), Does.StartWith(ConsoleMessages.Line("standard output: ")));
+    }
+
+    [Test]
+    public async Task Gateway_UnwritableErrors_KeepsServing()
+    {
+        using var gateway = Gateway("simulate --sync-port 0 --ws-port 0 2>/dev/full");
+        await gateway.PrintsAsync("state serving");
+        using var client = await RawRosbridgeClient.ConnectAsync(new Uri(gateway.ValueOf("websocket")));
+
+        // An unknown operation is counted and becomes an event, which the gateway logs.
+        await client.SendAsync("""{"op":"unknown"}""");
+        await client.ReceiveTextAsync();
+        await client.SendAsync("""{"op":"subscribe","topic":"/joint_states"}""");
+        await client.ReceiveTextAsync();
+
+        Assert.That(await gateway.InterruptAsync(), Is.EqualTo(130), gateway.All);
+    }
+
+    [Test]
+    public async Task Gateway_UnwritableOutput_KeepsServing()
+    {
+        using var gateway = Gateway("serve --sync-port 0 --ws-port 0 >/dev/full");
+
+        await gateway.PrintsAsync("standard output: ");
+
+        Assert.That(await gateway.InterruptAsync(), Is.EqualTo(130), gateway.All);
+    }
+
+    static PeerProcess Cli(string arguments) => Program("Nowpose.Cli.dll", arguments);
+
+    static PeerProcess Gateway(string arguments) => Program("Nowpose.Gateway.dll", arguments);
+
+    static PeerProcess Program(string assembly, string arguments) =>
+        PeerProcess.OfShell($"exec dotnet '{Path.Combine(AppContext.BaseDirectory, assembly)}' {arguments}");
+}
