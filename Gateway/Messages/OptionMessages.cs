@@ -4,6 +4,7 @@ namespace Nowpose.Gateway.Messages;
 static class OptionMessages
 {
     public static string UnknownChoice(string option, string value, string allowed) => $"{option}: '{value}' is unknown; allowed: {allowed}.";
+    public static string ValueMissing(string option) => $"{option}: value missing; see --help.";
     public static string UnknownArgument(string argument) => $"'{argument}' is unknown; see --help.";
     public static string SeeHelp(string error) => $"{error} See --help.";
     public static string CommandFirst(string command) => $"'{command}' must be the first argument, because it is a command.";

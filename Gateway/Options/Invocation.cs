@@ -34,8 +34,9 @@ public static class Invocation
         using var end = new EndRequest(cancel);
         try
         {
+            if (OptionWithoutValue(root, args) is { } option) return Fail(program, ExitStatus.BadInput, OptionMessages.ValueMissing(option));
             var parsed = root.Parse(complete == null ? args : await ReadAsync(() => complete(root, args), end.Token));
-            if (parsed.Errors.Count > 0 && parsed.Action is not HelpAction)
+            if (parsed.UnmatchedTokens.Count > 0 || (parsed.Errors.Count > 0 && parsed.Action is not HelpAction))
                 return Fail(program, ExitStatus.BadInput, Complaint(parsed));
             // A null timeout disables the library's signal handling, which returns the same status for every signal.
             var configuration = new InvocationConfiguration { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null };
@@ -75,6 +76,26 @@ public static class Invocation
         cancel.ThrowIfCancellationRequested();
         return result;
     }
+
+    // The library takes an option that follows as the value, which only --name=--value should mean.
+    static string OptionWithoutValue(Command root, string[] args)
+    {
+        Option[] options = [.. root.Parse(args).CommandResult.Command.Options, .. root.Options.Where(option => option.Recursive)];
+        for (var i = 0; i < args.Length && args[i] != "--"; i++)
+        {
+            if (Find(args[i]) is not { Arity.MinimumNumberOfValues: > 0 }) continue;
+            var name = NameIn(args[i]);
+            var hasValue = name.Length == args[i].Length ? i + 1 < args.Length && Find(args[i + 1]) == null : args[i].Length > name.Length + 1;
+            if (!hasValue) return name;
+        }
+
+        return null;
+
+        Option Find(string arg) => Array.Find(options, option => option.Name == NameIn(arg) || option.Aliases.Contains(NameIn(arg)));
+    }
+
+    // The name and its value may be one argument.
+    static string NameIn(string arg) => arg.Split('=', ':')[0];
 
     // Prefers the error about an unknown command. The library lists it after the error that no command was given.
     static string Complaint(ParseResult parsed)

@@ -36,6 +36,42 @@ public partial class CommandLineTests
         Assert.That(run.Errors.TrimEnd(), Is.EqualTo(ConsoleMessages.Line(OptionMessages.UnknownArgument(options[^1]))));
     }
 
+    [TestCase("demo --out --seconds 5", "--out")]
+    [TestCase("calibrate simulate --pictures 2 --out --check", "--out")]
+    [TestCase("calibrate range x.csv --device --json", "--device")]
+    [TestCase("headset --name --json", "--name")]
+    [TestCase("replay x.csv --sampling-ms= --json", "--sampling-ms")]
+    [TestCase("replay x.csv --json --sampling-ms", "--sampling-ms")]
+    [TestCase("replay x.csv --seed --sampling-ms=5", "--seed")]
+    [TestCase("unity . --sample --check", "--sample")]
+    public async Task Run_OptionInsteadOfAValue_NamesTheOption(string line, string option)
+    {
+        var run = await CliRun.OfAsync(line.Split(' '));
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo(ConsoleMessages.Line(OptionMessages.ValueMissing(option))));
+    }
+
+    [TestCase("sync none.csv --at=--json")]
+    [TestCase("sync none.csv --page --json")]
+    [TestCase("replay none.csv --seed -5")]
+    public async Task Run_ValueThatBeginsWithAHyphen_IsAccepted(string line)
+    {
+        var run = await CliRun.OfAsync(line.Split(' '));
+
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo(ConsoleMessages.Line(PathMessages.NotFound(line.Split(' ')[1]))));
+    }
+
+    [Test]
+    public async Task Run_UnknownCommandWithHelp_ExitsWith2()
+    {
+        var run = await CliRun.OfAsync("bogus", "--help");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Output, Is.Empty);
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo(ConsoleMessages.Line(OptionMessages.UnknownArgument("bogus"))));
+    }
+
     [Test]
     public async Task Run_FileMissing_NamesTheFile()
     {
