@@ -55,9 +55,10 @@ public sealed class MessageHub
     /// </summary>
     internal event Action<HubSource, string, string, Refusal> SetPointsRefused;
 
-    /// <summary>
-    /// Raised when a frame or signal is left out of a message for another reason than its owner, with its source and topic. Called under the hub's lock.
-    /// </summary>
+    /// <inheritdoc cref="TopicOwners.RobotOfListedJoint"/>
+    internal Func<string, string> RobotOfListedJoint { set => _owners.RobotOfListedJoint = value; }
+
+    /// <summary>Raised when a frame or signal is left out for another reason than its owner. Called under the hub's lock.</summary>
     internal event Action<HubSource, string, LeftOut> PartDropped;
 
     /// <summary>
@@ -198,19 +199,18 @@ public sealed class MessageHub
 
     /// <summary>Makes a source the owner of all names on a robot's topic, or of none if one name belongs to another source.</summary>
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
-    /// <returns>
-    /// A refusal if a name belongs to another source, or if there are too many names or robots; null if the source owns all names.
-    /// </returns>
+    /// <returns>A refusal if a name belongs to another source or robot, or if there are too many names or robots; otherwise null.</returns>
     internal Refusal? Claim(HubSource source, string robot, string kind, string[] names)
     {
         lock (_lock)
         {
             var topic = RobotTopic.NameOf(robot, kind);
-            if (_owners.FindTaken(source, topic, names) is { } taken)
+            if ((_owners.FindTaken(source, topic, names) ?? _owners.FindOfAnotherRobot(robot, kind, names)) is { } taken)
             {
                 // A description that was refused is published later, see HubSource.TryDescribe.
                 if (kind == RosTopics.JointTrajectory) ReportRefused(source, robot, taken.What, taken);
-                else if (kind != RosTopics.RobotDescription) Refused?.Invoke(source, kind, RobotTopic.Qualified(robot, taken.What), taken.Owner);
+                else if (kind != RosTopics.RobotDescription && taken.Owner is { } owner)
+                    Refused?.Invoke(source, kind, RobotTopic.Qualified(robot, taken.What), owner);
                 return taken;
             }
 

@@ -23,6 +23,12 @@ static class DropMessages
     public static string TooManyNames(int max) =>
         $"exceeds the maximum of {max} different joints of all messages; unadvertise the topic, or connect again, to release the earlier joints";
 
+    /// <param name="topic">Topic of the other joint.</param>
+    /// <param name="joint">Name of the other joint on its topic.</param>
+    public static string SameCellName(string topic, string joint) =>
+        $"has the same cell-wide name as the joint {joint} on {topic}, which belongs to another robot; rename one of the two joints, "
+        + "or restart the gateway if the other robot is no longer used";
+
     /// <param name="maxPerSecond">Maximum number of messages that the client's role may send per second.</param>
     public static string TooManyMessages(int maxPerSecond) =>
         $"the client exceeds the message rate of its role; the maximum is {maxPerSecond} messages/s; reduce the rate";

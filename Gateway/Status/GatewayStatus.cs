@@ -72,6 +72,7 @@ sealed class GatewayStatus : IDisposable
         _conditions = new Conditions(
             options, clock, _diagnostics, _refusals, new ConnectionLimits(_connections, options.MaxConnections, options.Time),
             _cellReports, _cell, limits, recorder);
+        hub.RobotOfListedJoint = _joints.RobotOf;
         hub.Refused += Refuse;
         hub.PartDropped += _cell.Refuse;
         hub.Left += _diagnostics.Remove;
@@ -111,6 +112,7 @@ sealed class GatewayStatus : IDisposable
         _watch.Dispose();
         _signals.Dispose();
         _version.Dispose();
+        _hub.RobotOfListedJoint = null;
         _hub.Refused -= Refuse;
         _refusals.Dispose();
         _hub.PartDropped -= _cell.Refuse;
@@ -126,14 +128,16 @@ sealed class GatewayStatus : IDisposable
     public StatusSnapshot Read()
     {
         var sources = _sources.Read();
+        var joints = _joints.Read();
         // Diagnostics do not contain the robot of a headset. With several robots, the age of its samples is therefore unknown.
-        var hasOneRobot = sources.SelectMany(source => source.Names).Select(joint => joint[..Math.Max(0, joint.IndexOf('/'))]).Distinct().Count() == 1;
+        var active = sources.SelectMany(source => source.Names).ToHashSet();
+        var robots = joints.Where(joint => joint.Robot != null && active.Contains(joint.Name)).Select(joint => joint.Robot).Distinct();
+        var hasOneRobot = robots.Count() == 1;
         var hops = new HopTimes(
             hasOneRobot ? Middle([.. sources.SelectMany(source => source.SortedAges).Order()]) : null,
             _hub.Forwarding.Percentile(0.5)?.TotalMilliseconds);
         var reports = _diagnostics.Read();
         var beyond = _limits.Joints;
-        var joints = _joints.Read();
         var conditions = ConditionsOf(joints);
         var (frames, signals) = (_cell.Frames(_clock.Now, joints), _cell.Signals(_clock.Now));
         return new StatusSnapshot
@@ -213,7 +217,7 @@ sealed class GatewayStatus : IDisposable
 
     static JointView Of(JointSnapshot joint) => new(
         joint.Name, joint.Source, joint.Word, UtcText.Of(joint.Since), joint.Age is { } age ? Math.Round(age.TotalSeconds, 3) : null, joint.RateHz,
-        joint.Reason, joint.Uncertainty.Length == 0 ? null : joint.Uncertainty, joint.ReasonWord);
+        joint.Reason, joint.Uncertainty.Length == 0 ? null : joint.Uncertainty, joint.ReasonWord, joint.Robot);
 
     ClockStatus OfClock()
     {

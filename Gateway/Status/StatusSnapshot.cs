@@ -63,9 +63,10 @@ sealed record StatusSnapshot
 /// <param name="Reason">The reason for the state as one sentence; empty for a live joint.</param>
 /// <param name="Uncertain">The reason why a joint in the state rest may not be at rest; null if there is none.</param>
 /// <param name="ReasonWord">One of <see cref="JointFaultReasons"/>; null for a joint that is live or at rest.</param>
+/// <param name="Robot">Namespace of the robot; empty for a robot without one, null before the first sample.</param>
 sealed record JointView(
     string Name, string Source, string State, string SinceUtc, double? AgeS, double RateHz, string Reason, string Uncertain = null,
-    string ReasonWord = null);
+    string ReasonWord = null, string Robot = null);
 
 /// <summary>The state of one frame.</summary>
 /// <param name="Source">Source of the frame, named like the source of a joint.</param>

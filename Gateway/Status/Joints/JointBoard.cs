@@ -125,6 +125,15 @@ sealed class JointBoard(
                 if (joint.IsPublishedBy(source) && (robot == null || joint.Samples.Robot == robot)) joint.Samples.Leave();
     }
 
+    /// <summary>
+    /// Gets the namespace of the robot of a joint with samples, by the joint's cell-wide name; null without samples, and if the source has ended
+    /// normally.
+    /// </summary>
+    public string RobotOf(string name)
+    {
+        lock (_lock) return _joints.TryGetValue(name, out var joint) && !joint.Samples.HasLeft ? joint.Samples.Robot : null;
+    }
+
     /// <summary>Gets the state of all joints, sorted by name and source.</summary>
     public IReadOnlyList<JointSnapshot> Read()
     {
@@ -195,7 +204,7 @@ sealed class JointBoard(
             // that is still present.
             if (Rows.Count > MaxSources)
                 Rows = [.. Rows.OrderByDescending(row => row == owner).ThenByDescending(row => row.LastPresent).Take(MaxSources)];
-            return Rows.Select(row => row.Judge(row == owner ? Samples : null));
+            return Rows.Select(row => row.Judge(row == owner ? Samples : null) with { Robot = Samples.Robot });
         }
 
         // Gets the row of the source that publishes the joint. An adapter that has just reconnected has not sent its name yet. If one adapter has

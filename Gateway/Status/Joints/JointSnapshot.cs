@@ -12,6 +12,9 @@ readonly record struct JointSnapshot(
     /// <summary>The reason why a joint assumed at rest may not be at rest; empty if there is none.</summary>
     public string Uncertainty { get; init; } = "";
 
+    /// <summary>Namespace of the joint's robot; empty if it has none, null before the first sample.</summary>
+    public string Robot { get; init; }
+
     /// <summary>One of <see cref="JointFaultReasons"/>; null for a joint that is live or at rest.</summary>
     public string ReasonWord { get; init; }
 

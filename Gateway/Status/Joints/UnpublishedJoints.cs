@@ -15,19 +15,22 @@ sealed class UnpublishedJoints(TimeProvider time)
     /// <summary>Time after which an unpublished joint is reported. In this time, all sources of one arm can start one after the other.</summary>
     internal static readonly TimeSpan StartTimeout = TimeSpan.FromSeconds(1);
 
-    readonly Dictionary<string, (long Count, DateTimeOffset Utc)> _since = [];
+    readonly Dictionary<(string Robot, string Name), (long Count, DateTimeOffset Utc)> _since = [];
 
     /// <summary>Gets the unpublished joints.</summary>
     /// <param name="robots">The described robots with their namespaces.</param>
     /// <param name="hasSource">Returns whether a source publishes a joint or an adapter has the joint in its configuration.</param>
     public IEnumerable<JointSnapshot> Judge(IEnumerable<(string Namespace, RobotModel Model)> robots, Func<string, bool> hasSource)
     {
-        var missing = robots.SelectMany(robot => MissingOf(NamesOf(robot.Model).ConvertAll(name => RobotTopic.Qualified(robot.Namespace, name)), hasSource)).ToArray();
+        var missing = robots.SelectMany(robot =>
+            MissingOf(NamesOf(robot.Model).ConvertAll(name => RobotTopic.Qualified(robot.Namespace, name)), hasSource)
+                .Select(name => (robot.Namespace, name))).ToArray();
         foreach (var name in _since.Keys.Except(missing).ToArray()) _since.Remove(name);
         foreach (var name in missing) _since.TryAdd(name, (time.GetTimestamp(), time.GetUtcNow()));
         return _since.Where(entry => time.GetElapsedTime(entry.Value.Count) >= StartTimeout).Select(entry => new JointSnapshot(
-            entry.Key, NoSource, JointDataState.Missing, entry.Value.Utc, null, 0, JointReasons.NotPublished)
+            entry.Key.Name, NoSource, JointDataState.Missing, entry.Value.Utc, null, 0, JointReasons.NotPublished)
         {
+            Robot = entry.Key.Robot,
             ReasonWord = JointFaultReasons.NotPublished,
         });
     }

@@ -1,6 +1,7 @@
 using Nowpose.Gateway;
 using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
+using Nowpose.Headless.Tests.Gateway.Status;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Cell;
@@ -26,8 +27,8 @@ public class RobotNamespaceTests
         await _gateway.DisposeAsync();
     }
 
-    static string State(string robot, double position) =>
-        RosbridgeWriter.Publish(RobotTopic.NameOf(robot, RosTopics.JointStates), Gateways.State(position, "a"), RosTimeForm.Sec);
+    static string State(string robot, double position, string joint = "a") =>
+        RosbridgeWriter.Publish(RobotTopic.NameOf(robot, RosTopics.JointStates), Gateways.State(position, joint), RosTimeForm.Sec);
 
     [Test]
     public async Task Publish_EqualJointNamesOfTwoRobots_StaySeparate()
@@ -82,6 +83,67 @@ public class RobotNamespaceTests
         await _second.SendAsync(RosbridgeWriter.Publish("/arm2/robot_description", new StringMessage("<robot name='three'/>")));
         await _second.ExpectErrorAsync(CellMessageFaults.Of("the robot", DropReason.JointTaken));
         await _second.SubscribeAsync(RosTopics.RobotDescription);
+    }
+
+    [TestCase("arm1", "q", "", "arm1/q")]
+    [TestCase("", "arm1/q", "arm1", "q")]
+    public async Task Joint_CellWideNameOfAnotherRobotsJoint_IsRefused(string robot, string joint, string otherRobot, string otherJoint)
+    {
+        await _first.SendAsync(State(robot, 1, joint));
+        await _first.RoundTripAsync();
+
+        await _second.SendAsync(State(otherRobot, 2, otherJoint));
+
+        await _second.ExpectErrorAsync(
+            $"{otherJoint} {DropMessages.SameCellName(RobotTopic.NameOf(robot, RosTopics.JointStates), joint)}, rosbridge 127.0.0.1 ({DropReason.JointTaken})");
+        Assert.That(_gateway.Drops[DropReason.JointTaken], Is.EqualTo(1));
+    }
+
+    // The dead robot must stay in the list of joints.
+    [TestCase("arm1", "q", "", "arm1/q")]
+    [TestCase("", "arm1/q", "arm1", "q")]
+    public async Task Joint_CellWideNameOfAJointWhoseSourceFailed_IsRefused(string robot, string joint, string otherRobot, string otherJoint)
+    {
+        await _first.SendAsync(State(robot, 1, joint));
+        await _first.RoundTripAsync();
+        _first.Dispose();
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the first has disconnected");
+
+        await _second.SendAsync(State(otherRobot, 2, otherJoint));
+
+        await _second.ExpectErrorAsync(DropMessages.SameCellName(RobotTopic.NameOf(robot, RosTopics.JointStates), joint));
+        await _second.SendAsync(State(robot, 2, joint));
+        await _second.RoundTripAsync(); // another source of the same joint may take it over
+    }
+
+    [Test]
+    public async Task Joint_SlashInItsName_IsAcceptedWithoutARobotOfThatNamespace()
+    {
+        await _first.SendAsync(State("", 1, "panda/joint1"));
+        await _first.SendAsync(State("", 1, "panda/link/joint1"));
+        await _first.SendAsync(State("arm1", 1, "panda/joint1"));
+        await _first.RoundTripAsync();
+
+        var joints = (await StatusRequests.StateAsync(_gateway)).GetProperty("joints").EnumerateArray();
+        Assert.That(
+            joints.Select(joint => (joint.GetProperty("name").GetString(), joint.GetProperty("robot").GetString())),
+            Is.EqualTo(new[] { ("arm1/panda/joint1", "arm1"), ("panda/joint1", ""), ("panda/link/joint1", "") }));
+    }
+
+    // Diagnostics do not contain the robot of a headset, so the age of its samples is known only with one robot.
+    [TestCase("", true)]
+    [TestCase("arm1", false)]
+    public async Task Budget_JointsWithASlashInTheName_IsKnownWithOneRobot(string robot, bool isKnown)
+    {
+        await _first.SendAsync(State("", 1, "a"));
+        await _first.SendAsync(State(robot, 1, "panda/b"));
+        await _first.SendAsync(RosbridgeWriter.PublishDiagnostics(
+            RosTopics.Diagnostics, new DiagnosticsMessage(default, "h1", [KeyValuePair.Create("l_app_ms", "50")]), RosTimeForm.Sec));
+        await _first.RoundTripAsync();
+
+        var budget = (await StatusRequests.StateAsync(_gateway)).GetProperty("headsets")[0].GetProperty("budget_ms");
+
+        Assert.That(budget.TryGetProperty("plant", out var plant) && plant.ValueKind == System.Text.Json.JsonValueKind.Number, Is.EqualTo(isKnown));
     }
 
     [Test]

@@ -3,7 +3,6 @@ import { Bodies } from '../robot/bodies';
 import { JointTracks } from '../robot/tracks';
 import type { Beside } from '../robot/view';
 import { JOINT_STATE, readJointState, type Rosbridge } from './rosbridge';
-import { namespaceOf } from './state';
 
 /** Maximum number of robots. The gateway's limit is the same. */
 const MAX_ROBOTS = 16;
@@ -35,13 +34,12 @@ export class OtherRobots implements Beside {
   }
 
   /**
-   * Adds the robots of these joints. If there are too many, a new robot replaces one without a joint in the list.
-   * @param joints Names of all joints of the gateway. The name of a joint in a namespace begins with the namespace, for example arm1/elbow.
+   * Adds robots. If there are too many, a new robot replaces one that is not listed.
+   * @param listed Namespaces of all robots with joints; empty for the robot without one, which is not drawn here.
    */
-  setJoints(joints: string[]): void {
-    const listed = new Set(joints.map(namespaceOf).filter(name => name !== ''));
+  setRobots(listed: ReadonlySet<string>): void {
     for (const name of listed) {
-      if (this.robots.has(name)) continue;
+      if (name === '' || this.robots.has(name)) continue;
       if (this.robots.size >= MAX_ROBOTS) this.remove([...this.robots.keys()].find(known => !listed.has(known)));
       if (this.robots.size < MAX_ROBOTS) this.add(name);
     }

@@ -9,7 +9,7 @@ import { setText } from './liveTable';
 import { LiveClock } from './liveClock';
 import { OtherRobots } from './otherRobots';
 import { JOINT_STATE, readJointState, type Rosbridge } from './rosbridge';
-import { type CellFrame, type Headset, type Joint, namespaceOf, numberOf } from './state';
+import { type CellFrame, type Headset, type Joint, namespaceOf, numberOf, robotsOf } from './state';
 import { localTime } from './times';
 
 /**
@@ -50,8 +50,8 @@ export class RobotPanel {
   private rests = new Set<string>();
   /** State of each other joint of this list. */
   private faults = new Map<string, string>();
-  /** Namespaces of the robots with joints in this list. */
-  private robots = new Set<string>();
+  /** Namespaces of the robots, by the names of their joints. */
+  private robots = new Map<string, string>();
   private shownAt = 0;
   private drawn = 0;
 
@@ -94,8 +94,8 @@ export class RobotPanel {
     this.current = new Set(joints.filter(isGood).map(joint => joint.name));
     this.rests = new Set(joints.filter(joint => joint.state === 'rest').map(joint => joint.name));
     this.faults = new Map(joints.filter(joint => !this.current.has(joint.name)).map(joint => [joint.name, joint.state]));
-    this.robots = new Set(joints.map(joint => namespaceOf(joint.name)));
-    this.others.setJoints(joints.map(joint => joint.name));
+    this.robots = robotsOf(joints);
+    this.others.setRobots(new Set(this.robots.values()));
   }
 
   /** Sets the frames of the gateway. A robot whose base is one of them is drawn only while the pose of its base is known. */
@@ -116,7 +116,8 @@ export class RobotPanel {
 
   /** Namespace of the robot that the selected headset displays; null while it is not known. */
   private get displayedRobot(): string | null {
-    return this.reportedRobot ?? (this.robots.size === 1 ? [...this.robots][0] : null);
+    const robots = [...new Set(this.robots.values())];
+    return this.reportedRobot ?? (robots.length === 1 ? robots[0] : null);
   }
 
   private describe(text: string): void {
@@ -133,7 +134,8 @@ export class RobotPanel {
     if (!this.headset || !text.includes(JSON.stringify(this.headset.name))) return;
     const state = readJointState(text);
     if (state?.frame !== this.headset.name) return;
-    const robot = namespaceOf(state.names[0] ?? '');
+    const name = state.names[0] ?? '';
+    const robot = this.robots.get(name) ?? namespaceOf(name);
     if (robot !== this.reportedRobot) this.setReportedRobot(robot);
     const names = robot === '' ? state.names : state.names.map(name => name.slice(robot.length + 1));
     this.displayed.add(state.stamp, names, state.positions);

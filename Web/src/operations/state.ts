@@ -29,7 +29,10 @@ export interface State {
 export type Level = 'ok' | 'warning' | 'error';
 
 export interface Joint {
+  /** The cell-wide name. */
   name: string;
+  /** Namespace of the robot; empty for a robot without one, null if the gateway has received no sample of the joint. */
+  robot?: string | null;
   source: string;
   state: 'live' | 'rest' | 'stale' | 'refused' | 'fault' | 'missing';
   since_utc: string;
@@ -170,5 +173,12 @@ export function textOf<T extends Report>(words: T, key: keyof T): string {
   return value == null ? '' : String(value);
 }
 
-/** Returns the namespace in the cell-wide name of a joint; empty if it has none. */
-export const namespaceOf = (joint: string) => joint.slice(0, Math.max(0, joint.indexOf('/')));
+/** Returns the part of a cell-wide name before the slash, which usually is a namespace; empty if there is none. */
+export const namespaceOf = (name: string) => name.slice(0, Math.max(0, name.indexOf('/')));
+
+/** Returns the namespaces of the robots of joints, by the names of the joints. The name of a joint may itself contain a slash. */
+export function robotsOf(joints: Joint[]): Map<string, string> {
+  const robots = new Map(joints.map(({ name }) => [name, namespaceOf(name)]));
+  for (const { name, robot } of joints) if (robot != null) robots.set(name, robot);
+  return robots;
+}

@@ -43,6 +43,21 @@ describe('a robot', () => {
     assert.deepEqual(page.complaints, []);
   });
 
+  it('without a namespace may have joints with a slash in their names', async () => {
+    const { page } = await openWithOneBody();
+    const topics = [...gateway.sockets.values()][0];
+
+    gateway.state.joints.push({ ...gateway.state.joints[0], name: 'panda/joint1', robot: '' });
+    gateway.state.joints.push({ ...gateway.state.joints[0], name: 'arm2/panda/joint1', robot: 'arm2' });
+    await drawn(
+      () => nextState(page),
+      () => topics.has('/arm2/joint_states'),
+    );
+
+    assert.ok(topics.has('/arm2/joint_states'));
+    assert.ok(!topics.has('/panda/joint_states'));
+  });
+
   it('in a namespace is drawn after 16 others have come and gone', async () => {
     const { page, alone } = await openWithOneBody();
     const own = [...gateway.state.joints];

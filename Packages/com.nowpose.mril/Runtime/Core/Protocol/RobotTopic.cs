@@ -49,6 +49,16 @@ namespace Nowpose.Protocol
         /// <param name="robot">The robot's namespace; empty for the robot without a namespace.</param>
         public static string Qualified(string robot, string name) => robot.Length == 0 ? name : robot + "/" + name;
 
+        /// <summary>Returns the joint of another robot that has the same cell-wide name; its name is null if there is none.</summary>
+        /// <param name="robot">The robot's namespace; empty for the robot without a namespace.</param>
+        public static (string Robot, string Name) OtherOf(string robot, string name)
+        {
+            if (robot.Length > 0) return ("", Qualified(robot, name));
+            var slash = name.IndexOf('/');
+            return slash > 0 && slash < name.Length - 1 && IsNamespace(name.AsSpan(0, slash))
+                ? (name.Substring(0, slash), name.Substring(slash + 1)) : (null, null);
+        }
+
         /// <summary>Returns whether a name is not longer than the protocol allows. The namespace of a robot before it is not counted.</summary>
         public static bool HasNameLength(string name)
         {
